@@ -1,0 +1,136 @@
+"""Leases on ROS domains: who holds domain 17 hears nobody else and is heard by nobody else.
+
+A lease is an abstract Unix socket named after the domain. The kernel closes it with its holder, so a lease can
+never be left behind, whatever happens to the process. Domains 1 to 101 keep clear of the ephemeral ports of
+Linux (UDP port = 7400 + 250 * domain + …, DDS-RTPS specification, section 9.6.1).
+"""
+
+import os
+import random
+import socket
+import time
+from collections.abc import Iterable
+from pathlib import Path
+from types import TracebackType
+
+FIRST_DOMAIN = 1
+LAST_DOMAIN = 101
+REST_AFTER_KILL_S = 30.0
+SOCKET_PREFIX = "rclpy-workbook/domain/"
+
+
+class NoDomainFree(RuntimeError):
+    """Every domain from 1 to 101 is in use or resting."""
+
+
+def dds_port_range(domain_id: int) -> range:
+    """UDP ports that participants of a domain may use."""
+    start = 7400 + 250 * domain_id
+    return range(start, start + 250)
+
+
+def udp_ports_in_use(tables: Iterable[str] = ("/proc/net/udp", "/proc/net/udp6")) -> set[int]:
+    """Local UDP ports that any process of this machine has bound."""
+    ports: set[int] = set()
+    for table in tables:
+        try:
+            lines = Path(table).read_text().splitlines()[1:]
+        except OSError:
+            continue
+        for line in lines:
+            ports.add(int(line.split()[1].rsplit(":", 1)[1], 16))
+    return ports
+
+
+def domain_of_port(port: int) -> int | None:
+    """The ROS domain that a UDP port belongs to, or None when it is no DDS port."""
+    domain_id = (port - 7400) // 250
+    return domain_id if port >= 7400 and domain_id <= 232 else None
+
+
+def _rest_folder() -> Path:
+    cache = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
+    return Path(cache) / "rclpy-workbook" / "resting"
+
+
+def _is_resting(domain_id: int) -> bool:
+    marker = _rest_folder() / str(domain_id)
+    try:
+        age = time.time() - marker.stat().st_mtime
+    except OSError:
+        return False
+    if 0 <= age < REST_AFTER_KILL_S:
+        return True
+    marker.unlink(missing_ok=True)
+    return False
+
+
+def _rest(domain_id: int) -> None:
+    try:
+        folder = _rest_folder()
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / str(domain_id)).touch()
+    except OSError:
+        pass  # no writable cache: the domain is free again at once, and a stale peer fades by itself in 2 s
+
+
+class DomainLease:
+    """A ROS domain that belongs to this process until `release` is called or the process ends."""
+
+    def __init__(self, domain_id: int, holder: socket.socket) -> None:
+        self.domain_id = domain_id
+        self._holder: socket.socket | None = holder
+
+    def release(self, killed: bool = False) -> None:
+        """Give the domain back.
+
+        `killed`: a program on it was killed without saying goodbye; others would see its ghost, so the domain
+        rests for 30 s.
+        """
+        if self._holder is None:
+            return
+        if killed:
+            _rest(self.domain_id)
+        self._holder.close()
+        self._holder = None
+
+    def __enter__(self) -> "DomainLease":
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.release()
+
+
+def _try_lease(domain_id: int) -> DomainLease | None:
+    holder = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    try:
+        holder.bind(f"\0{SOCKET_PREFIX}{domain_id}")
+    except OSError:
+        holder.close()
+        return None
+    return DomainLease(domain_id, holder)
+
+
+def lease_domain(preferred: int | None = None) -> DomainLease:
+    """Lease a free domain from 1 to 101, `preferred` if it is free.
+
+    Skips domains that another process holds, that rest after a kill, or whose ports a stranger uses.
+    Raises NoDomainFree when none is left.
+    """
+    candidates = list(range(FIRST_DOMAIN, LAST_DOMAIN + 1))
+    random.shuffle(candidates)
+    if preferred is not None:
+        candidates.insert(0, preferred)
+    ports = udp_ports_in_use()
+    for domain_id in candidates:
+        if _is_resting(domain_id) or not ports.isdisjoint(dds_port_range(domain_id)):
+            continue
+        lease = _try_lease(domain_id)
+        if lease is not None:
+            return lease
+    raise NoDomainFree(
+        f"No ROS domain from {FIRST_DOMAIN} to {LAST_DOMAIN} is free: other notebooks or graders hold them all. "
+        "Close some of them and try again."
+    )

@@ -1,0 +1,113 @@
+"""The one place where the environment of every ROS process of the workbook is decided.
+
+rclpy and the message classes read these variables when they are first imported or when a context starts, so they
+must be set before. The ROS wheels restart Python once to set LD_LIBRARY_PATH; a child process may inherit that
+work only together with the variable that says it was done.
+"""
+
+import os
+import sys
+from collections.abc import Mapping, MutableMapping
+from importlib import metadata
+from pathlib import Path
+
+from workbook.ros.domains import DomainLease, lease_domain
+from workbook.ros.scratch import scratch_folder
+
+LOOPBACK_PROFILE = Path(__file__).with_name("loopback.xml")
+LOG_FORMAT = "[{severity}] [{name}]: {message}"
+
+_BOOTSTRAP_DONE = "_ROS_WHEELS_BOOTSTRAP_COMPLETE"
+_LEFTOVER_PREFIXES = ("ROS_", "RMW_", "RCUTILS_", "FASTRTPS_", "FASTDDS_", "CYCLONEDDS_", "AMENT_", "COLCON_", "RCL_")
+_LEFTOVERS = ("PYTHONPATH", "PYTHONHOME", "PYTHONOPTIMIZE", "CMAKE_PREFIX_PATH", "LD_PRELOAD", "PYTHONSTARTUP")
+_INHERITED = ("PATH", "HOME", "LANG", "LC_ALL", "LC_CTYPE", "TZ", "USER", "LOGNAME", "TMPDIR", "XDG_CACHE_HOME")
+
+_kernel_lease: DomainLease | None = None
+_log_folder: Path | None = None
+
+
+def uses_wheels() -> bool:
+    """Whether rclpy comes from the pinned wheels (and not from an apt or RoboStack installation)."""
+    try:
+        metadata.version("ros-jazzy-rclpy")
+    except metadata.PackageNotFoundError:
+        return False
+    return True
+
+
+def is_leftover(name: str) -> bool:
+    """Whether a variable may stem from a sourced ROS or another environment and must not reach our processes."""
+    return name in _LEFTOVERS or name.startswith(_LEFTOVER_PREFIXES)
+
+
+def library_path(environ: Mapping[str, str]) -> dict[str, str]:
+    """The loader variables a child may inherit: those that the wheels of this very environment have set."""
+    if not environ.get(_BOOTSTRAP_DONE):
+        return {}
+    folders = [folder for folder in environ.get("LD_LIBRARY_PATH", "").split(":") if folder]
+    own = [folder for folder in folders if Path(folder).is_relative_to(sys.prefix)]
+    if not own:
+        return {}
+    return {_BOOTSTRAP_DONE: environ[_BOOTSTRAP_DONE], "LD_LIBRARY_PATH": ":".join(own)}
+
+
+def ros_settings(domain_id: int, *, check_fields: bool, log_folder: Path) -> dict[str, str]:
+    """ROS variables for one process: loopback only, one domain, plain log lines without time stamps.
+
+    `check_fields` makes message classes refuse values of a wrong type (off in stock ROS).
+    """
+    settings = {
+        "ROS_DOMAIN_ID": str(domain_id),
+        "ROS_AUTOMATIC_DISCOVERY_RANGE": "SYSTEM_DEFAULT",
+        "FASTRTPS_DEFAULT_PROFILES_FILE": str(LOOPBACK_PROFILE),
+        "ROS_LOG_DIR": str(log_folder),
+        "RCUTILS_CONSOLE_OUTPUT_FORMAT": LOG_FORMAT,
+        "RCUTILS_COLORIZED_OUTPUT": "0",
+    }
+    if check_fields:
+        settings["ROS_PYTHON_CHECK_FIELDS"] = "1"
+    return settings
+
+
+def own_log_folder() -> Path:
+    """The folder for ROS log files of this process; it goes when the process ends."""
+    global _log_folder
+    if _log_folder is None or not _log_folder.is_dir():
+        _log_folder = scratch_folder("log")
+    return _log_folder
+
+
+def child_environment(
+    domain_id: int, *, check_fields: bool = False, log_folder: Path | None = None
+) -> dict[str, str]:
+    """A clean environment for a process that we start on `domain_id`."""
+    folder = own_log_folder() if log_folder is None else log_folder
+    if uses_wheels():
+        environ = {name: os.environ[name] for name in _INHERITED if name in os.environ}
+        environ |= library_path(os.environ)
+    else:
+        environ = {name: value for name, value in os.environ.items() if not name.startswith(("ROS_PYTHON_CHECK",))}
+    environ |= ros_settings(domain_id, check_fields=check_fields, log_folder=folder)
+    environ["PYTHONUNBUFFERED"] = "1"
+    environ["PYTHONDONTWRITEBYTECODE"] = "1"
+    return environ
+
+
+def prepare(
+    environ: MutableMapping[str, str] | None = None, *, domain_id: int | None = None, check_fields: bool = True
+) -> int:
+    """Set up this process before its first ROS import and return its domain.
+
+    Without `domain_id` the process leases a domain of its own, held until it ends. Safe to call again.
+    """
+    global _kernel_lease
+    environ = os.environ if environ is None else environ
+    if domain_id is None:
+        if _kernel_lease is None:
+            _kernel_lease = lease_domain()
+        domain_id = _kernel_lease.domain_id
+    if uses_wheels():
+        for name in [name for name in environ if is_leftover(name)]:
+            del environ[name]
+    environ.update(ros_settings(domain_id, check_fields=check_fields, log_folder=own_log_folder()))
+    return domain_id
