@@ -1,0 +1,65 @@
+"""Robot time that we drive: a publisher on /clock whose seconds are shorter than real ones."""
+
+import time
+from typing import Any
+
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
+from rosgraph_msgs.msg import Clock
+
+# A program counts its timers from zero; a clock that starts late makes the first ticks fall due at once, which is
+# what a timer does on the wall clock only after its first period. Starting near zero keeps both alike.
+START_NS = 1_000_000
+CLOCK_QOS = QoSProfile(
+    history=HistoryPolicy.KEEP_LAST,
+    depth=100,
+    reliability=ReliabilityPolicy.RELIABLE,
+    durability=DurabilityPolicy.VOLATILE,
+)
+
+
+class SimulatedClock:
+    """Publishes robot time on /clock in equal steps.
+
+    `step_s` is the resolution of robot time in seconds. `advance` moves it by one step when that step is due at
+    the speed set (robot seconds per real second). Robot time never skips: if the machine is late, it waits.
+    """
+
+    def __init__(self, node: Any, step_s: float) -> None:
+        self._publisher = node.create_publisher(Clock, "/clock", CLOCK_QOS)
+        self.step_ns = round(step_s * 1e9)
+        self.now_ns = START_NS
+        self._speed = 1.0
+        self._due = time.monotonic()
+
+    @property
+    def now(self) -> float:
+        """Robot time in seconds since the clock was started."""
+        return (self.now_ns - START_NS) / 1e9
+
+    def followers(self) -> int:
+        """Programs that listen to /clock."""
+        return int(self._publisher.get_subscription_count())
+
+    def run_at(self, speed: float) -> None:
+        """Set the speed; the next step is due one step from now."""
+        self._speed = speed
+        self._due = time.monotonic() + self._real_step
+
+    @property
+    def _real_step(self) -> float:
+        return self.step_ns / 1e9 / self._speed
+
+    def until_due(self) -> float:
+        """Real seconds until the next step is due (zero when it is)."""
+        return max(0.0, self._due - time.monotonic())
+
+    def publish(self) -> None:
+        message = Clock()
+        message.clock.sec, message.clock.nanosec = divmod(self.now_ns, 1_000_000_000)
+        self._publisher.publish(message)
+
+    def advance(self) -> None:
+        """Move robot time on by one step and publish it."""
+        self.now_ns += self.step_ns
+        self._due = max(self._due + self._real_step, time.monotonic() + self._real_step / 2)
+        self.publish()

@@ -1,0 +1,278 @@
+"""Starting a program as its own process, keeping its log bounded, and ending all of it."""
+
+import codecs
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+from workbook.observing.recording import ProcessRecord
+from workbook.ros.domains import domain_of_port
+from workbook.ros.environment import child_environment
+from workbook.ros.scratch import remove_scratch, scratch_folder
+
+HOST = Path(__file__).with_name("host.py")
+LOG_KEPT_BYTES = 8_000
+LOG_LIMIT_BYTES = 50_000_000
+RUN_MARK = "WORKBOOK_RUN"
+_CONTROL = re.compile(r"\x1b\[[0-?]*[ -/]*[@-~]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)|[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+
+
+def plain_text(raw: bytes) -> str:
+    """Text that no terminal, page or file can take for a command: no escapes, no control characters."""
+    text = codecs.decode(raw, "utf-8", "replace").replace("\r\n", "\n")
+    return _CONTROL.sub("", text)
+
+
+class ProgramLog:
+    """Reads what a program prints; keeps the first and the last part, and tells when there was far too much."""
+
+    def __init__(self, stream_fd: int, on_flood: Callable[[], None]) -> None:
+        self._fd = stream_fd
+        self._on_flood = on_flood
+        self._head = bytearray()
+        self._tail = bytearray()
+        self._seen = 0
+        self.flooded = False
+        self._thread = threading.Thread(target=self._read, name="program log", daemon=True)
+        self._thread.start()
+
+    def _read(self) -> None:
+        half = LOG_KEPT_BYTES // 2
+        try:
+            while chunk := os.read(self._fd, 65536):
+                self._seen += len(chunk)
+                room = half - len(self._head)
+                if room > 0:
+                    self._head += chunk[:room]
+                    chunk = chunk[room:]
+                self._tail += chunk
+                del self._tail[:-half]
+                if self._seen > LOG_LIMIT_BYTES and not self.flooded:
+                    self.flooded = True
+                    self._on_flood()
+        except OSError:
+            pass
+        finally:
+            os.close(self._fd)
+
+    def finish(self, timeout_s: float) -> None:
+        self._thread.join(timeout_s)
+
+    @property
+    def truncated(self) -> bool:
+        return self._seen > LOG_KEPT_BYTES
+
+    def text(self) -> str:
+        head, tail = bytes(self._head), bytes(self._tail)
+        if self._seen <= len(head) + len(tail):
+            return plain_text(head + tail)
+        left_out = self._seen - len(head) - len(tail)
+        return f"{plain_text(head)}\n… {left_out} bytes left out …\n{plain_text(tail)}"
+
+
+def processes_marked(mark: str) -> list[int]:
+    """Processes (of this user) whose environment carries `WORKBOOK_RUN=mark`, whatever session they moved to."""
+    needle = f"{RUN_MARK}={mark}".encode()
+    found = []
+    for entry in os.listdir("/proc"):
+        if not entry.isdigit() or int(entry) == os.getpid():
+            continue
+        try:
+            environ = Path(f"/proc/{entry}/environ").read_bytes()
+        except OSError:
+            continue
+        if needle in environ.split(b"\0"):
+            found.append(int(entry))
+    return found
+
+
+def _children(pid: int) -> list[int]:
+    try:
+        tasks = os.listdir(f"/proc/{pid}/task")
+    except OSError:
+        return []
+    found: list[int] = []
+    for task in tasks:
+        try:
+            found += [int(child) for child in Path(f"/proc/{pid}/task/{task}/children").read_text().split()]
+        except OSError:
+            continue
+    return found
+
+
+def process_tree(pid: int) -> list[int]:
+    """`pid` and all its descendants."""
+    tree = [pid]
+    for member in tree:
+        tree += [child for child in _children(member) if child not in tree]
+    return tree
+
+
+def domains_of(pids: Sequence[int]) -> tuple[int, ...]:
+    """ROS domains on which these processes have DDS ports open."""
+    inodes: set[str] = set()
+    for pid in pids:
+        try:
+            links = [os.readlink(f"/proc/{pid}/fd/{fd}") for fd in os.listdir(f"/proc/{pid}/fd")]
+        except OSError:
+            continue
+        inodes |= {link[8:-1] for link in links if link.startswith("socket:[")}
+    domains: set[int] = set()
+    for line in Path("/proc/net/udp").read_text().splitlines()[1:]:
+        fields = line.split()
+        if fields[9] in inodes:
+            domain_id = domain_of_port(int(fields[1].rsplit(":", 1)[1], 16))
+            if domain_id is not None:
+                domains.add(domain_id)
+    return tuple(sorted(domains))
+
+
+class NodeProcess:
+    """A program that runs as its own process, in its own session, and whose whole tree ends with `stop`.
+
+    `program` is a Python file; it runs as `__main__` with `arguments`. Use as a context manager, or call `stop`.
+    """
+
+    def __init__(
+        self,
+        program: Path,
+        domain_id: int,
+        arguments: Sequence[str] = (),
+        *,
+        check_fields: bool = False,
+        limits: Mapping[str, int] | None = None,
+    ) -> None:
+        if not program.is_file():
+            raise FileNotFoundError(f"there is no program {program}")
+        self.program = program
+        self.domain_id = domain_id
+        self._folder = scratch_folder("run")
+        self._mark = f"{os.getpid()}-{self._folder.name}"
+        self._limits_hit: list[str] = []
+        self._ended_at: float | None = None
+        self._ended_by_bench = False
+        self._domains_used: tuple[int, ...] = ()
+        self.killed = False
+        command = [sys.executable, "-P", str(HOST), "--parent", str(os.getpid())]
+        for name, value in (limits or {}).items():
+            command += ["--limit", f"{name}={value}"]
+        environ = child_environment(domain_id, check_fields=check_fields, log_folder=self._folder)
+        environ[RUN_MARK] = self._mark
+        read_fd, write_fd = os.pipe()
+        self.started_at = time.monotonic()
+        try:
+            self._process = subprocess.Popen(
+                [*command, str(program.resolve()), *arguments],
+                stdin=subprocess.DEVNULL,
+                stdout=write_fd,
+                stderr=write_fd,
+                env=environ,
+                cwd=self._folder,
+                start_new_session=True,
+            )
+        except OSError:
+            os.close(read_fd)
+            remove_scratch(self._folder)
+            raise
+        finally:
+            os.close(write_fd)
+        self.log = ProgramLog(read_fd, self._stop_flood)
+
+    def _stop_flood(self) -> None:
+        self._limits_hit.append("output")
+        self._kill_tree()
+
+    @property
+    def pid(self) -> int:
+        return self._process.pid
+
+    def is_running(self) -> bool:
+        if self._process.poll() is None:
+            return True
+        if self._ended_at is None:
+            self._ended_at = time.monotonic()
+        return False
+
+    def wait(self, timeout_s: float) -> bool:
+        """Wait for the program to end by itself. Returns whether it has."""
+        try:
+            self._process.wait(timeout_s)
+        except subprocess.TimeoutExpired:
+            return False
+        return not self.is_running()
+
+    def interrupt(self) -> None:
+        """Send SIGINT, what Ctrl-C sends."""
+        if self.is_running():
+            self._process.send_signal(signal.SIGINT)
+
+    def domains_used(self) -> tuple[int, ...]:
+        """ROS domains on which the program (or a child of it) has sockets at this moment."""
+        if self.is_running():
+            used = domains_of(process_tree(self.pid))
+            self._domains_used = tuple(sorted({*self._domains_used, *used}))
+        return self._domains_used
+
+    def _kill_tree(self) -> None:
+        for _ in range(20):
+            alive = {*process_tree(self.pid)[1:], *processes_marked(self._mark)}
+            if self._process.poll() is None:
+                alive.add(self.pid)
+            if not alive:
+                return
+            for pid in alive:
+                try:
+                    os.kill(pid, signal.SIGKILL)
+                except ProcessLookupError:
+                    pass
+            time.sleep(0.005)
+
+    def stop(self, patience_s: float = 2.0) -> None:
+        """End the program: SIGINT, wait up to `patience_s`, then SIGKILL to everything it started.
+
+        SIGTERM is not used: this rclpy loses some of them while it spins.
+        """
+        if self.is_running():
+            self._ended_by_bench = True
+            self.interrupt()
+            if not self.wait(patience_s):
+                self.killed = True
+        if self.killed or processes_marked(self._mark):
+            self.killed = True
+            self._kill_tree()
+            self._process.wait()
+            self.is_running()
+        self.log.finish(1.0)
+        remove_scratch(self._folder)
+
+    def record(self) -> ProcessRecord:
+        """What the process did so far."""
+        code = None if self.is_running() else self._process.returncode
+        ended_at = None if self._ended_at is None else self._ended_at - self.started_at
+        limits = [*self._limits_hit]
+        if code is not None and -code == signal.SIGXCPU:
+            limits.append("cpu")
+        by_bench = self._ended_by_bench or "output" in limits
+        return ProcessRecord(
+            exit=code if code is not None and code >= 0 else None,
+            signal=signal.Signals(-code).name if code is not None and code < 0 else None,
+            ended_at=ended_at,
+            ended_by=None if code is None else ("bench" if by_bench else "itself"),
+            watched_for=(ended_at if ended_at is not None else time.monotonic() - self.started_at),
+            limits_hit=tuple(limits),
+            log=self.log.text(),
+            log_truncated=self.log.truncated,
+            domains_used=self._domains_used,
+        )
+
+    def __enter__(self) -> "NodeProcess":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.stop()

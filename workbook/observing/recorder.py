@@ -1,0 +1,223 @@
+"""Subscribes by itself to whatever others publish, and keeps what arrives."""
+
+import re
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.serialization import deserialize_message
+
+from workbook.observing.recording import Arrival, NodeSeen, PublisherSeen, SubscriberSeen, TopicRecording
+from workbook.observing.values import message_class, plain
+
+INFRASTRUCTURE = ("/rosout", "/parameter_events", "/clock")
+KEPT_PER_TOPIC = 20_000
+TOPICS_WATCHED = 64
+LARGEST_MESSAGE_BYTES = 4_000_000
+_NODE_UNKNOWN = "_NODE_NAME_UNKNOWN_"
+
+
+@dataclass
+class _Watched:
+    """One topic while it is being recorded."""
+
+    name: str
+    publishers: dict[bytes, PublisherSeen] = field(default_factory=dict)
+    subscribers: dict[bytes, SubscriberSeen] = field(default_factory=dict)
+    raw: list[tuple[float, float, bytes]] = field(default_factory=list)
+    subscription: Any = None
+    subscribed_type: str | None = None
+    best_effort: bool = False
+    matched_at: float | None = None
+    not_kept: int = 0
+
+
+def _full_name(namespace: str, name: str) -> str:
+    return f"{namespace.rstrip('/')}/{name}"
+
+
+def _gid(info: Any) -> bytes:
+    return bytes(info.endpoint_gid)
+
+
+class Recorder:
+    """Watches the graph of one context and records every topic that somebody else publishes.
+
+    `robot_now` and `wall_now` give the two time stamps of an arrival, in seconds. `look` takes in changes of the
+    graph; it costs well under a millisecond and is called often. `ignore` names nodes that are not recorded.
+    """
+
+    def __init__(
+        self,
+        node: Node,
+        robot_now: Callable[[], float],
+        wall_now: Callable[[], float] = time.monotonic,
+        ignore: tuple[str, ...] = (),
+    ) -> None:
+        self._node = node
+        self._robot_now = robot_now
+        self._wall_now = wall_now
+        self._own = {node.get_fully_qualified_name(), *ignore}
+        self._topics: dict[str, _Watched] = {}
+        self._nodes: dict[str, NodeSeen] = {}
+        self.keeping = True
+
+    def look(self) -> bool:
+        """Take in the graph as it is now. Returns whether anything is new."""
+        new = False
+        for name, namespace in self._node.get_node_names_and_namespaces():
+            full = _full_name(namespace, name)
+            if full not in self._own and full not in self._nodes and name != _NODE_UNKNOWN:
+                self._nodes[full] = NodeSeen(full, self._wall_now())
+                new = True
+        for topic, _ in self._node.get_topic_names_and_types(no_demangle=False):
+            if topic not in INFRASTRUCTURE:
+                new |= self._look_at(topic)
+        return new
+
+    def _look_at(self, topic: str) -> bool:
+        watched = self._topics.get(topic)
+        if watched is None:
+            if len(self._topics) >= TOPICS_WATCHED:
+                return False
+            watched = self._topics.setdefault(topic, _Watched(topic))
+        new = self._update_publishers(watched)
+        self._update_subscribers(watched)
+        self._subscribe(watched)
+        if watched.matched_at is None and watched.subscription is not None:
+            if watched.subscription.get_publisher_count() > 0:
+                watched.matched_at = self._robot_now()
+                new = True
+        return new
+
+    def _update_publishers(self, watched: _Watched) -> bool:
+        present: set[bytes] = set()
+        now = self._robot_now()
+        new = False
+        for info in self._node.get_publishers_info_by_topic(watched.name):
+            owner = _full_name(info.node_namespace, info.node_name)
+            if owner in self._own:
+                continue
+            gid = _gid(info)
+            present.add(gid)
+            known = watched.publishers.get(gid)
+            if known is None or known.node.endswith(_NODE_UNKNOWN) or known.last_seen is not None:
+                new |= known is None
+                watched.publishers[gid] = PublisherSeen(
+                    node=owner,
+                    type=info.topic_type,
+                    reliability=info.qos_profile.reliability.name.lower(),
+                    durability=info.qos_profile.durability.name.lower(),
+                    first_seen=now if known is None else known.first_seen,
+                )
+        for gid, publisher in watched.publishers.items():
+            if gid not in present and publisher.last_seen is None:
+                watched.publishers[gid] = PublisherSeen(
+                    publisher.node,
+                    publisher.type,
+                    publisher.reliability,
+                    publisher.durability,
+                    publisher.first_seen,
+                    now,
+                )
+        return new
+
+    def _update_subscribers(self, watched: _Watched) -> None:
+        for info in self._node.get_subscriptions_info_by_topic(watched.name):
+            owner = _full_name(info.node_namespace, info.node_name)
+            if owner not in self._own:
+                watched.subscribers[_gid(info)] = SubscriberSeen(
+                    node=owner,
+                    type=info.topic_type,
+                    reliability=info.qos_profile.reliability.name.lower(),
+                    durability=info.qos_profile.durability.name.lower(),
+                )
+
+    def _subscribe(self, watched: _Watched) -> None:
+        best_effort = any(publisher.reliability == "best_effort" for publisher in watched.publishers.values())
+        if watched.subscription is not None:
+            if best_effort and not watched.best_effort:
+                self._node.destroy_subscription(watched.subscription)
+                watched.subscription = None
+            else:
+                return
+        for publisher in watched.publishers.values():
+            message_type = message_class(publisher.type)
+            if message_type is None:
+                continue
+            watched.best_effort = best_effort
+            watched.subscribed_type = publisher.type
+            watched.subscription = self._node.create_subscription(
+                message_type,
+                watched.name,
+                lambda raw, watched=watched: self._keep(watched, raw),
+                QoSProfile(
+                    history=HistoryPolicy.KEEP_LAST,
+                    depth=1000,
+                    reliability=ReliabilityPolicy.BEST_EFFORT if best_effort else ReliabilityPolicy.RELIABLE,
+                    durability=DurabilityPolicy.VOLATILE,
+                ),
+                raw=True,
+            )
+            return
+
+    def _keep(self, watched: _Watched, raw: bytes) -> None:
+        if not self.keeping:
+            return
+        if len(watched.raw) >= KEPT_PER_TOPIC or len(raw) > LARGEST_MESSAGE_BYTES:
+            watched.not_kept += 1
+            return
+        watched.raw.append((self._robot_now(), self._wall_now(), raw))
+
+    def matched(self, topic: str) -> bool:
+        """Whether the recorder's own subscription to `topic` is connected to a publisher."""
+        watched = self._topics.get(topic)
+        return watched is not None and watched.matched_at is not None
+
+    def any_publisher(self) -> bool:
+        return any(watched.publishers for watched in self._topics.values())
+
+    def nodes(self) -> tuple[NodeSeen, ...]:
+        return tuple(self._nodes[name] for name in sorted(self._nodes))
+
+    def start_windows(self, t: float) -> None:
+        """Begin the watch at robot time `t`: topics matched before count from then."""
+        for watched in self._topics.values():
+            if watched.matched_at is not None:
+                watched.matched_at = max(watched.matched_at, t)
+
+    def topics(self, end: float) -> dict[str, TopicRecording]:
+        """What was recorded, with every window closed at robot time `end`."""
+        return {name: _finish(watched, end) for name, watched in sorted(self._topics.items())}
+
+
+def _finish(watched: _Watched, end: float) -> TopicRecording:
+    arrivals: list[Arrival] = []
+    undecodable = 0
+    message_type = None if watched.subscribed_type is None else message_class(watched.subscribed_type)
+    for t, wall, raw in watched.raw:
+        try:
+            value = plain(deserialize_message(raw, message_type))
+        except Exception:  # bytes from a stranger: whatever goes wrong, they are no message
+            undecodable += 1
+            continue
+        arrivals.append(Arrival(round(t, 6), round(wall, 4), value))
+    return TopicRecording(
+        name=watched.name,
+        publishers=tuple(watched.publishers.values()),
+        subscribers=tuple(watched.subscribers.values()),
+        arrivals=tuple(arrivals),
+        window=None if watched.matched_at is None else (watched.matched_at, end),
+        undecodable=undecodable,
+        not_kept=watched.not_kept,
+    )
+
+
+def drain(executor: SingleThreadedExecutor, until: float) -> None:
+    """Run callbacks of `executor` until real time `until` (s, monotonic clock)."""
+    while (left := until - time.monotonic()) > 0:
+        executor.spin_once(timeout_sec=left)

@@ -1,0 +1,50 @@
+"""From ROS messages to plain data, and from type names to message classes."""
+
+import array
+import importlib
+from typing import Any
+
+LONGEST_ARRAY = 4096
+LONGEST_TEXT = 4096
+
+
+def type_name(message_class: Any) -> str:
+    """The ROS name of a message class, e.g. "std_msgs/msg/String"."""
+    package, kind = message_class.__module__.split(".")[:2]
+    return f"{package}/{kind}/{message_class.__name__}"
+
+
+def message_class(name: str) -> Any | None:
+    """The class of a message type such as "std_msgs/msg/String"; None if it is not installed here."""
+    parts = name.split("/")
+    if len(parts) != 3 or not all(part.isidentifier() for part in parts) or parts[1] != "msg":
+        return None
+    try:
+        return getattr(importlib.import_module(f"{parts[0]}.msg"), parts[2], None)
+    except ImportError:
+        return None
+
+
+def plain(value: Any) -> Any:
+    """A message (or a field) as dicts, lists, numbers and text.
+
+    Arrays and texts longer than 4096 elements are cut and become `{"length": n, "first": [...]}`.
+    """
+    if isinstance(value, (bool, int, float)):
+        return value
+    if isinstance(value, str):
+        return value if len(value) <= LONGEST_TEXT else {"length": len(value), "first": value[:LONGEST_TEXT]}
+    if hasattr(value, "get_fields_and_field_types"):
+        return {name: plain(getattr(value, name)) for name in value.get_fields_and_field_types()}
+    if isinstance(value, array.array):
+        return _cut(len(value), value[:LONGEST_ARRAY].tolist())
+    if isinstance(value, (bytes, bytearray)):
+        return _cut(len(value), list(value[:LONGEST_ARRAY]))
+    if hasattr(value, "dtype"):
+        flat = value.reshape(-1)
+        return _cut(int(flat.size), flat[:LONGEST_ARRAY].tolist())
+    return _cut(len(value), [plain(item) for item in value[:LONGEST_ARRAY]])
+
+
+def _cut(length: int, first: list[Any]) -> Any:
+    return first if length <= LONGEST_ARRAY else {"length": length, "first": first}
