@@ -1,5 +1,6 @@
 """Robot time that we drive: a publisher on /clock whose seconds are shorter than real ones."""
 
+import bisect
 import time
 from typing import Any
 
@@ -30,6 +31,8 @@ class SimulatedClock:
         self.now_ns = START_NS
         self._speed = 1.0
         self._due = time.monotonic()
+        self._moments: list[float] = []
+        self._times: list[float] = []
 
     @property
     def now(self) -> float:
@@ -56,6 +59,8 @@ class SimulatedClock:
     def publish(self) -> None:
         message = Clock()
         message.clock.sec, message.clock.nanosec = divmod(self.now_ns, 1_000_000_000)
+        self._moments.append(time.monotonic())
+        self._times.append(self.now)
         self._publisher.publish(message)
 
     def advance(self) -> None:
@@ -63,3 +68,8 @@ class SimulatedClock:
         self.now_ns += self.step_ns
         self._due = max(self._due + self._real_step, time.monotonic() + self._real_step / 2)
         self.publish()
+
+    def robot_time(self, moment: float) -> float:
+        """Robot time (s) at a moment of `time.monotonic`: the last one published before it."""
+        index = bisect.bisect_right(self._moments, moment) - 1
+        return self._times[index] if index >= 0 else 0.0

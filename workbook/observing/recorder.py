@@ -1,12 +1,10 @@
 """Subscribes by itself to whatever others publish, and keeps what arrives."""
 
-import re
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message
@@ -47,24 +45,31 @@ def _gid(info: Any) -> bytes:
 class Recorder:
     """Watches the graph of one context and records every topic that somebody else publishes.
 
-    `robot_now` and `wall_now` give the two time stamps of an arrival, in seconds. `look` takes in changes of the
-    graph; it costs well under a millisecond and is called often. `ignore` names nodes that are not recorded.
+    `robot_time` maps a moment of `time.monotonic` (s) to robot time (s); an arrival is stamped with the moment at
+    which DDS received it, so it does not matter how late `take` is called. `started_at` is the zero of wall time.
+    `look` takes in changes of the graph, `take` the messages; neither waits. `ignore` names nodes to leave out.
     """
 
     def __init__(
         self,
         node: Node,
-        robot_now: Callable[[], float],
-        wall_now: Callable[[], float] = time.monotonic,
+        started_at: float,
+        robot_time: Callable[[float], float],
         ignore: tuple[str, ...] = (),
     ) -> None:
         self._node = node
-        self._robot_now = robot_now
-        self._wall_now = wall_now
+        self._started_at = started_at
+        self._robot_time = robot_time
+        self._epoch_offset = time.time() - time.monotonic()
         self._own = {node.get_fully_qualified_name(), *ignore}
         self._topics: dict[str, _Watched] = {}
         self._nodes: dict[str, NodeSeen] = {}
-        self.keeping = True
+
+    def _robot_now(self) -> float:
+        return self._robot_time(time.monotonic())
+
+    def _wall_now(self) -> float:
+        return time.monotonic() - self._started_at
 
     def look(self) -> bool:
         """Take in the graph as it is now. Returns whether anything is new."""
@@ -154,7 +159,7 @@ class Recorder:
             watched.subscription = self._node.create_subscription(
                 message_type,
                 watched.name,
-                lambda raw, watched=watched: self._keep(watched, raw),
+                _never_called,
                 QoSProfile(
                     history=HistoryPolicy.KEEP_LAST,
                     depth=1000,
@@ -165,13 +170,31 @@ class Recorder:
             )
             return
 
-    def _keep(self, watched: _Watched, raw: bytes) -> None:
-        if not self.keeping:
-            return
+    def take(self) -> None:
+        """Keep every message that has arrived since the last call."""
+        for watched in self._topics.values():
+            if watched.subscription is None:
+                continue
+            with watched.subscription.handle:
+                while True:
+                    taken = watched.subscription.handle.take_message(watched.subscription.msg_type, True)
+                    if taken is None:
+                        break
+                    raw, info = taken
+                    self._keep(watched, raw, info["received_timestamp"] / 1e9 - self._epoch_offset)
+
+    def discard(self) -> None:
+        """Drop what has arrived so far: it came before the watch began."""
+        self.take()
+        for watched in self._topics.values():
+            watched.raw.clear()
+            watched.not_kept = 0
+
+    def _keep(self, watched: _Watched, raw: bytes, moment: float) -> None:
         if len(watched.raw) >= KEPT_PER_TOPIC or len(raw) > LARGEST_MESSAGE_BYTES:
             watched.not_kept += 1
             return
-        watched.raw.append((self._robot_now(), self._wall_now(), raw))
+        watched.raw.append((self._robot_time(moment), moment - self._started_at, raw))
 
     def matched(self, topic: str) -> bool:
         """Whether the recorder's own subscription to `topic` is connected to a publisher."""
@@ -217,7 +240,5 @@ def _finish(watched: _Watched, end: float) -> TopicRecording:
     )
 
 
-def drain(executor: SingleThreadedExecutor, until: float) -> None:
-    """Run callbacks of `executor` until real time `until` (s, monotonic clock)."""
-    while (left := until - time.monotonic()) > 0:
-        executor.spin_once(timeout_sec=left)
+def _never_called(message: object) -> None:
+    """No executor serves the recorder's node: `take` fetches the messages."""

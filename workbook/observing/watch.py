@@ -1,0 +1,356 @@
+"""Watching one program from its start to a verdict-ready recording, on robot time or on the wall clock."""
+
+import math
+import secrets
+import statistics
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal
+
+import rclpy
+from rclpy.context import Context
+from rclpy.node import Node
+
+from workbook.observing.clock import SimulatedClock
+from workbook.observing.process import NodeProcess
+from workbook.observing.recorder import Recorder
+from workbook.observing.recording import Clock, Phase, ProcessRecord, Recording
+from workbook.ros.domains import DomainLease, lease_domain
+from workbook.ros.environment import prepare
+
+SPEEDS = (10.0, 20.0)
+PERIODS_PER_SPEED = 3.5
+WALL_PERIODS = 4.0
+LEAST_WALL_WATCH_S = 4.0
+FIRST_SIGN_S = 12.0
+SETTLE_S = 0.6
+MATCH_S = 3.0
+FOLLOW_S = 1.0
+POLL_S = 0.01
+LOOK_EVERY_S = 0.1
+USE_SIM_TIME = ("--ros-args", "-p", "use_sim_time:=true")
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is to be judged, so that the watch knows how finely and how long to look.
+
+    `topics`: judged topic names. `shortest_period` and `longest_period`: of the judged rates, in seconds.
+    """
+
+    topics: tuple[str, ...]
+    shortest_period: float
+    longest_period: float
+
+    @property
+    def step_s(self) -> float:
+        """Step of robot time: a tenth of the shortest judged period."""
+        return self.shortest_period / 10.0
+
+    @property
+    def robot_s_per_speed(self) -> float:
+        return PERIODS_PER_SPEED * self.longest_period
+
+    @property
+    def wall_s(self) -> float:
+        return max(LEAST_WALL_WATCH_S, WALL_PERIODS * self.longest_period)
+
+
+class Observer:
+    """Stands on one leased domain and watches programs, one after another.
+
+    Keep one per slot: a warm observer saves the start of a context. After a program had to be killed it moves to
+    another domain, because the ghost of the dead would stay on the graph for a while.
+    """
+
+    def __init__(self) -> None:
+        self._lease: DomainLease | None = None
+        self._stand()
+
+    def _stand(self) -> None:
+        self._lease = lease_domain()
+        prepare(domain_id=self._lease.domain_id)
+
+    @property
+    def domain_id(self) -> int:
+        assert self._lease is not None, "this observer is closed"
+        return self._lease.domain_id
+
+    def close(self) -> None:
+        if self._lease is not None:
+            self._lease.release()
+            self._lease = None
+
+    def move(self) -> None:
+        """Leave this domain to rest and lease another one."""
+        if self._lease is not None:
+            self._lease.release(killed=True)
+        self._stand()
+
+    def __enter__(self) -> "Observer":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def watch(
+        self,
+        program: Path,
+        plan: Plan,
+        clock: Clock,
+        *,
+        check_fields: bool = False,
+        limits: dict[str, int] | None = None,
+    ) -> "Watch":
+        """Start `program` and return the running watch; use it as a context manager."""
+        return Watch(self, program, plan, clock, check_fields=check_fields, limits=limits)
+
+
+class Watch:
+    """One program under watch. `observe` makes the recording; the program then goes on until the watch is left.
+
+    `keep_watching` extends the life of a program on the wall clock after it was observed.
+    """
+
+    def __init__(
+        self,
+        observer: Observer,
+        program: Path,
+        plan: Plan,
+        clock: Clock,
+        *,
+        check_fields: bool,
+        limits: dict[str, int] | None,
+    ) -> None:
+        self._observer = observer
+        self._plan = plan
+        self._clock_kind: Clock = clock
+        self._context = Context()
+        rclpy.init(
+            context=self._context,
+            args=["--ros-args", "--disable-external-lib-logs"],
+            domain_id=observer.domain_id,
+            signal_handler_options=rclpy.signals.SignalHandlerOptions.NO,
+        )
+        self._node = Node(
+            f"bench_{secrets.token_hex(4)}",
+            context=self._context,
+            enable_rosout=False,
+            start_parameter_services=False,
+            use_global_arguments=False,
+        )
+        self._clock = SimulatedClock(self._node, plan.step_s) if clock == "simulated" else None
+        arguments = USE_SIM_TIME if clock == "simulated" else ()
+        try:
+            self._process = NodeProcess(
+                program, observer.domain_id, arguments, check_fields=check_fields, limits=limits
+            )
+        except OSError:
+            self._shut()
+            raise
+        self._began = self._process.started_at
+        self._recorder = Recorder(self._node, self._process.started_at, self._robot_time)
+        self._notes: list[str] = []
+        self._phases: list[Phase] = []
+        self._follows: bool | None = None
+        self._matched_wall: float | None = None
+
+    def _robot_time(self, moment: float) -> float:
+        if self._clock is not None:
+            return self._clock.robot_time(moment)
+        return moment - self._began
+
+    # --- the parts of a watch -------------------------------------------------------------------------------
+
+    def _wait_for_first_sign(self) -> bool:
+        """Wait until a publisher of the program is on the graph. Returns False if it never came."""
+        deadline = time.monotonic() + FIRST_SIGN_S
+        node_since: float | None = None
+        while time.monotonic() < deadline:
+            if self._recorder.look() and node_since is None and self._recorder.nodes():
+                node_since = time.monotonic()
+            if self._recorder.any_publisher():
+                return True
+            if not self._process.is_running():
+                return False
+            if node_since is not None and time.monotonic() - node_since > MATCH_S:
+                return False
+            self._pause(POLL_S)
+        return False
+
+    def _wait_for_matches(self) -> None:
+        """Wait until every judged topic is matched, or nothing new has come for a while."""
+        deadline = time.monotonic() + MATCH_S
+        quiet_since = time.monotonic()
+        while time.monotonic() < deadline:
+            if self._recorder.look():
+                quiet_since = time.monotonic()
+            following = self._clock is None or self._clock.followers() > 0
+            if following and all(self._recorder.matched(topic) for topic in self._plan.topics):
+                return
+            if time.monotonic() - quiet_since > SETTLE_S and following:
+                return
+            if time.monotonic() - quiet_since > max(SETTLE_S, FOLLOW_S) or not self._process.is_running():
+                return
+            self._pause(POLL_S / 2)
+
+    @staticmethod
+    def _pause(seconds: float) -> None:
+        time.sleep(seconds)
+
+    def _run_robot_time(self) -> None:
+        assert self._clock is not None
+        for speed in SPEEDS:
+            begin = self._clock.now
+            end = begin + self._plan.robot_s_per_speed
+            self._clock.run_at(speed)
+            next_look = 0.0
+            while self._clock.now < end and self._process.is_running():
+                self._pause(self._clock.until_due())
+                self._recorder.take()
+                self._clock.advance()
+                if time.monotonic() > next_look:
+                    self._recorder.look()
+                    next_look = time.monotonic() + LOOK_EVERY_S
+            self._settle_last_step()
+            self._phases.append(Phase(speed, begin, self._clock.now))
+
+    def _settle_last_step(self) -> None:
+        """Let what the last step set in motion arrive before the phase is closed."""
+        assert self._clock is not None
+        self._pause(max(0.005, self._clock.until_due()))
+        self._recorder.take()
+
+    def _run_wall_time(self, seconds: float) -> None:
+        end = time.monotonic() + seconds
+        next_look = 0.0
+        while (left := end - time.monotonic()) > 0 and self._process.is_running():
+            self._pause(min(POLL_S, left))
+            self._recorder.take()
+            if time.monotonic() > next_look:
+                self._recorder.look()
+                next_look = time.monotonic() + LOOK_EVERY_S
+        self._recorder.take()
+
+    def _needs_longer(self) -> bool:
+        """On the wall clock: a judged topic that came late has not been watched for three of its periods yet."""
+        now = self._robot_time(time.monotonic())
+        topics = self._recorder.topics(now)
+        for name in self._plan.topics:
+            window = topics[name].window if name in topics else None
+            if window is not None and window[1] - window[0] < 3 * self._plan.longest_period:
+                return True
+        return False
+
+    def observe(self) -> Recording:
+        """Watch the program as planned and return the recording. Does not end the program."""
+        if self._wait_for_first_sign():
+            self._wait_for_matches()
+            self._matched_wall = time.monotonic()
+            if self._clock is not None:
+                self._follows = self._clock.followers() > 0
+            if self._clock is None or self._follows:
+                self._begin_watch()
+                if self._clock is not None:
+                    self._run_robot_time()
+                else:
+                    self._run_wall_time(self._plan.wall_s)
+                    if self._process.is_running() and self._needs_longer():
+                        self._run_wall_time(self._plan.wall_s)
+        if not self._recorder.any_publisher() or not all(map(self._recorder.matched, self._plan.topics)):
+            self._process.domains_used()
+        return self.recording()
+
+    def _begin_watch(self) -> None:
+        self._recorder.discard()
+        if self._clock is not None:
+            self._clock.publish()
+        else:
+            self._began = time.monotonic()
+        self._recorder.start_windows(0.0)
+
+    def keep_watching(self, wall_s_after_match: float) -> ProcessRecord:
+        """Let the program live until so many real seconds after it was matched, its clock running at 1x.
+
+        Returns early when it ends by itself.
+        """
+        until = (self._matched_wall or time.monotonic()) + wall_s_after_match
+        if self._clock is not None:
+            self._clock.run_at(1.0)
+        while (left := until - time.monotonic()) > 0 and self._process.is_running():
+            if self._clock is None:
+                self._process.wait(left)
+            elif not self._process.wait(min(left, self._clock.until_due())):
+                self._clock.advance()
+        return self._process.record()
+
+    def recording(self) -> Recording:
+        """Everything seen up to now."""
+        end = self._clock.now if self._clock is not None else self._robot_time(time.monotonic())
+        if self._matched_wall is None:
+            end = 0.0
+        return Recording(
+            clock=self._clock_kind,
+            domain_id=self._observer.domain_id,
+            phases=tuple(self._phases),
+            robot_s=round(end, 6),
+            wall_s=round(time.monotonic() - self._process.started_at, 4),
+            topics=self._recorder.topics(end),
+            nodes=self._recorder.nodes(),
+            process=self._process.record(),
+            follows_clock=self._follows,
+            step_s=self._plan.step_s if self._clock is not None else None,
+            notes=tuple(self._notes),
+        )
+
+    def finish(self, recording: Recording) -> Recording:
+        """End the program and return `recording` with how it ended."""
+        self._end_process()
+        return replace(recording, process=self._process.record())
+
+    def _end_process(self) -> None:
+        was_killed = self._process.killed
+        self._process.stop(patience_s=0.7)
+        if self._process.killed and not was_killed:
+            self._shut()
+            self._observer.move()
+
+    def _shut(self) -> None:
+        if self._context.ok():
+            self._node.destroy_node()
+            rclpy.shutdown(context=self._context)
+
+    def __enter__(self) -> "Watch":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._end_process()
+        self._shut()
+
+
+Agreement = Literal["agree", "disagree"]
+
+
+def speeds_agree(recording: Recording, topics: Sequence[str]) -> bool:
+    """Whether a judged topic behaved alike at both speeds: counts within one, median intervals within a tenth.
+
+    A program on its own clock shows other intervals in robot time when robot time runs faster.
+    """
+    if len(recording.phases) != len(SPEEDS):
+        return False
+    for name in topics:
+        counts: list[int] = []
+        medians: list[float] = []
+        for phase in recording.phases:
+            times = [arrival.t for arrival in recording.topic(name).arrivals if phase.start < arrival.t <= phase.end]
+            counts.append(len(times))
+            if len(times) >= 3:
+                medians.append(statistics.median(b - a for a, b in zip(times, times[1:], strict=False)))
+        if max(counts) - min(counts) > 1:
+            return False
+        step = recording.step_s or 0.0
+        if len(medians) == 2 and not math.isclose(medians[0], medians[1], rel_tol=0.1, abs_tol=1.5 * step):
+            return False
+    return True
