@@ -1,0 +1,231 @@
+# ---
+# exercise: 09_joint_positions
+# title: The joint positions
+# minutes: 25
+# difficulty: 2
+# kind: program
+# clock: simulated
+# objectives:
+#   - add a third topic to a node that already works, without disturbing the other two
+#   - turn a rate in hertz into the period of a timer
+#   - fill the array field of a Float32MultiArray message
+#   - simulate a sensor whose values move, with angles in radians
+# out_of_scope:
+#   - reading real encoders or commanding motors
+#   - named joints (JointState) and URDF, which are a later lesson
+#   - how the program ends (lesson 01 judges that) and how the code is written
+# ---
+# %% [markdown]
+# # Exercise 09 · The joint positions
+#
+# Your humanoid already says how it feels: *operational*, battery at 97 %. Nobody can see what its body is
+# doing. The operator's screen draws a robot with twelve joints, and it stands stiff as a statue, because no
+# node tells it the angles. Give the status publisher a third topic, so that the figure on the screen moves
+# with the robot.
+#
+# **About 25 minutes · difficulty 2 of 5 · 10 points.** You need lesson
+# [09](../notebooks/09_joint_positions.ipynb), and from
+# [08](../notebooks/08_humanoid_status_publisher.ipynb) the status publisher that the starter below repeats.
+#
+# ## What to build
+#
+# | topic | type | rate | content |
+# |---|---|---|---|
+# | `/robot/joint_positions` (new) | `Float32MultiArray` | 0.5 Hz | 12 angles in rad, within ±π, that move |
+# | `/robot/status` (as it is) | `String` | 1 Hz | `operational` or `error` |
+# | `/robot/battery` (as it is) | `Float32` | 0.5 Hz | percent, 0 to 100, never rising |
+#
+# The message types are those of `std_msgs.msg`. You choose how the simulated joints move: a sine, a random
+# walk, a wave of the hand. Two joints at least must change from message to message.
+#
+# ## What is judged
+#
+# Your program runs as a process of its own, and only what it publishes counts.
+#
+# | points | criterion |
+# |---:|---|
+# | 2 | `/robot/joint_positions` exists and carries `Float32MultiArray` |
+# | 1 | every message has exactly 12 values |
+# | 1 | every value is a finite number within ±π rad |
+# | 1 | at least two joints move |
+# | 2 | the joint positions come at 0.5 Hz, evenly (0.4 to 0.6 Hz, no gap over 3 s) |
+# | 1 | `/robot/status` is as it was |
+# | 1 | `/robot/battery` is as it was |
+# | 1 | the program is still running at the end of the watch |
+#
+# All of this takes a program that starts: one that never gets a publisher onto the graph is told why, and
+# the rest waits. Any shape of program will do: one class, several nodes, another executor.
+#
+# **Not part of it:** motors, real encoders, URDF, and how your program ends on Ctrl-C.
+# %% [answer]
+"""The humanoid status publisher: state, battery and the angles of twelve joints."""
+
+import math
+import random
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+# [solution]
+from std_msgs.msg import Float32, Float32MultiArray, String
+
+# [starter]
+# | from std_msgs.msg import Float32, String  # TODO 1: import the message type with an array of floats
+# |
+# [end]
+STATUS_PERIOD_S = 1.0
+BATTERY_PERIOD_S = 2.0
+DRAIN_PERCENT = (0.1, 0.5)
+# [solution]
+JOINT_PERIOD_S = 2.0  # 0.5 Hz: one message every two seconds
+JOINT_COUNT = 12
+SWING_RAD = 0.4
+SWING_PERIOD_S = 9.0  # not 2.0, or every message would catch the same pose
+# [end]
+
+
+class HumanoidStatusPublisher(Node):
+    """Publishes the state of the robot, the charge of its battery and the angles of its joints.
+
+    Topics:
+        /robot/status (std_msgs/String), 1 Hz: "operational", or "error" once the battery is empty.
+        /robot/battery (std_msgs/Float32), 0.5 Hz: charge in percent, from 100.0 down to 0.0.
+        /robot/joint_positions (std_msgs/Float32MultiArray), 0.5 Hz: 12 angles in radians.
+    """
+
+    def __init__(self) -> None:
+        super().__init__("humanoid_status_publisher")
+        self.battery_level = 100.0
+        self.status_publisher = self.create_publisher(String, "/robot/status", 10)
+        self.battery_publisher = self.create_publisher(Float32, "/robot/battery", 10)
+        # [solution]
+        self.joint_publisher = self.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
+        # [starter]
+        # | # TODO 2: create the publisher for /robot/joint_positions
+        # [end]
+        self.status_timer = self.create_timer(STATUS_PERIOD_S, self.publish_status)
+        self.battery_timer = self.create_timer(BATTERY_PERIOD_S, self.publish_battery)
+        # [solution]
+        self.joint_timer = self.create_timer(JOINT_PERIOD_S, self.publish_joint_positions)
+        # [starter]
+        # | # TODO 3: create a timer for 0.5 Hz. How many seconds lie between two messages?
+        # [end]
+        self.get_logger().info("Humanoid status publisher started")
+
+    def publish_status(self) -> None:
+        """Say whether the robot can work."""
+        message = String(data="operational" if self.battery_level > 0.0 else "error")
+        self.status_publisher.publish(message)
+        self.get_logger().info(f"Status: {message.data}")
+
+    def publish_battery(self) -> None:
+        """Drain the simulated battery a little, never below empty, and report its charge."""
+        self.battery_level = max(0.0, self.battery_level - random.uniform(*DRAIN_PERCENT))
+        self.battery_publisher.publish(Float32(data=self.battery_level))
+        self.get_logger().info(f"Battery: {self.battery_level:.1f} %")
+
+    # [solution]
+    def joint_angles(self) -> list[float]:
+        """Simulate the joints: each swings around zero, a little later than the one before it.
+
+        The angles follow the node's clock and not a count of messages. So the robot moves at its own pace,
+        and a faster timer shows the same movement in finer steps.
+
+        Returns:
+            12 angles in radians, each within ±0.4.
+        """
+        seconds = self.get_clock().now().nanoseconds / 1e9
+        return [
+            SWING_RAD * math.sin(2.0 * math.pi * (seconds / SWING_PERIOD_S - joint / JOINT_COUNT))
+            for joint in range(JOINT_COUNT)
+        ]
+
+    def publish_joint_positions(self) -> None:
+        """Report where the joints are now."""
+        message = Float32MultiArray(data=self.joint_angles())
+        self.joint_publisher.publish(message)
+        self.get_logger().info(f"Joints: {', '.join(f'{angle:.2f}' for angle in message.data)} rad")
+
+    # [starter]
+    # | # TODO 4: write the method that the new timer calls. It makes a message, puts 12 angles
+    # | #         in radians into its data field (let them move!) and publishes it.
+    # |
+    # [end]
+
+def main(args: list[str] | None = None) -> None:
+    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    rclpy.init(args=args)
+    try:
+        rclpy.spin(HumanoidStatusPublisher())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == "__main__":
+    main()
+# %% [markdown]
+# ## Three questions to think about
+#
+# Lesson [09](../notebooks/09_joint_positions.ipynb) measures all three. Say what you expect before you
+# look.
+#
+# 1. Should the joint positions come faster or slower than the battery level? Why?
+# 2. What would another node do with these angles, and how would it read them?
+# 3. What happens when you publish them at 100 Hz instead of 0.5 Hz?
+# %% [hint]
+# The battery already does everything you need: it has a publisher, a timer and a method that fills a
+# message. Point at these three places in the code, then ask of each: what is different for the joints? Mind
+# the timer. It wants to know how long to wait, and the task says how often.
+#
+# How topics work: [About topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html)
+# %% [hint]
+# - `from std_msgs.msg import Float32MultiArray`; its field `data` takes a list of floats.
+# - `self.create_publisher(type, name, 10)`: write the name with its slash, `/robot/joint_positions`.
+# - `self.create_timer(period, method)`: the period is 1 divided by the rate, in seconds. Pass the method
+#   without `()`.
+# - A list of twelve: `[... for joint in range(12)]`. `math.sin` stays between −1 and 1, well inside ±π.
+#   Feed it something that changes: a counter, or `self.get_clock().now().nanoseconds / 1e9`, the time in
+#   seconds.
+#
+# What a node offers: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
+# %% [hint]
+# The body of the new method, with gaps:
+#
+# ```python
+# def publish_joint_positions(self) -> None:
+#     seconds = self.get_clock().now().nanoseconds / 1e9
+#     message = Float32MultiArray()
+#     message.data = [___ * math.sin(0.7 * seconds + joint) for joint in range(___)]
+#     self.___.publish(message)
+# ```
+#
+# In `__init__` two lines make it run: one that creates the publisher you use here, one that creates a timer
+# with this method. And the import at the top.
+#
+# The same steps for a String: [Writing a simple publisher and
+# subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)
+# %% [alternatives]
+# ## Other good ways
+#
+# - **One timer instead of three.** A single 1 Hz timer with a counter publishes the status each time,
+#   battery and joints every second time. Fewer parts, and battery and joints are sure to belong together.
+#   But all rates are now tied to one another: joints at 0.7 Hz would mean rewriting it.
+# - **A counter instead of the clock.** `self.step += 1` and `math.sin(0.6 * self.step)` is simpler, and
+#   gives the same numbers in every run, which a test likes. At 100 Hz, though, this robot would move two
+#   hundred times as fast.
+# - **Composition instead of a subclass.** `node = rclpy.create_node("humanoid_status_publisher")`, held by
+#   a class of your own that does not inherit from `Node`. Your attributes can then never collide with those
+#   of `Node`, and the simulation can be tested without ROS. A subclass is what most code that you will read
+#   does.
+# - **NumPy.** `np.sin(...)` computes all joints at once. Turn the array into plain floats with `.tolist()`.
+#   The habit pays: a `np.float32` in a plain `Float32` message is sent as 0.0 without a word.
+# - **`array.array("f", ...)`.** This is what `data` becomes anyway, and what a subscriber gets. For twelve
+#   numbers no difference can be felt, for a million it is more than a hundred times faster than a list.
+# - **`sensor_msgs/msg/JointState`.** What a real robot uses. `Float32MultiArray` does not say which number
+#   is which joint, in what unit, or when it was measured, so both sides must know it by heart. The plain
+#   types of `std_msgs` have been deprecated for that reason since ROS 2 Foxy: fine for learning, not for a
+#   design that is to last. `JointState` has names, positions, velocities and a time stamp. A later lesson
+#   makes the change.
