@@ -260,6 +260,7 @@ class NodeProcess:
             limits.append("cpu")
         by_bench = self._ended_by_bench or "output" in limits
         return ProcessRecord(
+            program=self.program.name,
             exit=code if code is not None and code >= 0 else None,
             signal=signal.Signals(-code).name if code is not None and code < 0 else None,
             ended_at=ended_at,

@@ -77,6 +77,7 @@ class NodeSeen:
 class ProcessRecord:
     """How the program ran and ended. `ended_by` is "itself", "bench", or None while it runs."""
 
+    program: str = ""
     exit: int | None = None
     signal: str | None = None
     ended_at: float | None = None

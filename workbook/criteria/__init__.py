@@ -1,0 +1,46 @@
+"""How answers are judged: criteria, their points, and the vocabulary they are written in."""
+
+from workbook.criteria.criterion import Criterion, Topic, criterion, topic
+from workbook.criteria.verdict import Verdict, all_of, failed, partial, passed
+from workbook.criteria.vocabulary import (
+    alive_at_end,
+    finite,
+    length,
+    never_rises,
+    no_message,
+    one_of,
+    program_runs,
+    publishes,
+    rate,
+    topic_pace,
+    values,
+    varies,
+    within,
+)
+from workbook.observing.recording import Recording
+
+__all__ = [
+    "Criterion",
+    "Recording",
+    "Topic",
+    "Verdict",
+    "alive_at_end",
+    "all_of",
+    "criterion",
+    "failed",
+    "finite",
+    "length",
+    "never_rises",
+    "no_message",
+    "one_of",
+    "partial",
+    "passed",
+    "program_runs",
+    "publishes",
+    "rate",
+    "topic",
+    "topic_pace",
+    "values",
+    "varies",
+    "within",
+]

@@ -1,0 +1,89 @@
+"""What a criterion is: one judged statement about a recording, with points."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from types import ModuleType
+from typing import Any
+
+from workbook.criteria.verdict import Verdict
+from workbook.observing.recording import Recording
+from workbook.observing.values import type_name
+from workbook.observing.watch import Plan
+
+Judgement = Callable[[Recording], Verdict]
+
+
+@dataclass(frozen=True)
+class Criterion:
+    """A judged statement. `needs` must hold first; otherwise this one is skipped and costs no red line."""
+
+    id: str
+    title: str
+    points: float
+    needs: tuple["Criterion", ...]
+    hidden: bool
+    judge: Judgement = field(compare=False)
+
+    def __call__(self, recording: Recording) -> Verdict:
+        return self.judge(recording)
+
+
+def criterion(
+    *, points: float, title: str, needs: Sequence[Criterion] = (), hidden: bool = False
+) -> Callable[[Judgement], Criterion]:
+    """Make a criterion of a function that takes a recording and returns a verdict.
+
+    `points` may be 0 for a condition that only others need. Raises ValueError for negative points or no title.
+    """
+    if points < 0:
+        raise ValueError(f"points are never negative: {points}")
+    if not title.strip():
+        raise ValueError("a criterion needs a title: it is what the student reads")
+
+    def make(function: Judgement) -> Criterion:
+        return Criterion(function.__name__, title, points, tuple(needs), hidden, function)
+
+    return make
+
+
+@dataclass(frozen=True)
+class Topic:
+    """A topic that an exercise asks for: its name, message type and rate in Hz (None if no rate is judged)."""
+
+    name: str
+    type: str
+    hz: float | None = None
+
+    @property
+    def short_type(self) -> str:
+        """The type as one writes it in Python, e.g. "Float32"."""
+        return self.type.rsplit("/", 1)[1]
+
+    @property
+    def period(self) -> float:
+        """Seconds between two messages. Raises ValueError when no rate is judged."""
+        if self.hz is None:
+            raise ValueError(f"{self.name} has no rate to judge")
+        return 1.0 / self.hz
+
+
+def topic(name: str, message_class: Any, hz: float | None = None) -> Topic:
+    """Declare a topic that criteria judge, e.g. `topic("/robot/battery", Float32, hz=0.5)`."""
+    return Topic(name, type_name(message_class), hz)
+
+
+def criteria_in(module: ModuleType) -> tuple[Criterion, ...]:
+    """The criteria that a module defines, in the order of their definition."""
+    return tuple(value for value in vars(module).values() if isinstance(value, Criterion))
+
+
+def topics_in(module: ModuleType) -> tuple[Topic, ...]:
+    """The topics that a module declares."""
+    return tuple(value for value in vars(module).values() if isinstance(value, Topic))
+
+
+def plan_for(topics: Iterable[Topic]) -> Plan:
+    """How finely and how long to watch for these topics."""
+    declared = tuple(topics)
+    periods = [one.period for one in declared if one.hz is not None] or [1.0]
+    return Plan(tuple(one.name for one in declared), min(periods), max(periods))

@@ -1,0 +1,159 @@
+"""Recognizes common errors in a program's log and says in plain words what they mean and what to do."""
+
+import re
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Mishap:
+    """An error that ended (or crippled) a program: its last line, where it happened, why, and what to try."""
+
+    error: str
+    line: int | None
+    because: str
+    try_this: str
+
+    @property
+    def where(self) -> str:
+        return f"line {self.line}: " if self.line is not None else ""
+
+
+@dataclass(frozen=True)
+class _Known:
+    pattern: str
+    because: str
+    try_this: str
+
+
+_KNOWN = (
+    _Known(
+        r"'NoneType' object does not support the context manager protocol",
+        "`with rclpy.init():` belongs to a newer rclpy. In Jazzy rclpy.init() returns None.",
+        "Call rclpy.init() on its own line, and rclpy.try_shutdown() in a finally block.",
+    ),
+    _Known(
+        r"NotInitializedException|rclpy\.init\(\) has not been called",
+        "A node was made before the ROS context was started.",
+        "Call rclpy.init() once, before the first node is made.",
+    ),
+    _Known(
+        r"Context\.init\(\) must only be called once",
+        "rclpy.init() was called a second time while the first context was still up.",
+        "Call rclpy.init() exactly once, in main().",
+    ),
+    _Known(
+        r"Context must be initialized before it can be shutdown|rcl_shutdown already called",
+        "The context was shut down twice (Ctrl-C has already done it).",
+        "Use rclpy.try_shutdown(), which may be called at any time.",
+    ),
+    _Known(
+        r"has no attribute '_default_callback_group'|object has no attribute '_parameters'",
+        "The Node was never set up: super().__init__('name') is missing or comes too late.",
+        "Make super().__init__('your_node_name') the first line of __init__.",
+    ),
+    _Known(
+        r"missing 1 required positional argument: 'qos_profile'",
+        "create_publisher and create_subscription need a queue depth (QoS) as their last argument.",
+        "Add a depth, for example 10: create_publisher(String, '/robot/status', 10).",
+    ),
+    _Known(
+        r"'NoneType' object is not callable",
+        "A callback was called instead of handed over, so the timer got its result, None.",
+        "Pass the function without parentheses: create_timer(2.0, self.publish_joints).",
+    ),
+    _Known(
+        r"Expected <class '[\w.]*\.(\w+)'>, got <class '([\w.]+)'>",
+        "publish() was given something that is not the message type of this publisher.",
+        "Make a message of the right class, fill its fields, and publish that.",
+    ),
+    _Known(
+        r"property '(\w+)' of '\w+' object has no setter",
+        "The attribute name is taken: Node already has a property of that name.",
+        "Give your attribute another name, for example joint_pub instead of publishers.",
+    ),
+    _Known(
+        r"InvalidTopicNameException|Invalid topic name",
+        "The topic name breaks the naming rules (no space, hyphen, trailing slash or leading digit).",
+        "Write the name exactly as the exercise gives it.",
+    ),
+    _Known(
+        r"InvalidNodeNameException|Invalid node name",
+        "The node name breaks the naming rules (letters, digits and underscores only, no slash).",
+        "Give the node a plain name such as humanoid_status_publisher.",
+    ),
+    _Known(
+        r"(?:must be real number, not str|bad argument type for built-in operation|a float is required)",
+        "A value of the wrong type was put into a message field.",
+        "Put Python floats into float fields: float(angle).",
+    ),
+    _Known(
+        r"type 'Publisher' is not subscriptable|'type' object is not subscriptable",
+        "Publisher[String] is written for a newer rclpy. In Jazzy Publisher takes no type parameter.",
+        "Annotate with plain Publisher.",
+    ),
+    _Known(
+        r"EOFError: EOF when reading a line",
+        "The program waits for the keyboard. A robot program has none, and neither has the judge.",
+        "Remove input(), or read the value from a parameter.",
+    ),
+    _Known(
+        r"ModuleNotFoundError: No module named '([\w.]+)'|ImportError: cannot import name",
+        "A module or a name that the program imports is not there.",
+        "Check the spelling of the import. Messages come from, for example, std_msgs.msg.",
+    ),
+    _Known(
+        r"NameError: name '(\w+)' is not defined",
+        "A name is used that was never defined or imported in this file.",
+        "Import or define it; the file runs on its own, without the cells of the notebook.",
+    ),
+    _Known(
+        r"(?:Indentation|Tab)Error",
+        "The indentation does not fit, so Python cannot read the file.",
+        "Line the block up with its neighbors (four spaces per level).",
+    ),
+    _Known(
+        r"SyntaxError",
+        "Python cannot read the file, so nothing of it ran.",
+        "Look at the line named above and at the one before it: brackets, quotes, colons.",
+    ),
+    _Known(
+        r"MemoryError",
+        "The program asked for more memory than an answer may use.",
+        "Look for a list that grows without end.",
+    ),
+)
+
+_ERROR_LINE = re.compile(r"^(?P<name>[A-Za-z_][\w.]*(?:Error|Exception|Interrupt|Handle|Iteration|Exit))(?::.*)?$")
+_FRAME = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)')
+
+
+def find_mishap(log: str, program_name: str = "") -> Mishap | None:
+    """The last Python error in a log, explained; None if there is none.
+
+    Only frames of the student's own file (`program_name`) give the line number, when the name is known.
+    """
+    lines = log.splitlines()
+    error_at = next(
+        (index for index in range(len(lines) - 1, -1, -1) if _ERROR_LINE.match(lines[index].strip())), None
+    )
+    if error_at is None or not any("Traceback" in line or _FRAME.match(line) for line in lines[:error_at]):
+        return None
+    error = lines[error_at].strip()
+    if error.startswith("KeyboardInterrupt"):
+        return None
+    line_number: int | None = None
+    for line in lines[:error_at]:
+        if line.startswith("Traceback"):
+            line_number = None
+        frame = _FRAME.match(line)
+        if frame and (not program_name or frame["file"].rsplit("/", 1)[-1] == program_name):
+            line_number = int(frame["line"])
+    for known in _KNOWN:
+        if re.search(known.pattern, error) or re.search(known.pattern, "\n".join(lines[max(0, error_at - 2) : error_at])):
+            return Mishap(error, line_number, known.because, known.try_this)
+    return Mishap(
+        error,
+        line_number,
+        "The program raised an exception that nothing caught.",
+        "Read the last lines of the log from the bottom up: the error, then the line of your file.",
+    )

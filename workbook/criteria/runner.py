@@ -1,0 +1,87 @@
+"""Runs criteria over a recording: passed, failed, partial or skipped. An error of ours is never a student's zero."""
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from typing import Any, Literal
+
+from workbook.criteria.criterion import Criterion
+from workbook.criteria.verdict import Verdict
+from workbook.observing.recording import Recording
+
+Status = Literal["passed", "failed", "partial", "skipped"]
+
+
+class CriterionError(RuntimeError):
+    """A criterion itself crashed. The answer cannot be judged; the fault is the criterion's."""
+
+
+@dataclass(frozen=True)
+class CriterionResult:
+    """One line of a result."""
+
+    id: str
+    title: str
+    status: Status
+    points: float
+    max_points: float
+    hidden: bool
+    saw: str
+    expected: str
+    because: str
+    try_this: str
+    about_time: bool = False
+
+    def to_json(self) -> dict[str, Any]:
+        data = asdict(self)
+        del data["about_time"]
+        data["try"] = data.pop("try_this")
+        return data
+
+
+def _skipped(criterion: Criterion, missing: Criterion) -> CriterionResult:
+    return CriterionResult(
+        id=criterion.id,
+        title=criterion.title,
+        status="skipped",
+        points=0.0,
+        max_points=criterion.points,
+        hidden=criterion.hidden,
+        saw=f"not looked at, because this does not hold yet: {missing.title}",
+        expected="",
+        because="",
+        try_this="",
+    )
+
+
+def _judged(criterion: Criterion, verdict: Verdict) -> CriterionResult:
+    return CriterionResult(
+        id=criterion.id,
+        title=criterion.title,
+        status=verdict.status,
+        points=round(criterion.points * verdict.share, 6),
+        max_points=criterion.points,
+        hidden=criterion.hidden,
+        saw=verdict.saw,
+        expected=verdict.expected,
+        because=verdict.because,
+        try_this=verdict.try_this,
+        about_time=verdict.about_time,
+    )
+
+
+def run_criteria(criteria: Sequence[Criterion], recording: Recording) -> tuple[CriterionResult, ...]:
+    """Judge a recording. Raises CriterionError when a criterion crashes or returns no verdict."""
+    results: dict[str, CriterionResult] = {}
+    for criterion in criteria:
+        missing = next((need for need in criterion.needs if results[need.id].status != "passed"), None)
+        if missing is not None:
+            results[criterion.id] = _skipped(criterion, missing)
+            continue
+        try:
+            verdict = criterion(recording)
+        except Exception as error:
+            raise CriterionError(f"the criterion {criterion.id} crashed: {error!r}") from error
+        if not isinstance(verdict, Verdict):
+            raise CriterionError(f"the criterion {criterion.id} returned {verdict!r} instead of a verdict")
+        results[criterion.id] = _judged(criterion, verdict)
+    return tuple(results.values())

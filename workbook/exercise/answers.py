@@ -1,0 +1,147 @@
+"""Answers as they are handed in: a program, or the answer cell of a notebook."""
+
+import ast
+import hashlib
+import json
+import re
+import tokenize
+from dataclasses import dataclass
+from io import BytesIO
+from pathlib import Path
+
+LARGEST_ANSWER_BYTES = 1_000_000
+LARGEST_NOTEBOOK_BYTES = 50_000_000
+ANSWER_MAGIC = "%%answer"
+_MAGIC_LINE = re.compile(r"^%%answer\s+(?P<stem>[\w-]+)\s*$")
+
+
+class Ungradable(ValueError):
+    """This file cannot be judged; the message says why and what was found instead."""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """The program of one answer and the SHA-256 of it."""
+
+    text: str
+
+    @property
+    def sha256(self) -> str:
+        return hashlib.sha256(self.text.encode()).hexdigest()
+
+
+@dataclass(frozen=True)
+class SyntaxMistake:
+    """Where Python stopped reading: line and column (from 1), the line's text and Python's message."""
+
+    line: int
+    column: int
+    text: str
+    message: str
+
+
+def syntax_mistake(text: str, name: str = "answer.py") -> SyntaxMistake | None:
+    """The first syntax error of a program, or None."""
+    try:
+        ast.parse(text, name)
+    except SyntaxError as error:
+        return SyntaxMistake(error.lineno or 1, error.offset or 1, (error.text or "").rstrip("\n"), error.msg)
+    except (ValueError, RecursionError, MemoryError) as error:
+        return SyntaxMistake(1, 1, "", str(error))
+    return None
+
+
+def named_exercise(line: str) -> str | None:
+    """The exercise that a `%%answer` line names, or None for any other line."""
+    found = _MAGIC_LINE.match(line.strip())
+    return found["stem"] if found else None
+
+
+def read_program(raw: bytes) -> str:
+    """Decode a Python file as Python does (byte order mark, coding line). Raises Ungradable."""
+    if raw[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        raise Ungradable("the file is UTF-16 text; Python reads UTF-8. Save it again as UTF-8")
+    if b"\0" in raw:
+        raise Ungradable("the file holds zero bytes, so it is no Python program")
+    try:
+        encoding, _ = tokenize.detect_encoding(BytesIO(raw).readline)
+        text = raw.decode(encoding)
+    except (SyntaxError, UnicodeDecodeError, LookupError) as error:
+        raise Ungradable(f"the file is not readable as text: {error}") from error
+    return text.lstrip("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _cell_text(source: object) -> str:
+    if isinstance(source, str):
+        return source
+    if isinstance(source, list):
+        return "".join(part for part in source if isinstance(part, str))
+    return ""
+
+
+def answer_in_notebook(raw: bytes, stem: str) -> str:
+    """The program in the last cell whose first non-blank line is `%%answer STEM`. Raises Ungradable."""
+    try:
+        notebook = json.loads(raw)
+        cells = notebook["cells"]
+        texts = [_cell_text(cell.get("source")) for cell in cells if cell.get("cell_type") == "code"]
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+        raise Ungradable(f"this is no readable notebook: {error!r}") from error
+    found: str | None = None
+    others: list[str] = []
+    for text in texts:
+        lines = text.lstrip("\n \t").split("\n")
+        named = named_exercise(lines[0])
+        if named == stem:
+            found = "\n".join(lines[1:])
+        elif named is not None:
+            others.append(named)
+    if found is not None:
+        return found
+    if others:
+        raise Ungradable(
+            f"the notebook answers {', '.join(sorted(set(others)))}, and not {stem}: no cell begins with "
+            f"`{ANSWER_MAGIC} {stem}`"
+        )
+    raise Ungradable(f"the notebook has no cell that begins with `{ANSWER_MAGIC} {stem}`")
+
+
+def exercises_named(path: Path) -> list[str]:
+    """The exercises that a notebook or a program names in `%%answer` lines, in order; empty if none."""
+    try:
+        if path.suffix == ".ipynb":
+            cells = json.loads(path.read_bytes())["cells"]
+            firsts = [_cell_text(cell.get("source")).lstrip().split("\n")[0] for cell in cells]
+        else:
+            firsts = path.read_bytes()[:2000].decode("utf-8", "replace").lstrip().split("\n")[:1]
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return []
+    return [stem for stem in map(named_exercise, firsts) if stem]
+
+
+def read_answer(path: Path, stem: str) -> Answer:
+    """Read an answer to exercise `stem` from a .py or .ipynb file.
+
+    Raises Ungradable with a sentence for the student when the file cannot be an answer, OSError when unreadable.
+    """
+    if path.is_symlink() or not path.is_file():
+        raise Ungradable("this is not a regular file")
+    largest = LARGEST_NOTEBOOK_BYTES if path.suffix == ".ipynb" else LARGEST_ANSWER_BYTES
+    if path.stat().st_size > largest:
+        raise Ungradable(f"the file is larger than {largest // 1_000_000} MB")
+    raw = path.read_bytes()
+    if path.suffix == ".ipynb":
+        text = answer_in_notebook(raw, stem)
+    elif path.suffix == ".py":
+        text = read_program(raw)
+        lines = text.lstrip().split("\n")
+        named = named_exercise(lines[0]) if lines else None
+        if named is not None:
+            if named != stem:
+                raise Ungradable(f"the file answers {named}, and not {stem}")
+            text = "\n".join(lines[1:])
+    else:
+        raise Ungradable(f"an answer is a .py or .ipynb file, not {path.suffix or 'a file without ending'}")
+    if not text.strip():
+        raise Ungradable("the answer is empty")
+    return Answer(text if text.endswith("\n") else text + "\n")

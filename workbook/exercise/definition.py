@@ -1,0 +1,75 @@
+"""An exercise as the judge needs it: its criteria, what to watch, and its text."""
+
+import hashlib
+import importlib.util
+import sys
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from types import ModuleType
+
+from workbook.criteria.criterion import Criterion, criteria_in, plan_for, topics_in
+from workbook.exercise.course import course_folder
+from workbook.exercise.source import ExerciseSource, find, load
+from workbook.observing.watch import Plan
+
+
+class BrokenCriteria(RuntimeError):
+    """The criteria of an exercise cannot be used. The message says why."""
+
+
+def _import(path: Path) -> ModuleType:
+    name = f"workbook_criteria_{path.stem}"
+    spec = importlib.util.spec_from_file_location(name, path)
+    if spec is None or spec.loader is None:
+        raise BrokenCriteria(f"{path} is not a Python file")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    try:
+        spec.loader.exec_module(module)
+    except Exception as error:
+        raise BrokenCriteria(f"{path}: {error!r}") from error
+    return module
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """One exercise: its stem, the criteria in order, and the watch that they need."""
+
+    stem: str
+    criteria: tuple[Criterion, ...]
+    plan: Plan
+    criteria_sha256: str
+    solution_path: Path
+
+    @cached_property
+    def source(self) -> ExerciseSource:
+        """Title, hints, starter and solution."""
+        return load(self.solution_path)
+
+    @property
+    def max_points(self) -> float:
+        return sum(criterion.points for criterion in self.criteria)
+
+
+def load_exercise(name: str, course: Path | None = None) -> Exercise:
+    """Find an exercise by stem ("09_joint_positions") or slug ("joint_positions").
+
+    Raises UnknownExercise when there is none of this name, BrokenCriteria when its criteria do not import.
+    """
+    folder = course_folder() if course is None else course
+    solution = find(folder / "solutions", name)
+    path = folder / "exercises" / "criteria" / f"{solution.stem}.py"
+    if not path.is_file():
+        raise BrokenCriteria(f"{solution.stem} has no criteria: {path} is missing")
+    module = _import(path)
+    criteria = criteria_in(module)
+    if not criteria:
+        raise BrokenCriteria(f"{path} defines no criterion")
+    return Exercise(
+        stem=solution.stem,
+        criteria=criteria,
+        plan=plan_for(topics_in(module)),
+        criteria_sha256=hashlib.sha256(path.read_bytes()).hexdigest(),
+        solution_path=solution,
+    )

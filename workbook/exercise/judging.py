@@ -1,0 +1,151 @@
+"""From an answer to a judgement: run it, record it, judge the recording.
+
+The student's check and the instructor's grade both come through `judge`; they differ only in `thorough`.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from workbook.criteria.runner import CriterionError, CriterionResult, run_criteria
+from workbook.exercise.answers import Answer
+from workbook.exercise.definition import Exercise
+from workbook.observing.recording import Clock, Recording
+from workbook.observing.watch import Observer, Watch, speeds_agree
+from workbook.ros.scratch import remove_scratch, scratch_folder
+
+REAL_LIFE_S = 8.0
+
+JudgementStatus = Literal["graded", "infra_error"]
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """What came out for one answer. `provisional` is set when the wall clock has not had its word yet."""
+
+    stem: str
+    answer_sha256: str
+    status: JudgementStatus
+    reason: str | None
+    criteria: tuple[CriterionResult, ...]
+    recording: Recording | None
+    provisional: bool = False
+    watched_real_life: bool = False
+
+    @property
+    def score(self) -> float | None:
+        if self.status != "graded":
+            return None
+        return round(sum(result.points for result in self.criteria), 6)
+
+    @property
+    def max_score(self) -> float:
+        return sum(result.max_points for result in self.criteria)
+
+    @property
+    def full_marks(self) -> bool:
+        return self.status == "graded" and all(result.status == "passed" for result in self.criteria)
+
+
+Report = Callable[[Judgement], None]
+
+
+def judge_recording(
+    exercise: Exercise, answer_sha256: str, recording: Recording, *, provisional: bool = False, real_life: bool = False
+) -> Judgement:
+    """Judge a recording without running anything. A criterion that crashes gives an `infra_error`."""
+    try:
+        results = run_criteria(exercise.criteria, recording)
+    except CriterionError as error:
+        return Judgement(exercise.stem, answer_sha256, "infra_error", str(error), (), recording)
+    return Judgement(exercise.stem, answer_sha256, "graded", None, results, recording, provisional, real_life)
+
+
+def _needs_wall_clock(exercise: Exercise, judgement: Judgement) -> bool:
+    recording = judgement.recording
+    if recording is None or judgement.status != "graded":
+        return False
+    if recording.process.ended_by == "itself":
+        return not _never_started(recording)
+    if recording.follows_clock is None:
+        return False
+    if not recording.follows_clock or not speeds_agree(recording, exercise.plan.topics):
+        return True
+    return any(result.about_time for result in judgement.criteria)
+
+
+def _never_started(recording: Recording) -> bool:
+    return "SyntaxError" in recording.process.log or "IndentationError" in recording.process.log
+
+
+class Judge:
+    """Judges answers to exercises, one after another, from one warm observer."""
+
+    def __init__(self, observer: Observer, limits: Mapping[str, int] | None = None) -> None:
+        self._observer = observer
+        self._limits = dict(limits or {})
+
+    def judge(
+        self, exercise: Exercise, answer: Answer, *, thorough: bool = False, report: Report | None = None
+    ) -> Judgement:
+        """Judge one answer.
+
+        `thorough`: as an instructor grades, a program that passes on robot time is kept running until eight real
+        seconds after it was matched. `report` receives a provisional judgement as soon as there is one.
+        """
+        folder = scratch_folder("answer")
+        program = folder / f"{exercise.stem}.py"
+        try:
+            program.write_text(answer.text, encoding="utf-8")
+            if exercise.source.clock == "simulated":
+                with self._observer.watch(program, exercise.plan, "simulated", limits=self._limits) as watch:
+                    judgement = self._judge(exercise, answer, watch)
+                    if not _needs_wall_clock(exercise, judgement):
+                        return self._live_on(exercise, answer, watch, judgement, thorough, report)
+                if report is not None:
+                    report(judgement_as_provisional(judgement))
+            with self._observer.watch(program, exercise.plan, "wall", limits=self._limits) as watch:
+                judgement = self._judge(exercise, answer, watch)
+                return self._live_on(exercise, answer, watch, judgement, thorough, report)
+        finally:
+            remove_scratch(folder)
+
+    def _judge(self, exercise: Exercise, answer: Answer, watch: Watch) -> Judgement:
+        return judge_recording(exercise, answer.sha256, watch.observe())
+
+    def _live_on(
+        self,
+        exercise: Exercise,
+        answer: Answer,
+        watch: Watch,
+        judgement: Judgement,
+        thorough: bool,
+        report: Report | None,
+    ) -> Judgement:
+        """End the watch; when thorough, only after the program has lived its real seconds."""
+        recording = judgement.recording
+        assert recording is not None
+        if thorough and recording.process.ended_by is None and judgement.status == "graded":
+            if report is not None:
+                report(judgement)
+            watch.keep_watching(REAL_LIFE_S)
+        recording = watch.finish(recording)
+        real_life = thorough or recording.clock == "wall"
+        return judge_recording(exercise, answer.sha256, recording, real_life=real_life)
+
+
+def judgement_as_provisional(judgement: Judgement) -> Judgement:
+    """The same judgement, marked as not final."""
+    return Judgement(
+        judgement.stem,
+        judgement.answer_sha256,
+        judgement.status,
+        judgement.reason,
+        judgement.criteria,
+        judgement.recording,
+        provisional=True,
+    )
+
+
+def clock_of(judgement: Judgement) -> Clock | None:
+    return None if judgement.recording is None else judgement.recording.clock
