@@ -1,0 +1,62 @@
+# The commands of the project. `make help` lists them.
+SHELL := /bin/sh
+.DEFAULT_GOAL := help
+VENV := .venv/bin
+
+# The Python that creates the environment: the first suitable one, or yours (make env PYTHON=python3.12).
+ifdef PYTHON
+CHOSEN := --chosen-python
+else
+FITS := import sys, ensurepip, venv; sys.exit(not (3, 11) <= sys.version_info < (3, 15))
+PYTHON = $(shell for p in python3 python3.12 python3.13 python3.11 python3.14; do \
+	"$$p" -I -c '$(FITS)' >/dev/null 2>&1 && echo $$p && exit; done; echo python3)
+endif
+BOOTSTRAP = "$(PYTHON)" -I workbook/lab/bootstrap.py $(CHOSEN)
+HAVE_PYTHON = command -v "$(PYTHON)" >/dev/null || { \
+	echo "make: no Python found. Python 3.11 to 3.14 is needed; see 'A suitable Python' in environment.md." >&2; exit 1; }
+
+.PHONY: help env lab test bench notebooks notebooks-check lint lock clean
+
+help:  ## list the commands
+	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | while IFS="$$(printf '\t')" read -r name what; do \
+		printf '  make %-16s %s\n' "$$name" "$$what"; done
+
+env:  ## create the environment in .venv, or bring it up to date (EXTRAS=ai adds PyTorch and friends)
+	@$(HAVE_PYTHON)
+	@$(BOOTSTRAP) --extras "$(EXTRAS)"
+
+lab: env  ## open the lessons in JupyterLab, creating the environment first (ARGS='--port=8899' goes to JupyterLab)
+	@$(VENV)/workbook lab $(ARGS)
+
+test:  ## prove everything: what CI runs (ARGS='--only pytest' for a part)
+	@$(HAVE_PYTHON)
+	@$(BOOTSTRAP) --extras dev
+	@$(VENV)/python tests/run.py $(ARGS)
+
+lint:  ## check style and types only
+	@$(HAVE_PYTHON)
+	@$(BOOTSTRAP) --extras dev
+	@$(VENV)/python tests/run.py --only lint
+
+notebooks:  ## build the notebooks whose text has changed, and run those
+	@$(HAVE_PYTHON)
+	@$(BOOTSTRAP) --extras dev
+	@$(VENV)/python -m workbook.authoring build $(ARGS)
+
+notebooks-check:  ## fail when a committed notebook differs from its text
+	@$(HAVE_PYTHON)
+	@$(BOOTSTRAP) --extras dev
+	@$(VENV)/python -m workbook.authoring check $(ARGS)
+
+bench:  ## measure how fast and how steady judging is, as a table
+	@$(HAVE_PYTHON)
+	@$(BOOTSTRAP) --extras dev
+	@$(VENV)/python tests/bench.py $(ARGS)
+
+lock:  ## resolve the dependencies anew and write requirements.lock (needs uv)
+	@$(HAVE_PYTHON)
+	@"$(PYTHON)" -I workbook/lab/lock.py $(ARGS)
+
+clean:  ## remove the environment and all caches (your work/ stays)
+	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis build dist artifacts
+	find . -name __pycache__ -type d -not -path './work/*' -prune -exec rm -rf {} +

@@ -1,0 +1,1 @@
+"""The `workbook` command. Each module here that has a `register` function adds its subcommands."""

@@ -1,0 +1,310 @@
+"""Creates the environment in `.venv` from requirements.lock, or finds that it is already there.
+
+Runs before anything is installed: the standard library only, and a syntax that Python 3.8 still reads, so that an
+old Python can say in a clear line that it is too old. `make env` calls it; so do `make lab` and `make test`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import fcntl
+import hashlib
+import json
+import os
+import platform
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[2]
+VENV = ROOT / ".venv"
+LOCK = ROOT / "requirements.lock"
+OLDEST, NEWEST = (3, 11), (3, 14)
+OLDEST_GLIBC = (2, 28)
+SECTIONS = ("build", "student", "dev", "ai", "farm")
+STAMP = "workbook-environment.json"
+UNFINISHED = "workbook-unfinished"
+# Left behind by a sourced ROS or by another environment; each of them would change what gets installed or found.
+LEFTOVERS = (
+    "PYTHONPATH", "PYTHONHOME", "PYTHONDONTWRITEBYTECODE", "PYTHONOPTIMIZE", "LD_LIBRARY_PATH", "VIRTUAL_ENV",
+    "_ROS_WHEELS_BOOTSTRAP_COMPLETE", "PIP_TARGET", "PIP_PREFIX", "PIP_USER", "PIP_NO_DEPS", "PIP_REQUIREMENT",
+)  # fmt: skip
+
+
+class Problem(Exception):
+    """The environment cannot be made here; the text says what is missing and where environment.md helps."""
+
+
+def version_text(version: tuple[int, ...]) -> str:
+    return ".".join(str(part) for part in version)
+
+
+def check_machine(
+    system: str | None = None,
+    machine: str | None = None,
+    libc: tuple[str, str] | None = None,
+    version: tuple[int, ...] | None = None,
+    implementation: str | None = None,
+) -> None:
+    """Raise Problem when the wheels of rclpy cannot work on this machine. The arguments stand in for it in tests."""
+    system = platform.system() if system is None else system
+    machine = platform.machine() if machine is None else machine
+    libc = platform.libc_ver() if libc is None else libc
+    version = tuple(sys.version_info[:2]) if version is None else version
+    implementation = platform.python_implementation() if implementation is None else implementation
+    if system != "Linux":
+        section = "Windows" if system == "Windows" else "macOS and ARM"
+        raise Problem(
+            "the wheels of rclpy are for Linux and this is {}. See '{}' in environment.md.".format(
+                system, section
+            )
+        )
+    if machine not in ("x86_64", "AMD64"):
+        raise Problem(
+            "the wheels of rclpy are for x86_64 and this machine is {}. "
+            "See 'macOS and ARM' in environment.md.".format(machine)
+        )
+    if not OLDEST <= version <= NEWEST:
+        raise Problem(
+            "Python {} to {} is needed and {} is Python {}. Install one and name it, for example "
+            "`make env PYTHON=python3.12`. See 'A suitable Python' in environment.md.".format(
+                version_text(OLDEST), version_text(NEWEST), sys.executable, version_text(version)
+            )
+        )
+    if implementation != "CPython":
+        raise Problem(
+            "the wheels of rclpy are for CPython and {} is {}. See 'A suitable Python' in environment.md.".format(
+                sys.executable, implementation
+            )
+        )
+    name, number = libc
+    digits = tuple(int(part) for part in re.findall(r"\d+", number)[:2])
+    if name != "glibc" or digits < OLDEST_GLIBC:
+        found = (
+            "glibc {}".format(number) if name == "glibc" else "another C library ({})".format(name or "musl?")
+        )
+        raise Problem(
+            "the wheels of rclpy need glibc {} or newer and this system has {}. "
+            "See 'Docker' in environment.md.".format(version_text(OLDEST_GLIBC), found)
+        )
+
+
+def check_venv_module(uv: str | None) -> None:
+    """Raise Problem when neither uv nor this Python's own venv module can create an environment."""
+    if uv is not None:
+        return
+    try:
+        import ensurepip  # noqa: F401
+        import venv  # noqa: F401
+    except ImportError as error:
+        package = "python{}-venv".format(version_text(sys.version_info[:2]))
+        raise Problem(
+            "{} has no complete venv module ({}). On Debian and Ubuntu: `sudo apt install {}`. "
+            "See 'A suitable Python' in environment.md.".format(sys.executable, error, package)
+        ) from None
+
+
+def read_sections(text: str) -> dict[str, dict[str, list[str]]]:
+    """The sections of the lock file: name → {requirement line: hash lines}."""
+    sections: dict[str, dict[str, list[str]]] = {}
+    entries: dict[str, list[str]] = {}
+    requirement = None
+    for line in text.splitlines():
+        if line.startswith("#:"):
+            entries = sections.setdefault(line[2:].strip(), {})
+        elif line.startswith("    ") and requirement is not None:
+            entries[requirement].append(line.strip(" \\"))
+        elif line and not line.startswith("#"):
+            requirement = line.rstrip(" \\")
+            entries[requirement] = []
+    return sections
+
+
+def requirements(sections: dict[str, dict[str, list[str]]], names: list[str]) -> str:
+    """Plain requirements text with hashes for some sections; a package named in two of them appears once."""
+    merged: dict[str, list[str]] = {}
+    for name in names:
+        merged.update(sections[name])
+    return "".join(
+        " \\\n".join([requirement] + ["    " + line for line in hashes]) + "\n"
+        for requirement, hashes in sorted(merged.items())
+    )
+
+
+def digest() -> str:
+    """What the environment is made from, as one hash: the lock, the project file, and this recipe."""
+    state = hashlib.sha256()
+    for path in (LOCK, ROOT / "pyproject.toml", Path(__file__), Path(__file__).with_name("jupyter_files.py")):
+        state.update(path.read_bytes())
+    return state.hexdigest()
+
+
+def read_stamp() -> dict[str, Any]:
+    """What a finished environment in `.venv` says of itself; empty when there is none or it is broken."""
+    try:
+        stamp = json.loads((VENV / STAMP).read_text())
+    except (OSError, ValueError):
+        return {}
+    whole = (VENV / "bin" / "python").exists() and (VENV / "bin" / "workbook").exists()
+    return stamp if whole and isinstance(stamp, dict) and stamp.get("root") == str(ROOT) else {}
+
+
+def clean_environ() -> dict[str, str]:
+    environ = {name: value for name, value in os.environ.items() if name not in LEFTOVERS}
+    environ["PIP_DISABLE_PIP_VERSION_CHECK"] = "1"
+    environ["PIP_ROOT_USER_ACTION"] = "ignore"
+    return environ
+
+
+def run(command: list[Any], what: str) -> None:
+    """Run a command with its output shown; Problem when it fails."""
+    done = subprocess.run([str(part) for part in command], cwd=str(ROOT), env=clean_environ())
+    if done.returncode:
+        raise Problem(
+            "{} failed (exit {}; the lines above say why). No network, a full disk and a proxy are the usual "
+            "reasons. Run the same command again: it goes on by itself. See 'When something fails' in "
+            "environment.md.".format(what, done.returncode)
+        )
+
+
+def create(uv: str | None) -> None:
+    """An empty virtual environment in `.venv`, marked as unfinished."""
+    if VENV.is_symlink() or (VENV.exists() and not VENV.is_dir()):
+        raise Problem("{} is not a folder. Move it away and try again.".format(VENV))
+    if VENV.exists() and any(VENV.iterdir()) and not (VENV / "pyvenv.cfg").exists():
+        if not (VENV / UNFINISHED).exists():
+            raise Problem("{} exists and is not an environment. Move it away and try again.".format(VENV))
+    if VENV.exists():
+        shutil.rmtree(str(VENV))
+    VENV.mkdir()
+    (VENV / UNFINISHED).touch()
+    if uv is None:
+        run([sys.executable, "-I", "-m", "venv", VENV], "Creating the environment")
+    else:
+        run(
+            [uv, "venv", "--quiet", "--allow-existing", "--python", sys.executable, VENV],
+            "Creating the environment",
+        )
+
+
+def install(uv: str | None, names: list[str]) -> None:
+    """Install sections of the lock into `.venv`, then this project itself, then Jupyter's settings."""
+    python = VENV / "bin" / "python"
+    pip: list[Any] = [python, "-m", "pip", "install", "--quiet", "--no-input", "--no-build-isolation"]
+    if uv is not None:
+        pip = [
+            uv,
+            "pip",
+            "install",
+            "--quiet",
+            "--compile-bytecode",
+            "--no-build-isolation",
+            "--python",
+            python,
+        ]
+    sections = read_sections(LOCK.read_text())
+    with tempfile.TemporaryDirectory() as folder:
+        # First what builds the rest, so that nothing is ever built with a package that the lock does not name.
+        for number, part in enumerate((["build"], names)):
+            listed = Path(folder) / "requirements-{}.txt".format(number)
+            listed.write_text(requirements(sections, part))
+            run(pip + ["--require-hashes", "-r", listed], "Installing the packages")
+    run(pip + ["--no-deps", "--editable", ROOT], "Installing the workbook")
+    run([python, "-m", "workbook.lab.jupyter_files"], "Setting up Jupyter")
+
+
+def ensure(wanted: list[str], chosen_python: bool) -> bool:
+    """Make `.venv` hold the wanted sections; True when there was something to do.
+
+    `chosen_python` says that the person named this Python: an environment of another version is then made anew.
+    """
+    stamp = read_stamp()
+    current = digest()
+    version = version_text(sys.version_info[:2])
+    same_python = stamp.get("python") == version or not chosen_python
+    names = [name for name in SECTIONS if name in wanted or name in stamp.get("sections", ())]
+    if stamp.get("digest") == current and same_python and set(names) == set(stamp["sections"]):
+        return False
+
+    check_machine()
+    uv = shutil.which("uv")
+    check_venv_module(uv)
+    unfinished = (VENV / UNFINISHED).exists()
+    usable = (VENV / "bin" / "python").exists() and (VENV / "pyvenv.cfg").exists()
+    moved = (VENV / STAMP).exists() and not stamp
+    started = time.monotonic()
+    if unfinished or not usable or moved or not same_python:
+        print(
+            "Creating the environment in .venv with Python {}{} ...".format(version, " and uv" if uv else "")
+        )
+        create(uv)
+    else:
+        print("Updating the environment in .venv{} ...".format(" with uv" if uv else ""))
+        (VENV / UNFINISHED).touch()
+        if (VENV / STAMP).exists():
+            (VENV / STAMP).unlink()
+        version = stamp.get("python") or version_of(VENV / "bin" / "python")
+    sys.stdout.flush()
+    install(uv, names)
+    new_stamp = {"digest": current, "sections": names, "python": version, "root": str(ROOT)}
+    (VENV / STAMP).write_text(json.dumps(new_stamp, indent=1) + "\n")
+    (VENV / UNFINISHED).unlink()
+    print("The environment is ready ({:.0f} s).".format(time.monotonic() - started))
+    return True
+
+
+def version_of(python: Path) -> str:
+    command = [str(python), "-I", "-c", "import sys; print('%d.%d' % sys.version_info[:2])"]
+    return subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout.decode().strip()
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Parse, make the environment, and turn a Problem into one line on stderr and exit code 1."""
+    parser = argparse.ArgumentParser(description="Create the environment of the workbook in .venv.")
+    parser.add_argument("--extras", default="", help="further sections of the lock: dev, ai, farm")
+    parser.add_argument(
+        "--chosen-python", action="store_true", help="make it anew if it has another Python version"
+    )
+    options = parser.parse_args(arguments)
+    extras = re.findall(r"\w+", options.extras)
+    unknown = [extra for extra in extras if extra not in SECTIONS]
+    if unknown:
+        parser.error("no extra is called {}; there are dev, ai and farm".format(", ".join(unknown)))
+    try:
+        with OneAtATime():
+            if not ensure(["build", "student"] + extras, options.chosen_python) and sys.stdout.isatty():
+                print("The environment is ready.")
+    except Problem as problem:
+        print("make: {}".format(problem), file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("\nStopped. The next start goes on.", file=sys.stderr)
+        return 130
+    return 0
+
+
+class OneAtATime:
+    """Two `make` commands at once must not build the same folder: the second waits for the first."""
+
+    def __enter__(self) -> None:
+        self.handle = os.open(str(ROOT), os.O_RDONLY)
+        try:
+            try:
+                fcntl.flock(self.handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                print("Another make is creating the environment; waiting for it ...", flush=True)
+                fcntl.flock(self.handle, fcntl.LOCK_EX)
+        except OSError:
+            pass  # a file system without locks: no harm, only no protection
+
+    def __exit__(self, *exception: object) -> None:
+        os.close(self.handle)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

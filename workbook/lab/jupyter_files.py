@@ -1,0 +1,68 @@
+"""Puts Jupyter's settings into the environment, where JupyterLab, VS Code and nbval all find them.
+
+Run inside the environment by the bootstrap: `python -m workbook.lab.jupyter_files`.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+# Runs in every kernel of this environment, whichever program starts it: lessons need no set-up cell.
+KERNEL_CONFIG = """\
+# Written by `make env`. Sets up ROS and the magics in each kernel of this environment.
+c = get_config()  # noqa: F821
+try:
+    from workbook.lab.kernel import configure
+except ImportError as error:
+    import sys
+
+    print(f"The workbook is not set up in this kernel: {error}. Run `make env` in its folder.", file=sys.__stderr__)
+else:
+    configure(c)
+"""
+
+# JupyterLab as a learner should meet it: no questions on the first start, nothing fetched from a network.
+LAB_SETTINGS = {
+    "@jupyterlab/apputils-extension:notification": {
+        "fetchNews": "false",
+        "checkForUpdates": False,
+        "doNotDisturbMode": False,
+    },
+    "@jupyterlab/docmanager-extension:plugin": {"autosaveInterval": 30},
+    "@jupyterlab/extensionmanager-extension:plugin": {"enabled": False},
+    "@jupyterlab/notebook-extension:tracker": {"windowingMode": "defer"},
+}
+
+# An empty guard makes the wheels find their own libraries, even when Jupyter runs in another environment.
+KERNEL_ENVIRONMENT = {"_ROS_WHEELS_BOOTSTRAP_COMPLETE": "", "PYTHONPATH": ""}
+
+
+def kernel_spec(python: str) -> dict[str, object]:
+    """The `python3` kernel of this environment, for any Jupyter that lists it."""
+    return {
+        "argv": [python, "-Xfrozen_modules=off", "-m", "ipykernel_launcher", "-f", "{connection_file}"],
+        "display_name": "rclpy workbook",
+        "language": "python",
+        "metadata": {"debugger": True},
+        "env": KERNEL_ENVIRONMENT,
+    }
+
+
+def install(prefix: Path, python: str) -> list[Path]:
+    """Write the settings below an environment's folder and return the files written."""
+    kernels = prefix / "share" / "jupyter" / "kernels" / "python3"
+    files = {
+        prefix / "etc" / "ipython" / "ipython_kernel_config.py": KERNEL_CONFIG,
+        prefix / "share" / "jupyter" / "lab" / "settings" / "overrides.json": json.dumps(
+            LAB_SETTINGS, indent=2
+        ),
+        kernels / "kernel.json": json.dumps(kernel_spec(python), indent=1),
+    }
+    for path, text in files.items():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text if text.endswith("\n") else text + "\n", encoding="utf-8")
+    return list(files)
+
+
+if __name__ == "__main__":
+    install(Path(sys.prefix), sys.executable)

@@ -1,0 +1,109 @@
+"""Writes requirements.lock: every package with its hashes, in sections, for Python 3.11 to 3.14. `make lock` runs it.
+
+The file is plain requirements text. A line `#: dev` opens a section; `student` alone gives a student's environment,
+and each further section adds to it. The sections after the first are resolved under the versions of the first, so
+any choice of sections fits together. No registry is named: the installer's own configuration decides.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+LOCK = ROOT / "requirements.lock"
+EXTRAS = ("dev", "ai", "farm")
+# What builds the project itself and the few packages without a wheel, and pip for the student's own `%pip install`.
+BUILD = ("flit_core>=3.11", "setuptools>=78", "pip>=25")
+HEADER = """\
+# Every package of the environment, pinned, with hashes, for CPython 3.11 to 3.14 on Linux x86_64.
+# Written by `make lock` from pyproject.toml; do not edit. A line that starts with `#:` opens a section:
+# build and student are what `make env` installs, `make test` adds dev, `make env EXTRAS=ai` adds ai.
+"""
+# True on every machine this file is for: the lines need not say so.
+_ALWAYS = {
+    "platform_machine == 'x86_64'", "sys_platform == 'linux'", "python_full_version < '3.15'",
+    "implementation_name == 'cpython'", "platform_python_implementation == 'CPython'",
+    "implementation_name != 'PyPy'", "platform_python_implementation != 'PyPy'",
+}  # fmt: skip
+
+Entry = dict[str, str]  # requirement line (name, version, marker) → its hash lines
+
+
+def parse(text: str) -> Entry:
+    """Requirement lines and their hashes, from the output of `uv pip compile --generate-hashes`."""
+    entries: Entry = {}
+    for block in re.split(r"\n(?=[A-Za-z0-9])", text.strip()):
+        first, *hashes = [
+            line.rstrip(" \\").strip() for line in block.splitlines() if not line.startswith("#")
+        ]
+        requirement, _, marker = (part.strip() for part in first.partition(";"))
+        kept = marker
+        if " or " not in marker:
+            kept = " and ".join(term for term in marker.split(" and ") if term and term not in _ALWAYS)
+        entries[f"{requirement} ; {kept}" if kept else requirement] = "\n".join(hashes)
+    return entries
+
+
+def compile_requirements(uv: str, source: str, *arguments: str) -> str:
+    """What `uv pip compile` resolves for a requirements text or `pyproject.toml`; raises SystemExit when it cannot."""
+    command = [
+        uv, "pip", "compile", "--universal", "--python-version", "3.11", "--generate-hashes", "--no-annotate",
+        "--no-header", "--quiet", *arguments,
+    ]  # fmt: skip
+    if source == "pyproject.toml":
+        done = subprocess.run([*command, source], cwd=ROOT, text=True, capture_output=True)
+    else:
+        done = subprocess.run([*command, "-"], cwd=ROOT, text=True, capture_output=True, input=source)
+    if done.returncode:
+        raise SystemExit(f"uv could not resolve {source!r}:\n{done.stderr}")
+    return done.stdout
+
+
+def section(name: str, entries: Entry) -> str:
+    """One section of the lock file as text."""
+    lines = [f"\n#: {name}"]
+    for requirement, hashes in sorted(entries.items()):
+        lines.append(" \\\n".join([requirement, *(f"    {line}" for line in hashes.splitlines())]))
+    return "\n".join(lines) + "\n"
+
+
+def main() -> None:
+    """Resolve anew and write the lock file."""
+    uv = shutil.which("uv")
+    if uv is None:
+        raise SystemExit(
+            "make lock needs uv on the PATH (a newcomer does not: only who changes the dependencies)."
+        )
+    with tempfile.TemporaryDirectory() as folder:
+        student_text = compile_requirements(uv, "pyproject.toml", *sys.argv[1:])
+        constraints = Path(folder, "constraints.txt")
+        constraints.write_text(re.sub(r"(?m)( \\)?\n    --hash.*", "", student_text))
+        build = parse(compile_requirements(uv, "\n".join(BUILD), "--constraint", str(constraints)))
+        student = parse(student_text)
+        sections = {"build": build, "student": {line: h for line, h in student.items() if line not in build}}
+        known = {**build, **student}
+        # All extras are resolved once, together, so that they fit each other too.
+        flags = [flag for extra in EXTRAS for flag in ("--extra", extra)]
+        everything = compile_requirements(uv, "pyproject.toml", *flags, "--constraint", str(constraints))
+        constraints.write_text(
+            re.sub(r"(?m)( \\)?\n    --hash.*", "", everything)
+            + "\n"
+            + "\n".join(f"{line}" for line in build)
+        )
+        for extra in EXTRAS:
+            text = compile_requirements(
+                uv, "pyproject.toml", "--extra", extra, "--constraint", str(constraints)
+            )
+            entries = parse(text)
+            sections[extra] = {line: hashes for line, hashes in entries.items() if line not in known}
+    LOCK.write_text(HEADER + "".join(section(name, entries) for name, entries in sections.items()))
+    print(f"{LOCK.name}: " + ", ".join(f"{name} {len(entries)}" for name, entries in sections.items()))
+
+
+if __name__ == "__main__":
+    main()
