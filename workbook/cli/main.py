@@ -1,8 +1,8 @@
 """The `workbook` command: finds the subcommands and runs one.
 
-Every module of this package with a `register(subparsers)` function adds its subcommands; it sets `run` on its
-parser to a function that takes the parsed arguments and returns the exit code. Such modules import nothing heavy
-at their top, so that `workbook --help` answers at once.
+Every module of this package with a `register(subparsers)` function adds its subcommands; it sets the default
+`run` of its parser to a function that takes the parsed arguments and returns the exit code. Such modules import
+nothing heavy at their top, so that `workbook --help` answers at once.
 """
 
 import argparse
@@ -19,7 +19,8 @@ def build_parser() -> argparse.ArgumentParser:
     """The parser with the subcommands of every module of `workbook.cli`."""
     parser = argparse.ArgumentParser(
         prog="workbook",
-        description="Learn ROS 2 with rclpy: lessons, exercises, and a judge that watches what the robot does.",
+        allow_abbrev=False,
+        description="Learn ROS 2 with rclpy: lessons, exercises, and a judge that watches the robot.",
     )
     parser.add_argument("--version", action="version", version=f"workbook {workbook.__version__}")
     subparsers = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)

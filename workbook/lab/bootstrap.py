@@ -1,7 +1,7 @@
 """Creates the environment in `.venv` from requirements.lock, or finds that it is already there.
 
-Runs before anything is installed: the standard library only, and a syntax that Python 3.8 still reads, so that an
-old Python can say in a clear line that it is too old. `make env` calls it; so do `make lab` and `make test`.
+Runs before anything is installed: the standard library only, and a syntax that Python 3.8 still reads, so
+that an old Python can say in a clear line that it is too old. `make env`, `make lab` and `make test` call it.
 """
 
 from __future__ import annotations
@@ -29,10 +29,11 @@ OLDEST_GLIBC = (2, 28)
 SECTIONS = ("build", "student", "dev", "ai", "farm")
 STAMP = "workbook-environment.json"
 UNFINISHED = "workbook-unfinished"
-# Left behind by a sourced ROS or by another environment; each of them would change what gets installed or found.
+# Left behind by a sourced ROS or another environment; each would change what gets installed or found.
 LEFTOVERS = (
-    "PYTHONPATH", "PYTHONHOME", "PYTHONDONTWRITEBYTECODE", "PYTHONOPTIMIZE", "LD_LIBRARY_PATH", "VIRTUAL_ENV",
-    "_ROS_WHEELS_BOOTSTRAP_COMPLETE", "PIP_TARGET", "PIP_PREFIX", "PIP_USER", "PIP_NO_DEPS", "PIP_REQUIREMENT",
+    "PYTHONPATH", "PYTHONHOME", "PYTHONDONTWRITEBYTECODE", "PYTHONOPTIMIZE", "VIRTUAL_ENV",
+    "LD_LIBRARY_PATH", "_ROS_WHEELS_BOOTSTRAP_COMPLETE",
+    "PIP_TARGET", "PIP_PREFIX", "PIP_USER", "PIP_NO_DEPS", "PIP_REQUIREMENT",
 )  # fmt: skip
 
 
@@ -51,7 +52,10 @@ def check_machine(
     version: tuple[int, ...] | None = None,
     implementation: str | None = None,
 ) -> None:
-    """Raise Problem when the wheels of rclpy cannot work on this machine. The arguments stand in for it in tests."""
+    """Raise Problem when the wheels of rclpy cannot work on this machine.
+
+    The arguments stand in for what this machine says of itself.
+    """
     system = platform.system() if system is None else system
     machine = platform.machine() if machine is None else machine
     libc = platform.libc_ver() if libc is None else libc
@@ -78,9 +82,8 @@ def check_machine(
         )
     if implementation != "CPython":
         raise Problem(
-            "the wheels of rclpy are for CPython and {} is {}. See 'A suitable Python' in environment.md.".format(
-                sys.executable, implementation
-            )
+            "the wheels of rclpy are for CPython and {} is {}. "
+            "See 'A suitable Python' in environment.md.".format(sys.executable, implementation)
         )
     name, number = libc
     digits = tuple(int(part) for part in re.findall(r"\d+", number)[:2])
@@ -176,10 +179,10 @@ def create(uv: str | None) -> None:
     """An empty virtual environment in `.venv`, marked as unfinished."""
     if VENV.is_symlink() or (VENV.exists() and not VENV.is_dir()):
         raise Problem("{} is not a folder. Move it away and try again.".format(VENV))
-    if VENV.exists() and any(VENV.iterdir()) and not (VENV / "pyvenv.cfg").exists():
-        if not (VENV / UNFINISHED).exists():
-            raise Problem("{} exists and is not an environment. Move it away and try again.".format(VENV))
     if VENV.exists():
+        ours = (VENV / "pyvenv.cfg").exists() or (VENV / UNFINISHED).exists() or not any(VENV.iterdir())
+        if not ours:
+            raise Problem("{} exists and is not an environment. Move it away and try again.".format(VENV))
         shutil.rmtree(str(VENV))
     VENV.mkdir()
     (VENV / UNFINISHED).touch()
@@ -209,19 +212,19 @@ def install(uv: str | None, names: list[str]) -> None:
         ]
     sections = read_sections(LOCK.read_text())
     with tempfile.TemporaryDirectory() as folder:
-        # First what builds the rest, so that nothing is ever built with a package that the lock does not name.
+        # First what builds the rest: nothing is ever built with a package that the lock does not name.
         for number, part in enumerate((["build"], names)):
             listed = Path(folder) / "requirements-{}.txt".format(number)
             listed.write_text(requirements(sections, part))
-            run(pip + ["--require-hashes", "-r", listed], "Installing the packages")
-    run(pip + ["--no-deps", "--editable", ROOT], "Installing the workbook")
+            run([*pip, "--require-hashes", "-r", listed], "Installing the packages")
+    run([*pip, "--no-deps", "--editable", ROOT], "Installing the workbook")
     run([python, "-m", "workbook.lab.jupyter_files"], "Setting up Jupyter")
 
 
 def ensure(wanted: list[str], chosen_python: bool) -> bool:
     """Make `.venv` hold the wanted sections; True when there was something to do.
 
-    `chosen_python` says that the person named this Python: an environment of another version is then made anew.
+    `chosen_python`: the person named this Python, so an environment of another version is made anew.
     """
     stamp = read_stamp()
     current = digest()
@@ -277,7 +280,7 @@ def main(arguments: list[str] | None = None) -> int:
         parser.error("no extra is called {}; there are dev, ai and farm".format(", ".join(unknown)))
     try:
         with OneAtATime():
-            if not ensure(["build", "student"] + extras, options.chosen_python) and sys.stdout.isatty():
+            if not ensure(["build", "student", *extras], options.chosen_python) and sys.stdout.isatty():
                 print("The environment is ready.")
     except Problem as problem:
         print("make: {}".format(problem), file=sys.stderr)

@@ -14,9 +14,8 @@ c = get_config()  # noqa: F821
 try:
     from workbook.lab.kernel import configure
 except ImportError as error:
-    import sys
-
-    print(f"The workbook is not set up in this kernel: {error}. Run `make env` in its folder.", file=sys.__stderr__)
+    message = f"The workbook is not set up in this kernel: {error}. Run `make env` in its folder."
+    c.InteractiveShellApp.exec_lines.append(f"import sys; print({message!r}, file=sys.stderr)")
 else:
     configure(c)
 """

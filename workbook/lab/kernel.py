@@ -12,7 +12,7 @@ def configure(config: Any) -> None:
     `config` is IPython's configuration object. Never raises: a kernel that starts and says what is wrong is
     more use than one that does not start.
     """
-    # With this variable set (nbval) ipykernel does not capture what C code writes, which is where ROS logs come from.
+    # With this variable set (by nbval) ipykernel does not capture what C code writes, and so no ROS logs.
     os.environ.pop("PYTEST_CURRENT_TEST", None)
     problems: list[str] = []
     try:

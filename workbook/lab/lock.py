@@ -1,8 +1,9 @@
-"""Writes requirements.lock: every package with its hashes, in sections, for Python 3.11 to 3.14. `make lock` runs it.
+"""Writes requirements.lock: every package with its hashes, in sections, for Python 3.11 to 3.14.
 
-The file is plain requirements text. A line `#: dev` opens a section; `student` alone gives a student's environment,
-and each further section adds to it. The sections after the first are resolved under the versions of the first, so
-any choice of sections fits together. No registry is named: the installer's own configuration decides.
+The file is plain requirements text. A line `#: dev` opens a section; `build` and `student` give a student's
+environment, and each further section adds to it. Later sections are resolved under the versions of the
+earlier ones, so any choice of sections fits together. No registry is named: the installer's own configuration
+decides. `make lock` runs this.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 LOCK = ROOT / "requirements.lock"
 EXTRAS = ("dev", "ai", "farm")
-# What builds the project itself and the few packages without a wheel, and pip for the student's own `%pip install`.
+# What builds the project itself and packages without a wheel, and pip for the student's `%pip install`.
 BUILD = ("flit_core>=3.11", "setuptools>=78", "pip>=25")
 HEADER = """\
 # Every package of the environment, pinned, with hashes, for CPython 3.11 to 3.14 on Linux x86_64.
@@ -50,7 +51,7 @@ def parse(text: str) -> Entry:
 
 
 def compile_requirements(uv: str, source: str, *arguments: str) -> str:
-    """What `uv pip compile` resolves for a requirements text or `pyproject.toml`; raises SystemExit when it cannot."""
+    """What `uv pip compile` resolves for a requirements text or `pyproject.toml`; else SystemExit."""
     command = [
         uv, "pip", "compile", "--universal", "--python-version", "3.11", "--generate-hashes", "--no-annotate",
         "--no-header", "--quiet", *arguments,

@@ -1,0 +1,48 @@
+"""`workbook lab` and `workbook reset`."""
+
+import argparse
+import sys
+from typing import Any
+
+
+def register(subparsers: Any) -> None:
+    """Add both subcommands."""
+    lab = subparsers.add_parser(
+        "lab",
+        allow_abbrev=False,
+        help="open the lessons in JupyterLab (what `make lab` runs)",
+        description="Bring your copy in work/ up to date and open it in JupyterLab. "
+        "Further arguments go to JupyterLab, for example --no-browser --port=8899.",
+    )
+    lab.set_defaults(run=run_lab, takes_rest=True)
+    again = subparsers.add_parser(
+        "reset",
+        help="put an exercise in work/ back to its start, keeping a backup of yours",
+        description="Put an exercise in work/ back to its start. What you had is kept in work/.state/backups/.",
+    )
+    again.add_argument("exercise", help="09_joint_positions, joint_positions or 9")
+    again.set_defaults(run=run_reset)
+
+
+def run_lab(options: argparse.Namespace) -> int:
+    """Become JupyterLab."""
+    from workbook.lab.launch import launch
+
+    return launch(options.rest)
+
+
+def run_reset(options: argparse.Namespace) -> int:
+    """Restore the starter of one exercise."""
+    from workbook.lab.delivery import NoSuchExercise, reset
+    from workbook.lab.launch import ROOT, WORK
+
+    try:
+        stem, kept = reset(ROOT, WORK, options.exercise)
+    except NoSuchExercise as problem:
+        print(f"workbook reset: {problem}", file=sys.stderr)
+        return 2
+    print(f"work/exercises/{stem}.ipynb is back at its start.")
+    for path in kept:
+        print(f"What you had is in {path.relative_to(ROOT)}.")
+    print("If it is open in JupyterLab, choose File > Reload Notebook from Disk.")
+    return 0

@@ -1,0 +1,99 @@
+"""Starting JupyterLab on the student's copy."""
+
+import os
+import socket
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from workbook.lab.delivery import deliver, first_lesson
+from workbook.ros.environment import is_leftover, uses_wheels
+
+ROOT = Path(__file__).resolve().parents[2]
+WORK = ROOT / "work"
+
+
+class CannotLaunch(RuntimeError):
+    """JupyterLab cannot start; the text says why and what to do."""
+
+
+def option(arguments: Sequence[str], *names: str) -> str | None:
+    """The value of a command line option written `--name=value` or `--name value`; the last one counts."""
+    found = None
+    for position, argument in enumerate(arguments):
+        name, equals, value = argument.partition("=")
+        if name in names:
+            following = arguments[position + 1] if position + 1 < len(arguments) else ""
+            found = value if equals else following
+    return found
+
+
+def check_port(arguments: Sequence[str]) -> None:
+    """Raise CannotLaunch when the person asked for a port that is no number or is taken."""
+    wanted = option(arguments, "--port", "--ServerApp.port")
+    if wanted is None:
+        return
+    if not wanted.isdigit() or not 0 <= int(wanted) <= 65535:
+        raise CannotLaunch(
+            f"--port needs a number from 1 to 65535, not {wanted!r}: make lab ARGS='--port=8899'"
+        )
+    address = option(arguments, "--ip", "--ServerApp.ip") or "127.0.0.1"
+    address = {"*": "0.0.0.0", "localhost": "127.0.0.1"}.get(address, address)
+    family = socket.AF_INET6 if ":" in address else socket.AF_INET
+    with socket.socket(family, socket.SOCK_STREAM) as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind((address, int(wanted)))
+        except OSError as error:
+            raise CannotLaunch(
+                f"Port {wanted} cannot be used ({error.strerror}). Perhaps another JupyterLab has it: "
+                f"`.venv/bin/jupyter server list` shows them. Without --port a free one is taken."
+            ) from error
+
+
+def command(arguments: Sequence[str], *, work: Path, lesson: str | None, root_user: bool) -> list[str]:
+    """The JupyterLab command; what the person passes comes last and so wins."""
+    line = [sys.executable, "-m", "jupyterlab", f"--ServerApp.root_dir={work}"]
+    if lesson is not None:
+        line.append(f"--LabApp.default_url=/lab/tree/{lesson}")
+    if root_user and "--allow-root" not in arguments:
+        line.append("--allow-root")
+    return [*line, *arguments]
+
+
+def lab_environment(environ: Mapping[str, str]) -> dict[str, str]:
+    """The environment for JupyterLab and its kernels: without what a sourced ROS left, on the wheels route."""
+    clean = {name: value for name, value in environ.items() if not (uses_wheels() and is_leftover(name))}
+    clean.pop("PYTHONDONTWRITEBYTECODE", None)
+    clean["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), clean.get("PATH", os.defpath)])
+    return clean
+
+
+def launch(arguments: Sequence[str]) -> int:
+    """Bring `work/` up to date and become JupyterLab; returns only when that is impossible (exit code)."""
+    try:
+        check_port(arguments)
+        for said in deliver(ROOT, WORK).lines():
+            print(said)
+    except CannotLaunch as problem:
+        print(f"workbook lab: {problem}", file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(
+            f"workbook lab: cannot write the student's copy in {WORK}: {error.strerror}. "
+            "Is the folder yours, and is the disk full? `workbook doctor` says more.",
+            file=sys.stderr,
+        )
+        return 1
+    lesson = first_lesson(ROOT)
+    print(f"Your notebooks are in {WORK}. Stop JupyterLab with Ctrl-C here.", flush=True)
+    os.chdir(WORK)
+    line = command(arguments, work=WORK, lesson=lesson, root_user=os.geteuid() == 0)
+    sys.stderr.flush()
+    try:
+        os.execve(line[0], line, lab_environment(os.environ))
+    except OSError as error:
+        print(
+            f"workbook lab: cannot start {line[0]}: {error.strerror}. Run `make env` again.", file=sys.stderr
+        )
+    return 1
