@@ -1,0 +1,76 @@
+"""`workbook check`: judge one answer in the terminal, as `%check` does in a notebook."""
+
+import argparse
+import sys
+from pathlib import Path
+
+FULL_MARKS, NOT_YET, NOT_JUDGED = 0, 1, 2
+
+
+def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    parser = subparsers.add_parser(
+        "check",
+        help="judge your answer to an exercise",
+        description="Run an answer, watch what it does on the topics, and say what holds and what does not yet. "
+        "Exit code 0: full marks, 1: not yet, 2: could not be judged.",
+    )
+    parser.add_argument("exercise", metavar="EXERCISE", help="such as 09_joint_positions or joint_positions")
+    parser.add_argument(
+        "file", metavar="FILE", nargs="?", type=Path, help="the answer, .py or .ipynb (default: answers/EXERCISE.py)"
+    )
+    parser.add_argument(
+        "--as-graded",
+        action="store_true",
+        help="also keep a passing program running for 8 real seconds, as the instructor's grader does",
+    )
+    parser.add_argument("--review", action="store_true", help="with full marks: print a prompt for a review")
+    parser.set_defaults(run=run)
+
+
+def _default_file(stem: str) -> Path | None:
+    for folder in (Path("answers"), Path("work/answers"), Path("../answers")):
+        candidate = folder / f"{stem}.py"
+        if candidate.is_file():
+            return candidate
+    return None
+
+
+def run(options: argparse.Namespace) -> int:
+    from workbook.exercise.answers import Ungradable, read_answer
+    from workbook.exercise.course import NoCourse
+    from workbook.exercise.definition import BrokenCriteria, load_exercise
+    from workbook.exercise.judging import Judge, Judgement
+    from workbook.exercise.source import SourceError, UnknownExercise
+    from workbook.feedback.review import review_prompt
+    from workbook.feedback.text import as_text
+    from workbook.observing.watch import Observer
+    from workbook.ros.domains import NoDomainFree
+
+    color = sys.stdout.isatty()
+    try:
+        exercise = load_exercise(options.exercise)
+        file = options.file or _default_file(exercise.stem)
+        if file is None:
+            raise Ungradable(f"there is no answers/{exercise.stem}.py here; name the file: workbook check EXERCISE FILE")
+        answer = read_answer(file, exercise.stem)
+
+        def report(judgement: Judgement) -> None:
+            if judgement.provisional:
+                print("Watching it on the wall clock as well; that takes some seconds ...", file=sys.stderr)
+            else:
+                print("It passes on robot time; watching that it lives on ...", file=sys.stderr)
+
+        with Observer() as observer:
+            judgement = Judge(observer).judge(exercise, answer, thorough=options.as_graded, report=report)
+    except (Ungradable, UnknownExercise, NoCourse, BrokenCriteria, SourceError, NoDomainFree, OSError) as error:
+        print(f"workbook check: {error}", file=sys.stderr)
+        return NOT_JUDGED
+    print(as_text(judgement, color))
+    if judgement.status != "graded":
+        return NOT_JUDGED
+    if judgement.full_marks:
+        print(f"  Hand in this file: {file}")
+        if options.review:
+            print("\n" + review_prompt(exercise.source, answer.text, judgement))
+        return FULL_MARKS
+    return NOT_YET

@@ -1,0 +1,148 @@
+"""Feedback as a card in a notebook: readable on light and dark, without styles, and in an untrusted notebook."""
+
+import base64
+from dataclasses import dataclass
+from html import escape
+
+from workbook.criteria.runner import CriterionResult
+from workbook.exercise.judging import Judgement
+from workbook.feedback import wording
+
+COLORS = {"passed": "#208a3c", "failed": "#dc3b3b", "partial": "#b06a00", "skipped": "#787878"}
+BLUE = "#2f78d0"
+_CELL = "text-align:left;vertical-align:top;padding:2px 10px 2px 0"
+
+
+@dataclass(frozen=True)
+class Extras:
+    """What a card may carry besides the judgement. `timeline` is a PNG; `timeline_text` describes it."""
+
+    file: str = ""
+    review: str = ""
+    timeline: bytes | None = None
+    timeline_text: str = ""
+    hints_left: int = 0
+
+
+def _status(result: CriterionResult) -> str:
+    word = wording.WORDS[result.status]
+    return f'<b style="color:{COLORS[result.status]}">{wording.SIGNS[result.status]} {word}</b>'
+
+
+def _row(result: CriterionResult) -> str:
+    earned = f"{wording.points(result.points)} of {wording.points(result.max_points)}"
+    saw = escape(result.saw) if result.status != "skipped" else "<i>looked at once the line above holds</i>"
+    return (
+        f'<tr><td style="{_CELL};white-space:nowrap">{_status(result)}</td>'
+        f'<td style="{_CELL};white-space:nowrap">{earned}</td>'
+        f'<td style="{_CELL}">{escape(result.title)}</td><td style="{_CELL}">{saw}</td></tr>'
+    )
+
+
+def _advice(result: CriterionResult) -> str:
+    lines = [
+        ("You showed", result.saw),
+        ("Expected", result.expected),
+        ("Likely reason", result.because),
+        ("Try", result.try_this),
+    ]
+    rows = "".join(
+        f'<tr><td style="{_CELL};white-space:nowrap"><b>{label}</b></td><td style="{_CELL}">{escape(text)}</td></tr>'
+        for label, text in lines
+        if text
+    )
+    return f"<table>{rows}</table>"
+
+
+def _bar(judgement: Judgement) -> str:
+    score, most = judgement.score or 0.0, judgement.max_score
+    return f'<progress value="{score:g}" max="{most:g}" aria-label="points">{score:g} of {most:g}</progress>'
+
+
+def _color_of(judgement: Judgement) -> str:
+    if judgement.provisional:
+        return COLORS["partial"]
+    if judgement.full_marks:
+        return COLORS["passed"]
+    return COLORS["failed"] if not judgement.score else COLORS["partial"]
+
+
+def _log(judgement: Judgement) -> str:
+    recording = judgement.recording
+    if recording is None or not recording.process.log.strip():
+        return ""
+    return (
+        "<details><summary>What your program printed</summary>"
+        f"<pre>{escape(recording.process.log.strip())}</pre></details>"
+    )
+
+
+def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
+    """The card. All text of the program is escaped; colors are plain hex values with a word beside each."""
+    extras = extras or Extras()
+    color = _color_of(judgement)
+    sign = "✓" if judgement.full_marks else "◔" if judgement.provisional else "➜"
+    parts = [
+        f'<div style="border-left:6px solid {color};padding:4px 0 4px 14px">',
+        f'<p style="font-size:115%;margin:0 0 4px 0"><b style="color:{color}">{sign} '
+        f"{escape(wording.headline(judgement))}</b> &nbsp;{_bar(judgement)}</p>",
+    ]
+    if judgement.provisional:
+        parts.append(f'<p style="margin:4px 0;color:{color}">{escape(wording.provisional_line(judgement))}</p>')
+    first = wording.first_to_mend(judgement)
+    if first is not None:
+        parts.append(f"<p><b>First to mend: {escape(first.title)}</b></p>{_advice(first)}")
+    if extras.timeline is not None:
+        data = base64.b64encode(extras.timeline).decode()
+        parts.append(f'<p><img alt="{escape(extras.timeline_text)}" src="data:image/png;base64,{data}"></p>')
+    parts.append(_table(judgement))
+    later = wording.also_to_mend(judgement)
+    if later:
+        folded = "".join(f"<p><b>{escape(result.title)}</b></p>{_advice(result)}" for result in later)
+        what = "the other one" if len(later) == 1 else f"the other {len(later)}"
+        parts.append(f"<details><summary>Reasons for {what}</summary>{folded}</details>")
+    parts.append(_log(judgement))
+    if judgement.full_marks and not judgement.provisional:
+        parts.append(_farewell(extras))
+    elif first is not None and extras.hints_left:
+        parts.append("<p>Stuck? <code>%hint</code> gives the next hint.</p>")
+    small = " ".join(filter(None, (wording.clock_line(judgement), wording.hidden_line(judgement))))
+    parts.append(f'<p style="color:{COLORS["skipped"]};margin:4px 0 0 0"><small>{escape(small)}</small></p></div>')
+    return "".join(parts)
+
+
+def _table(judgement: Judgement) -> str:
+    rows = "".join(map(_row, wording.visible(judgement)))
+    return (
+        f'<table><thead><tr><th style="{_CELL}">State</th><th style="{_CELL}">Points</th>'
+        f'<th style="{_CELL}">Criterion</th><th style="{_CELL}">Seen on the wire</th></tr></thead>'
+        f"<tbody>{rows}</tbody></table>"
+    )
+
+
+def _farewell(extras: Extras) -> str:
+    parts = []
+    if extras.file:
+        parts.append(f"<p>Hand in this file: <code>{escape(extras.file)}</code></p>")
+    if extras.review:
+        parts.append(
+            "<details><summary>One last step: a review. A prompt to give to a colleague or an AI assistant"
+            f"</summary><pre>{escape(extras.review)}</pre></details>"
+        )
+    return "".join(parts)
+
+
+class Card:
+    """A judgement as JupyterLab shows it; its text form is the same in every run with the same outcome."""
+
+    def __init__(self, judgement: Judgement, extras: Extras | None = None) -> None:
+        self.judgement = judgement
+        self._extras = extras
+
+    def _repr_html_(self) -> str:
+        return as_html(self.judgement, self._extras)
+
+    def __repr__(self) -> str:
+        first = wording.first_to_mend(self.judgement)
+        line = wording.headline(self.judgement)
+        return line if first is None else f"{line} First to mend: {first.title}."

@@ -1,0 +1,56 @@
+"""Feedback as text for a terminal."""
+
+import textwrap
+
+from workbook.criteria.runner import CriterionResult
+from workbook.exercise.judging import Judgement
+from workbook.feedback import wording
+
+WIDTH = 100
+_ANSI = {"passed": "32", "failed": "31", "partial": "33", "skipped": "90"}
+
+
+def _paint(text: str, status: str, color: bool) -> str:
+    return f"\x1b[{_ANSI[status]}m{text}\x1b[0m" if color else text
+
+
+def _block(label: str, text: str) -> list[str]:
+    if not text:
+        return []
+    return textwrap.wrap(
+        text, WIDTH, initial_indent=f"      {label:<9}", subsequent_indent=" " * 15, break_long_words=False
+    )
+
+
+def _criterion(result: CriterionResult, color: bool, in_full: bool) -> list[str]:
+    earned = f"{wording.points(result.points)}/{wording.points(result.max_points)}"
+    sign = _paint(wording.SIGNS[result.status], result.status, color)
+    lines = [f"  {sign} {earned:>5}  {result.title}"]
+    if in_full:
+        lines += _block("saw", result.saw)
+        lines += _block("expected", result.expected)
+        lines += _block("because", result.because)
+        lines += _block("try", result.try_this)
+    elif result.status in ("failed", "partial"):
+        lines += _block("saw", result.saw)
+    return lines
+
+
+def as_text(judgement: Judgement, color: bool = False, log_lines: int = 12) -> str:
+    """The judgement for a terminal: the headline, every criterion, the first one to mend in full."""
+    lines = [f"{judgement.stem}: {wording.headline(judgement)}"]
+    first = wording.first_to_mend(judgement)
+    for result in wording.visible(judgement):
+        lines += _criterion(result, color, in_full=result is first)
+    for line in (
+        wording.provisional_line(judgement),
+        wording.hidden_line(judgement),
+        wording.clock_line(judgement),
+    ):
+        if line:
+            lines.append(f"  {line}")
+    recording = judgement.recording
+    if first is not None and recording is not None and "Traceback" in recording.process.log:
+        tail = recording.process.log.rstrip().splitlines()[-log_lines:]
+        lines += ["  Last lines of your program's log:", *(f"    {line}" for line in tail)]
+    return "\n".join(lines)

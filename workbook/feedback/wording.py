@@ -1,0 +1,73 @@
+"""The words of feedback, the same on a card, in a terminal and on a page."""
+
+from workbook.criteria.runner import CriterionResult
+from workbook.exercise.judging import Judgement
+
+SIGNS = {"passed": "✓", "failed": "✗", "partial": "◐", "skipped": "–"}
+WORDS = {"passed": "holds", "failed": "not yet", "partial": "in part", "skipped": "waits"}
+
+
+def points(value: float) -> str:
+    """Points without a useless .0."""
+    return f"{value:g}"
+
+
+def visible(judgement: Judgement) -> list[CriterionResult]:
+    """Criteria whose text a student may read. A criterion worth nothing is shown only when it failed."""
+    return [
+        result
+        for result in judgement.criteria
+        if not result.hidden and (result.max_points > 0 or result.status != "passed")
+    ]
+
+
+def hidden_count(judgement: Judgement) -> int:
+    return sum(result.hidden for result in judgement.criteria)
+
+
+def first_to_mend(judgement: Judgement) -> CriterionResult | None:
+    """The criterion to begin with: the first that does not hold."""
+    return next((one for one in visible(judgement) if one.status in ("failed", "partial")), None)
+
+
+def also_to_mend(judgement: Judgement) -> list[CriterionResult]:
+    """The criteria that do not hold, without the first."""
+    return [one for one in visible(judgement) if one.status in ("failed", "partial")][1:]
+
+
+def headline(judgement: Judgement) -> str:
+    """One line that says it all, the same in every run: no times in it."""
+    if judgement.status != "graded":
+        return f"Not judged: {judgement.reason}"
+    score, most = points(judgement.score or 0.0), points(judgement.max_score)
+    if judgement.full_marks:
+        return f"Full marks: {score} of {most} points."
+    return f"{score} of {most} points."
+
+
+def clock_line(judgement: Judgement) -> str:
+    """Which clock the judgement stands on, and how long it took."""
+    recording = judgement.recording
+    if recording is None:
+        return ""
+    if recording.clock == "simulated":
+        line = f"Judged on {recording.robot_s:.0f} s of robot time in {recording.wall_s:.1f} real seconds."
+        if judgement.watched_real_life:
+            line += f" Then kept running until {recording.process.watched_for:.0f} real seconds had passed."
+        return line
+    return f"Judged on the wall clock, {recording.robot_s:.0f} s."
+
+
+def provisional_line(judgement: Judgement) -> str:
+    """Why this is not the last word yet; empty for a final judgement."""
+    if not judgement.provisional:
+        return ""
+    return "Provisional: this was seen on fast robot time. The wall clock has the last word; it takes some seconds."
+
+
+def hidden_line(judgement: Judgement) -> str:
+    count = hidden_count(judgement)
+    if not count:
+        return ""
+    what = "one more criterion" if count == 1 else f"{count} more criteria"
+    return f"The instructor judges {what} that this check does not show."

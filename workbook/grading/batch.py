@@ -1,0 +1,172 @@
+"""Grading a folder: find the answers, skip what is done, judge the rest on several slots, keep the books."""
+
+import hashlib
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from workbook.exercise.answers import Ungradable, read_answer
+from workbook.exercise.definition import Exercise
+from workbook.grading.gradebook import grades_csv
+from workbook.grading.hand_ins import HandIn, find_hand_ins
+from workbook.grading.pool import Job, judge_all
+from workbook.grading.results import (
+    RESULTS,
+    Result,
+    ResultsFile,
+    graded_result,
+    last_results,
+    ungradable_result,
+)
+
+GRADES = "grades.csv"
+
+
+@dataclass(frozen=True)
+class Progress:
+    """How far a batch is. `left_s` is None until the first answer is done."""
+
+    done: int
+    total: int
+    kept: int
+    per_minute: float
+    left_s: float | None
+    latest: Result | None
+
+
+@dataclass(frozen=True)
+class BatchSummary:
+    """What a batch did: counts by status, answers kept from an earlier run, and seconds."""
+
+    results: tuple[Result, ...]
+    kept: int
+    judged: int
+    seconds: float
+    stopped: bool
+
+
+def _submitted_at(path: Path) -> str | None:
+    stamp = path.parent / "timestamp.txt"
+    if stamp.is_file() and not stamp.is_symlink() and stamp.stat().st_size < 200:
+        return stamp.read_text(errors="replace").strip() or None
+    return None
+
+
+def _file_sha(path: Path) -> str:
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest()
+    except OSError:
+        return ""
+
+
+class Batch:
+    """Grades hand-ins of one exercise into the folder `out`; can be killed and started again at any time."""
+
+    def __init__(self, exercise: Exercise, out: Path, slots: int, isolation: str = "limits") -> None:
+        self._exercise = exercise
+        self._out = out
+        self._slots = slots
+        self._isolation = isolation
+        self._earlier = last_results(out / RESULTS)
+
+    def _is_done(self, hand_in: HandIn, sha256: str) -> bool:
+        known = self._earlier.get((hand_in.student, self._exercise.stem))
+        return (
+            known is not None
+            and known["status"] != "infra_error"
+            and known["answer_sha256"] == sha256
+            and known["versions"]["criteria"] == self._exercise.criteria_sha256
+        )
+
+    def _attempt(self, student: str) -> int:
+        known = self._earlier.get((student, self._exercise.stem))
+        return 1 if known is None else int(known["attempt"]) + 1
+
+    def _refuse(self, hand_in: HandIn, reason: str, sha256: str) -> Result:
+        return ungradable_result(
+            student=hand_in.student,
+            answer=hand_in.label,
+            answer_sha256=sha256,
+            submitted_at=_submitted_at(hand_in.path),
+            exercise=self._exercise.stem,
+            attempt=self._attempt(hand_in.student),
+            reason=reason,
+            isolation=self._isolation,
+            criteria_sha256=self._exercise.criteria_sha256,
+            max_score=self._exercise.max_points,
+        )
+
+    def run(
+        self,
+        paths: Sequence[Path],
+        progress: Callable[[Progress], None] = lambda _: None,
+        stop: Callable[[], bool] = lambda: False,
+    ) -> BatchSummary:
+        """Grade everything below `paths` that is new or changed.
+
+        `progress` is called after each answer; `stop` is asked before each new one. Raises FileNotFoundError for a
+        path that is not there.
+        """
+        began = time.monotonic()
+        hand_ins = find_hand_ins(paths, self._exercise.stem)
+        book = ResultsFile(self._out / RESULTS)
+        jobs: list[Job[HandIn]] = []
+        kept = done = 0
+        try:
+            for hand_in in hand_ins:
+                try:
+                    if hand_in.problem is not None:
+                        raise Ungradable(hand_in.problem)
+                    answer = read_answer(hand_in.path, self._exercise.stem)
+                except (Ungradable, OSError) as error:
+                    sha256 = _file_sha(hand_in.path)
+                    if self._is_done(hand_in, sha256):
+                        kept += 1
+                        continue
+                    result = self._refuse(hand_in, str(error), sha256)
+                    book.append(result)
+                    done += 1
+                    progress(self._progress(done, len(hand_ins) - kept, kept, began, 0, result))
+                    continue
+                if self._is_done(hand_in, answer.sha256):
+                    kept += 1
+                else:
+                    jobs.append(Job(hand_in, self._exercise.stem, answer))
+            total = done + len(jobs)
+            refused = done
+            for job, judgement in judge_all(jobs, self._slots, stop=stop):
+                result = graded_result(
+                    self._out,
+                    judgement,
+                    student=job.key.student,
+                    answer=job.key.label,
+                    submitted_at=_submitted_at(job.key.path),
+                    attempt=self._attempt(job.key.student),
+                    isolation=self._isolation,
+                    criteria_sha256=self._exercise.criteria_sha256,
+                    max_score=self._exercise.max_points,
+                )
+                book.append(result)
+                done += 1
+                progress(self._progress(done, total, kept, began, refused, result))
+        finally:
+            book.close()
+            everything = last_results(self._out / RESULTS)
+            (self._out / GRADES).write_text(grades_csv(everything.values()), encoding="utf-8")
+        mine = {(hand_in.student, self._exercise.stem) for hand_in in hand_ins}
+        return BatchSummary(
+            results=tuple(result for key, result in sorted(everything.items()) if key in mine),
+            kept=kept,
+            judged=done,
+            seconds=time.monotonic() - began,
+            stopped=done < total,
+        )
+
+    @staticmethod
+    def _progress(done: int, total: int, kept: int, began: float, refused: int, latest: Result) -> Progress:
+        seconds = max(time.monotonic() - began, 1e-6)
+        ran = done - refused
+        per_minute = 60 * ran / seconds
+        left = (total - done) * seconds / ran if ran else None
+        return Progress(done, total, kept, per_minute, left, latest)

@@ -1,0 +1,105 @@
+"""Finding the answers in what an instructor has: files, one folder per student, notebooks, nbgrader's layout."""
+
+import os
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from workbook.exercise.answers import exercises_named
+
+ANSWER_SUFFIXES = (".py", ".ipynb")
+_SKIPPED_FOLDERS = {"__pycache__", ".ipynb_checkpoints", "__MACOSX"}
+
+
+@dataclass(frozen=True)
+class HandIn:
+    """One student's answer. `label` is the path as results name it; `problem` is set when none can be judged."""
+
+    student: str
+    path: Path
+    label: str
+    problem: str | None = None
+
+
+def _is_answer(path: Path) -> bool:
+    return path.suffix in ANSWER_SUFFIXES and not path.name.startswith((".", "__"))
+
+
+def _files_below(folder: Path) -> list[Path]:
+    found: list[Path] = []
+    for base, folders, files in os.walk(folder, followlinks=False):
+        folders[:] = sorted(name for name in folders if name not in _SKIPPED_FOLDERS and not name.startswith("."))
+        found += [Path(base) / name for name in sorted(files) if _is_answer(Path(name))]
+    return found
+
+
+def names_exercise(path: Path, stem: str) -> bool:
+    """Whether a file says by its name or its `%%answer` line that it answers `stem`."""
+    slug = stem.split("_", 1)[1]
+    name = re.sub(r"[^a-z0-9]+", "_", path.stem.lower())
+    return slug in name or stem in exercises_named(path)
+
+
+def _choose(student: str, folder: Path, root: Path, stem: str) -> HandIn:
+    files = _files_below(folder)
+    label = str(folder.relative_to(root))
+    if not files:
+        return HandIn(student, folder, label, "the folder holds no .py and no .ipynb file")
+    candidates = files if len(files) == 1 else [path for path in files if names_exercise(path, stem)]
+    if len(candidates) == 1:
+        return HandIn(student, candidates[0], str(candidates[0].relative_to(root)))
+    names = ", ".join(str(path.relative_to(folder)) for path in (candidates or files)[:5])
+    return HandIn(
+        student, folder, label, f"{len(candidates or files)} files could be the answer to {stem}: {names}. Leave one"
+    )
+
+
+def find_hand_ins(paths: Sequence[Path], stem: str) -> list[HandIn]:
+    """All answers to `stem` below `paths`, sorted by student.
+
+    A folder may hold files (`s1042.py`: the name is the student), one folder per student with the answer anywhere
+    below it, or nbgrader's `submitted/STUDENT/ASSIGNMENT/`. Raises FileNotFoundError for a path that is not there.
+    """
+    found: list[HandIn] = []
+    for path in paths:
+        if path.is_dir():
+            root = path / "submitted" if (path / "submitted").is_dir() else path
+            for entry in sorted(root.iterdir()):
+                if entry.name.startswith(".") or entry.name in _SKIPPED_FOLDERS:
+                    continue
+                if entry.is_symlink() and (entry.is_dir() or _is_answer(entry)):
+                    found.append(HandIn(entry.stem, entry, entry.name, "a symbolic link is not an answer"))
+                elif entry.is_dir():
+                    found.append(_choose(entry.name, entry, root, stem))
+                elif _is_answer(entry):
+                    found.append(HandIn(entry.stem, entry, entry.name))
+        elif path.is_file():
+            found.append(HandIn(path.stem, path, path.name))
+        else:
+            raise FileNotFoundError(f"there is no file or folder {path}")
+    return _settle_twins(found)
+
+
+def _settle_twins(found: list[HandIn]) -> list[HandIn]:
+    """Two hand-ins of one student are both refused: guessing which counts would be unfair."""
+    by_student: dict[str, list[HandIn]] = {}
+    for hand_in in found:
+        by_student.setdefault(hand_in.student, []).append(hand_in)
+    settled = []
+    for student in sorted(by_student):
+        own = by_student[student]
+        if len(own) == 1:
+            settled.append(own[0])
+        else:
+            labels = ", ".join(hand_in.label for hand_in in own)
+            settled.append(HandIn(student, own[0].path, labels, f"{len(own)} hand-ins of one student: {labels}"))
+    return settled
+
+
+def infer_exercise(paths: Sequence[Path], stems: Sequence[str]) -> list[str]:
+    """The exercises that the files below `paths` name, by file name or `%%answer` line."""
+    files: list[Path] = []
+    for path in paths:
+        files += _files_below(path) if path.is_dir() else [path]
+    return [stem for stem in stems if any(names_exercise(file, stem) for file in files)]

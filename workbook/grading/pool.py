@@ -1,0 +1,193 @@
+"""Slots as their owner sees them: start one, give it an answer, get a judgement, replace it when it breaks."""
+
+import json
+import os
+import queue
+import select
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any, Generic, TypeVar
+
+from workbook.exercise.answers import Answer
+from workbook.exercise.exchange import judgement_from_json
+from workbook.exercise.judging import Judgement, Report
+from workbook.ros.environment import child_environment
+
+ANSWER_DEADLINE_S = 120.0
+TRIES = 2
+Key = TypeVar("Key")
+
+
+class SlotBroken(RuntimeError):
+    """The slot died or did not answer in time. Says which; the answer was not judged."""
+
+
+class Slot:
+    """A running slot process. Not for two threads at once."""
+
+    def __init__(self) -> None:
+        environ = child_environment(0)
+        del environ["ROS_DOMAIN_ID"]
+        for name in ("WORKBOOK_COURSE", "PYTHONPATH"):
+            if name in os.environ:
+                environ[name] = os.environ[name]
+        environ.pop("ROS_LOG_DIR")
+        self._process = subprocess.Popen(
+            [sys.executable, "-m", "workbook.grading.slot"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            env=environ,
+            start_new_session=True,
+        )
+        self._buffer = b""
+
+    @property
+    def is_running(self) -> bool:
+        return self._process.poll() is None
+
+    def _read_line(self, deadline: float) -> dict[str, Any]:
+        assert self._process.stdout is not None
+        descriptor = self._process.stdout.fileno()
+        while b"\n" not in self._buffer:
+            left = deadline - time.monotonic()
+            if left <= 0:
+                raise SlotBroken(f"the slot gave no judgement within {ANSWER_DEADLINE_S:.0f} s")
+            if not select.select([descriptor], [], [], min(left, 1.0))[0]:
+                continue
+            chunk = os.read(descriptor, 1 << 20)
+            if not chunk:
+                raise SlotBroken(f"the slot ended with code {self._process.wait()}")
+            self._buffer += chunk
+        line, _, self._buffer = self._buffer.partition(b"\n")
+        message = json.loads(line)
+        assert isinstance(message, dict)
+        return message
+
+    def judge(self, stem: str, answer: Answer, *, thorough: bool, report: Report | None = None) -> Judgement:
+        """Judge one answer. Raises SlotBroken; use a new slot then."""
+        deadline = time.monotonic() + ANSWER_DEADLINE_S
+        job = json.dumps({"exercise": stem, "answer": answer.text, "thorough": thorough}) + "\n"
+        assert self._process.stdin is not None
+        try:
+            self._process.stdin.write(job.encode())
+            self._process.stdin.flush()
+        except OSError as error:
+            raise SlotBroken("the slot is gone") from error
+        while True:
+            message = self._read_line(deadline)
+            if "ready" in message:
+                continue
+            if "error" in message:
+                return Judgement(stem, answer.sha256, "infra_error", message["error"], (), None)
+            judgement = judgement_from_json(message["judgement"])
+            if message["final"]:
+                return judgement
+            if report is not None:
+                report(judgement)
+
+    def close(self) -> None:
+        """End the slot: it stops when its input closes; what does not stop within two seconds is killed."""
+        if self._process.stdin is not None:
+            try:
+                self._process.stdin.close()
+            except OSError:
+                pass
+        try:
+            self._process.wait(2.0)
+        except subprocess.TimeoutExpired:
+            self.kill()
+        if self._process.stdout is not None:
+            self._process.stdout.close()
+
+    def kill(self) -> None:
+        try:
+            os.killpg(self._process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        self._process.wait()
+
+    def __enter__(self) -> "Slot":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+@dataclass(frozen=True)
+class Job(Generic[Key]):
+    """One answer to judge; `key` is handed back with the judgement."""
+
+    key: Key
+    stem: str
+    answer: Answer
+
+
+def judge_with_retry(slot: Slot | None, job: Job[Key], thorough: bool) -> tuple[Slot | None, Judgement]:
+    """Judge a job, replacing a slot that breaks, at most twice; then the fault is ours: `infra_error`."""
+    reason = ""
+    for _ in range(TRIES):
+        if slot is None or not slot.is_running:
+            slot = Slot()
+        try:
+            return slot, slot.judge(job.stem, job.answer, thorough=thorough)
+        except SlotBroken as error:
+            reason = str(error)
+            slot.kill()
+            slot = None
+    return None, Judgement(job.stem, job.answer.sha256, "infra_error", reason, (), None)
+
+
+def judge_all(
+    jobs: Iterable[Job[Key]],
+    slots: int,
+    *,
+    thorough: bool = True,
+    stop: Callable[[], bool] = lambda: False,
+) -> Iterator[tuple[Job[Key], Judgement]]:
+    """Judge many answers on `slots` slots; yields each judgement as it is ready.
+
+    `stop` is asked before each new answer, so that an interrupted run ends after those under way.
+    """
+    waiting: queue.SimpleQueue[Job[Key]] = queue.SimpleQueue()
+    total = 0
+    for job in jobs:
+        waiting.put(job)
+        total += 1
+    done: queue.SimpleQueue[tuple[Job[Key], Judgement] | None] = queue.SimpleQueue()
+
+    def work() -> None:
+        slot: Slot | None = None
+        try:
+            while not stop():
+                try:
+                    job = waiting.get_nowait()
+                except queue.Empty:
+                    break
+                slot, judgement = judge_with_retry(slot, job, thorough)
+                done.put((job, judgement))
+        finally:
+            if slot is not None:
+                slot.close()
+            done.put(None)
+
+    threads = [threading.Thread(target=work, name=f"slot {n}") for n in range(max(1, min(slots, total)))]
+    for thread in threads:
+        thread.start()
+    running = len(threads)
+    try:
+        while running:
+            item = done.get()
+            if item is None:
+                running -= 1
+            else:
+                yield item
+    finally:
+        while not waiting.empty():
+            waiting.get_nowait()
+        for thread in threads:
+            thread.join()

@@ -1,0 +1,114 @@
+"""One place to run an answer: a process of its own with a warm observer, fed with jobs as lines of JSON.
+
+    {"exercise": "09_joint_positions", "answer": "<program text>", "thorough": true}
+
+comes in on standard input, judgements go out on standard output, the last one with `"final": true`.
+"""
+
+import ctypes
+import json
+import os
+import signal
+import sys
+from typing import Any, TextIO
+
+from workbook.exercise.answers import Answer
+from workbook.exercise.definition import Exercise, load_exercise
+from workbook.exercise.exchange import judgement_to_json
+from workbook.exercise.judging import Judge, Judgement
+from workbook.observing.watch import Observer
+
+PR_SET_PDEATHSIG = 1
+PR_SET_CHILD_SUBREAPER = 36
+ISOLATION = "limits"
+LIMITS = {
+    "memory": 2_500_000_000,
+    "file_size": 100_000_000,
+    "open_files": 512,
+    "cpu": 60,
+    "core": 0,
+}
+
+
+def _private_output() -> TextIO:
+    """Keep standard output for judgements alone; whatever else prints goes to standard error."""
+    channel = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    os.dup2(2, 1)
+    return channel
+
+
+def _adopt_orphans() -> None:
+    """Daemons that an answer leaves behind become children of this slot, so that it can end them."""
+    libc = ctypes.CDLL(None)
+    libc.prctl(PR_SET_CHILD_SUBREAPER, 1)
+    libc.prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
+
+
+def sweep_orphans() -> int:
+    """Kill and reap every process that is left below this slot. Returns how many there were."""
+    ended = 0
+    while True:
+        children = _own_children()
+        if not children:
+            return ended
+        for pid in children:
+            try:
+                os.kill(pid, signal.SIGKILL)
+                os.waitpid(pid, 0)
+            except (ProcessLookupError, ChildProcessError):
+                continue
+            ended += 1
+
+
+def _own_children() -> list[int]:
+    found: list[int] = []
+    for task in os.listdir("/proc/self/task"):
+        try:
+            with open(f"/proc/self/task/{task}/children") as file:
+                found += [int(pid) for pid in file.read().split()]
+        except OSError:
+            continue
+    return found
+
+
+def _end_on_sigterm(*_: object) -> None:
+    raise SystemExit(0)
+
+
+def serve() -> None:
+    """Answer jobs until standard input is closed."""
+    channel = _private_output()
+    _adopt_orphans()
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, _end_on_sigterm)
+    exercises: dict[str, Exercise] = {}
+
+    def send(message: dict[str, Any]) -> None:
+        channel.write(json.dumps(message, allow_nan=False) + "\n")
+        channel.flush()
+
+    with Observer() as observer:
+        judge = Judge(observer, LIMITS)
+        send({"ready": os.getpid()})
+        for line in sys.stdin:
+            job = json.loads(line)
+            try:
+                stem = job["exercise"]
+                if stem not in exercises:
+                    exercises[stem] = load_exercise(stem)
+
+                def report(judgement: Judgement) -> None:
+                    send({"final": False, "judgement": judgement_to_json(judgement)})
+
+                judgement = judge.judge(
+                    exercises[stem], Answer(job["answer"]), thorough=job["thorough"], report=report
+                )
+                message = {"final": True, "judgement": judgement_to_json(judgement)}
+            except Exception as error:
+                message = {"final": True, "error": f"{type(error).__name__}: {error}"}
+            sweep_orphans()
+            send(message)
+
+
+if __name__ == "__main__":
+    serve()
