@@ -1,0 +1,194 @@
+"""Kernels and scripts, each a process of its own with a domain of its own."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from queue import Empty
+from typing import Any
+
+import pytest
+from jupyter_client.manager import KernelManager
+
+from workbook.ros.domains import lease_domain
+from workbook.ros.environment import child_environment
+
+CELL_LIMIT_S = 60.0
+START = """
+from workbook.ros.environment import prepare
+prepare({domain})
+from workbook.ros import kernel
+kernel.install({label!r})
+import asyncio, time, rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+from workbook.ros import fresh, init, live, run, shutdown, spin_for
+def go():
+    print('go', flush=True)
+class Talker(Node):
+    def __init__(self, period=0.05):
+        super().__init__('talker')
+        self.pub = self.create_publisher(String, 'chatter', 10)
+        self.heard = []
+        self.create_subscription(String, 'chatter', lambda msg: self.heard.append(msg.data), 10)
+        self.create_timer(period, self.tick)
+        self.ticks = 0
+    def tick(self):
+        self.ticks += 1
+        self.pub.publish(String(data=f'tick {{self.ticks}}'))
+"""
+
+
+@dataclass
+class Outcome:
+    """What one cell gave: its streams in order, its result, its error."""
+
+    text: str = ""
+    stderr: str = ""
+    result: str | None = None
+    error: str | None = None
+    message: str = ""
+    traceback: str = ""
+
+
+@dataclass
+class Kernel:
+    manager: KernelManager
+    client: Any
+    pending: list[str] = field(default_factory=list)
+
+    def start(self, code: str) -> str:
+        return str(self.client.execute(code))
+
+    def finish(self, request: str, limit: float = CELL_LIMIT_S) -> Outcome:
+        outcome = Outcome()
+        end = time.monotonic() + limit
+        while True:
+            try:
+                message = self.client.get_iopub_msg(timeout=max(0.1, end - time.monotonic()))
+            except Empty:
+                raise AssertionError(f"the cell did not end in {limit} s; so far: {outcome}") from None
+            if message["parent_header"].get("msg_id") != request:
+                continue
+            content = message["content"]
+            kind = message["msg_type"]
+            if kind == "stream" and content["name"] == "stdout":
+                outcome.text += content["text"]
+            elif kind == "stream":
+                outcome.stderr += content["text"]
+            elif kind == "execute_result":
+                outcome.result = content["data"]["text/plain"]
+            elif kind == "error":
+                outcome.error, outcome.message = content["ename"], content["evalue"]
+                outcome.traceback = "\n".join(content["traceback"])
+            elif kind == "status" and content["execution_state"] == "idle":
+                return outcome
+
+    def run(self, code: str) -> Outcome:
+        return self.finish(self.start(code))
+
+    def good(self, code: str) -> Outcome:
+        outcome = self.run(code)
+        assert outcome.error is None, outcome.traceback
+        return outcome
+
+    def wait_for_text(self, request: str, text: str) -> None:
+        """Read output of a running cell until `text` has come."""
+        seen = ""
+        while text not in seen:
+            message = self.client.get_iopub_msg(timeout=CELL_LIMIT_S)
+            if message["parent_header"].get("msg_id") == request and message["msg_type"] == "stream":
+                seen += message["content"]["text"]
+
+    def interrupt(self) -> None:
+        self.manager.interrupt_kernel()
+
+    @property
+    def pid(self) -> int:
+        return int(self.manager.provisioner.pid)
+
+    def close(self) -> int | None:
+        """End the kernel as Jupyter does; its exit code (None when it had to be killed or nobody knows)."""
+        process = self.manager.provisioner.process
+        self.client.shutdown()
+        try:
+            code = process.wait(timeout=10)
+        except subprocess.TimeoutExpired:
+            code = None
+        self.client.stop_channels()
+        self.manager.shutdown_kernel(now=True)
+        return None if code is None else int(code)
+
+
+@pytest.fixture
+def open_kernel(tmp_path: Path) -> Iterator[Callable[..., Kernel]]:
+    opened: list[Kernel] = []
+
+    def open_one(label: str = "lesson", *, domain: str = "", **environ: str) -> Kernel:
+        manager = KernelManager(kernel_name="python3")
+        manager.kernel_spec.argv = [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}"]
+        manager.kernel_spec.env = {}
+        ours = {name: value for name, value in os.environ.items() if name != "PYTEST_CURRENT_TEST"}
+        ours.pop("ROS_DOMAIN_ID", None)
+        manager.start_kernel(env=ours | environ, cwd=str(tmp_path))
+        client = manager.client()
+        client.start_channels()
+        client.wait_for_ready(timeout=60)
+        kernel = Kernel(manager, client)
+        opened.append(kernel)
+        kernel.good(START.format(domain=domain, label=label))
+        return kernel
+
+    yield open_one
+    for kernel in opened:
+        if kernel.manager.has_kernel:
+            kernel.client.stop_channels()
+            kernel.manager.shutdown_kernel(now=True)
+
+
+@pytest.fixture
+def kernel(open_kernel: Callable[..., Kernel]) -> Kernel:
+    return open_kernel()
+
+
+@pytest.fixture
+def domain() -> Iterator[int]:
+    with lease_domain() as lease:
+        yield lease.domain_id
+
+
+@pytest.fixture
+def start_script(tmp_path: Path, domain: int) -> Iterator[Callable[..., "subprocess.Popen[str]"]]:
+    """Starts Python code as a process on the test's domain."""
+    started: list[subprocess.Popen[str]] = []
+
+    def start(code: str, **environ: str) -> "subprocess.Popen[str]":
+        file = tmp_path / f"script_{len(started)}.py"
+        file.write_text(code)
+        process = subprocess.Popen(
+            [sys.executable, str(file)],
+            env=child_environment(domain) | environ,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+        )
+        started.append(process)
+        return process
+
+    yield start
+    for process in started:
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGINT)
+            try:
+                process.wait(5)
+            except subprocess.TimeoutExpired:
+                os.killpg(process.pid, signal.SIGKILL)
+                process.wait()
+        for pipe in (process.stdout, process.stderr):
+            if pipe is not None:
+                pipe.close()

@@ -1,0 +1,73 @@
+"""A clean end of a process that has used ROS, whatever it forgot to shut down.
+
+A thread that still waits inside rclpy when Python is taken apart makes the process abort. So contexts are
+shut down first, the threads that spin are joined, and executors and nodes go while all they need exists.
+"""
+
+import atexit
+import concurrent.futures.thread  # noqa: F401  (its own exit hook must be registered before ours)
+import gc
+import sys
+import threading
+import time
+from collections.abc import Iterable
+from contextlib import suppress
+from typing import Any
+
+_JOIN_LIMIT_S = 2.0
+_registered = False
+
+
+def register() -> None:
+    """Have `end_ros` called when this process ends; once is enough."""
+    global _registered
+    if _registered:
+        return
+    _registered = True
+    # Runs before Python waits for threads that are no daemons; the public atexit would run after that wait.
+    before_threads = getattr(threading, "_register_atexit", atexit.register)
+    before_threads(end_ros)
+
+
+def _instances(*kinds: type) -> Iterable[Any]:
+    return [thing for thing in gc.get_objects() if issubclass(type(thing), kinds)]
+
+
+def _waits_in_rclpy(thread: threading.Thread) -> bool:
+    frame = sys._current_frames().get(thread.ident or 0)
+    while frame is not None:
+        if frame.f_globals.get("__name__", "").startswith("rclpy"):
+            return True
+        frame = frame.f_back
+    return False
+
+
+def end_ros() -> None:
+    """Shut down every context, wait for threads that spin (at most 2 s), destroy executors and nodes."""
+    if "rclpy" not in sys.modules:
+        return
+    from rclpy.context import Context
+    from rclpy.executors import Executor, ExternalShutdownException
+    from rclpy.node import Node
+
+    usual = threading.excepthook
+
+    def without_shutdown(failure: threading.ExceptHookArgs) -> None:
+        if failure.exc_type is None or not issubclass(failure.exc_type, ExternalShutdownException):
+            usual(failure)
+
+    threading.excepthook = without_shutdown
+    for context in _instances(Context):
+        with suppress(Exception):
+            context.try_shutdown()
+    limit = time.monotonic() + _JOIN_LIMIT_S
+    for thread in threading.enumerate():
+        if thread is not threading.current_thread() and _waits_in_rclpy(thread):
+            thread.join(max(0.0, limit - time.monotonic()))
+    for executor in _instances(Executor):
+        with suppress(Exception):
+            executor.shutdown(0.0)
+    for node in _instances(Node):
+        with suppress(Exception):
+            node.destroy_node()
+    threading.excepthook = usual

@@ -1,0 +1,75 @@
+"""An executor that runs one callback at a time and says whether there was one."""
+
+import traceback
+from pathlib import Path
+from types import TracebackType
+
+import rclpy
+from rclpy.context import Context
+from rclpy.executors import (
+    ConditionReachedException,
+    ShutdownException,
+    SingleThreadedExecutor,
+    TimeoutException,
+    TimeoutObject,
+)
+
+_INTERNAL = (str(Path(rclpy.__file__).parent), str(Path(__file__).parent))
+
+
+def callback_traceback(error: BaseException) -> TracebackType | None:
+    """The traceback of `error` from the first frame on that is neither rclpy's nor the workbook's, if any."""
+    trace = error.__traceback__
+    while trace is not None and trace.tb_frame.f_code.co_filename.startswith(_INTERNAL):
+        trace = trace.tb_next
+    return trace
+
+
+def callback_place(error: BaseException) -> str:
+    """Where the reader's code was when `error` was raised, or nothing if it was not running."""
+    frames = traceback.extract_tb(callback_traceback(error))
+    own = [frame for frame in frames if not frame.filename.startswith(_INTERNAL)]
+    return f"{own[-1].name}(), line {own[-1].lineno}: {own[-1].line}" if own else ""
+
+
+class SteppingExecutor(SingleThreadedExecutor):
+    """Serves the nodes of one call. `in_callback` is true while code of a node runs."""
+
+    def __init__(self, context: Context) -> None:
+        super().__init__(context=context)
+        # The same object each time: rclpy then hands out what one wait has found before it waits again.
+        self._patience = TimeoutObject(0.0)
+        self.in_callback = False
+
+    def step(self, wait: float) -> bool:
+        """Run the next callback, waiting at most `wait` seconds for one; whether one ran.
+
+        Raises what the callback raises, and ExternalShutdownException when the context is shut down.
+        """
+        self._patience.timeout = wait
+        try:
+            handler, _, _ = self.wait_for_ready_callbacks(self._patience)
+        except (TimeoutException, ConditionReachedException, ShutdownException):
+            return False
+        self.in_callback = True
+        try:
+            handler()
+        finally:
+            self.in_callback = False
+        error = handler.exception()
+        if error is not None:
+            raise error
+        return True
+
+    def close(self) -> None:
+        """Let go of the nodes. A coroutine callback that still waits is ended, its group is free again."""
+        for node in self.get_nodes():
+            self.remove_node(node)
+            if node.executor is self:
+                node.executor = None  # type: ignore[assignment]
+        with self._tasks_lock:
+            unfinished = [task for task, _, _ in self._tasks if not task.done()]
+            self._tasks.clear()
+        for task in unfinished:
+            task.cancel()
+        self.shutdown()

@@ -1,0 +1,44 @@
+"""Makes stock rclpy calls in a notebook cell obey the Interrupt button.
+
+rclpy waits inside C until something happens, and an idle node never wakes it; the kernel has replaced the
+signal handler that would. Waiting in slices gives Python the chance to raise KeyboardInterrupt. And the
+kernel, not rclpy, owns SIGINT: otherwise one Interrupt also shuts down the context of all nodes.
+"""
+
+import time
+from typing import Any
+
+import rclpy
+from rclpy.executors import Executor, TimeoutException, TimeoutObject
+
+SLICE_S = 0.1
+
+
+def install() -> None:
+    """Apply to this process, for good; safe to call again."""
+    stock = Executor.wait_for_ready_callbacks
+    if getattr(stock, "waits_in_slices", False):
+        return
+
+    def wait_for_ready_callbacks(self: Any, timeout_sec: Any = None, *args: Any, **kwargs: Any) -> Any:
+        seconds = timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec
+        forever = seconds is None or seconds < 0
+        if not forever and seconds <= SLICE_S:
+            return stock(self, timeout_sec, *args, **kwargs)
+        end = time.monotonic() + (0.0 if forever else seconds)
+        patience = self.__dict__.setdefault("_patience_of_a_slice", TimeoutObject(SLICE_S))
+        while True:
+            patience.timeout = SLICE_S if forever else max(0.0, min(SLICE_S, end - time.monotonic()))
+            try:
+                return stock(self, patience, *args, **kwargs)
+            except TimeoutException:
+                if not forever and time.monotonic() >= end:
+                    raise
+
+    wait_for_ready_callbacks.waits_in_slices = True  # type: ignore[attr-defined]
+    Executor.wait_for_ready_callbacks = wait_for_ready_callbacks  # type: ignore[method-assign]
+
+    def leave_signals_to_the_kernel(*options: Any) -> None:
+        return None
+
+    setattr(rclpy, "install_signal_handlers", leave_signals_to_the_kernel)  # noqa: B010

@@ -1,0 +1,16 @@
+"""What a notebook kernel does once, when it starts, after the environment was prepared."""
+
+import os
+
+from workbook.ros import ending, interrupts, logs, presence
+
+
+def install(label: str | None = None) -> None:
+    """Logs in order, an Interrupt that works, a clean end, a domain that terminals find. Safe to repeat.
+
+    Call `workbook.ros.environment.prepare` first: this imports rclpy.
+    """
+    logs.install()
+    interrupts.install()
+    ending.register()
+    presence.announce(int(os.environ.get("ROS_DOMAIN_ID") or 0), label)

@@ -1,0 +1,283 @@
+"""What a lesson cell uses: start and stop ROS, let nodes run, all in the one thread of the notebook."""
+
+import asyncio
+import inspect
+import math
+import signal
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from types import FrameType
+from typing import Any
+
+import rclpy
+from rclpy.exceptions import InvalidHandle
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rclpy.signals import SignalHandlerOptions
+from rclpy.task import Future
+from rclpy.utilities import get_default_context, try_shutdown
+
+from workbook.ros import ending, twins
+from workbook.ros.executor import SteppingExecutor, callback_place, callback_traceback
+from workbook.ros.twins import fresh as fresh
+
+LONGEST_WAIT_S = 0.02
+SHORTEST_WAIT_S = 0.0005
+LONGEST_TURN_S = 0.005
+_SYNC_WAIT_S = 0.05
+
+Condition = Callable[[], object] | Future | None
+
+
+class _SaidPlainly:
+    """An exception of which a notebook shows only the sentence."""
+
+    def _render_traceback_(self) -> list[str]:
+        return [f"■ {self}"]
+
+
+class Stopped(_SaidPlainly, asyncio.CancelledError):
+    """The reader pressed Stop (Interrupt) while `run` was running. The nodes are still there."""
+
+
+class StoppedInBetween(_SaidPlainly, KeyboardInterrupt):
+    """The reader pressed Stop (Interrupt) while `spin_for` was running. The nodes are still there."""
+
+
+def init(args: list[str] | None = None) -> None:
+    """Start ROS in this notebook; does nothing when it runs already."""
+    ending.register()
+    if get_default_context().ok():
+        return
+    try_shutdown()  # forget a context that something else has shut down
+    rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)
+
+
+def shutdown() -> None:
+    """Destroy the nodes made with `fresh` and stop ROS in this notebook; does nothing when it is stopped."""
+    twins.destroy_all()
+    try_shutdown()
+
+
+def _flatten(nodes: tuple[Node | Iterable[Node], ...]) -> list[Node]:
+    found: list[Node] = []
+    for item in nodes:
+        for node in [item] if isinstance(item, (Node, type)) or not isinstance(item, Iterable) else item:
+            if isinstance(node, type):
+                raise TypeError(f"{node.__name__} is a class. Make a node first: fresh({node.__name__})")
+            if not isinstance(node, Node):
+                raise TypeError(f"expected a node, got {type(node).__name__}")
+            if node not in found:
+                found.append(node)
+    if not found:
+        raise TypeError("which node is to run? Pass one or several.")
+    return found
+
+
+def _check(nodes: list[Node]) -> None:
+    for node in nodes:
+        if not node.context.ok():
+            raise RuntimeError("ROS was shut down after this node was made. Start ROS, make the node again.")
+        try:
+            with node.handle:
+                name = node.get_fully_qualified_name()
+        except InvalidHandle:
+            raise RuntimeError(
+                "this node was destroyed, for example because its cell ran again. Use the new one."
+            ) from None
+        if node.context is not nodes[0].context:
+            raise ValueError(f"{name} lives in another context than {nodes[0].get_fully_qualified_name()}.")
+        if isinstance(node.executor, SteppingExecutor):
+            raise RuntimeError(f"{name} is running already. Run several nodes together: run(a, b)")
+
+
+@contextmanager
+def serving(*nodes: Node | Iterable[Node]) -> Iterator[SteppingExecutor]:
+    """A private executor for `nodes`; afterwards each node is back with the executor that had it before."""
+    served = _flatten(nodes)
+    _check(served)
+    former = [(node, node.executor) for node in served]
+    executor = SteppingExecutor(served[0].context)
+    try:
+        for node in served:
+            executor.add_node(node)
+        yield executor
+    finally:
+        executor.close()
+        for node, other in former:
+            if other is not None:
+                other.add_node(node)
+
+
+class _Interrupts:
+    """Turns Interrupt into a flag between callbacks and into KeyboardInterrupt inside one."""
+
+    def __init__(self, executor: SteppingExecutor) -> None:
+        self._executor = executor
+        self._usable = threading.current_thread() is threading.main_thread()
+        self._before: Any = None
+        self.asked = False
+
+    def _on_signal(self, number: int, frame: FrameType | None) -> None:
+        self.asked = True
+        if self._executor.in_callback:
+            raise KeyboardInterrupt
+
+    def __enter__(self) -> "_Interrupts":
+        if self._usable:
+            self._before = signal.signal(signal.SIGINT, self._on_signal)
+        return self
+
+    def __exit__(self, *exception: object) -> None:
+        if self._usable:
+            signal.signal(signal.SIGINT, self._before)
+
+
+class _Run:
+    """One call of run or spin_for: when it ends, and what it says then."""
+
+    def __init__(self, executor: SteppingExecutor, seconds: float | None, until: Condition) -> None:
+        self.executor = executor
+        self.interrupts = _Interrupts(executor)
+        self.seconds = math.inf if seconds is None else float(seconds)
+        if math.isnan(self.seconds) or self.seconds < 0:
+            raise ValueError(f"seconds must be a number from 0 on, not {seconds}")
+        if until is not None and not isinstance(until, Future) and not callable(until):
+            raise TypeError(f"until must be a function or a Future, not {type(until).__name__}")
+        self.until = until
+        self.start = time.monotonic()
+        self.end = self.start + self.seconds
+        self.shut_down = False
+
+    def reached(self) -> bool:
+        if self.until is None:
+            return False
+        if isinstance(self.until, Future):
+            return bool(self.until.done() or self.until.cancelled())
+        return bool(self.until())
+
+    def over(self) -> bool:
+        return self.shut_down or self.reached() or time.monotonic() >= self.end
+
+    def turn(self, turn_end: float, longest_wait: float) -> None:
+        """Wait for a callback, then run what is ready for a few milliseconds."""
+        started = time.monotonic()
+        wait_end = min(turn_end, started + longest_wait, self.end)
+        try:
+            while True:
+                wait = wait_end - time.monotonic()
+                if wait <= 0 or not self.executor.step(wait):
+                    return
+                if self.interrupts.asked or self.reached() or time.monotonic() - started > LONGEST_TURN_S:
+                    return
+        except ExternalShutdownException:
+            self.shut_down = True
+
+    def result(self) -> Any:
+        if self.until is None:
+            return None
+        if self.reached():
+            return self.until.result() if isinstance(self.until, Future) else None
+        if self.shut_down:
+            raise RuntimeError("ROS was shut down before the condition became true.")
+        raise TimeoutError(f"{self.seconds:g} s have passed and the condition has not become true.")
+
+    def stopped(self, interrupt: BaseException) -> str:
+        sentence = f"You stopped this after {time.monotonic() - self.start:.1f} s. The nodes are still there."
+        place = callback_place(interrupt) if isinstance(interrupt, KeyboardInterrupt) else ""
+        return f"{sentence} It was busy in {place}" if place else sentence
+
+
+async def run(
+    *nodes: Node | Iterable[Node],
+    seconds: float | None = 5.0,
+    until: Condition = None,
+    each_frame: Callable[[], object] | None = None,
+    fps: float = 15.0,
+) -> Any:
+    """Let nodes run for `seconds` s of real time, or until a condition holds; buttons and Stop keep working.
+
+    `until` is a function that is asked after each callback, or a Future, whose result is then returned;
+    `seconds` is the limit. `seconds=None` runs until Stop is pressed. `each_frame` is called `fps` times a
+    second and once at the end; what it returns is awaited if it can be.
+
+    Raises what a callback raises, TimeoutError when `until` did not come true, Stopped on Interrupt.
+    """
+    __tracebackhide__ = True
+    with serving(*nodes) as executor:
+        this = _Run(executor, seconds, until)
+        next_frame = this.start if each_frame is not None else math.inf
+        try:
+            while True:
+                if time.monotonic() >= next_frame:
+                    await _show(each_frame)
+                    next_frame = max(next_frame + 1.0 / fps, time.monotonic())
+                if this.over():
+                    break
+                with this.interrupts:
+                    this.turn(next_frame, _free_time())
+                if this.interrupts.asked:
+                    raise KeyboardInterrupt
+                await asyncio.sleep(0)
+            if each_frame is not None:
+                await _show(each_frame)
+        except (KeyboardInterrupt, asyncio.CancelledError) as interrupt:
+            raise Stopped(this.stopped(interrupt)) from None
+        except Exception as error:
+            raise error.with_traceback(callback_traceback(error) or error.__traceback__)  # noqa: B904
+    return this.result()
+
+
+def _free_time() -> float:
+    """How long (s) this turn may wait without holding up widgets and other tasks of the notebook."""
+    loop = asyncio.get_running_loop()
+    ready = getattr(loop, "_ready", None)
+    timers = getattr(loop, "_scheduled", None)
+    if ready is None or timers is None:  # a loop that does not tell
+        return LONGEST_WAIT_S / 2
+    if ready:
+        return SHORTEST_WAIT_S
+    next_timer = timers[0].when() - loop.time() if timers else math.inf
+    return max(SHORTEST_WAIT_S, min(LONGEST_WAIT_S, next_timer))
+
+
+async def _show(each_frame: Callable[[], object] | None) -> None:
+    outcome = each_frame() if each_frame is not None else None
+    if inspect.isawaitable(outcome):
+        await outcome
+
+
+async def live(
+    *nodes: Node | Iterable[Node],
+    each_frame: Callable[[], object],
+    seconds: float | None = 10.0,
+    fps: float = 15.0,
+    until: Condition = None,
+) -> Any:
+    """`run` with a picture: calls `each_frame` `fps` times a second."""
+    __tracebackhide__ = True
+    return await run(*nodes, seconds=seconds, until=until, each_frame=each_frame, fps=fps)
+
+
+def spin_for(*nodes: Node | Iterable[Node], seconds: float = 1.0, until: Condition = None) -> Any:
+    """Like `run`, for code without `await`: nothing else happens in the notebook meanwhile.
+
+    Raises what a callback raises, TimeoutError when `until` did not come true, KeyboardInterrupt on
+    Interrupt.
+    """
+    __tracebackhide__ = True
+    with serving(*nodes) as executor:
+        this = _Run(executor, seconds, until)
+        try:
+            with this.interrupts:
+                while not this.over():
+                    this.turn(math.inf, _SYNC_WAIT_S)
+                    if this.interrupts.asked:
+                        raise KeyboardInterrupt
+        except KeyboardInterrupt as interrupt:
+            raise StoppedInBetween(this.stopped(interrupt)) from None
+        except Exception as error:
+            raise error.with_traceback(callback_traceback(error) or error.__traceback__)  # noqa: B904
+    return this.result()
