@@ -126,7 +126,7 @@ def test_a_live_cell_replaces_the_default(tmp_path: Path) -> None:
         ("# %% [answer]", "# %% [anwser]", 20, "unknown cell '# %% [anwser]'"),
         ("# %% [answer]", "# %%", 20, "unknown cell '# %%'"),
         ("# %% [answer]", "# %% [alternatives]", 1, "exactly one '# %% [answer]' cell, found 0"),
-        ("# %% [hint]\n# Think of a swing.\n", "", 50, "three [hint] cells (nudge, pointer, sketch), found 2"),
+        ("# %% [hint]\n# Think of a swing.\n", "", 50, "[hint] cells (nudge, pointer, sketch), found 2"),
         ("# Think of a swing.", "# Think.\n# %% [hint]\n# Once more.", 47, "found 4"),
         ("# Think of a swing.\n", "", 41, "this [hint] cell is empty"),
         ("# %% [alternatives]\n# A table of angles does it as well.\n", "", 50, "exactly one [alternatives]"),

@@ -1,0 +1,103 @@
+"""Builds notebooks from their texts."""
+
+from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from workbook.authoring import document
+from workbook.authoring.exercise import read_exercise, solved_notebook, starter_document
+from workbook.authoring.lesson import read_lesson
+from workbook.authoring.running import run
+from workbook.authoring.tree import AuthoringError, Tree
+
+Say = Callable[[str], None]
+
+
+def build(
+    tree: Tree, names: Iterable[str] = (), *, again: bool = False, jobs: int = 1, say: Say = print
+) -> int:
+    """Build the named lessons and exercises, or all. Lessons whose text did not change are not run again
+    unless `again`. Up to `jobs` lessons run at once. Returns how many failed; says why.
+    """
+    lessons, exercises = select(tree, names)
+    failed = 0
+
+    def attempt(step: Callable[[Tree, str], str]) -> Callable[[str], tuple[bool, str]]:
+        def tried(stem: str) -> tuple[bool, str]:
+            try:
+                return True, step(tree, stem)
+            except AuthoringError as error:
+                return False, f"FAILED  {error}"
+
+        return tried
+
+    def lesson(tree: Tree, stem: str) -> str:
+        return build_lesson(tree, stem, again=again)
+
+    with ThreadPoolExecutor(max_workers=max(1, jobs)) as pool:
+        for good, words in pool.map(attempt(lesson), lessons):
+            failed += not good
+            say(words)
+    for good, words in map(attempt(build_exercise), exercises):
+        failed += not good
+        say(words)
+    return failed
+
+
+def select(tree: Tree, names: Iterable[str]) -> tuple[list[str], list[str]]:
+    """Lessons and exercises that fit the names (stem, slug, number or file); all when there are no names.
+
+    Raises:
+        AuthoringError: a name fits nothing.
+    """
+    lessons, exercises = list(tree.lesson_stems()), list(tree.exercise_stems())
+    wanted = [Path(name).stem for name in names]
+    if not wanted:
+        return lessons, exercises
+    for name in wanted:
+        if not any(_fits(stem, name) for stem in lessons + exercises):
+            known = ", ".join(sorted({*lessons, *exercises})) or "none yet"
+            raise AuthoringError(f"no lesson or exercise is called {name!r}. There are: {known}")
+
+    def chosen(stems: list[str]) -> list[str]:
+        return [stem for stem in stems if any(_fits(stem, name) for name in wanted)]
+
+    return chosen(lessons), chosen(exercises)
+
+
+def _fits(stem: str, name: str) -> bool:
+    return name in (stem, stem[3:], stem[:2])
+
+
+def build_lesson(tree: Tree, stem: str, *, again: bool = False) -> str:
+    """Build one lesson and run it if its text, or a lesson node that it uses, has changed."""
+    target = tree.notebooks / f"{stem}.ipynb"
+    wanted = document.as_notebook(read_lesson(tree, stem))
+    if not again and is_current(target, wanted):
+        return f"as it was  {tree.name(target)}"
+    run(tree, stem, wanted)
+    document.write(target, document.to_text(wanted))
+    return f"built      {tree.name(target)}"
+
+
+def is_current(target: Path, wanted: document.Notebook) -> bool:
+    """Whether a built notebook belongs to this text and has been run."""
+    if not target.is_file():
+        return False
+    try:
+        built = document.read(target)
+    except ValueError:
+        return False
+    if not all(cell.execution_count for cell in built.cells if cell.cell_type == "code"):
+        return False
+    return bool(document.without_outputs(built) == document.without_outputs(wanted))
+
+
+def build_exercise(tree: Tree, stem: str) -> str:
+    """Build the notebook of one exercise, and the solved one. Neither is run here."""
+    exercise = read_exercise(tree, stem)
+    target = tree.exercises / f"{stem}.ipynb"
+    text = document.to_text(document.as_notebook(starter_document(tree, exercise)))
+    written = document.write(target, text)
+    document.write(tree.solved / f"{stem}.ipynb", document.to_text(solved_notebook(tree, exercise)))
+    return f"{'built     ' if written else 'as it was '} {tree.name(target)}"

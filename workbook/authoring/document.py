@@ -1,0 +1,123 @@
+"""A notebook before it is run: cells with fixed ids, and the least metadata that Jupyter wants."""
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any, Literal
+
+import nbformat
+
+KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
+LANGUAGE = {
+    "codemirror_mode": {"name": "ipython", "version": 3},
+    "file_extension": ".py",
+    "mimetype": "text/x-python",
+    "name": "python",
+    "nbconvert_exporter": "python",
+    "pygments_lexer": "ipython3",
+}
+OPENING = "intro"
+_HEADING = re.compile(r"## +(?P<title>.+?)\s*#*")
+_ID = re.compile(r"[a-zA-Z0-9_-]{1,64}")
+
+Kind = Literal["markdown", "code"]
+Notebook = nbformat.NotebookNode
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A cell without outputs. An empty id means: give it one by its place."""
+
+    kind: Kind
+    source: str
+    id: str = ""
+    tags: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Document:
+    """All that the text of a notebook determines. `workbook` is our part of the notebook's metadata."""
+
+    cells: tuple[Cell, ...]
+    workbook: dict[str, Any] = field(default_factory=dict)
+
+
+def heading_of(cell: Cell) -> str | None:
+    """The text of the `## ` heading that a markdown cell begins with, if it does."""
+    if cell.kind != "markdown":
+        return None
+    found = _HEADING.fullmatch(cell.source.split("\n", 1)[0])
+    return found["title"] if found else None
+
+
+def with_ids(cells: Sequence[Cell]) -> tuple[Cell, ...]:
+    """Name each cell without an id after its section and its place in it: `run-it-2`.
+
+    So a new cell changes the ids of its own section only. Raises ValueError for an unusable or repeated id.
+    """
+    named: list[Cell] = []
+    section, count = OPENING, 0
+    for cell in cells:
+        heading = heading_of(cell)
+        if heading is not None:
+            section, count = re.sub(r"[^a-z0-9]+", "-", heading.lower()).strip("-")[:50] or "section", 0
+        count += 1
+        named.append(cell if cell.id else replace(cell, id=f"{section}-{count}"))
+    for cell in named:
+        if not _ID.fullmatch(cell.id):
+            raise ValueError(f"the cell id {cell.id!r} may have letters, digits, - and _ only, at most 64")
+    twice = [name for name, times in Counter(cell.id for cell in named).items() if times > 1]
+    if twice:
+        raise ValueError(f"the cell id {twice[0]!r} is used twice: give one of the cells an id of its own")
+    return tuple(named)
+
+
+def as_notebook(document: Document) -> Notebook:
+    """The notebook, not run."""
+    cells = []
+    for cell in document.cells:
+        extra = {"tags": list(cell.tags)} if cell.tags else {}
+        if cell.kind == "markdown":
+            made = nbformat.v4.new_markdown_cell(cell.source, id=cell.id, metadata=extra)
+        else:
+            made = nbformat.v4.new_code_cell(cell.source, id=cell.id, metadata=extra)
+        cells.append(made)
+    metadata = {"kernelspec": KERNEL, "language_info": LANGUAGE, "workbook": document.workbook}
+    notebook: Notebook = nbformat.v4.new_notebook(cells=cells, metadata=metadata)
+    notebook.nbformat_minor = 5
+    return notebook
+
+
+def to_text(notebook: Notebook) -> str:
+    """The notebook as the text of its file, always the same for the same content."""
+    nbformat.validate(notebook)
+    return str(nbformat.writes(notebook, version=4)).rstrip("\n") + "\n"
+
+
+def read(path: Path) -> Notebook:
+    """Read a notebook file. Raises ValueError when it is none."""
+    try:
+        notebook: Notebook = nbformat.read(path, as_version=4)
+    except Exception as error:
+        raise ValueError(f"is not a readable notebook: {error}") from error
+    return notebook
+
+
+def without_outputs(notebook: Notebook) -> Notebook:
+    """A copy with nothing in it that comes from running."""
+    bare: Notebook = nbformat.reads(nbformat.writes(notebook, version=4), as_version=4)
+    for cell in bare.cells:
+        if cell.cell_type == "code":
+            cell.outputs, cell.execution_count = [], None
+    return bare
+
+
+def write(path: Path, text: str) -> bool:
+    """Write the file unless it already holds this text. Returns whether it was written."""
+    if path.is_file() and path.read_text(encoding="utf-8") == text:
+        return False
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+    return True

@@ -1,0 +1,84 @@
+"""Reads the text of a lesson, `notebooks/sources/NN_slug.py`: a jupytext percent script."""
+
+import hashlib
+import re
+from pathlib import Path
+from typing import Any
+
+import jupytext
+
+from workbook.authoring.document import Cell, Document, with_ids
+from workbook.authoring.tree import AuthoringError, Tree
+
+FORMAT = "1"
+"""Changes when the builder gives other outputs for the same text: then every lesson is run again."""
+TAGS = ("raises-exception", "nbval-ignore-output")
+_NODE = re.compile(r"\blesson_nodes(?:[./]|\s+import\s+\(?\s*)(?P<names>[a-z_][\w, \n]*)")
+
+
+def read_lesson(tree: Tree, stem: str) -> Document:
+    """The notebook that the text of a lesson stands for.
+
+    Raises:
+        AuthoringError: the text uses something that lessons do not have.
+    """
+    path = tree.sources / f"{stem}.py"
+    text = path.read_text(encoding="utf-8")
+    shown = tree.name(path)
+    cells = []
+    for number, read in enumerate(jupytext.reads(text, fmt="py:percent").cells, start=1):
+        metadata = dict(read.metadata)
+        metadata.pop("lines_to_next_cell", None)
+        identifier = str(metadata.pop("id", ""))
+        tags = metadata.pop("tags", [])
+        where = f"{shown}, cell {number} ({_first_line(read.source)})"
+        if read.cell_type not in ("markdown", "code"):
+            raise AuthoringError(f"{where}: a lesson has markdown and code cells, not {read.cell_type} cells")
+        if metadata:
+            raise AuthoringError(f"{where}: only id and tags may be set, not {', '.join(sorted(metadata))}")
+        unknown = [tag for tag in tags if tag not in TAGS]
+        if unknown:
+            raise AuthoringError(f"{where}: unknown tag {unknown[0]!r}; lessons use {' and '.join(TAGS)}")
+        if not read.source.strip():
+            raise AuthoringError(f"{where}: this cell is empty")
+        cells.append(Cell(read.cell_type, read.source, identifier, tuple(tags)))
+    try:
+        named = with_ids(cells)
+    except ValueError as error:
+        raise AuthoringError(f"{shown}: {error}") from error
+    return Document(named, _metadata(tree, stem, text))
+
+
+def inputs(tree: Tree, text: str) -> tuple[Path, ...]:
+    """The modules of lesson_nodes that this text names, and those that they name."""
+    found: set[Path] = set()
+    waiting = [text]
+    while waiting:
+        for match in _NODE.finditer(waiting.pop()):
+            for name in re.findall(r"\w+", match["names"]):
+                path = tree.lesson_nodes / f"{name}.py"
+                if path.is_file() and path not in found:
+                    found.add(path)
+                    waiting.append(path.read_text(encoding="utf-8"))
+    return tuple(sorted(found))
+
+
+def source_sha256(tree: Tree, text: str) -> str:
+    """One hash over the text of a lesson and the lesson nodes that it runs."""
+    total = hashlib.sha256(f"{FORMAT}\n{text}".encode())
+    for path in inputs(tree, text):
+        total.update(f"\n{tree.name(path)}\n{path.read_text(encoding='utf-8')}".encode())
+    return total.hexdigest()
+
+
+def _metadata(tree: Tree, stem: str, text: str) -> dict[str, Any]:
+    return {
+        "lesson": stem,
+        "made_from": f"notebooks/sources/{stem}.py",
+        "source_sha256": source_sha256(tree, text),
+    }
+
+
+def _first_line(source: str) -> str:
+    line = source.strip().split("\n", 1)[0]
+    return line if len(line) <= 50 else line[:49] + "…"

@@ -1,0 +1,79 @@
+"""Makes the outputs of a run the same on every machine, as far as they can be."""
+
+import re
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import nbformat
+
+SANITIZE = Path(__file__).with_name("sanitize.cfg")
+"""Patterns in nbval's format, shared by the builder and nbval."""
+
+
+@cache
+def patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
+    """Pairs of pattern and replacement from the sanitize file."""
+    text = SANITIZE.read_text(encoding="utf-8")
+    pairs = re.findall(r"^regex: (.*)$\n^replace: (.*)$", text, flags=re.MULTILINE)
+    return tuple((re.compile(regex), replacement) for regex, replacement in pairs)
+
+
+def sanitized(text: str) -> str:
+    """The text without addresses, time stamps and machine paths."""
+    for pattern, replacement in patterns():
+        text = pattern.sub(replacement, text)
+    return text
+
+
+def normalize(notebook: nbformat.NotebookNode) -> None:
+    """Number the code cells from 1, and clean and merge their outputs, in place."""
+    for count, cell in enumerate((cell for cell in notebook.cells if cell.cell_type == "code"), start=1):
+        cell.execution_count = count
+        cell.outputs = _merged(cell.outputs)
+        cell.metadata.pop("execution", None)
+        for output in cell.outputs:
+            _clean(output)
+            if output.output_type == "execute_result":
+                output.execution_count = count
+
+
+def texts(output: Any) -> Iterable[str]:
+    """Every piece of text in an output."""
+    if output.output_type == "stream":
+        yield output.text
+    elif output.output_type == "error":
+        yield output.evalue
+        yield from output.traceback
+    else:
+        yield from (value for kind, value in output.data.items() if _is_text(kind, value))
+
+
+def _merged(outputs: list[Any]) -> list[Any]:
+    merged: list[Any] = []
+    for output in outputs:
+        last = merged[-1] if merged else None
+        is_stream = output.output_type == "stream"
+        if is_stream and last is not None and last.output_type == "stream" and last.name == output.name:
+            last.text += output.text
+        else:
+            merged.append(output)
+    return merged
+
+
+def _clean(output: Any) -> None:
+    if output.output_type == "stream":
+        output.text = sanitized(output.text)
+    elif output.output_type == "error":
+        output.evalue = sanitized(output.evalue)
+        output.traceback = [sanitized(line) for line in output.traceback]
+    else:
+        output.pop("transient", None)
+        for kind, value in output.data.items():
+            if _is_text(kind, value):
+                output.data[kind] = sanitized(value)
+
+
+def _is_text(kind: str, value: object) -> bool:
+    return isinstance(value, str) and (kind.startswith("text/") or kind == "image/svg+xml")
