@@ -18,7 +18,7 @@ from workbook.observing.process import NodeProcess
 from workbook.observing.recorder import Recorder
 from workbook.observing.recording import Clock, Phase, ProcessRecord, Recording
 from workbook.ros.domains import DomainLease, lease_domain
-from workbook.ros.environment import prepare
+from workbook.ros.environment import is_prepared, prepare
 
 SPEEDS = (10.0, 20.0)
 PERIODS_PER_SPEED = 3.5
@@ -38,11 +38,13 @@ class Plan:
     """What is to be judged, so that the watch knows how finely and how long to look.
 
     `topics`: judged topic names. `shortest_period` and `longest_period`: of the judged rates, in seconds.
+    `robot_seconds`: robot time to watch at each speed; None: three and a half of the longest period.
     """
 
     topics: tuple[str, ...]
     shortest_period: float
     longest_period: float
+    robot_seconds: float | None = None
 
     @property
     def step_s(self) -> float:
@@ -51,7 +53,7 @@ class Plan:
 
     @property
     def robot_s_per_speed(self) -> float:
-        return PERIODS_PER_SPEED * self.longest_period
+        return self.robot_seconds or PERIODS_PER_SPEED * self.longest_period
 
     @property
     def wall_s(self) -> float:
@@ -71,7 +73,8 @@ class Observer:
 
     def _stand(self) -> None:
         self._lease = lease_domain()
-        prepare(domain_id=self._lease.domain_id)
+        if not is_prepared():
+            prepare(domain_id=self._lease.domain_id)
 
     @property
     def domain_id(self) -> int:

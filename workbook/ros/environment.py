@@ -111,3 +111,8 @@ def prepare(
             del environ[name]
     environ.update(ros_settings(domain_id, check_fields=check_fields, log_folder=own_log_folder()))
     return domain_id
+
+
+def is_prepared(environ: Mapping[str, str] | None = None) -> bool:
+    """Whether this process already runs with the loopback profile."""
+    return (os.environ if environ is None else environ).get("FASTRTPS_DEFAULT_PROFILES_FILE") == str(LOOPBACK_PROFILE)

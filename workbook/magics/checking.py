@@ -1,0 +1,74 @@
+"""`%check`: judge the answer file on a warm slot and show the card."""
+
+import atexit
+import contextlib
+from collections.abc import Callable
+from pathlib import Path
+
+from workbook.criteria.runner import CriterionResult
+from workbook.exercise.answers import Answer
+from workbook.exercise.definition import Exercise
+from workbook.exercise.judging import Judgement
+from workbook.feedback import wording
+from workbook.feedback.card import Card, Extras
+from workbook.feedback.review import review_prompt
+from workbook.grading.pool import Slot, SlotBroken
+
+_slot: Slot | None = None
+
+
+def warm_slot() -> Slot:
+    """The slot of this kernel, started at first use. It ends with the kernel."""
+    global _slot
+    if _slot is None or not _slot.is_running:
+        _slot = Slot()
+    return _slot
+
+
+def close_slot() -> None:
+    global _slot
+    if _slot is not None:
+        _slot.close()
+        _slot = None
+
+
+atexit.register(close_slot)
+
+
+def judge(stem: str, answer: Answer, report: Callable[[Judgement], None]) -> Judgement:
+    """Judge on the warm slot. An interrupt ends the slot and with it the student's program."""
+    slot = warm_slot()
+    try:
+        return slot.judge(stem, answer, thorough=True, report=report)
+    except SlotBroken as error:
+        slot.kill()
+        return Judgement(stem, answer.sha256, "infra_error", str(error), (), None)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            slot.kill()
+        raise
+
+
+def _timeline(exercise: Exercise, judgement: Judgement, first: CriterionResult | None) -> tuple[bytes | None, str]:
+    """A picture of the arrivals when the first thing to mend is about time."""
+    if first is None or not first.about_time or judgement.recording is None:
+        return None, ""
+    from workbook.feedback.timeline import judged_timeline
+
+    return judged_timeline(exercise, judgement.recording)
+
+
+def card_for(exercise: Exercise, answer: Answer, file: Path, judgement: Judgement, hints_left: int) -> Card:
+    """The card with everything that belongs on it."""
+    first = wording.first_to_mend(judgement)
+    timeline, timeline_text = _timeline(exercise, judgement, first)
+    return Card(
+        judgement,
+        Extras(
+            file=str(file),
+            review=review_prompt(exercise.source, answer.text, judgement) if judgement.full_marks else "",
+            timeline=timeline,
+            timeline_text=timeline_text,
+            hints_left=hints_left,
+        ),
+    )

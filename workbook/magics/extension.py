@@ -1,0 +1,259 @@
+"""The magics of an exercise: %%answer, %start, %stop, %check, %hint, %solution, %reset."""
+
+import os
+import threading
+from pathlib import Path
+
+from IPython.core.magic import Magics, cell_magic, line_magic, magics_class
+from IPython.display import DisplayHandle, Markdown, display
+
+from workbook.exercise.answers import ANSWER_MAGIC, Ungradable, read_answer, syntax_mistake
+from workbook.exercise.course import NoCourse
+from workbook.exercise.definition import BrokenCriteria, Exercise, load_exercise
+from workbook.exercise.judging import Judgement
+from workbook.exercise.source import STEM, SourceError, UnknownExercise
+from workbook.magics import checking
+from workbook.magics.answers import answer_file, answers_folder, restore_starter, save_answer
+from workbook.magics.progress import TRIES_BEFORE_SOLUTION, load_progress, save_progress
+from workbook.magics.running import Running, node_names, wait_for_nodes
+
+_EXPECTED = (Ungradable, UnknownExercise, NoCourse, BrokenCriteria, SourceError, OSError)
+
+
+def shown_path(path: Path) -> str:
+    """A path as the student knows it: relative to the work folder."""
+    try:
+        return str(path.relative_to(answers_folder().parent))
+    except ValueError:
+        return str(path)
+
+
+class _Notice(Exception):
+    """Something to tell the student instead of doing what was asked."""
+
+
+@magics_class
+class ExerciseMagics(Magics):  # type: ignore[misc]
+    """One per kernel. Remembers the exercise at hand and what is running."""
+
+    def __init__(self, shell: object) -> None:
+        super().__init__(shell)
+        self._stem: str | None = None
+        self._running = Running()
+        self._watcher: threading.Thread | None = None
+
+    # --- which exercise -----------------------------------------------------------------------------------
+
+    def _exercise(self, line: str) -> Exercise:
+        name = line.strip() or self._stem or self._notebook_stem()
+        if name is None:
+            raise _Notice(f"Which exercise? Run its `{ANSWER_MAGIC}` cell first, or name it: `%check 09_joint_positions`.")
+        exercise = load_exercise(name)
+        self._stem = exercise.stem
+        return exercise
+
+    @staticmethod
+    def _notebook_stem() -> str | None:
+        name = Path(os.environ.get("JPY_SESSION_NAME", "")).stem
+        return name if STEM.fullmatch(name) else None
+
+    # --- the answer ---------------------------------------------------------------------------------------
+
+    @cell_magic
+    def answer(self, line: str, cell: str) -> None:
+        """Save this cell as the answer to an exercise. It does not run here: %start and %check run it."""
+        self._tell(self._answer, line, cell)
+
+    def _answer(self, line: str, cell: str) -> None:
+        if not line.strip():
+            raise _Notice(f"Name the exercise in the first line, for example `{ANSWER_MAGIC} 09_joint_positions`.")
+        exercise = self._exercise(line)
+        saved = save_answer(exercise.stem, cell, exercise.source.starter_code)
+        where = shown_path(saved.path)
+        if saved.outcome == "refused":
+            print(
+                f"Kept your answer in {where}: this cell holds the starter again, and it does not replace work.\n"
+                f"`%load {saved.path}` brings your answer back into a cell; `%reset` really starts over."
+            )
+            return
+        print({"new": f"Saved as {where}.", "changed": f"Saved as {where}.", "unchanged": f"{where} is as it was."}[saved.outcome])
+        mistake = syntax_mistake(cell)
+        if mistake is not None:
+            caret = " " * (mistake.column - 1) + "^"
+            print(
+                f"Python cannot read it yet: {mistake.message}, line {mistake.line} of the answer.\n"
+                f"    {mistake.text}\n    {caret}"
+            )
+        else:
+            checking.warm_slot()
+
+    @line_magic
+    def reset(self, line: str) -> None:
+        """Put the starter back. Your answer so far is kept."""
+        self._tell(self._reset, line)
+
+    def _reset(self, line: str) -> None:
+        exercise = self._exercise(line)
+        saved = restore_starter(exercise.stem, exercise.source.starter_code)
+        print(f"{shown_path(saved.path)} holds the starter again.")
+        if saved.previous is not None:
+            print(f"Your answer is kept as {shown_path(saved.previous)}.")
+
+    # --- running it beside the notebook ---------------------------------------------------------------------
+
+    @line_magic
+    def start(self, line: str) -> None:
+        """Run your answer as its own process on this notebook's domain."""
+        self._tell(self._start, line)
+
+    def _start(self, line: str) -> None:
+        from workbook.criteria.mishaps import find_mishap
+
+        exercise = self._exercise(line)
+        file = self._need_file(exercise.stem)
+        answer = read_answer(file, exercise.stem)
+        mistake = syntax_mistake(answer.text)
+        if mistake is not None:
+            raise _Notice(f"Python cannot read it yet: {mistake.message}, line {mistake.line}: {mistake.text.strip()}")
+        self._running.stop(exercise.stem)
+        known = node_names()
+        process = self._running.start(exercise.stem, file)
+        nodes = wait_for_nodes(process, known)
+        if process.is_running():
+            if nodes:
+                names = ", ".join(nodes)
+                print(f"Running: node {names} is on the graph. %stop ends it.")
+            else:
+                print("Running, but no node of it has appeared on the graph so far. %stop ends it.")
+            return
+        self._running.stop(exercise.stem)
+        record = process.record()
+        mishap = find_mishap(record.log, record.program)
+        if mishap is not None:
+            raise _Notice(f"Your program ended with {mishap.where}{mishap.error}\n{mishap.because}\n{mishap.try_this}")
+        how = record.signal or f"exit code {record.exit}"
+        raise _Notice(f"Your program ended at once ({how}). Does it spin?\n{record.log.strip()}".rstrip())
+
+    @line_magic
+    def stop(self, line: str) -> None:
+        """End the program that %start has started, as Ctrl-C would."""
+        self._tell(self._stop, line)
+
+    def _stop(self, line: str) -> None:
+        stopped = self._running.stop_all() if not line.strip() else None
+        if stopped is None:
+            exercise = self._exercise(line)
+            stopped = [exercise.stem] if self._running.stop(exercise.stem) is not None else []
+        print(f"Stopped {', '.join(stopped)}." if stopped else "Nothing was running.")
+
+    # --- judging it -------------------------------------------------------------------------------------------
+
+    @line_magic
+    def check(self, line: str) -> None:
+        """Judge your answer by what it does on the topics."""
+        self._tell(self._check, line)
+
+    def _check(self, line: str) -> None:
+        exercise = self._exercise(line)
+        file = self._need_file(exercise.stem)
+        answer = read_answer(file, exercise.stem)
+        progress = load_progress(exercise.stem)
+        hints_left = len(exercise.source.hints) - progress.hints
+        if self._watcher is not None and self._watcher.is_alive():
+            checking.close_slot()
+        handle: list[DisplayHandle] = []
+        decided = threading.Event()
+        outcome: list[Judgement] = []
+
+        def show(judgement: Judgement) -> None:
+            card = checking.card_for(exercise, answer, Path(shown_path(file)), judgement, hints_left)
+            if handle:
+                handle[0].update(card)
+            else:
+                shown = display(card, display_id=True)
+                assert shown is not None
+                handle.append(shown)
+            if not judgement.provisional:
+                outcome.append(judgement)
+                decided.set()
+
+        def work() -> None:
+            try:
+                final = checking.judge(exercise.stem, answer, show)
+                show(final)
+            finally:
+                decided.set()
+
+        self._watcher = threading.Thread(target=work, name="check", daemon=True)
+        self._watcher.start()
+        try:
+            while not decided.wait(0.1):
+                pass
+        except KeyboardInterrupt:
+            checking.close_slot()
+            raise _Notice("Check stopped.") from None
+        if outcome and outcome[0].status == "graded":
+            progress.tries += 1
+            progress.solved |= outcome[0].full_marks
+            progress.best = max(progress.best, outcome[0].score or 0.0)
+            save_progress(exercise.stem, progress)
+
+    # --- help -------------------------------------------------------------------------------------------------
+
+    @line_magic
+    def hint(self, line: str) -> None:
+        """The next of three hints: a nudge, a pointer, a sketch."""
+        self._tell(self._hint, line)
+
+    def _hint(self, line: str) -> None:
+        words = line.split()
+        wanted = int(words.pop()) if words and words[-1].isdigit() else None
+        exercise = self._exercise(" ".join(words))
+        hints = exercise.source.hints
+        progress = load_progress(exercise.stem)
+        if wanted is None and progress.hints >= len(hints):
+            print(f"Those were all {len(hints)} hints. `%hint 1` shows the first one again.")
+            return
+        number = progress.hints + 1 if wanted is None else wanted
+        if not 1 <= number <= len(hints):
+            raise _Notice(f"There are {len(hints)} hints: `%hint 1` to `%hint {len(hints)}`.")
+        progress.hints = max(progress.hints, number)
+        save_progress(exercise.stem, progress)
+        display(Markdown(f"**Hint {number} of {len(hints)}.** {hints[number - 1]}"))
+
+    @line_magic
+    def solution(self, line: str) -> None:
+        """The reference answer, once yours passes or after some honest tries."""
+        self._tell(self._solution, line)
+
+    def _solution(self, line: str) -> None:
+        exercise = self._exercise(line)
+        progress = load_progress(exercise.stem)
+        if not progress.may_see_solution:
+            left = TRIES_BEFORE_SOLUTION - progress.tries
+            raise _Notice(
+                f"The solution opens when your answer passes, or after {left} more "
+                f"{'try' if left == 1 else 'tries'} with %check. `%hint` helps until then."
+            )
+        source = exercise.source
+        display(Markdown(f"```python\n{source.solution_code.rstrip()}\n```\n\n{source.alternatives}"))
+
+    # --- shared -----------------------------------------------------------------------------------------------
+
+    @staticmethod
+    def _need_file(stem: str) -> Path:
+        file = answer_file(stem)
+        if not file.is_file():
+            raise _Notice(f"There is no {shown_path(file)} yet. Run the cell that begins with `{ANSWER_MAGIC} {stem}` first.")
+        return file
+
+    @staticmethod
+    def _tell(action: object, *arguments: str) -> None:
+        """Run an action; what goes wrong in an expected way becomes a sentence, not a traceback."""
+        assert callable(action)
+        try:
+            action(*arguments)
+        except _Notice as notice:
+            print(notice)
+        except _EXPECTED as error:
+            print(f"{error}")

@@ -1,0 +1,62 @@
+"""The student's program while it runs beside the notebook, on the notebook's own domain."""
+
+import atexit
+import os
+import time
+from pathlib import Path
+
+from workbook.observing.process import NodeProcess
+
+SETTLE_S = 3.0
+
+
+class Running:
+    """At most one started program per exercise."""
+
+    def __init__(self) -> None:
+        self._programs: dict[str, NodeProcess] = {}
+        atexit.register(self.stop_all)
+
+    def start(self, stem: str, program: Path) -> NodeProcess:
+        """Start `program`, ending an earlier run of the same exercise first."""
+        self.stop(stem)
+        process = NodeProcess(program, int(os.environ["ROS_DOMAIN_ID"]))
+        self._programs[stem] = process
+        return process
+
+    def stop(self, stem: str) -> NodeProcess | None:
+        """End the program of an exercise. Returns it, or None if it was not running."""
+        process = self._programs.pop(stem, None)
+        if process is None:
+            return None
+        was_running = process.is_running()
+        process.stop()
+        return process if was_running else None
+
+    def stop_all(self) -> list[str]:
+        return [stem for stem in list(self._programs) if self.stop(stem) is not None]
+
+    def running(self) -> list[str]:
+        return [stem for stem, process in self._programs.items() if process.is_running()]
+
+
+def wait_for_nodes(process: NodeProcess, known: set[str]) -> list[str]:
+    """Names of nodes that appeared on the graph since `known`, as soon as there is one.
+
+    Gives up when the program ends or after three seconds.
+    """
+    deadline = time.monotonic() + SETTLE_S
+    while time.monotonic() < deadline:
+        new = sorted(node_names() - known)
+        if new or not process.is_running():
+            return new
+        time.sleep(0.02)
+    return []
+
+
+def node_names() -> set[str]:
+    """Full names of all nodes on this notebook's domain."""
+    from workbook.magics.probe import probe
+
+    found = probe().get_node_names_and_namespaces()
+    return {f"{namespace.rstrip('/')}/{name}" for name, namespace in found}
