@@ -8,8 +8,9 @@ ifdef PYTHON
 CHOSEN := --chosen-python
 else
 FITS := import sys, ensurepip, venv; sys.exit(not (3, 11) <= sys.version_info < (3, 15))
-PYTHON = $(shell for p in python3 python3.12 python3.13 python3.11 python3.14; do \
-	"$$p" -I -c '$(FITS)' >/dev/null 2>&1 && echo $$p && exit; done; echo python3)
+SEARCH = for p in python3 python3.12 python3.13 python3.11 python3.14; do \
+	"$$p" -I -c '$(FITS)' >/dev/null 2>&1 && echo $$p && exit; done; echo python3
+PYTHON = $(eval PYTHON := $(shell $(SEARCH)))$(PYTHON)
 endif
 BOOTSTRAP = "$(PYTHON)" -I workbook/lab/bootstrap.py $(CHOSEN)
 HAVE_PYTHON = command -v "$(PYTHON)" >/dev/null || { \

@@ -33,16 +33,18 @@ def run_lab(options: argparse.Namespace) -> int:
 
 def run_reset(options: argparse.Namespace) -> int:
     """Restore the starter of one exercise."""
+    from workbook.exercise.course import NoCourse, course_folder
     from workbook.lab.delivery import NoSuchExercise, reset
-    from workbook.lab.launch import ROOT, WORK
+    from workbook.lab.launch import student_folder
 
     try:
-        stem, kept = reset(ROOT, WORK, options.exercise)
-    except NoSuchExercise as problem:
+        course, work = course_folder(), student_folder()
+        stem, kept = reset(course, work, options.exercise)
+    except (NoCourse, NoSuchExercise) as problem:
         print(f"workbook reset: {problem}", file=sys.stderr)
         return 2
     print(f"work/exercises/{stem}.ipynb is back at its start.")
     for path in kept:
-        print(f"What you had is in {path.relative_to(ROOT)}.")
+        print(f"What you had is in {path.relative_to(course)}.")
     print("If it is open in JupyterLab, choose File > Reload Notebook from Disk.")
     return 0

@@ -1,34 +1,51 @@
 """What happens in each kernel before its first cell."""
 
+import logging
 import os
+import sys
 from typing import Any
 
 MAGICS = "workbook.magics"
+_START = "from workbook.lab.kernel import start as _start; _start(get_ipython()); del _start"
+
+_problems: list[str] = []
 
 
 def configure(config: Any) -> None:
-    """Set up the ROS environment of this process and have IPython load the magics.
+    """Set up the ROS environment of this process and have the magics loaded when the shell is there.
 
     `config` is IPython's configuration object. Never raises: a kernel that starts and says what is wrong is
     more use than one that does not start.
     """
     # With this variable set (by nbval) ipykernel does not capture what C code writes, and so no ROS logs.
     os.environ.pop("PYTEST_CURRENT_TEST", None)
-    problems: list[str] = []
+    config.IPKernelApp.log_level = (
+        logging.ERROR
+    )  # a warning about local TCP at each start tells a learner nothing
+    config.InteractiveShellApp.exec_lines.append(_START)
     try:
         from workbook.ros.environment import prepare
 
         prepare()
     except Exception as error:
-        problems.append(
-            f"ROS is not set up in this kernel: {error}. `workbook doctor` in a terminal says more."
+        _problems.append(
+            f"ROS is not set up in this kernel: {error} (`workbook doctor` in a terminal says more)"
         )
+
+
+def start(shell: Any) -> None:
+    """Load the magics into IPython's shell; whatever went wrong is said above the output of the first cell."""
     try:
-        __import__(MAGICS)
+        if shell.extension_manager.load_extension(MAGICS) == "no load function":
+            _problems.append(
+                f"{MAGICS} has no load_ipython_extension: the magics of the workbook are not there"
+            )
     except Exception as error:
-        problems.append(f"The magics of the workbook did not load: {type(error).__name__}: {error}.")
-    else:
-        config.InteractiveShellApp.extensions.append(MAGICS)
-    if problems:
-        lines = [f"import sys; print({problem!r}, file=sys.stderr)" for problem in problems]
-        config.InteractiveShellApp.exec_lines.extend(lines)
+        _problems.append(f"The magics of the workbook did not load: {type(error).__name__}: {error}")
+    if _problems:
+        shell.events.register("pre_run_cell", _complain)
+
+
+def _complain(*_: object) -> None:
+    while _problems:
+        print(_problems.pop(0), file=sys.stderr)

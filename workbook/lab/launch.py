@@ -6,11 +6,14 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from workbook.exercise.course import NoCourse, course_folder
 from workbook.lab.delivery import deliver, first_lesson
 from workbook.ros.environment import is_leftover, uses_wheels
 
-ROOT = Path(__file__).resolve().parents[2]
-WORK = ROOT / "work"
+
+def student_folder() -> Path:
+    """The student's own copy, `work/` in the course's folder. Raises NoCourse."""
+    return course_folder() / "work"
 
 
 class CannotLaunch(RuntimeError):
@@ -53,7 +56,7 @@ def check_port(arguments: Sequence[str]) -> None:
 
 def command(arguments: Sequence[str], *, work: Path, lesson: str | None, root_user: bool) -> list[str]:
     """The JupyterLab command; what the person passes comes last and so wins."""
-    line = [sys.executable, "-m", "jupyterlab", f"--ServerApp.root_dir={work}"]
+    line = [sys.executable, "-m", "jupyterlab", "--log-level=WARN", f"--ServerApp.root_dir={work}"]
     if lesson is not None:
         line.append(f"--LabApp.default_url=/lab/tree/{lesson}")
     if root_user and "--allow-root" not in arguments:
@@ -73,22 +76,24 @@ def launch(arguments: Sequence[str]) -> int:
     """Bring `work/` up to date and become JupyterLab; returns only when that is impossible (exit code)."""
     try:
         check_port(arguments)
-        for said in deliver(ROOT, WORK).lines():
-            print(said)
-    except CannotLaunch as problem:
+        course, work = course_folder(), student_folder()
+    except (CannotLaunch, NoCourse) as problem:
         print(f"workbook lab: {problem}", file=sys.stderr)
         return 1
+    try:
+        for said in deliver(course, work).lines():
+            print(said)
     except OSError as error:
         print(
-            f"workbook lab: cannot write the student's copy in {WORK}: {error.strerror}. "
+            f"workbook lab: cannot write the student's copy in {work}: {error.strerror}. "
             "Is the folder yours, and is the disk full? `workbook doctor` says more.",
             file=sys.stderr,
         )
         return 1
-    lesson = first_lesson(ROOT)
-    print(f"Your notebooks are in {WORK}. Stop JupyterLab with Ctrl-C here.", flush=True)
-    os.chdir(WORK)
-    line = command(arguments, work=WORK, lesson=lesson, root_user=os.geteuid() == 0)
+    lesson = first_lesson(course)
+    print(f"Your notebooks are in {work}. Stop JupyterLab with Ctrl-C here.", flush=True)
+    os.chdir(work)
+    line = command(arguments, work=work, lesson=lesson, root_user=os.geteuid() == 0)
     sys.stderr.flush()
     try:
         os.execve(line[0], line, lab_environment(os.environ))

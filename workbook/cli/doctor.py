@@ -1,0 +1,61 @@
+"""`workbook doctor`: is this machine ready, and what to do if not."""
+
+import argparse
+import os
+import sys
+from typing import TYPE_CHECKING, Any, TextIO
+
+if TYPE_CHECKING:
+    from workbook.lab.health import Finding
+
+SIGNS = {"ok": "✓", "note": "!", "mend": "✗"}
+PLAIN_SIGNS = {"ok": "+", "note": "!", "mend": "x"}
+COLOURS = {"ok": "32", "note": "33", "mend": "31"}
+
+
+def register(subparsers: Any) -> None:
+    """Add the subcommand."""
+    parser = subparsers.add_parser(
+        "doctor",
+        help="is this machine ready? what to do if not",
+        description="Check Python, packages, ROS, folders and Jupyter, and let two processes really talk. "
+        "Exit code 0: ready, 1: something is to be mended.",
+    )
+    parser.set_defaults(run=run)
+
+
+def line(finding: "Finding", stream: TextIO) -> str:
+    """One finding as text, coloured on a terminal: sign, word, what was seen, and what to do below it."""
+    try:
+        "✓✗".encode(stream.encoding or "ascii")
+        sign = SIGNS[finding.status]
+    except UnicodeEncodeError:
+        sign = PLAIN_SIGNS[finding.status]
+    mark = f"{sign} {finding.status:<5}"
+    if stream.isatty() and "NO_COLOR" not in os.environ:
+        mark = f"\033[{COLOURS[finding.status]}m{mark}\033[0m"
+    text = f"{mark}{finding.title:<15} {finding.saw}"
+    return (
+        f"{text}\n{'':23}→ {finding.todo}"
+        if finding.todo and sign in SIGNS.values()
+        else _plain(text, finding.todo)
+    )
+
+
+def _plain(text: str, todo: str) -> str:
+    return f"{text}\n{'':23}> {todo}" if todo else text
+
+
+def run(_options: argparse.Namespace) -> int:
+    """Print each finding as it is made, and a summary."""
+    from workbook.lab.health import examine
+
+    to_mend = 0
+    for finding in examine():
+        to_mend += finding.status == "mend"
+        print(line(finding, sys.stdout), flush=True)
+    if to_mend:
+        print(f"\n{to_mend} to mend. Begin with the first.")
+        return 1
+    print("\nReady. `make lab` opens the lessons.")
+    return 0

@@ -1,0 +1,381 @@
+"""The checks behind `workbook doctor`: what this machine has, and what to do about what it lacks.
+
+Each check returns one Finding and may raise: `examine` turns an exception into a finding that says so.
+"""
+
+import os
+import platform
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from importlib import metadata
+from pathlib import Path
+from typing import Literal
+
+Status = Literal["ok", "note", "mend"]
+HEARTBEAT = Path(__file__).with_name("heartbeat.py")
+TALK_LIMIT_S = 15.0
+KERNEL_LIMIT_S = 40.0
+GIB = 2**30
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One line of the report: `mend` must be put right, `note` is worth knowing."""
+
+    status: Status
+    title: str
+    saw: str
+    todo: str = ""
+
+
+def check_python() -> Finding:
+    """Interpreter and system."""
+    from workbook.lab.bootstrap import Problem, check_machine
+
+    saw = f"{platform.python_version()} on {platform.system()} {platform.machine()}, {' '.join(platform.libc_ver())}"
+    if sys.prefix == sys.base_prefix:
+        return Finding(
+            "note", "Python", f"{saw}, outside any environment", "The wheels route uses .venv/bin/workbook."
+        )
+    from workbook.ros.environment import uses_wheels
+
+    if uses_wheels():
+        try:
+            check_machine()
+        except Problem as problem:
+            return Finding("mend", "Python", saw, f"{str(problem)[0].upper()}{str(problem)[1:]}")
+    return Finding("ok", "Python", saw)
+
+
+def check_packages() -> Finding:
+    """Versions of what the lessons stand on, and whether the environment fits the lock file."""
+    from workbook.ros.environment import uses_wheels
+
+    names = ["jupyterlab", "ipykernel", "matplotlib", "numpy"]
+    if uses_wheels():
+        names.insert(0, "ros-jazzy-rclpy")
+    missing = []
+    found = []
+    for name in names:
+        try:
+            found.append(f"{name} {metadata.version(name)}")
+        except metadata.PackageNotFoundError:
+            missing.append(name)
+    saw = ", ".join(found)
+    if missing:
+        return Finding(
+            "mend", "Packages", f"missing: {', '.join(missing)}; there: {saw or 'none'}", "Run `make env`."
+        )
+    if not uses_wheels():
+        return Finding(
+            "note", "Packages", f"{saw}; rclpy comes from another ROS installation, not from the wheels"
+        )
+    from workbook.lab import bootstrap
+
+    stamp = bootstrap.read_stamp()
+    if Path(sys.prefix).resolve() == bootstrap.VENV.resolve() and stamp.get("digest") != bootstrap.digest():
+        return Finding("mend", "Packages", f"{saw}; not what requirements.lock says", "Run `make env`.")
+    return Finding("ok", "Packages", saw)
+
+
+def leftovers(environ: Mapping[str, str]) -> list[str]:
+    """Names of variables that a sourced ROS or another environment left, without those that we set ourselves."""
+    from workbook.ros.environment import is_leftover
+
+    return sorted(name for name in environ if is_leftover(name))
+
+
+def check_leftovers(names: list[str]) -> Finding:
+    """What the shell carries from a sourced ROS; our own processes drop it."""
+    from workbook.ros.environment import uses_wheels
+
+    if not names:
+        return Finding("ok", "Shell", "no variables of another ROS")
+    shown = ", ".join(names[:6]) + (f" and {len(names) - 6} more" if len(names) > 6 else "")
+    if not uses_wheels():
+        return Finding("ok", "Shell", f"a ROS installation is sourced ({shown})")
+    return Finding(
+        "note",
+        "Shell",
+        f"{shown}: left by a sourced ROS or another environment",
+        "The workbook drops them. Your own scripts see them: use a terminal without that `source` line.",
+    )
+
+
+def check_rclpy() -> Finding:
+    """rclpy imports, from the right place, and speaks through an RMW we know."""
+    import rclpy
+    import std_msgs.msg
+
+    from workbook.ros.environment import uses_wheels
+
+    home = Path(rclpy.__file__).resolve()
+    if uses_wheels() and not home.is_relative_to(Path(sys.prefix).resolve()):
+        return Finding(
+            "mend",
+            "rclpy",
+            f"imported from {home.parent}, not from the environment",
+            "Another ROS is in front: open a terminal without its `source` line (PYTHONPATH must not name it).",
+        )
+    identifier = rclpy.get_rmw_implementation_identifier()
+    return Finding("ok", "rclpy", f"imports, with messages ({std_msgs.msg.__package__}); RMW {identifier}")
+
+
+def check_domain() -> Finding:
+    """A domain can be leased, and a second lease of it is refused."""
+    from workbook.ros.domains import lease_domain
+
+    with lease_domain() as first, lease_domain(first.domain_id) as second:
+        if first.domain_id == second.domain_id:
+            return Finding(
+                "mend",
+                "Domains",
+                f"domain {first.domain_id} was leased twice",
+                "Notebooks may hear each other. See 'When something fails' in environment.md.",
+            )
+        return Finding(
+            "ok", "Domains", f"leased {first.domain_id} and {second.domain_id}, each held by one process"
+        )
+
+
+def check_loopback() -> Finding:
+    """A UDP packet sent to 127.0.0.1 arrives."""
+    with (
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver,
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender,
+    ):
+        receiver.bind(("127.0.0.1", 0))
+        receiver.settimeout(2.0)
+        sender.sendto(b"ping", receiver.getsockname())
+        try:
+            receiver.recv(16)
+        except TimeoutError:
+            return Finding(
+                "mend",
+                "Loopback",
+                "a UDP packet to 127.0.0.1 did not arrive",
+                "A firewall drops it, or the interface `lo` is down (`ip link set lo up`).",
+            )
+    return Finding("ok", "Loopback", "UDP on 127.0.0.1 arrives")
+
+
+def check_folders() -> Finding:
+    """Home, temporary folder and shared memory can be written, with room left."""
+    temporary = Path(tempfile.gettempdir())
+    saw = []
+    for name, folder, needed in (
+        ("home", Path.home(), 0.1),
+        ("temporary", temporary, 0.1),
+        ("/dev/shm", None, 0.0),
+    ):
+        place = Path("/dev/shm") if folder is None else folder
+        try:
+            with tempfile.NamedTemporaryFile(dir=place):
+                pass
+        except OSError as error:
+            if folder is None:
+                saw.append("/dev/shm cannot be written (the workbook does not need it)")
+                continue
+            todo = "Set HOME to a folder of yours." if name == "home" else "Set TMPDIR to a folder of yours."
+            return Finding(
+                "mend", "Folders", f"{name} folder {place} cannot be written: {error.strerror}", todo
+            )
+        free = shutil.disk_usage(place).free / GIB
+        if free < needed:
+            return Finding(
+                "mend", "Folders", f"{name} folder {place} has {free * 1024:.0f} MB left", "Make room."
+            )
+        saw.append(f"{name} {free:.1f} GB free")
+    return Finding("ok", "Folders", ", ".join(saw))
+
+
+def check_two_processes() -> Finding:
+    """Another process publishes, this one hears it."""
+    import rclpy
+    from rclpy.context import Context
+    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.signals import SignalHandlerOptions
+    from std_msgs.msg import String
+
+    from workbook.observing.process import NodeProcess
+    from workbook.ros.domains import lease_domain
+
+    heard: list[str] = []
+    with lease_domain() as lease:
+        context = Context()
+        rclpy.init(context=context, domain_id=lease.domain_id, signal_handler_options=SignalHandlerOptions.NO)
+        node = rclpy.create_node("doctor", context=context)
+        executor = SingleThreadedExecutor(context=context)
+        executor.add_node(node)
+
+        def hear(message: String) -> None:
+            heard.append(message.data)
+
+        node.create_subscription(String, "/doctor/beat", hear, 10)
+        program = NodeProcess(HEARTBEAT, lease.domain_id)
+        try:
+            while not heard and program.is_running() and time.monotonic() - program.started_at < TALK_LIMIT_S:
+                executor.spin_once(timeout_sec=0.05)
+            took = time.monotonic() - program.started_at
+        finally:
+            program.stop()
+            executor.shutdown()
+            node.destroy_node()
+            rclpy.shutdown(context=context)
+            lease.release(killed=program.killed)
+    if heard:
+        return Finding("ok", "Two processes", f"a node in another process was heard after {took:.1f} s")
+    record = program.record()
+    said = record.log.strip().splitlines()
+    last = f" It said: {said[-1]}" if said else ""
+    if record.ended_by == "itself":
+        return Finding(
+            "mend",
+            "Two processes",
+            f"the other process ended by itself (exit {record.exit}).{last}",
+            "Run `make env`.",
+        )
+    return Finding(
+        "mend",
+        "Two processes",
+        f"nothing was heard from another process in {TALK_LIMIT_S:.0f} s.{last}",
+        "A firewall or VPN often filters multicast and UDP on 127.0.0.1. See 'When something fails' in environment.md.",
+    )
+
+
+_CELL = """
+import os, rclpy
+loaded = "workbook.magics" in get_ipython().extension_manager.loaded
+print("domain", os.environ.get("ROS_DOMAIN_ID"), "magics", loaded)
+"""
+
+
+def check_kernel() -> Finding:
+    """A Jupyter kernel starts, with a domain and the magics."""
+    from jupyter_client.manager import start_new_kernel
+
+    started = time.monotonic()
+    manager, client = start_new_kernel(startup_timeout=KERNEL_LIMIT_S, kernel_name="python3")
+    try:
+        texts: list[str] = []
+
+        def keep(message: dict[str, dict[str, str]]) -> None:
+            content = message["content"]
+            texts.append(content.get("text") or content.get("evalue") or "")
+
+        client.execute_interactive(_CELL, timeout=KERNEL_LIMIT_S, output_hook=keep)
+        took = time.monotonic() - started
+    finally:
+        client.stop_channels()
+        manager.shutdown_kernel(now=True)
+    said = " ".join("".join(texts).split())
+    if "domain None" in said or "magics True" not in said or "domain" not in said:
+        return Finding(
+            "mend", "Jupyter kernel", f"started, but is not set up: {said or 'no answer'}", "Run `make env`."
+        )
+    domain = said.split("domain ")[1].split()[0]
+    return Finding("ok", "Jupyter kernel", f"starts in {took:.1f} s, with domain {domain} and the magics")
+
+
+def check_machine_size() -> Finding:
+    """Processors and memory."""
+    processors = len(os.sched_getaffinity(0))
+    memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / GIB
+    saw = f"{processors} processor{'s' if processors != 1 else ''}, {memory:.1f} GB of memory"
+    if processors < 2 or memory < 1.8:
+        return Finding(
+            "note", "Machine", saw, "Lessons work, slowly. Two processors and 2 GB are comfortable."
+        )
+    return Finding("ok", "Machine", saw)
+
+
+def chromium() -> str | None:
+    """The Chromium that the browser tests use, if there is one."""
+    for name in ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable"):
+        if found := shutil.which(name):
+            return found
+    return None
+
+
+def sandbox_problem() -> str | None:
+    """Why bubblewrap cannot isolate a program here; None when it can."""
+    bwrap = shutil.which("bwrap")
+    if bwrap is None:
+        return "bubblewrap is not installed"
+    done = subprocess.run(
+        [bwrap, "--ro-bind", "/", "/", "--unshare-all", "--die-with-parent", "true"],
+        capture_output=True,
+        text=True,
+        timeout=10,
+    )
+    return (
+        None
+        if done.returncode == 0
+        else f"bubblewrap is there but may not isolate: {done.stderr.strip()[:120]}"
+    )
+
+
+def check_chromium() -> Finding:
+    """A browser for the tests: for authors only."""
+    found = chromium()
+    if found:
+        return Finding("ok", "Chromium", found)
+    return Finding(
+        "note", "Chromium", "not found", "Only the browser tests of `make test` need it (apt: chromium)."
+    )
+
+
+def check_sandbox() -> Finding:
+    """bubblewrap: for instructors only."""
+    problem = sandbox_problem()
+    if problem is None:
+        return Finding("ok", "bubblewrap", "isolates a program")
+    return Finding(
+        "note", "bubblewrap", problem, "Only grading other people's answers needs it (apt: bubblewrap)."
+    )
+
+
+def examine(environ: Mapping[str, str] | None = None) -> Iterator[Finding]:
+    """Every finding, as it is made. Sets up this process for ROS on the way."""
+    found = leftovers(os.environ if environ is None else environ)
+    yield from _made("Python", check_python)
+    yield from _made("Packages", check_packages)
+    yield from _made("Shell", lambda: check_leftovers(found))
+    yield from _made("Machine", check_machine_size)
+    yield from _made("Folders", check_folders)
+    yield from _made("Loopback", check_loopback)
+    yield from _made("Domains", check_domain)
+    from workbook.ros.environment import prepare
+
+    with suppress(Exception):  # what goes wrong here shows in the checks that follow
+        prepare()
+    for title, check in (
+        ("rclpy", check_rclpy),
+        ("Two processes", check_two_processes),
+        ("Jupyter kernel", check_kernel),
+        ("Chromium", check_chromium),
+        ("bubblewrap", check_sandbox),
+    ):
+        yield from _made(title, check)
+
+
+def _made(title: str, check: Callable[[], Finding]) -> Iterable[Finding]:
+    try:
+        return [check()]
+    except Exception as error:
+        text = str(error).strip() or "no further text"
+        return [
+            Finding(
+                "mend",
+                title,
+                f"{type(error).__name__}: {text.splitlines()[0]}",
+                "Run `make env`. If it stays: 'When something fails' in environment.md.",
+            )
+        ]
