@@ -86,12 +86,19 @@ class Judge:
         self._limits = dict(limits or {})
 
     def judge(
-        self, exercise: Exercise, answer: Answer, *, thorough: bool = False, report: Report | None = None
+        self,
+        exercise: Exercise,
+        answer: Answer,
+        *,
+        thorough: bool = False,
+        report: Report | None = None,
+        enough: Callable[[], bool] = lambda: False,
     ) -> Judgement:
         """Judge one answer.
 
         `thorough`: as an instructor grades, a program that passes on robot time is kept running until eight real
-        seconds after it was matched. `report` receives a provisional judgement as soon as there is one.
+        seconds after it was matched, unless `enough` cuts that short. `report` receives a provisional judgement as
+        soon as there is one.
         """
         folder = scratch_folder("answer")
         program = folder / f"{exercise.stem}.py"
@@ -101,12 +108,12 @@ class Judge:
                 with self._observer.watch(program, exercise.plan, "simulated", limits=self._limits) as watch:
                     judgement = self._judge(exercise, answer, watch)
                     if not _needs_wall_clock(exercise, judgement):
-                        return self._live_on(exercise, answer, watch, judgement, thorough, report)
+                        return self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
                 if report is not None:
                     report(judgement_as_provisional(judgement))
             with self._observer.watch(program, exercise.plan, "wall", limits=self._limits) as watch:
                 judgement = self._judge(exercise, answer, watch)
-                return self._live_on(exercise, answer, watch, judgement, thorough, report)
+                return self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
         finally:
             remove_scratch(folder)
 
@@ -121,6 +128,7 @@ class Judge:
         judgement: Judgement,
         thorough: bool,
         report: Report | None,
+        enough: Callable[[], bool],
     ) -> Judgement:
         """End the watch; when thorough, only after the program has lived its real seconds."""
         recording = judgement.recording
@@ -128,7 +136,7 @@ class Judge:
         if thorough and recording.process.ended_by is None and judgement.status == "graded":
             if report is not None:
                 report(judgement)
-            watch.keep_watching(REAL_LIFE_S)
+            thorough = watch.keep_watching(REAL_LIFE_S, enough)
         recording = watch.finish(recording)
         real_life = thorough or recording.clock == "wall"
         return judge_recording(exercise, answer.sha256, recording, real_life=real_life)

@@ -1,7 +1,6 @@
 """`%check`: judge the answer file on a warm slot and show the card."""
 
 import atexit
-import contextlib
 from collections.abc import Callable
 from pathlib import Path
 
@@ -32,21 +31,32 @@ def close_slot() -> None:
         _slot = None
 
 
+def hurry() -> None:
+    """Have the slot finish the judgement under way soon."""
+    if _slot is not None and _slot.is_running:
+        _slot.enough()
+
+
+def abandon() -> None:
+    """End the slot at once, and with it the program that it watches."""
+    global _slot
+    if _slot is not None:
+        _slot.kill()
+        _slot.close()
+        _slot = None
+
+
 atexit.register(close_slot)
 
 
 def judge(stem: str, answer: Answer, report: Callable[[Judgement], None]) -> Judgement:
-    """Judge on the warm slot. An interrupt ends the slot and with it the student's program."""
+    """Judge on the warm slot, as the instructor's grader does."""
     slot = warm_slot()
     try:
         return slot.judge(stem, answer, thorough=True, report=report)
     except SlotBroken as error:
         slot.kill()
         return Judgement(stem, answer.sha256, "infra_error", str(error), (), None)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            slot.kill()
-        raise
 
 
 def _timeline(exercise: Exercise, judgement: Judgement, first: CriterionResult | None) -> tuple[bytes | None, str]:

@@ -160,12 +160,15 @@ class ExerciseMagics(Magics):  # type: ignore[misc]
         progress = load_progress(exercise.stem)
         hints_left = len(exercise.source.hints) - progress.hints
         if self._watcher is not None and self._watcher.is_alive():
-            checking.close_slot()
+            checking.hurry()
+            self._watcher.join()
         handle: list[DisplayHandle] = []
         decided = threading.Event()
-        outcome: list[Judgement] = []
+        abandoned = threading.Event()
 
         def show(judgement: Judgement) -> None:
+            if abandoned.is_set():
+                return
             card = checking.card_for(exercise, answer, Path(shown_path(file)), judgement, hints_left)
             if handle:
                 handle[0].update(card)
@@ -174,13 +177,12 @@ class ExerciseMagics(Magics):  # type: ignore[misc]
                 assert shown is not None
                 handle.append(shown)
             if not judgement.provisional:
-                outcome.append(judgement)
+                self._note(judgement, first=not decided.is_set())
                 decided.set()
 
         def work() -> None:
             try:
-                final = checking.judge(exercise.stem, answer, show)
-                show(final)
+                show(checking.judge(exercise.stem, answer, show))
             finally:
                 decided.set()
 
@@ -190,13 +192,20 @@ class ExerciseMagics(Magics):  # type: ignore[misc]
             while not decided.wait(0.1):
                 pass
         except KeyboardInterrupt:
-            checking.close_slot()
+            abandoned.set()
+            checking.abandon()
             raise _Notice("Check stopped.") from None
-        if outcome and outcome[0].status == "graded":
-            progress.tries += 1
-            progress.solved |= outcome[0].full_marks
-            progress.best = max(progress.best, outcome[0].score or 0.0)
-            save_progress(exercise.stem, progress)
+
+    @staticmethod
+    def _note(judgement: Judgement, first: bool) -> None:
+        """Keep the outcome: one try per check, solved only by the last word."""
+        if judgement.status != "graded":
+            return
+        progress = load_progress(judgement.stem)
+        progress.tries += first
+        progress.solved = judgement.full_marks or (progress.solved and first)
+        progress.best = max(progress.best, judgement.score or 0.0)
+        save_progress(judgement.stem, progress)
 
     # --- help -------------------------------------------------------------------------------------------------
 

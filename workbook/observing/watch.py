@@ -4,7 +4,7 @@ import math
 import secrets
 import statistics
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
@@ -16,7 +16,7 @@ from rclpy.node import Node
 from workbook.observing.clock import SimulatedClock
 from workbook.observing.process import NodeProcess
 from workbook.observing.recorder import Recorder
-from workbook.observing.recording import Clock, Phase, ProcessRecord, Recording
+from workbook.observing.recording import Clock, Phase, Recording
 from workbook.ros.domains import DomainLease, lease_domain
 from workbook.ros.environment import is_prepared, prepare
 
@@ -274,20 +274,22 @@ class Watch:
             self._began = time.monotonic()
         self._recorder.start_windows(0.0)
 
-    def keep_watching(self, wall_s_after_match: float) -> ProcessRecord:
+    def keep_watching(self, wall_s_after_match: float, enough: Callable[[], bool] = lambda: False) -> bool:
         """Let the program live until so many real seconds after it was matched, its clock running at 1x.
 
-        Returns early when it ends by itself.
+        Returns early when it ends by itself, or when `enough` says so. Returns whether it was watched to the end.
         """
         until = (self._matched_wall or time.monotonic()) + wall_s_after_match
         if self._clock is not None:
             self._clock.run_at(1.0)
         while (left := until - time.monotonic()) > 0 and self._process.is_running():
+            if enough():
+                return False
             if self._clock is None:
-                self._process.wait(left)
+                self._process.wait(min(left, LOOK_EVERY_S))
             elif not self._process.wait(min(left, self._clock.until_due())):
                 self._clock.advance()
-        return self._process.record()
+        return True
 
     def recording(self) -> Recording:
         """Everything seen up to now."""
