@@ -7,27 +7,43 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from workbook.ros.listening import topic_echo, topic_hz
     from workbook.ros.presence import join_line
     from workbook.ros.session import Stopped, init, live, run, shutdown, spin_for
+    from workbook.ros.tools import graph, node_info, node_list, topic_info, topic_list
     from workbook.ros.twins import fresh
 
-_HOME = {
-    "Stopped": "session",
-    "fresh": "twins",
-    "init": "session",
-    "join_line": "presence",
-    "live": "session",
-    "run": "session",
-    "shutdown": "session",
-    "spin_for": "session",
-}
+__all__ = [
+    "Stopped",
+    "fresh",
+    "graph",
+    "init",
+    "join_line",
+    "live",
+    "node_info",
+    "node_list",
+    "run",
+    "shutdown",
+    "spin_for",
+    "topic_echo",
+    "topic_hz",
+    "topic_info",
+    "topic_list",
+]
 
-__all__ = ["Stopped", "fresh", "init", "join_line", "live", "run", "shutdown", "spin_for"]
+_HOME = {
+    "listening": ("topic_echo", "topic_hz"),
+    "presence": ("join_line",),
+    "session": ("Stopped", "init", "live", "run", "shutdown", "spin_for"),
+    "tools": ("graph", "node_info", "node_list", "topic_info", "topic_list"),
+    "twins": ("fresh",),
+}
 
 
 def __getattr__(name: str) -> Any:
-    if name in _HOME:
-        return getattr(import_module(f"workbook.ros.{_HOME[name]}"), name)
+    for module, names in _HOME.items():
+        if name in names:
+            return getattr(import_module(f"{__name__}.{module}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
