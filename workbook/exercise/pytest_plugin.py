@@ -1,0 +1,93 @@
+"""pytest plugin: one test per criterion of an answer, or of a stored recording.
+
+    pytest exercises/criteria/09_joint_positions.py --answer my_answer.py
+    pytest exercises/criteria/09_joint_positions.py --recording recording.json
+
+The functions are the very ones that grade; pytest only runs and shows them.
+"""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+if TYPE_CHECKING:
+    from workbook.criteria.runner import CriterionResult
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    group = parser.getgroup("rclpy-workbook")
+    group.addoption("--answer", type=Path, help="run this answer and judge it by the criteria file given")
+    group.addoption("--recording", type=Path, help="judge this stored recording by the criteria file given")
+
+
+def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> "CriteriaFile | None":
+    config = parent.config
+    if file_path.suffix != ".py" or file_path.parent.name != "criteria":
+        return None
+    if config.getoption("--answer", None) is None and config.getoption("--recording", None) is None:
+        return None
+    return CriteriaFile.from_parent(parent, path=file_path)
+
+
+class CriteriaFile(pytest.File):
+    """A criteria file; its tests are the criteria."""
+
+    def collect(self) -> Iterator["CriterionItem"]:
+        from workbook.exercise.definition import load_exercise
+
+        exercise = load_exercise(self.path.stem, self.path.parents[2])
+        for criterion in exercise.criteria:
+            yield CriterionItem.from_parent(self, name=criterion.id)
+
+    def results(self) -> dict[str, "CriterionResult"]:
+        """Results by criterion, from one watch of the answer however many tests ask."""
+        if not hasattr(self, "_results"):
+            self._results = {result.id: result for result in self._judge()}
+        return self._results
+
+    def _judge(self) -> tuple["CriterionResult", ...]:
+        from workbook.exercise.answers import read_answer
+        from workbook.exercise.definition import load_exercise
+        from workbook.exercise.judging import Judge, judge_recording
+        from workbook.observing.recording import Recording
+        from workbook.observing.watch import Observer
+
+        exercise = load_exercise(self.path.stem, self.path.parents[2])
+        stored = self.config.getoption("--recording", None)
+        if stored is not None:
+            judgement = judge_recording(exercise, "", Recording.load(stored))
+        else:
+            answer = read_answer(self.config.getoption("--answer"), exercise.stem)
+            with Observer() as observer:
+                judgement = Judge(observer).judge(exercise, answer, thorough=True)
+        if judgement.status != "graded":
+            raise RuntimeError(judgement.reason)
+        return judgement.criteria
+
+
+class CriterionFailed(AssertionError):
+    """A criterion that does not hold; its text is the feedback."""
+
+
+class CriterionItem(pytest.Item):
+    """One criterion as a test."""
+
+    def runtest(self) -> None:
+        assert isinstance(self.parent, CriteriaFile)
+        result = self.parent.results()[self.name]
+        if result.status == "skipped":
+            pytest.skip(result.saw)
+        if result.status != "passed":
+            raise CriterionFailed(
+                f"saw: {result.saw}\nexpected: {result.expected}\nbecause: {result.because}\ntry: {result.try_this}"
+            )
+
+    def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> str:
+        if isinstance(excinfo.value, CriterionFailed):
+            return str(excinfo.value)
+        return str(super().repr_failure(excinfo, style))
+
+    def reportinfo(self) -> tuple[Path, None, str]:
+        return self.path, None, self.name
