@@ -30,7 +30,9 @@ def compare(tree: Tree, names: Iterable[str] = (), *, jobs: int = 1, extra: Sequ
             building.build_exercise(tree, stem)
             _copy(tree.exercises / f"{stem}.ipynb", top / "starters" / "exercises")
             _copy(tree.solved / f"{stem}.ipynb", top / "solved" / "exercises")
-        (top / "pytest.ini").write_text("[pytest]\n", encoding="utf-8")
+        (top / "pytest.ini").write_text(
+            "[pytest]\nfilterwarnings = ignore::DeprecationWarning\n", encoding="utf-8"
+        )
         spread = ["-n", str(jobs), "--dist", "loadfile"] if jobs > 1 else []
         command = [
             sys.executable,

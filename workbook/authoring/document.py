@@ -9,7 +9,9 @@ from typing import Any, Literal
 
 import nbformat
 
-KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
+from workbook.lab.jupyter_files import kernel_spec
+
+KERNEL = {"display_name": kernel_spec("python")["display_name"], "language": "python", "name": "python3"}
 LANGUAGE = {
     "codemirror_mode": {"name": "ipython", "version": 3},
     "file_extension": ".py",

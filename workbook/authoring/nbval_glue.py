@@ -1,27 +1,54 @@
 """A pytest plugin that lets nbval see what JupyterLab shows.
 
 nbval by itself drops updates of a display and piles up cleared outputs, so that a picture that moves never equals
-the one committed. This plugin applies both as they come, sets the sanitize file unless another is given, and
-compares only text in notebooks whose metadata says `workbook.compare: text`.
+the one committed. This plugin applies both as they come. It also sets the sanitize file unless another is given,
+compares only text in notebooks whose metadata says `workbook.compare: text`, fails a cell whose magic does not
+exist, and gives each notebook an answers folder of its own unless WORKBOOK_ANSWERS is set.
 """
 
 import json
+import os
+import shutil
+import tempfile
 from collections.abc import Callable, Generator
+from pathlib import Path
 from typing import Any
 
 import nbformat
 import pytest
-from nbval.plugin import IPyNbCell, IPyNbFile
+from nbval.plugin import IPyNbCell, IPyNbFile, NbCellError
 
 from workbook.authoring.outputs import SANITIZE
 
 OUTPUTS = ("display_data", "execute_result", "stream", "error")
 NOT_TEXT = ("text/html", "text/markdown", "image/svg+xml")
+NO_MAGIC = "UsageError:"
+ANSWERS = "WORKBOOK_ANSWERS"
+_own_folder = pytest.StashKey[Path]()
 
 
 def pytest_configure(config: pytest.Config) -> None:
     if getattr(config.option, "nbval_sanitize_with", SANITIZE) is None:
         config.option.nbval_sanitize_with = str(SANITIZE)
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    folder = config.stash.get(_own_folder, None)
+    if folder is not None:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    if not isinstance(item, IPyNbCell):
+        return
+    stash = item.config.stash
+    if _own_folder not in stash:
+        if ANSWERS in os.environ:
+            return
+        stash[_own_folder] = Path(tempfile.mkdtemp(prefix="answers-"))
+    place = item.path.with_suffix("").relative_to(item.path.anchor)
+    os.environ[ANSWERS] = str(stash[_own_folder] / "-".join(place.parts[-3:]))
 
 
 def pytest_collectstart(collector: pytest.Collector) -> None:
@@ -42,9 +69,13 @@ def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
     ask = notebook.get_kernel_message
     notebook.get_kernel_message = LiveOutputs(ask, lambda: item.test_outputs)
     try:
-        return (yield)
+        result = yield
     finally:
         notebook.get_kernel_message = ask
+    for output in item.test_outputs or ():
+        if output.get("name") == "stderr" and output["text"].startswith(NO_MAGIC):
+            raise NbCellError(item.cell_num, output["text"].strip(), item.cell.source)
+    return result
 
 
 class LiveOutputs:
