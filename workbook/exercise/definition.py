@@ -3,6 +3,7 @@
 import hashlib
 import importlib.util
 import sys
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -34,11 +35,12 @@ def _import(path: Path) -> ModuleType:
 
 @dataclass(frozen=True)
 class Exercise:
-    """One exercise: its stem, the criteria in order, and the watch that they need."""
+    """One exercise: its stem, the criteria in order, the watch that they need, and the judged periods (s) by topic."""
 
     stem: str
     criteria: tuple[Criterion, ...]
     plan: Plan
+    periods: Mapping[str, float]
     criteria_sha256: str
     solution_path: Path
 
@@ -70,6 +72,7 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
         stem=solution.stem,
         criteria=criteria,
         plan=plan_for(topics_in(module)),
+        periods={one.name: one.period for one in topics_in(module) if one.hz is not None},
         criteria_sha256=hashlib.sha256(path.read_bytes()).hexdigest(),
         solution_path=solution,
     )

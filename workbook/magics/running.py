@@ -56,7 +56,7 @@ def wait_for_nodes(process: NodeProcess, known: set[str]) -> list[str]:
 
 def node_names() -> set[str]:
     """Full names of all nodes on this notebook's domain."""
-    from workbook.magics.probe import probe
+    from workbook.ros.probe import probe
 
     found = probe().get_node_names_and_namespaces()
     return {f"{namespace.rstrip('/')}/{name}" for name, namespace in found}

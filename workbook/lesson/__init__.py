@@ -1,0 +1,57 @@
+"""What the cells of a lesson use: predictions, programs beside the notebook, live views, pictures of recordings."""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from workbook.lesson.predictions import predict, predicted, recall
+    from workbook.lesson.programs import arrivals, record, run_program, start, stop, values
+    from workbook.lesson.views import robot, watch_robot, watch_status
+    from workbook.ros.session import run, spin_for
+    from workbook.ros.twins import fresh
+
+_HOME = {
+    "arrivals": "workbook.lesson.programs",
+    "fresh": "workbook.ros.twins",
+    "predict": "workbook.lesson.predictions",
+    "predicted": "workbook.lesson.predictions",
+    "recall": "workbook.lesson.predictions",
+    "record": "workbook.lesson.programs",
+    "robot": "workbook.lesson.views",
+    "run": "workbook.ros.session",
+    "run_program": "workbook.lesson.programs",
+    "spin_for": "workbook.ros.session",
+    "start": "workbook.lesson.programs",
+    "stop": "workbook.lesson.programs",
+    "values": "workbook.lesson.programs",
+    "watch_robot": "workbook.lesson.views",
+    "watch_status": "workbook.lesson.views",
+}
+
+__all__ = [
+    "arrivals",
+    "fresh",
+    "predict",
+    "predicted",
+    "recall",
+    "record",
+    "robot",
+    "run",
+    "run_program",
+    "spin_for",
+    "start",
+    "stop",
+    "values",
+    "watch_robot",
+    "watch_status",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOME:
+        return getattr(import_module(_HOME[name]), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

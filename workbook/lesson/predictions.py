@@ -1,0 +1,34 @@
+"""Predictions: say what will happen before you run it, and see afterwards whether it did."""
+
+_predictions: dict[str, str] = {}
+_latest = ""
+
+
+def predict(choice: str, about: str = "this run") -> None:
+    """Note a prediction: the letter of an option, or a few words of your own. `about` names the experiment."""
+    global _latest
+    text = choice.strip()
+    _latest = about
+    if not text or set(text) <= {".", "?", "_", "…"}:
+        _predictions.pop(about, None)
+        print(f"No prediction for {about} yet. Put your choice between the quotes: predict('b')")
+        return
+    _predictions[about] = text
+    print(f"Noted for {about}: {text}")
+
+
+def predicted(about: str | None = None) -> str | None:
+    """What was predicted for an experiment (the latest one if none is named); None if nothing was."""
+    return _predictions.get(_latest if about is None else about)
+
+
+def recall(right: str, about: str | None = None) -> None:
+    """Show the prediction again beside what really happened: `recall("c", "two timers")`."""
+    name = _latest if about is None else about
+    mine = _predictions.get(name)
+    if mine is None:
+        print(f"The run says {right}. (You made no prediction for {name}; try one next time.)")
+    elif mine.casefold() == right.casefold():
+        print(f"You predicted {mine} for {name}, and {right} it is.")
+    else:
+        print(f"You predicted {mine} for {name}; the run says {right}. Which belief has to change?")

@@ -1,0 +1,113 @@
+"""Robot programs beside the notebook: start them as processes, record what they do, run them to their end."""
+
+import atexit
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from types import ModuleType
+
+from workbook.magics.running import node_names, wait_for_nodes
+from workbook.observing.process import NodeProcess
+from workbook.observing.recording import ProcessRecord, Recording
+from workbook.observing.watch import Observer, Plan
+from workbook.ros.scratch import remove_scratch, scratch_folder
+
+Program = ModuleType | Path | str
+
+_started: dict[str, NodeProcess] = {}
+
+
+def program_file(program: Program) -> Path:
+    """The file of a program: a module such as `lesson_nodes.status_monitor`, or a path."""
+    if isinstance(program, ModuleType):
+        if program.__file__ is None:
+            raise ValueError(f"{program.__name__} has no file that could be run")
+        return Path(program.__file__)
+    return Path(program)
+
+
+def start(program: Program) -> str:
+    """Start a program as its own process on this notebook's domain; an earlier run of it is ended first.
+
+    Returns the names of its nodes once they are on the graph. `stop` ends it.
+    """
+    file = program_file(program)
+    _end(file.stem)
+    known = node_names()
+    process = NodeProcess(file, int(os.environ["ROS_DOMAIN_ID"]))
+    _started[file.stem] = process
+    nodes = wait_for_nodes(process, known)
+    if not process.is_running():
+        _end(file.stem)
+        raise RuntimeError(f"{file.name} ended at once:\n{process.record().log.strip()}")
+    return ", ".join(nodes)
+
+
+def stop(program: Program | None = None) -> None:
+    """End a program started with `start`, or all of them, as Ctrl-C would."""
+    for name in [program_file(program).stem] if program is not None else list(_started):
+        _end(name)
+
+
+def _end(name: str) -> ProcessRecord | None:
+    process = _started.pop(name, None)
+    if process is None:
+        return None
+    process.stop()
+    return process.record()
+
+
+atexit.register(stop)
+
+
+def record(
+    program: Program, periods: Mapping[str, float], seconds: float = 60.0, clock: str = "simulated"
+) -> Recording:
+    """Run a program on a domain of its own and record the topics in `periods` (topic name: expected period in s).
+
+    On the "simulated" clock, `seconds` of robot time pass in about a fifteenth of that; on the "wall" clock they
+    really pass.
+    """
+    if clock not in ("simulated", "wall"):
+        raise ValueError(f'clock is "simulated" or "wall", not {clock!r}')
+    shortest, longest = min(periods.values()), max(periods.values())
+    half = seconds / 2 if clock == "simulated" else seconds
+    plan = Plan(tuple(periods), shortest, longest, robot_seconds=half)
+    with Observer() as observer:
+        kind = "simulated" if clock == "simulated" else "wall"
+        with observer.watch(program_file(program), plan, kind) as watch:  # type: ignore[arg-type]
+            return watch.finish(watch.observe())
+
+
+def arrivals(recording: Recording, topic: str) -> list[float]:
+    """When messages of `topic` arrived, in s of robot time."""
+    return [arrival.t for arrival in recording.topic(topic).arrivals]
+
+
+def values(recording: Recording, topic: str, field: str = "data") -> list[object]:
+    """The values of one field of all messages of `topic`."""
+    return [arrival.value[field] for arrival in recording.topic(topic).arrivals]
+
+
+def run_program(
+    code: str, seconds: float = 5.0, arguments: Sequence[str] = (), interrupt_after: float | None = None
+) -> ProcessRecord:
+    """Run a piece of code as its own program behind a watchdog, and return what became of it.
+
+    The program is ended after `seconds` at the latest, so nothing in it can hang the notebook. With
+    `interrupt_after` it gets Ctrl-C (SIGINT) after that many seconds. It runs on a domain of its own.
+    """
+    folder = scratch_folder("program")
+    file = folder / "program.py"
+    file.write_text(code, encoding="utf-8")
+    try:
+        with Observer() as observer, NodeProcess(file, observer.domain_id, arguments) as process:
+            if interrupt_after is not None and not process.wait(interrupt_after):
+                process.interrupt()
+            process.wait(seconds - (interrupt_after or 0.0))
+            process.stop()
+            if process.killed:
+                observer.move()
+            return process.record()
+    finally:
+        remove_scratch(folder)

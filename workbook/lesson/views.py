@@ -1,0 +1,130 @@
+"""Live views of the robot on this notebook's domain: the figure that moves, and the status dashboard."""
+
+import math
+import time
+from typing import Any
+
+from rclpy.node import Node
+from std_msgs.msg import Float32, Float32MultiArray, String
+
+from workbook.pictures import dashboard, humanoid
+from workbook.pictures.joints import Follower
+from workbook.pictures.live import LiveFigure
+from workbook.pictures.still import Still
+from workbook.ros.probe import probe
+from workbook.ros.session import Stopped, run
+
+ROBOT_TEXT = "a humanoid robot with twelve joints, posed by the last message on /robot/joint_positions"
+
+
+class _View(Node):
+    """A node that listens while a view is open. It lives in the context of the notebook's probe."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(
+            name,
+            context=probe().context,
+            enable_rosout=False,
+            start_parameter_services=False,
+            use_global_arguments=False,
+        )
+
+
+class RobotView(_View):
+    """Poses the figure by what arrives on /robot/joint_positions; its lamp follows /robot/status."""
+
+    def __init__(self, ease: float) -> None:
+        super().__init__("robot_view")
+        self.received = 0
+        self.complaint = ""
+        self._follower = Follower(ease)
+        self._lamp: str | None = None
+        self.create_subscription(Float32MultiArray, "/robot/joint_positions", self._on_joints, 10)
+        self.create_subscription(String, "/robot/status", self._on_status, 10)
+
+    def _on_joints(self, message: Any) -> None:
+        self.received += 1
+        try:
+            self._follower.aim(message.data, time.monotonic())
+            self.complaint = ""
+        except ValueError as error:
+            self.complaint = str(error)
+
+    def _on_status(self, message: Any) -> None:
+        self._lamp = message.data if message.data in ("operational", "error") else None
+
+    def frame(self) -> bytes:
+        if self.complaint:
+            return humanoid.placeholder(self.complaint)
+        if not self.received:
+            return humanoid.placeholder("waiting for /robot/joint_positions")
+        angles = self._follower.angles(time.monotonic())
+        return humanoid.draw(angles, lamp=self._lamp)  # type: ignore[arg-type]
+
+
+class StatusView(_View):
+    """Collects /robot/status and /robot/battery for the dashboard."""
+
+    def __init__(self, window: float) -> None:
+        super().__init__("dashboard")
+        self.status: str | None = None
+        self.battery: float | None = None
+        self.window = window
+        self._began = time.monotonic()
+        self.arrivals: dict[str, list[float]] = {dashboard.STATUS_TOPIC: [], dashboard.BATTERY_TOPIC: []}
+        self.create_subscription(String, dashboard.STATUS_TOPIC, self._on_status, 10)
+        self.create_subscription(Float32, dashboard.BATTERY_TOPIC, self._on_battery, 10)
+
+    def _now(self) -> float:
+        return time.monotonic() - self._began
+
+    def _on_status(self, message: Any) -> None:
+        self.status = message.data
+        self.arrivals[dashboard.STATUS_TOPIC].append(self._now())
+
+    def _on_battery(self, message: Any) -> None:
+        self.battery = message.data
+        self.arrivals[dashboard.BATTERY_TOPIC].append(self._now())
+
+    def frame(self) -> bytes:
+        return dashboard.draw(self.status, self.battery, self.arrivals, now=self._now(), window=self.window)
+
+
+async def _show(view: Any, describe: str, seconds: float | None, fps: float) -> LiveFigure:
+    figure = LiveFigure(describe)
+
+    def refresh() -> None:
+        figure.show(view.frame())
+
+    try:
+        await run(view, seconds=seconds, each_frame=refresh, fps=fps)
+    except Stopped:
+        pass
+    finally:
+        view.destroy_node()
+    return figure
+
+
+async def watch_robot(seconds: float | None = 10.0, fps: float = 20.0, ease: float = 0.8) -> None:
+    """Show the robot that the messages on /robot/joint_positions pose, live, for `seconds` (None: until Stop).
+
+    `fps`: pictures per second. `ease`: seconds in which the figure glides to a new pose; 0 jumps.
+    """
+    if seconds is not None and (not math.isfinite(seconds) or seconds <= 0):
+        raise ValueError(f"seconds must be above zero, not {seconds}")
+    await _show(RobotView(ease), ROBOT_TEXT, seconds, fps)
+
+
+async def watch_status(seconds: float | None = 10.0, fps: float = 15.0, window: float = 10.0) -> StatusView:
+    """Show the dashboard of /robot/status and /robot/battery, live, for `seconds` (None: until Stop).
+
+    Returns the view, which holds the last `status`, `battery` and the `arrivals` (s since it was opened).
+    """
+    view = StatusView(window)
+    await _show(view, dashboard.DESCRIPTION, seconds, fps)
+    return view
+
+
+def robot(*angles: float, lamp: str | None = None, caption: str = "") -> Still:
+    """A still of the robot at twelve angles (rad)."""
+    return Still(humanoid.draw(angles, lamp=lamp, caption=caption), f"a humanoid robot. {caption}".strip())  # type: ignore[arg-type]
