@@ -1,5 +1,6 @@
 """Looking at a known graph: nodes of this kernel and of another process."""
 
+import io
 import os
 import pty
 import re
@@ -134,7 +135,10 @@ def test_echo_and_rate_of_own_and_other_nodes(kernel, robot):
     assert kernel.good("print(topic_echo('/robot/joints', 1, nodes=[]))").text == (
         "layout:\n  dim: []\n  data_offset: 0\ndata: [0.0, 0.5]\n"
     )
-    assert kernel.good("print(topic_echo('chatter', 2))").text == "data: tick 1\n---\ndata: tick 2\n"
+    heard = kernel.good("print(topic_echo('chatter', 2))").text
+    warning, _, messages = heard.partition("\n")
+    assert "New publisher discovered on topic '/robot/joints', offering incompatible QoS" in warning
+    assert messages == "data: tick 1\n---\ndata: tick 2\n"
     for topic in ("/robot/status", "/chatter"):
         outcome = kernel.good(
             f"rate = topic_hz('{topic}', 1.0)\nprint(8 <= rate.mean_hz <= 12, rate.count > 5)"
@@ -230,8 +234,8 @@ def test_which_domain_a_terminal_looks_at(two_notebooks, capsys, monkeypatch):
     assert two_notebooks(None, "44", number=0) == 44
     assert two_notebooks(None, None, number=0) == 0
     assert "No notebook is open" in capsys.readouterr().err
-    with open(os.devnull) as nobody, pytest.raises(NoChoice, match="--domain"):
-        monkeypatch.setattr("sys.stdin", nobody)
+    monkeypatch.setattr("sys.stdin", io.StringIO())
+    with pytest.raises(NoChoice, match="--domain"):
         two_notebooks(None, None)
     assert "08_status (domain 23)" in capsys.readouterr().err
 
