@@ -1,4 +1,5 @@
 # loses: joints_move
+# says: no joint moves
 """The same pose for ever."""
 
 import random

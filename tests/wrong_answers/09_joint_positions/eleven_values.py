@@ -1,5 +1,6 @@
 # loses: twelve_values
-# says: 11
+# says: 11 values
+# says: Counting from 0 or from 1
 """Counts from 1 and ends one short."""
 
 import math

@@ -1,5 +1,6 @@
 # loses: joint_rate
 # says: 2 Hz
+# says: Period and frequency are mixed up
 """0.5 Hz typed as a period: two messages a second."""
 
 import math

@@ -1,10 +1,11 @@
-"""The events executor, which is experimental on this version of ROS."""
+# loses: twelve_values
+# says: 0
+"""The list is filled after it was published for the first time."""
 
 import math
 import random
 
 import rclpy
-from rclpy.experimental import EventsExecutor
 from rclpy.node import Node
 from std_msgs.msg import Float32, Float32MultiArray, String
 
@@ -14,12 +15,13 @@ class HumanoidStatusPublisher(Node):
         super().__init__("humanoid_status_publisher")
         self.battery_level = 100.0
         self.step = 0
+        self.angles = []
         self.status_pub = self.create_publisher(String, "/robot/status", 10)
         self.battery_pub = self.create_publisher(Float32, "/robot/battery", 10)
         self.joint_pub = self.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
-        self.create_timer(1.0, self.publish_status)
-        self.create_timer(2.0, self.publish_battery)
-        self.create_timer(2.0, self.publish_joints)
+        self.status_timer = self.create_timer(1.0, self.publish_status)
+        self.battery_timer = self.create_timer(2.0, self.publish_battery)
+        self.joint_timer = self.create_timer(2.0, self.publish_joints)
 
     def publish_status(self):
         self.status_pub.publish(String(data="operational"))
@@ -30,15 +32,15 @@ class HumanoidStatusPublisher(Node):
 
     def publish_joints(self):
         self.step += 1
-        self.joint_pub.publish(Float32MultiArray(data=[math.tanh(math.sin(self.step + i)) for i in range(12)]))
+        self.joint_pub.publish(Float32MultiArray(data=self.angles))
+        self.angles = [0.5 * math.sin(0.7 * self.step + joint) for joint in range(12)]
 
 
-def main():
-    rclpy.init()
-    executor = EventsExecutor()
-    executor.add_node(HumanoidStatusPublisher())
+def main(args=None):
+    rclpy.init(args=args)
+    node = HumanoidStatusPublisher()
     try:
-        executor.spin()
+        rclpy.spin(node)
     except KeyboardInterrupt:
         pass
 
