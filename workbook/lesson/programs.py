@@ -2,6 +2,7 @@
 
 import atexit
 import os
+import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
@@ -90,21 +91,26 @@ def values(recording: Recording, topic: str, field: str = "data") -> list[object
 
 
 def run_program(
-    code: str, seconds: float = 5.0, arguments: Sequence[str] = (), interrupt_after: float | None = None
+    code: str, seconds: float = 10.0, arguments: Sequence[str] = (), interrupt_at: str | None = None
 ) -> ProcessRecord:
     """Run a piece of code as its own program behind a watchdog, and return what became of it.
 
-    The program is ended after `seconds` at the latest, so nothing in it can hang the notebook. With
-    `interrupt_after` it gets Ctrl-C (SIGINT) after that many seconds. It runs on a domain of its own.
+    The program is ended after `seconds` at the latest, so nothing in it can hang the notebook. With `interrupt_at`
+    it gets Ctrl-C (SIGINT) as soon as it has printed that text. It runs on a domain of its own.
     """
     folder = scratch_folder("program")
     file = folder / "program.py"
     file.write_text(code, encoding="utf-8")
+    deadline = time.monotonic() + seconds
     try:
         with Observer() as observer, NodeProcess(file, observer.domain_id, arguments) as process:
-            if interrupt_after is not None and not process.wait(interrupt_after):
-                process.interrupt()
-            process.wait(seconds - (interrupt_after or 0.0))
+            while interrupt_at is not None and time.monotonic() < deadline:
+                if interrupt_at in process.log.text():
+                    process.interrupt()
+                    break
+                if process.wait(0.02):
+                    break
+            process.wait(max(0.0, deadline - time.monotonic()))
             process.stop()
             if process.killed:
                 observer.move()

@@ -11,19 +11,19 @@ from workbook.pictures import dashboard, humanoid
 from workbook.pictures.joints import Follower
 from workbook.pictures.live import LiveFigure
 from workbook.pictures.still import Still
-from workbook.ros.probe import probe
+from workbook.ros.standing import standing_node
 from workbook.ros.session import Stopped, run
 
 ROBOT_TEXT = "a humanoid robot with twelve joints, posed by the last message on /robot/joint_positions"
 
 
 class _View(Node):
-    """A node that listens while a view is open. It lives in the context of the notebook's probe."""
+    """A node that listens while a view is open. It lives in the context of the kernel's hidden node."""
 
     def __init__(self, name: str) -> None:
         super().__init__(
             name,
-            context=probe().context,
+            context=standing_node().context,
             enable_rosout=False,
             start_parameter_services=False,
             use_global_arguments=False,

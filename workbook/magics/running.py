@@ -3,6 +3,7 @@
 import atexit
 import os
 import time
+from collections import Counter
 from pathlib import Path
 
 from workbook.observing.process import NodeProcess
@@ -40,8 +41,8 @@ class Running:
         return [stem for stem, process in self._programs.items() if process.is_running()]
 
 
-def wait_for_nodes(process: NodeProcess, known: set[str]) -> list[str]:
-    """Names of nodes that appeared on the graph since `known`, as soon as there is one.
+def wait_for_nodes(process: NodeProcess, known: Counter[str]) -> list[str]:
+    """Names of nodes that appeared on the graph since `known`, as soon as there is one. Twins count.
 
     Gives up when the program ends or after three seconds.
     """
@@ -54,9 +55,9 @@ def wait_for_nodes(process: NodeProcess, known: set[str]) -> list[str]:
     return []
 
 
-def node_names() -> set[str]:
-    """Full names of all nodes on this notebook's domain."""
-    from workbook.ros.probe import probe
+def node_names() -> Counter[str]:
+    """Full names of all nodes on this notebook's domain, hidden ones left out."""
+    from workbook.ros.standing import standing_node
 
-    found = probe().get_node_names_and_namespaces()
-    return {f"{namespace.rstrip('/')}/{name}" for name, namespace in found}
+    found = standing_node().get_node_names_and_namespaces()
+    return Counter(f"{namespace.rstrip('/')}/{name}" for name, namespace in found if not name.startswith("_"))
