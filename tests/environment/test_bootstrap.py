@@ -1,0 +1,215 @@
+"""The bootstrap with a stand-in for uv: what it asks for, when it does nothing, how it recovers."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from workbook.lab import bootstrap
+
+ROOT = Path(bootstrap.__file__).resolve().parents[2]
+# Writes its arguments to a log, makes what a real uv would make, and fails when told to.
+FAKE_UV = """\
+#!{python}
+import os, pathlib, sys
+root = pathlib.Path(__file__).resolve().parents[1]
+with open(root / "calls.log", "a") as log:
+    log.write(" ".join(sys.argv[1:]) + "\\n")
+if sys.argv[1] == "venv":
+    target = pathlib.Path(sys.argv[-1])
+    (target / "bin").mkdir(parents=True, exist_ok=True)
+    (target / "pyvenv.cfg").touch()
+    python = target / "bin" / "python"
+    python.write_text("#!/bin/sh\\necho jupyter >>'" + str(root / "calls.log") + "'\\necho 3.12\\n")
+    python.chmod(0o755)
+elif (root / "fail").exists():
+    sys.exit(3)
+elif "-r" in sys.argv:
+    listed = pathlib.Path(sys.argv[sys.argv.index("-r") + 1]).read_text()
+    with open(root / "installed.log", "a") as log:
+        log.write(listed)
+elif "--editable" in sys.argv:
+    (root / "course" / ".venv" / "bin" / "workbook").touch()
+"""
+
+
+class Checkout:
+    """A folder with the bootstrap, a small lock file, and the stand-in on the PATH."""
+
+    def __init__(self, folder: Path) -> None:
+        self.top = folder
+        self.course = folder / "course"
+        lab = self.course / "workbook" / "lab"
+        lab.mkdir(parents=True)
+        for name in ("bootstrap.py", "jupyter_files.py"):
+            shutil.copy(ROOT / "workbook" / "lab" / name, lab)
+        (self.course / "pyproject.toml").write_text("[project]\n")
+        sections = {"build": "flit-core==1", "student": "rclpy==7", "dev": "pytest==9", "ai": "torch==2"}
+        text = "".join(
+            f"#: {name}\n{line} \\\n    --hash=sha256:{name}\n\n" for name, line in sections.items()
+        )
+        (self.course / "requirements.lock").write_text(text)
+        (folder / "bin").mkdir()
+        fake = folder / "bin" / "uv"
+        fake.write_text(FAKE_UV.format(python=sys.executable))
+        fake.chmod(0o755)
+
+    def make(self, *arguments: str) -> "subprocess.CompletedProcess[str]":
+        for log in ("calls.log", "installed.log"):
+            (self.top / log).unlink(missing_ok=True)
+        environ = {"PATH": f"{self.top / 'bin'}:{os.defpath}", "HOME": str(self.top)}
+        script = self.course / "workbook" / "lab" / "bootstrap.py"
+        command = [sys.executable, "-I", str(script), *arguments]
+        return subprocess.run(command, env=environ, capture_output=True, text=True, timeout=60)
+
+    def log(self, name: str) -> str:
+        path = self.top / name
+        return path.read_text() if path.exists() else ""
+
+    @property
+    def venv(self) -> Path:
+        return self.course / ".venv"
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Checkout:
+    return Checkout(tmp_path)
+
+
+def test_first_run_installs_the_student_sections_and_a_second_does_nothing(checkout: Checkout) -> None:
+    first = checkout.make()
+    assert first.returncode == 0, first.stderr
+    assert "The environment is ready" in first.stdout
+    installed = checkout.log("installed.log")
+    assert "flit-core==1" in installed and "rclpy==7" in installed
+    assert "pytest" not in installed and "torch" not in installed
+    assert all(
+        "--require-hashes" in call for call in checkout.log("calls.log").splitlines() if " -r " in call
+    )
+    assert json.loads((checkout.venv / bootstrap.STAMP).read_text())["sections"] == ["build", "student"]
+    assert not (checkout.venv / bootstrap.UNFINISHED).exists()
+
+    started = time.monotonic()
+    second = checkout.make()
+    assert (second.returncode, second.stdout, checkout.log("calls.log")) == (0, "", "")
+    assert time.monotonic() - started < 5
+
+
+def test_more_is_added_and_never_taken_away(checkout: Checkout) -> None:
+    checkout.make("--extras", "ai")
+    assert checkout.make("--extras", "dev").returncode == 0
+    stamp = json.loads((checkout.venv / bootstrap.STAMP).read_text())
+    assert stamp["sections"] == ["build", "student", "dev", "ai"]
+    assert checkout.make().stdout == ""
+
+
+def test_a_changed_lock_updates_in_place(checkout: Checkout) -> None:
+    checkout.make()
+    (checkout.venv / "mine").touch()
+    lock = checkout.course / "requirements.lock"
+    lock.write_text(lock.read_text().replace("rclpy==7", "rclpy==8"))
+    again = checkout.make()
+    assert "Updating" in again.stdout
+    assert "rclpy==8" in checkout.log("installed.log")
+    assert (checkout.venv / "mine").exists()
+
+
+def test_a_failed_installation_is_told_and_repaired(checkout: Checkout) -> None:
+    (checkout.top / "fail").touch()
+    failed = checkout.make()
+    assert failed.returncode == 1
+    assert len(failed.stderr.strip().splitlines()) == 1
+    assert "Installing the packages failed" in failed.stderr and "environment.md" in failed.stderr
+    assert (checkout.venv / bootstrap.UNFINISHED).exists()
+    (checkout.venv / "half").touch()
+    (checkout.top / "fail").unlink()
+    repaired = checkout.make()
+    assert repaired.returncode == 0, repaired.stderr
+    assert "Creating" in repaired.stdout
+    assert not (checkout.venv / "half").exists()
+
+
+def test_a_moved_course_gets_a_new_environment(checkout: Checkout) -> None:
+    checkout.make()
+    moved = checkout.top / "elsewhere"
+    checkout.course.rename(moved)
+    (checkout.top / "course").symlink_to(moved)
+    checkout.course = moved
+    assert "Creating" in checkout.make().stdout
+
+
+def test_another_named_python_makes_it_anew_and_an_unnamed_one_does_not(checkout: Checkout) -> None:
+    checkout.make()
+    stamp = json.loads((checkout.venv / bootstrap.STAMP).read_text())
+    stamp["python"] = "3.99"
+    (checkout.venv / bootstrap.STAMP).write_text(json.dumps(stamp))
+    assert checkout.make().stdout == ""
+    assert "Creating" in checkout.make("--chosen-python").stdout
+
+
+def test_a_strange_folder_is_not_deleted(checkout: Checkout) -> None:
+    checkout.venv.mkdir()
+    (checkout.venv / "thesis.txt").write_text("three years of work")
+    refused = checkout.make()
+    assert refused.returncode == 1
+    assert "is not an environment" in refused.stderr
+    assert (checkout.venv / "thesis.txt").exists()
+
+
+def test_an_unknown_extra_is_named(checkout: Checkout) -> None:
+    refused = checkout.make("--extras", "robots")
+    assert refused.returncode == 2
+    assert "robots" in refused.stderr
+
+
+GOOD = {
+    "system": "Linux",
+    "machine": "x86_64",
+    "libc": ("glibc", "2.36"),
+    "version": (3, 12),
+    "implementation": "CPython",
+}
+
+
+def test_a_good_machine_passes() -> None:
+    bootstrap.check_machine(**GOOD)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("changed", "said", "section"),
+    [
+        ({"system": "Darwin"}, "this is Darwin", "macOS and ARM"),
+        ({"system": "Windows"}, "this is Windows", "Windows"),
+        ({"machine": "aarch64"}, "aarch64", "macOS and ARM"),
+        ({"version": (3, 10)}, "is Python 3.10", "A suitable Python"),
+        ({"version": (3, 15)}, "is Python 3.15", "A suitable Python"),
+        ({"implementation": "PyPy"}, "PyPy", "A suitable Python"),
+        ({"libc": ("glibc", "2.17")}, "glibc 2.17", "Docker"),
+        ({"libc": ("", "")}, "another C library", "Docker"),
+    ],
+)
+def test_each_lack_is_named_with_the_section_that_helps(
+    changed: dict[str, object], said: str, section: str
+) -> None:
+    with pytest.raises(bootstrap.Problem) as caught:
+        bootstrap.check_machine(**(GOOD | changed))  # type: ignore[arg-type]
+    text = str(caught.value)
+    assert said in text
+    assert f"'{section}' in environment.md" in text
+    assert "\n" not in text
+    headings = [
+        line.lstrip("# ") for line in (ROOT / "environment.md").read_text().splitlines() if line[:1] == "#"
+    ]
+    assert section in headings
+
+
+def test_the_file_is_readable_by_an_old_python() -> None:
+    import ast
+
+    source = Path(bootstrap.__file__).read_text(encoding="utf-8")
+    ast.parse(source, feature_version=(3, 8))

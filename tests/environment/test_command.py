@@ -1,0 +1,53 @@
+"""The `workbook` command and the Makefile as a person meets them."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from workbook.cli.main import main
+
+ROOT = Path(__file__).resolve().parents[2]
+HEAVY = ("rclpy", "numpy", "matplotlib", "IPython", "jupyter_client", "asyncio", "std_msgs")
+
+
+def test_help_lists_the_commands(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["--help"])
+    assert ended.value.code == 0
+    said = capsys.readouterr().out
+    for command in ("lab", "reset", "doctor", "check", "grade"):
+        assert re.search(rf"^\s+{command}\s", said, re.MULTILINE), command
+
+
+def test_building_the_command_line_imports_nothing_heavy() -> None:
+    code = "import sys; from workbook.cli.main import build_parser; build_parser(); print(*sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
+    )
+    assert not set(HEAVY) & set(done.stdout.split())
+
+
+def test_unknown_arguments_are_refused_where_nobody_takes_them(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["doctor", "--quick"])
+    assert ended.value.code == 2
+    assert "--quick" in capsys.readouterr().err
+
+
+def test_reset_of_an_unknown_exercise(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["reset", "flying"]) == 2
+    assert "no exercise 'flying'" in capsys.readouterr().err
+
+
+def test_make_help_has_a_line_for_every_target() -> None:
+    text = (ROOT / "Makefile").read_text(encoding="utf-8")
+    (phony,) = re.findall(r"^\.PHONY: (.+)$", text, re.MULTILINE)
+    said = subprocess.run(
+        ["make", "help"], cwd=ROOT, capture_output=True, text=True, check=True, timeout=60
+    ).stdout
+    targets = re.findall(r"^([a-z-]+):", text, re.MULTILINE)
+    assert re.findall(r"^  make (\S+)\s+\S", said, re.MULTILINE) == targets
+    assert sorted(targets) == sorted(phony.split())

@@ -1,0 +1,108 @@
+"""`workbook doctor`: what it finds, and that it says what to do."""
+
+import io
+import socket
+from pathlib import Path
+
+import pytest
+
+from workbook.cli import doctor
+from workbook.lab import health
+from workbook.lab.health import Finding
+
+
+def test_two_processes_talk() -> None:
+    finding = health.check_two_processes()
+    assert finding.status == "ok", finding
+    assert "was heard after" in finding.saw
+
+
+def test_a_silent_second_process_is_told_with_what_it_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    program = tmp_path / "mute.py"
+    program.write_text("raise RuntimeError('no voice today')\n")
+    monkeypatch.setattr(health, "HEARTBEAT", program)
+    finding = health.check_two_processes()
+    assert finding.status == "mend"
+    assert "ended by itself (exit 1)" in finding.saw
+    assert "no voice today" in finding.saw
+    assert finding.todo
+
+
+def test_the_rest_of_this_machine() -> None:
+    assert health.check_loopback().status == "ok"
+    assert health.check_domain().status == "ok"
+    assert health.check_python().status == "ok"
+    assert health.check_folders().status == "ok"
+    rclpy = health.check_rclpy()
+    assert (rclpy.status, "rmw_fastrtps_cpp" in rclpy.saw) == ("ok", True)
+
+
+def test_a_lost_packet_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Filtered(socket.socket):
+        def recv(self, *_: object) -> bytes:
+            raise TimeoutError
+
+    monkeypatch.setattr(socket, "socket", Filtered)
+    finding = health.check_loopback()
+    assert finding.status == "mend"
+    assert "firewall" in finding.todo
+
+
+def test_leftovers_of_a_sourced_ros_are_named() -> None:
+    found = health.leftovers({"HOME": "/home/ada", "RMW_IMPLEMENTATION": "x", "PYTHONPATH": "/opt/ros"})
+    assert found == ["PYTHONPATH", "RMW_IMPLEMENTATION"]
+    assert health.check_leftovers(found).status == "note"
+    assert "RMW_IMPLEMENTATION" in health.check_leftovers(found).saw
+    assert health.check_leftovers([]).status == "ok"
+
+
+def test_a_home_that_cannot_be_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HOME", "/proc")
+    finding = health.check_folders()
+    assert finding.status == "mend"
+    assert "Set HOME" in finding.todo
+
+
+def test_a_check_that_raises_becomes_a_finding() -> None:
+    def fails() -> Finding:
+        raise OSError("the cable is out\nsecond line")
+
+    (finding,) = health._made("Cable", fails)
+    assert (finding.status, finding.title) == ("mend", "Cable")
+    assert "the cable is out" in finding.saw
+    assert "second line" not in finding.saw
+
+
+@pytest.mark.parametrize(
+    ("findings", "code", "last"),
+    [
+        ([Finding("ok", "A", "fine"), Finding("note", "B", "odd", "look")], 0, "Ready."),
+        ([Finding("mend", "A", "broken", "Run `make env`."), Finding("ok", "B", "fine")], 1, "1 to mend."),
+    ],
+)
+def test_exit_code_and_summary(
+    findings: list[Finding],
+    code: int,
+    last: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr(health, "examine", lambda: iter(findings))
+    from workbook.cli.main import main
+
+    assert main(["doctor"]) == code
+    lines = capsys.readouterr().out.strip().splitlines()
+    assert lines[-1].startswith(last)
+    for finding in findings:
+        assert any(finding.title in line and finding.saw in line and finding.status in line for line in lines)
+        assert not finding.todo or any(finding.todo in line for line in lines)
+
+
+def test_a_terminal_without_unicode_gets_plain_signs() -> None:
+    stream = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
+    text = doctor.line(Finding("mend", "RMW", "missing", "install it"), stream)
+    text.encode("ascii")
+    assert "x mend" in text
+    assert "> install it" in text

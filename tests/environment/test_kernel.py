@@ -1,0 +1,123 @@
+"""Every kernel of the environment is set up before its first cell, whoever starts it."""
+
+import json
+import os
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from jupyter_client.manager import KernelManager
+
+from workbook.lab import jupyter_files, kernel
+
+
+@pytest.fixture
+def run_cell(tmp_path: Path) -> Iterator[Callable[..., str]]:
+    """Runs one cell in a new kernel that has only the configuration that `make env` writes."""
+    opened: list[tuple[KernelManager, Any]] = []
+    profile = tmp_path / "profile_default"
+    profile.mkdir()
+    (profile / "ipython_kernel_config.py").write_text(jupyter_files.KERNEL_CONFIG)
+
+    def run(code: str, **environ: str) -> str:
+        manager = KernelManager(kernel_name="python3")
+        assert manager.kernel_spec is not None
+        manager.kernel_spec.argv = [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}"]
+        manager.start_kernel(env=os.environ | {"IPYTHONDIR": str(tmp_path)} | environ)
+        client = manager.client()
+        client.start_channels()
+        opened.append((manager, client))
+        client.wait_for_ready(timeout=60)
+        texts: list[str] = []
+
+        def keep(message: dict[str, Any]) -> None:
+            texts.append(message["content"].get("text") or message["content"].get("evalue") or "")
+
+        client.execute_interactive(code, timeout=60, output_hook=keep)
+        return "".join(texts)
+
+    yield run
+    for manager, client in opened:
+        client.stop_channels()
+        manager.shutdown_kernel(now=True)
+
+
+def test_ros_and_the_magics_are_there_before_the_first_cell(run_cell: Callable[..., str]) -> None:
+    said = run_cell(
+        "import os\n"
+        "print(sorted(get_ipython().extension_manager.loaded))\n"
+        "print('domain', os.environ['ROS_DOMAIN_ID'], os.environ['ROS_PYTHON_CHECK_FIELDS'])\n"
+        "print('pytest', os.environ.get('PYTEST_CURRENT_TEST'))\n",
+        RMW_IMPLEMENTATION="rmw_other",
+    )
+    assert "workbook.magics" in said
+    assert "domain " in said
+    assert "pytest None" in said
+
+
+def test_ros_logs_show_in_the_cell_under_pytest_too(run_cell: Callable[..., str]) -> None:
+    said = run_cell(
+        "import rclpy\n"
+        "rclpy.init()\n"
+        "node = rclpy.create_node('left_leg')\n"
+        "node.get_logger().info('standing')\n"
+        "node.destroy_node()\n"
+        "rclpy.shutdown()\n"
+    )
+    assert "[INFO] [left_leg]: standing" in said
+
+
+def test_two_kernels_have_two_domains(run_cell: Callable[..., str]) -> None:
+    code = "import os\nprint(os.environ['ROS_DOMAIN_ID'])"
+    assert run_cell(code).strip() != run_cell(code).strip()
+
+
+class Shell:
+    """Just enough of IPython's shell to start in."""
+
+    def __init__(self, load: Callable[[str], str | None]) -> None:
+        self.hooks: list[Callable[..., None]] = []
+        self.extension_manager = SimpleNamespace(load_extension=load)
+        self.events = SimpleNamespace(register=lambda name, hook: self.hooks.append(hook))
+
+
+def broken(_name: str) -> str | None:
+    raise ImportError("no module named wheels")
+
+
+@pytest.mark.parametrize(
+    ("load", "said"),
+    [
+        (broken, "did not load: ImportError: no module named wheels"),
+        (lambda _: "no load function", "are not there"),
+    ],
+)
+def test_what_is_wrong_is_said_once_above_the_first_cell(
+    load: Callable[[str], str | None], said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shell = Shell(load)
+    kernel.start(shell)
+    (hook,) = shell.hooks
+    hook()
+    hook()
+    assert capsys.readouterr().err.count(said) == 1
+
+
+def test_nothing_is_said_when_all_is_well() -> None:
+    shell = Shell(lambda _: None)
+    kernel.start(shell)
+    assert shell.hooks == []
+
+
+def test_files_go_where_jupyter_looks(tmp_path: Path) -> None:
+    written = jupyter_files.install(tmp_path, "/env/bin/python")
+    names = {path.relative_to(tmp_path).as_posix() for path in written}
+    assert "etc/ipython/ipython_kernel_config.py" in names
+    settings = json.loads((tmp_path / "share/jupyter/lab/settings/overrides.json").read_text())
+    assert settings["@jupyterlab/apputils-extension:notification"]["fetchNews"] == "false"
+    spec = json.loads((tmp_path / "share/jupyter/kernels/python3/kernel.json").read_text())
+    assert spec["argv"][0] == "/env/bin/python"
+    assert spec["env"]["_ROS_WHEELS_BOOTSTRAP_COMPLETE"] == ""

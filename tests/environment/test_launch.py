@@ -1,0 +1,93 @@
+"""Starting JupyterLab: the command, the port, the environment, and words when it cannot start."""
+
+import os
+import socket
+import sys
+from pathlib import Path
+
+import pytest
+
+from workbook.cli.main import main
+from workbook.lab import launch
+
+
+def test_the_persons_arguments_come_last_and_so_win(tmp_path: Path) -> None:
+    line = launch.command(
+        ["--no-browser", "--port=8899"],
+        work=tmp_path,
+        lesson="notebooks/00_start_here.ipynb",
+        root_user=False,
+    )
+    assert line[:3] == [sys.executable, "-m", "jupyterlab"]
+    assert f"--ServerApp.root_dir={tmp_path}" in line
+    assert "--LabApp.default_url=/lab/tree/notebooks/00_start_here.ipynb" in line
+    assert line[-2:] == ["--no-browser", "--port=8899"]
+    assert "--allow-root" not in line
+
+
+def test_root_is_allowed_only_for_root(tmp_path: Path) -> None:
+    def count(*arguments: str) -> int:
+        return launch.command(arguments, work=tmp_path, lesson=None, root_user=True).count("--allow-root")
+
+    assert count() == 1
+    assert count("--allow-root") == 1
+
+
+@pytest.mark.parametrize("arguments", [["--port={}"], ["--port", "{}"], ["--ServerApp.port={}"]])
+def test_a_taken_port_is_said_before_jupyter_starts(
+    arguments: list[str], capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with socket.socket() as holder:
+        holder.bind(("127.0.0.1", 0))
+        holder.listen()
+        port = holder.getsockname()[1]
+        assert main(["lab", "--no-browser", *(argument.format(port) for argument in arguments)]) == 1
+    said = capsys.readouterr().err
+    assert f"Port {port} cannot be used" in said
+    assert len(said.strip().splitlines()) == 1
+
+
+def test_a_port_that_is_no_number(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["lab", "--port=eight"]) == 1
+    assert "'eight'" in capsys.readouterr().err
+
+
+def test_a_free_port_and_no_port_are_fine() -> None:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        free = probe.getsockname()[1]
+    launch.check_port([f"--port={free}"])
+    launch.check_port(["--no-browser"])
+
+
+def test_kernels_do_not_inherit_a_sourced_ros() -> None:
+    dirty = {
+        "PATH": "/usr/bin",
+        "HOME": "/home/ada",
+        "PYTHONPATH": "/opt/ros/jazzy/lib/python3.12/site-packages",
+        "RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp",
+        "ROS_DOMAIN_ID": "7",
+        "PYTHONDONTWRITEBYTECODE": "1",
+    }
+    clean = launch.lab_environment(dirty)
+    assert set(clean) == {"PATH", "HOME"}
+    assert clean["PATH"].split(os.pathsep)[0] == str(Path(sys.executable).parent)
+
+
+def test_a_folder_that_is_no_course_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("WORKBOOK_COURSE", str(tmp_path))
+    assert main(["lab"]) == 1
+    assert str(tmp_path) in capsys.readouterr().err
+    assert not (tmp_path / "work").exists()
+
+
+def test_a_copy_that_cannot_be_written_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "exercises" / "criteria").mkdir(parents=True)
+    (tmp_path / "work").write_text("a file where the folder should be")
+    monkeypatch.setenv("WORKBOOK_COURSE", str(tmp_path))
+    assert main(["lab"]) == 1
+    assert "cannot write the student's copy" in capsys.readouterr().err

@@ -1,0 +1,160 @@
+"""Everything that `make test` proves, in order; pytest's own summary comes last.
+
+`python tests/run.py --only lint` (or style, types, notebooks, compare, pytest) runs a part.
+With CI=true a skipped test that `.ci/allowed_skips` does not list is a failure.
+"""
+
+import argparse
+import os
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatch
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+ARTIFACTS = ROOT / "artifacts"
+ALLOWED_SKIPS = ROOT / ".ci" / "allowed_skips"
+# mypy sees each of them alone: files of the same name in two of them are no clash.
+TYPED_FOLDERS = ("workbook", "lesson_nodes", "solutions", "exercises/criteria")
+JOBS = str(min(4, len(os.sched_getaffinity(0))))
+
+
+@dataclass(frozen=True)
+class Step:
+    """One command of the proof."""
+
+    name: str
+    group: str
+    command: tuple[str, ...]
+    report: Path | None = None
+
+
+def steps() -> list[Step]:
+    """Quick ones first; pytest last, because its summary is what a person looks for."""
+    python = sys.executable
+    found = [
+        Step("ruff check", "style", (python, "-m", "ruff", "check", ".")),
+        Step("ruff format", "style", (python, "-m", "ruff", "format", "--check", "--quiet", ".")),
+    ]
+    for folder in TYPED_FOLDERS:
+        if any((ROOT / folder).rglob("*.py")):
+            found.append(Step(f"mypy {folder}", "types", (python, "-m", "mypy", folder)))
+    authoring = (python, "-m", "workbook.authoring")
+    compared, tested = ARTIFACTS / "notebooks.xml", ARTIFACTS / "pytest.xml"
+    found.append(Step("notebooks match their text", "notebooks", (*authoring, "check")))
+    found.append(
+        Step(
+            "notebooks run (nbval)",
+            "compare",
+            (*authoring, "compare", "--jobs", JOBS, "--junit", str(compared)),
+            compared,
+        )
+    )
+    spread = ("-n", JOBS, "--dist", "loadfile")
+    found.append(Step("pytest", "pytest", (python, "-m", "pytest", *spread, f"--junitxml={tested}"), tested))
+    return found
+
+
+def chosen(all_steps: Iterable[Step], only: str | None) -> list[Step]:
+    """The steps of a group; `lint` means style and types."""
+    groups = {"lint": ("style", "types")}.get(only or "", (only,))
+    return [step for step in all_steps if only is None or step.group in groups]
+
+
+def environment() -> dict[str, str]:
+    """For the steps: no variable of a sourced ROS, the environment's own programs first."""
+    from workbook.ros.environment import is_leftover
+
+    environ = {name: value for name, value in os.environ.items() if not is_leftover(name)}
+    environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), environ.get("PATH", os.defpath)])
+    environ["MPLBACKEND"] = environ.get("MPLBACKEND", "agg")
+    return environ
+
+
+def missing_tools() -> list[str]:
+    """What the checks that will be skipped lack, in a sentence each."""
+    from workbook.lab.health import chromium, sandbox_problem
+
+    said = []
+    if chromium() is None:
+        said.append("No Chromium: the tests in a real browser will be skipped (apt: chromium).")
+    problem = sandbox_problem()
+    if problem is not None:
+        said.append(f"Sandbox tests will be skipped: {problem} (apt: bubblewrap).")
+    return said
+
+
+def skipped(report: Path) -> list[tuple[str, str]]:
+    """Skipped tests of a JUnit report: name and reason. Expected failures are not skips."""
+    if not report.is_file():
+        return []
+    found = []
+    for case in ElementTree.parse(report).iter("testcase"):
+        skip = case.find("skipped")
+        if skip is not None and skip.get("type") != "pytest.xfail":
+            found.append((f"{case.get('classname')}::{case.get('name')}", skip.get("message") or "no reason"))
+    return found
+
+
+def unlisted(skips: Iterable[tuple[str, str]], patterns: Sequence[str]) -> list[tuple[str, str]]:
+    """Skips that no pattern of `.ci/allowed_skips` covers."""
+    return [skip for skip in skips if not any(fnmatch(skip[0], pattern) for pattern in patterns)]
+
+
+def allowed_patterns(text: str) -> list[str]:
+    """One pattern a line; `#` begins a comment."""
+    return [line for line in (raw.partition("#")[0].strip() for raw in text.splitlines()) if line]
+
+
+def run(plan: Sequence[Step], say: Callable[[str], None]) -> list[str]:
+    """Run all steps, whatever fails, and return what failed, in a line each."""
+    failed = []
+    environ = environment()
+    ARTIFACTS.mkdir(exist_ok=True)
+    for step in plan:
+        if step.report is not None:
+            step.report.unlink(missing_ok=True)
+        started = time.monotonic()
+        last = step is plan[-1]
+        say(f"── {step.name}")
+        code = subprocess.run(step.command, cwd=ROOT, env=environ).returncode
+        if not last:
+            say(f"   {'ok' if code == 0 else 'FAILED'} ({time.monotonic() - started:.1f} s)")
+        if code:
+            failed.append(f"{step.name} (exit {code})")
+    return failed
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Exit code 0 when everything holds."""
+    parser = argparse.ArgumentParser(description="What `make test` runs.")
+    parser.add_argument("--only", choices=("lint", "style", "types", "notebooks", "compare", "pytest"))
+    options = parser.parse_args(arguments)
+    plan = chosen(steps(), options.only)
+    lacking = missing_tools() if any(step.group == "pytest" for step in plan) else []
+    for line in lacking:
+        print(f"! {line}")
+
+    def say(text: str) -> None:
+        print(text, flush=True)
+
+    failed = run(plan, say)
+    if os.environ.get("CI", "").lower() in ("1", "true"):
+        patterns = allowed_patterns(ALLOWED_SKIPS.read_text(encoding="utf-8"))
+        skips = [skip for step in plan if step.report is not None for skip in skipped(step.report)]
+        failed += [
+            f"skipped, and not in .ci/allowed_skips: {name} ({why})"
+            for name, why in unlisted(skips, patterns)
+        ]
+    if failed:
+        print("\nNot all holds:", *(f"  ✗ {line}" for line in failed), sep="\n", flush=True)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
