@@ -1,9 +1,11 @@
 """How answers are judged: criteria, their points, and the vocabulary they are written in."""
 
-from workbook.criteria.criterion import Criterion, Topic, criterion, topic
+from workbook.criteria.criterion import Criterion, Topic, criterion, topic, watching
 from workbook.criteria.verdict import Verdict, all_of, failed, partial, passed
 from workbook.criteria.vocabulary import (
     alive_at_end,
+    counts,
+    exits_cleanly,
     finite,
     length,
     never_rises,
@@ -26,7 +28,9 @@ __all__ = [
     "Verdict",
     "alive_at_end",
     "all_of",
+    "counts",
     "criterion",
+    "exits_cleanly",
     "failed",
     "finite",
     "length",
@@ -42,5 +46,6 @@ __all__ = [
     "topic_pace",
     "values",
     "varies",
+    "watching",
     "within",
 ]

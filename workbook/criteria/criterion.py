@@ -8,7 +8,7 @@ from typing import Any
 from workbook.criteria.verdict import Verdict
 from workbook.observing.recording import Recording
 from workbook.observing.values import type_name
-from workbook.observing.watch import Plan
+from workbook.observing.watch import SPEEDS, Plan
 
 Judgement = Callable[[Recording], Verdict]
 
@@ -72,6 +72,28 @@ def topic(name: str, message_class: Any, hz: float | None = None) -> Topic:
     return Topic(name, type_name(message_class), hz)
 
 
+@dataclass(frozen=True)
+class Watching:
+    """How the recording of an exercise is made, where it differs from the usual."""
+
+    robot_seconds: float | None = None
+    to_the_end: bool = False
+
+
+def watching(*, robot_seconds: float | None = None, to_the_end: bool = False) -> Watching:
+    """Declare how to watch, once per criteria file.
+
+    `robot_seconds`: robot time to watch in all, instead of seven of the longest period. `to_the_end`: the program is
+    sent Ctrl-C (SIGINT) before it is judged, so that criteria see how it ends.
+    """
+    return Watching(robot_seconds, to_the_end)
+
+
+def watching_in(module: ModuleType) -> Watching:
+    """How a criteria module wants to watch."""
+    return next((value for value in vars(module).values() if isinstance(value, Watching)), Watching())
+
+
 def criteria_in(module: ModuleType) -> tuple[Criterion, ...]:
     """The criteria that a module defines, in the order of their definition."""
     return tuple(value for value in vars(module).values() if isinstance(value, Criterion))
@@ -82,8 +104,9 @@ def topics_in(module: ModuleType) -> tuple[Topic, ...]:
     return tuple(value for value in vars(module).values() if isinstance(value, Topic))
 
 
-def plan_for(topics: Iterable[Topic]) -> Plan:
+def plan_for(topics: Iterable[Topic], how: Watching) -> Plan:
     """How finely and how long to watch for these topics."""
     declared = tuple(topics)
+    per_speed = None if how.robot_seconds is None else how.robot_seconds / len(SPEEDS)
     periods = [one.period for one in declared if one.hz is not None] or [1.0]
-    return Plan(tuple(one.name for one in declared), min(periods), max(periods))
+    return Plan(tuple(one.name for one in declared), min(periods), max(periods), per_speed)

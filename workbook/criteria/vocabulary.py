@@ -114,6 +114,55 @@ def alive_at_end(recording: Recording) -> Verdict:
     )
 
 
+def exits_cleanly(recording: Recording) -> Verdict:
+    """On Ctrl-C (SIGINT) the program ends with exit code 0 and without a traceback.
+
+    Needs `watching(to_the_end=True)`; raises ValueError when the recording does not hold the end.
+    """
+    process = recording.process
+    if process.ended_by is None:
+        raise ValueError("exits_cleanly needs watching(to_the_end=True) in the criteria file")
+    expected = "exit code 0 and no traceback after Ctrl-C"
+    if process.ended_by == "itself":
+        return failed(
+            f"the program ended by itself after {seconds(process.ended_at or 0.0)}, before Ctrl-C was sent",
+            expected,
+            "Nothing keeps it alive, or an error ended it.",
+            "Keep it running with rclpy.spin(node) first.",
+        )
+    if process.signal == "SIGKILL":
+        return failed(
+            "it went on running after Ctrl-C and had to be killed",
+            expected,
+            "KeyboardInterrupt is swallowed inside a loop, or a thread goes on.",
+            "Let KeyboardInterrupt leave the spin; catch it around rclpy.spin(node) only.",
+        )
+    if process.signal == "SIGABRT":
+        return failed(
+            "it aborted at its end (SIGABRT)",
+            expected,
+            "A thread was still spinning when the interpreter went down.",
+            "Shut the executor down first, then join its thread.",
+        )
+    mishap = find_mishap(process.log, process.program)
+    if mishap is None and process.exit == 0:
+        return passed("ended with exit code 0 after Ctrl-C, no traceback")
+    if mishap is not None:
+        return failed(
+            f"after Ctrl-C: {mishap.where}{mishap.error} (exit code {process.exit})",
+            expected,
+            mishap.because,
+            mishap.try_this,
+        )
+    return failed(
+        f"exit code {process.exit} after Ctrl-C",
+        expected,
+        "KeyboardInterrupt leaves main() without being caught.",
+        "Wrap rclpy.spin(node) in try/except (KeyboardInterrupt, ExternalShutdownException), and call "
+        "rclpy.try_shutdown() in finally.",
+    )
+
+
 # --- topics -------------------------------------------------------------------------------------------------
 
 
@@ -293,6 +342,27 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
     return passed(f"{number(hz)} Hz over {_count(seen.count, 'message')}")
 
 
+def counts(recording: Recording, topic: Topic) -> Verdict:
+    """Exactly as many messages as periods in the window; one more or less may fall on its edge."""
+    nothing = no_message(recording, topic)
+    if nothing is not None:
+        return nothing
+    assert topic.hz is not None
+    seen = topic_pace(recording, topic)
+    start, end = _window(recording, recording.topic(topic.name))
+    wanted = round((end - start) * topic.hz)
+    if abs(seen.count - wanted) <= 1:
+        return passed(f"{seen.count} messages in {seconds(end - start)}")
+    hz = seen.count / (end - start)
+    return failed(
+        f"{_count(seen.count, 'message')} in {seconds(end - start)} ({number(hz)} Hz)",
+        f"{wanted} messages: {number(topic.hz)} Hz, one every {number(topic.period)} s",
+        _why_rate(topic, hz),
+        _try_rate(topic),
+        about_time=True,
+    )
+
+
 def _rate_seen(recording: Recording, seen: Pace, hz: float) -> str:
     if recording.step_s is not None and hz > 0.5 / recording.step_s:
         return f"faster than {number(0.5 / recording.step_s)} Hz"
@@ -461,7 +531,7 @@ def one_of(recording: Recording, topic: Topic, allowed: Collection[str]) -> Verd
     if nothing is not None:
         return nothing
     words = listing([f'"{word}"' for word in sorted(allowed, reverse=True)]).replace(" and ", " or ")
-    wrong = [value for value in values(recording, topic) if value not in allowed]
+    wrong = [value for value in values(recording, topic) if not isinstance(value, str) or value not in allowed]
     if not wrong:
         said = sorted(set(map(str, values(recording, topic))))
         return passed("it says " + listing([f'"{word}"' for word in said]))

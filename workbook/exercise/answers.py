@@ -13,6 +13,7 @@ LARGEST_ANSWER_BYTES = 1_000_000
 LARGEST_NOTEBOOK_BYTES = 50_000_000
 ANSWER_MAGIC = "%%answer"
 _MAGIC_LINE = re.compile(r"^%%answer\s+(?P<stem>[\w-]+)\s*$")
+_CODING = re.compile(r"^([ \t\f]*#.*?coding[:=][ \t]*)[-\w.]+", re.ASCII)
 
 
 class Ungradable(ValueError):
@@ -66,9 +67,21 @@ def read_program(raw: bytes) -> str:
     try:
         encoding, _ = tokenize.detect_encoding(BytesIO(raw).readline)
         text = raw.decode(encoding)
-    except (SyntaxError, UnicodeDecodeError, LookupError) as error:
+    except (SyntaxError, ValueError, LookupError) as error:
         raise Ungradable(f"the file is not readable as text: {error}") from error
     return text.lstrip("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _as_utf8(text: str) -> str:
+    """The same program, fit to be written as UTF-8: a coding line that says otherwise is put right."""
+    try:
+        text.encode()
+    except UnicodeEncodeError as error:
+        raise Ungradable(f"the answer holds half of a character, which no file can hold: {error.reason}") from error
+    lines = text.split("\n")
+    for index in range(min(2, len(lines))):
+        lines[index] = _CODING.sub(r"\1utf-8", lines[index])
+    return "\n".join(lines)
 
 
 def _cell_text(source: object) -> str:
@@ -109,12 +122,14 @@ def answer_in_notebook(raw: bytes, stem: str) -> str:
 def exercises_named(path: Path) -> list[str]:
     """The exercises that a notebook or a program names in `%%answer` lines, in order; empty if none."""
     try:
+        if path.is_symlink() or not path.is_file() or path.stat().st_size > LARGEST_NOTEBOOK_BYTES:
+            return []
         if path.suffix == ".ipynb":
             cells = json.loads(path.read_bytes())["cells"]
             firsts = [_cell_text(cell.get("source")).lstrip().split("\n")[0] for cell in cells]
         else:
             firsts = path.read_bytes()[:2000].decode("utf-8", "replace").lstrip().split("\n")[:1]
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return []
     return [stem for stem in map(named_exercise, firsts) if stem]
 
@@ -144,4 +159,7 @@ def read_answer(path: Path, stem: str) -> Answer:
         raise Ungradable(f"an answer is a .py or .ipynb file, not {path.suffix or 'a file without ending'}")
     if not text.strip():
         raise Ungradable("the answer is empty")
+    if len(text) > LARGEST_ANSWER_BYTES:
+        raise Ungradable(f"the answer is larger than {LARGEST_ANSWER_BYTES // 1_000_000} MB")
+    text = _as_utf8(text)
     return Answer(text if text.endswith("\n") else text + "\n")

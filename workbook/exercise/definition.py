@@ -9,7 +9,7 @@ from functools import cached_property
 from pathlib import Path
 from types import ModuleType
 
-from workbook.criteria.criterion import Criterion, criteria_in, plan_for, topics_in
+from workbook.criteria.criterion import Criterion, criteria_in, plan_for, topics_in, watching_in
 from workbook.exercise.course import course_folder
 from workbook.exercise.source import ExerciseSource, find, load
 from workbook.observing.watch import Plan
@@ -35,12 +35,14 @@ def _import(path: Path) -> ModuleType:
 
 @dataclass(frozen=True)
 class Exercise:
-    """One exercise: its stem, the criteria in order, the watch that they need, and the judged periods (s) by topic."""
+    """One exercise: its stem, the criteria in order, the watch that they need, the judged periods (s) by topic,
+    and whether its end is judged too."""
 
     stem: str
     criteria: tuple[Criterion, ...]
     plan: Plan
     periods: Mapping[str, float]
+    to_the_end: bool
     criteria_sha256: str
     solution_path: Path
 
@@ -71,7 +73,8 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
     return Exercise(
         stem=solution.stem,
         criteria=criteria,
-        plan=plan_for(topics_in(module)),
+        plan=plan_for(topics_in(module), watching_in(module)),
+        to_the_end=watching_in(module).to_the_end,
         periods={one.name: one.period for one in topics_in(module) if one.hz is not None},
         criteria_sha256=hashlib.sha256(path.read_bytes()).hexdigest(),
         solution_path=solution,

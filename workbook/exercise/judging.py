@@ -4,14 +4,15 @@ The student's check and the instructor's grade both come through `judge`; they d
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Literal
 
 from workbook.criteria.runner import CriterionError, CriterionResult, run_criteria
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise
 from workbook.observing.recording import Clock, Recording
-from workbook.observing.watch import Observer, Watch, speeds_agree
+from workbook.observing.watch import PATIENCE_WITH_THE_END_S, Observer, Watch, speeds_agree
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
 REAL_LIFE_S = 8.0
@@ -107,8 +108,15 @@ class Judge:
             if exercise.source.clock == "simulated":
                 with self._observer.watch(program, exercise.plan, "simulated", limits=self._limits) as watch:
                     judgement = self._judge(exercise, answer, watch)
-                    if not _needs_wall_clock(exercise, judgement):
-                        return self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
+                    on_robot_time = not _needs_wall_clock(exercise, judgement)
+                    if on_robot_time:
+                        judgement = self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
+                if on_robot_time and not (exercise.to_the_end and thorough and judgement.full_marks):
+                    return judgement
+                if on_robot_time:
+                    if report is not None:
+                        report(judgement)
+                    return self._second_life(exercise, answer, program, judgement, enough)
                 if report is not None:
                     report(judgement_as_provisional(judgement))
             with self._observer.watch(program, exercise.plan, "wall", limits=self._limits) as watch:
@@ -133,6 +141,9 @@ class Judge:
         """End the watch; when thorough, only after the program has lived its real seconds."""
         recording = judgement.recording
         assert recording is not None
+        if exercise.to_the_end:
+            recording = watch.finish(recording, PATIENCE_WITH_THE_END_S)
+            return judge_recording(exercise, answer.sha256, recording, real_life=recording.clock == "wall")
         if thorough and recording.process.ended_by is None and judgement.status == "graded":
             if report is not None:
                 report(judgement)
@@ -140,6 +151,21 @@ class Judge:
         recording = watch.finish(recording)
         real_life = thorough or recording.clock == "wall"
         return judge_recording(exercise, answer.sha256, recording, real_life=real_life)
+
+    def _second_life(
+        self, exercise: Exercise, answer: Answer, program: Path, judgement: Judgement, enough: Callable[[], bool]
+    ) -> Judgement:
+        """Where the end was judged on robot time: run the program again, for its real seconds."""
+        recording = judgement.recording
+        assert recording is not None
+        with self._observer.watch(program, exercise.plan, "wall", limits=self._limits) as watch:
+            watch.wait_until_seen()
+            if not watch.keep_watching(REAL_LIFE_S, enough):
+                return judgement
+            process = watch.process_record()
+        if process.ended_by == "itself":
+            recording = replace(recording, process=process)
+        return judge_recording(exercise, answer.sha256, recording, real_life=True)
 
 
 def judgement_as_provisional(judgement: Judgement) -> Judgement:

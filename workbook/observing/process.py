@@ -77,7 +77,7 @@ class ProgramLog:
 
 
 def processes_marked(mark: str) -> list[int]:
-    """Processes (of this user) whose environment carries `WORKBOOK_RUN=mark`, whatever session they moved to."""
+    """Processes (of this user) whose `WORKBOOK_RUN` begins with `mark`, whatever session they moved to."""
     needle = f"{RUN_MARK}={mark}".encode()
     found = []
     for entry in os.listdir("/proc"):
@@ -87,9 +87,23 @@ def processes_marked(mark: str) -> list[int]:
             environ = Path(f"/proc/{entry}/environ").read_bytes()
         except OSError:
             continue
-        if needle in environ.split(b"\0"):
+        if any(variable.startswith(needle) for variable in environ.split(b"\0")):
             found.append(int(entry))
     return found
+
+
+def kill_programs_of(bench_pid: int) -> None:
+    """Kill what the dead process `bench_pid` had started as a `NodeProcess`, and all that came of it."""
+    for _ in range(20):
+        left = processes_marked(f"{bench_pid}-")
+        if not left:
+            return
+        for pid in left:
+            try:
+                os.kill(pid, signal.SIGKILL)
+            except ProcessLookupError:
+                pass
+        time.sleep(0.005)
 
 
 def _children(pid: int) -> list[int]:
@@ -153,7 +167,7 @@ class NodeProcess:
         self.program = program
         self.domain_id = domain_id
         self._folder = scratch_folder("run")
-        self._mark = f"{os.getpid()}-{self._folder.name}"
+        self._mark = f"{os.getpid()}-{self._folder.name}."
         self._limits_hit: list[str] = []
         self._ended_at: float | None = None
         self._ended_by_bench = False

@@ -132,15 +132,17 @@ class Recording:
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> "Recording":
         """Rebuild a recording. Raises ValueError when the data is not one or is of another format."""
-        if data.get("format") != FORMAT:
-            raise ValueError(f"this is not a recording of format {FORMAT}: format is {data.get('format')!r}")
+        if not isinstance(data, Mapping) or data.get("format") != FORMAT:
+            found = f"format is {data.get('format')!r}" if isinstance(data, Mapping) else f"it is {type(data).__name__}"
+            raise ValueError(f"this is not a recording of format {FORMAT}: {found}")
         try:
             return _recording(data)
-        except (KeyError, TypeError, AttributeError) as error:
+        except (LookupError, TypeError, AttributeError) as error:
             raise ValueError(f"this recording is damaged: {error!r}") from error
 
     @classmethod
     def load(cls, path: Path) -> "Recording":
+        """Read a recording from a file. Raises ValueError when it is not one, OSError when it cannot be read."""
         return cls.from_json(json.loads(path.read_text()))
 
 

@@ -16,7 +16,7 @@ from rclpy.node import Node
 from workbook.observing.clock import SimulatedClock
 from workbook.observing.process import NodeProcess
 from workbook.observing.recorder import Recorder
-from workbook.observing.recording import Clock, Phase, Recording
+from workbook.observing.recording import Clock, Phase, ProcessRecord, Recording
 from workbook.ros.domains import DomainLease, lease_domain
 from workbook.ros.environment import is_prepared, prepare
 
@@ -30,6 +30,8 @@ MATCH_S = 3.0
 FOLLOW_S = 1.0
 POLL_S = 0.01
 LOOK_EVERY_S = 0.1
+PATIENCE_S = 0.7
+PATIENCE_WITH_THE_END_S = 4.0
 USE_SIM_TIME = ("--ros-args", "-p", "use_sim_time:=true")
 
 
@@ -291,6 +293,14 @@ class Watch:
                 self._clock.advance()
         return True
 
+    def wait_until_seen(self) -> None:
+        """Wait for the program's first publisher, without recording anything."""
+        if self._wait_for_first_sign():
+            self._matched_wall = time.monotonic()
+
+    def process_record(self) -> ProcessRecord:
+        return self._process.record()
+
     def recording(self) -> Recording:
         """Everything seen up to now."""
         end = self._clock.now if self._clock is not None else self._robot_time(time.monotonic())
@@ -310,14 +320,14 @@ class Watch:
             notes=tuple(self._notes),
         )
 
-    def finish(self, recording: Recording) -> Recording:
-        """End the program and return `recording` with how it ended."""
-        self._end_process()
+    def finish(self, recording: Recording, patience_s: float = PATIENCE_S) -> Recording:
+        """End the program with SIGINT and return `recording` with how it ended; after `patience_s` it is killed."""
+        self._end_process(patience_s)
         return replace(recording, process=self._process.record())
 
-    def _end_process(self) -> None:
+    def _end_process(self, patience_s: float = PATIENCE_S) -> None:
         was_killed = self._process.killed
-        self._process.stop(patience_s=0.7)
+        self._process.stop(patience_s)
         if self._process.killed and not was_killed:
             self._shut()
             self._observer.move()
