@@ -1,5 +1,5 @@
 # loses: battery_kept
-# says: 4199
+# says: 4200
 """The battery starts at 4200 mAh, not at 100 percent."""
 
 import math

@@ -1,4 +1,5 @@
 # loses: battery_kept
+# says: not limited
 """The drain has no floor."""
 
 import math

@@ -1,5 +1,6 @@
 # loses: program_runs
 # skips: joint_topic, twelve_values, finite_in_range, joints_move, joint_rate, status_kept, battery_kept, alive_at_end
+# says: node
 """The node is destroyed, then spun."""
 
 import math

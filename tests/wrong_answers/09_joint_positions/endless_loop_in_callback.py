@@ -1,4 +1,5 @@
 # loses: status_kept, battery_kept
+# says: then nothing until
 """The joint callback sends in a loop of its own and never comes back."""
 
 import math

@@ -1,4 +1,4 @@
-# loses: twelve_values
+# loses: twelve_values, joints_move
 # says: grows
 """The list is an attribute that grows by twelve with each message."""
 

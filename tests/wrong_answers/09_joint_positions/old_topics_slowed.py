@@ -1,5 +1,5 @@
 # loses: status_kept, battery_kept
-# says: 0.2 Hz
+# says: single message
 """Status and battery were slowed down to make room."""
 
 import math

@@ -1,4 +1,5 @@
 # loses: joints_move, joint_rate, status_kept, battery_kept, alive_at_end
+# says: single message
 """The list of poses runs out at the third status message."""
 
 import math

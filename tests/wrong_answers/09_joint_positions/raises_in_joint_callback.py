@@ -1,5 +1,5 @@
-# loses: joint_rate, status_kept, battery_kept, alive_at_end
-# says: IndexError
+# loses: joint_rate, battery_kept, alive_at_end
+# says: only 2 messages
 """The third pose does not exist."""
 
 import random

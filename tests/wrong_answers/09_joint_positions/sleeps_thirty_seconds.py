@@ -1,4 +1,5 @@
 # loses: joints_move, joint_rate, status_kept, battery_kept
+# says: single message
 """The joint callback sleeps for half a minute after its message."""
 
 import math

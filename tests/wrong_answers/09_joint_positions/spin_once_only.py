@@ -1,4 +1,5 @@
 # loses: twelve_values, finite_in_range, joints_move, joint_rate, status_kept, battery_kept, alive_at_end
+# says: no message arrived
 """spin_once in the place of spin: one callback, then the end."""
 
 import math

@@ -1,5 +1,5 @@
 # loses: status_kept
-# says: 0.5 Hz
+# says: Too slow
 """One timer of two seconds serves all three topics."""
 
 import math

@@ -1,4 +1,5 @@
 # loses: finite_in_range
+# says: rad
 """The angles grow by half a radian for ever and are never wrapped."""
 
 import random
