@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from workbook.exercise.answers import Ungradable, read_answer
+from workbook.exercise.answers import LARGEST_NOTEBOOK_BYTES, Ungradable, read_answer
 from workbook.exercise.definition import Exercise
 from workbook.grading.gradebook import grades_csv
 from workbook.grading.hand_ins import HandIn, find_hand_ins
@@ -54,7 +54,10 @@ def _submitted_at(path: Path) -> str | None:
 
 
 def _file_sha(path: Path) -> str:
+    """SHA-256 of a file that could not be judged; empty for what is no file, or too large to read."""
     try:
+        if path.is_symlink() or not path.is_file() or path.stat().st_size > LARGEST_NOTEBOOK_BYTES:
+            return ""
         return hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError:
         return ""

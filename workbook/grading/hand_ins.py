@@ -81,10 +81,17 @@ def find_hand_ins(paths: Sequence[Path], stem: str) -> list[HandIn]:
     return _settle_twins(found)
 
 
+def _readable(text: str) -> str:
+    """A file name as text that can be stored: bytes of another encoding become question marks."""
+    return os.fsencode(text).decode("utf-8", "replace")
+
+
 def _settle_twins(found: list[HandIn]) -> list[HandIn]:
     """Two hand-ins of one student are both refused: guessing which counts would be unfair."""
     by_student: dict[str, list[HandIn]] = {}
-    for hand_in in found:
+    for raw in found:
+        problem = None if raw.problem is None else _readable(raw.problem)
+        hand_in = HandIn(_readable(raw.student), raw.path, _readable(raw.label), problem)
         by_student.setdefault(hand_in.student, []).append(hand_in)
     settled = []
     for student in sorted(by_student):

@@ -17,6 +17,7 @@ from typing import Any, Generic, TypeVar
 from workbook.exercise.answers import Answer
 from workbook.exercise.exchange import judgement_from_json
 from workbook.exercise.judging import Judgement, Report
+from workbook.observing.process import kill_programs_of
 from workbook.ros.environment import child_environment
 
 ANSWER_DEADLINE_S = 120.0
@@ -113,11 +114,13 @@ class Slot:
             self._process.stdout.close()
 
     def kill(self) -> None:
+        """End the slot at once, and the program that it watches with all its children."""
         try:
             os.killpg(self._process.pid, signal.SIGKILL)
         except ProcessLookupError:
             pass
         self._process.wait()
+        kill_programs_of(self._process.pid)
 
     def __enter__(self) -> "Slot":
         return self

@@ -42,7 +42,7 @@ def _same_program(one: str, other: str) -> bool:
 def _put_aside(path: Path) -> Path:
     folder = path.parent / ".previous"
     folder.mkdir(exist_ok=True)
-    kept = sorted(folder.glob(f"{path.stem}.*.py"))
+    kept = sorted(folder.glob(f"{path.stem}.[0-9][0-9][0-9][0-9].py"))
     number = int(kept[-1].suffixes[-2][1:]) + 1 if kept else 1
     aside = folder / f"{path.stem}.{number:04d}.py"
     aside.write_bytes(path.read_bytes())
@@ -62,7 +62,7 @@ def save_answer(stem: str, text: str, starter: str) -> Saved:
     if not path.exists():
         _write(path, text)
         return Saved(path, "new")
-    current = path.read_text(encoding="utf-8")
+    current = path.read_text(encoding="utf-8", errors="replace")
     if _same_program(current, text):
         return Saved(path, "unchanged")
     if _same_program(text, starter):

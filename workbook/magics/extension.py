@@ -162,6 +162,7 @@ class ExerciseMagics(Magics):  # type: ignore[misc]
         if self._watcher is not None and self._watcher.is_alive():
             checking.hurry()
             self._watcher.join()
+        checking.warm_slot()  # here, not in the thread below: a slot ends with the thread that started it
         handle: list[DisplayHandle] = []
         decided = threading.Event()
         abandoned = threading.Event()
