@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 from workbook.authoring import document, template
@@ -113,6 +114,10 @@ def misplaced(tree: Tree) -> Iterator[Problem]:
         (tree.right_answers, "", exercises, ()),
         (tree.wrong_answers, "", exercises, ()),
     ]
+    for stems, folder in ((lessons, tree.sources), (exercises, tree.solutions)):
+        for one, other in pairwise(stems):
+            if one[:2] == other[:2]:
+                yield Problem(tree.name(folder / f"{other}.py"), f"number {one[:2]} is taken by {one}")
     for folder, suffix, stems, others in rules:
         for path in entries(folder):
             if path.name in others:

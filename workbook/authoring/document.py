@@ -60,13 +60,14 @@ def with_ids(cells: Sequence[Cell]) -> tuple[Cell, ...]:
     So a new cell changes the ids of its own section only. Raises ValueError for an unusable or repeated id.
     """
     named: list[Cell] = []
-    section, count = OPENING, 0
+    section = OPENING
+    counts: Counter[str] = Counter()
     for cell in cells:
         heading = heading_of(cell)
         if heading is not None:
-            section, count = re.sub(r"[^a-z0-9]+", "-", heading.lower()).strip("-")[:50] or "section", 0
-        count += 1
-        named.append(cell if cell.id else replace(cell, id=f"{section}-{count}"))
+            section = re.sub(r"[^a-z0-9]+", "-", heading.lower()).strip("-")[:50] or "section"
+        counts[section] += 1
+        named.append(cell if cell.id else replace(cell, id=f"{section}-{counts[section]}"))
     for cell in named:
         if not _ID.fullmatch(cell.id):
             raise ValueError(f"the cell id {cell.id!r} may have letters, digits, - and _ only, at most 64")

@@ -3,6 +3,7 @@
 import os
 import re
 import tempfile
+from copy import deepcopy
 from pathlib import Path
 
 import nbformat
@@ -22,6 +23,7 @@ def run(tree: Tree, stem: str, notebook: nbformat.NotebookNode) -> None:
     Raises:
         AuthoringError: a cell failed, took longer than 60 s, killed its kernel, or printed a machine path.
     """
+    metadata = deepcopy(notebook.metadata)
     with tempfile.TemporaryDirectory(prefix="lesson-") as scratch:
         folder = Path(scratch) / "notebooks"
         folder.mkdir()
@@ -46,6 +48,7 @@ def run(tree: Tree, stem: str, notebook: nbformat.NotebookNode) -> None:
             ) from error
         except DeadKernelError as error:
             raise AuthoringError(f"{stem}: the kernel died.\n\n{_running(notebook)}") from error
+        notebook.metadata = metadata  # nbclient put in what the kernel says of itself
         normalize(notebook)
         _refuse_machine_paths(stem, notebook, [str(tree.root), scratch, str(Path.home())])
 

@@ -1,0 +1,284 @@
+"""The check: each way in which notebooks and files can be wrong is found and named."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from workbook.authoring import __main__ as command
+from workbook.authoring.checking import check, report
+from workbook.authoring.tree import Tree
+
+Notebook = dict[str, Any]
+
+
+def told(tree: Tree) -> list[str]:
+    return [str(problem) for problem in check(tree)]
+
+
+def change(path: Path, old: str, new: str) -> None:
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new, 1), encoding="utf-8")
+
+
+def change_notebook(path: Path, edit: Callable[[Notebook], None]) -> None:
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    edit(notebook)
+    path.write_text(json.dumps(notebook), encoding="utf-8")
+
+
+def cell(notebook: Notebook, name: str) -> Notebook:
+    found: Notebook = next(one for one in notebook["cells"] if one["id"] == name)
+    return found
+
+
+def test_a_built_course_has_no_problems(built_once: Tree) -> None:
+    assert told(built_once) == []
+
+
+def test_the_command_says_so_and_fails_otherwise(course: Tree, capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ["--course", str(course.root), "check"]
+    assert command.main(arguments) == 0
+    assert capsys.readouterr().out == "1 lessons and 1 exercises: all as their texts say.\n"
+    (course.notebooks / "notes.txt").touch()
+    assert command.main(arguments) == 1
+    said = capsys.readouterr()
+    assert (
+        said.out
+        == "notebooks/notes.txt\n  - fits nowhere: notebooks/ holds NN_slug.ipynb only\n\n1 to mend.\n"
+        or ("notebooks/notes.txt\n  - fits nowhere" in said.out and "1 to mend." in said.err)
+    )
+
+
+def rename(notebook: Notebook) -> None:
+    cell(notebook, "run-it-2")["id"] = "a1b2c3d4"
+
+
+def edit_source(notebook: Notebook) -> None:
+    cell(notebook, "run-it-2")["source"] = "print('boop')"
+
+
+def edit_tags(notebook: Notebook) -> None:
+    cell(notebook, "run-it-2")["metadata"]["tags"] = ["nbval-ignore-output"]
+
+
+def add_timing(notebook: Notebook) -> None:
+    cell(notebook, "run-it-2")["metadata"]["execution"] = {"iopub.status.busy": "2026-01-01"}
+
+
+def add_cell(notebook: Notebook) -> None:
+    notebook["cells"].append({"cell_type": "markdown", "id": "extra", "metadata": {}, "source": "Hello"})
+
+
+def swap(notebook: Notebook) -> None:
+    notebook["cells"].reverse()
+
+
+def python_version(notebook: Notebook) -> None:
+    notebook["metadata"]["language_info"]["version"] = "3.11.7"
+
+
+def old_hash(notebook: Notebook) -> None:
+    notebook["metadata"]["workbook"]["source_sha256"] = "0" * 64
+
+
+def not_run(notebook: Notebook) -> None:
+    cell(notebook, "run-it-2")["execution_count"] = None
+
+
+def error_shown(notebook: Notebook) -> None:
+    outputs = cell(notebook, "no-period")["outputs"]
+    cell(notebook, "run-it-2")["outputs"] = outputs
+
+
+def error_gone(notebook: Notebook) -> None:
+    cell(notebook, "no-period")["outputs"] = []
+
+
+def picture_without_words(notebook: Notebook) -> None:
+    cell(notebook, "run-it-2")["outputs"][0]["data"]["text/plain"] = "<Figure size 640x480 with 1 Axes>"
+
+
+def no_picture(notebook: Notebook) -> None:
+    cell(notebook, "run-it-2")["outputs"] = []
+
+
+def nothing_stated(notebook: Notebook) -> None:
+    ids = [one["id"] for one in notebook["cells"]]
+    for one in notebook["cells"][ids.index("change-it-7") :]:
+        if one["cell_type"] == "code":
+            one["outputs"] = []
+
+
+@pytest.mark.parametrize(
+    ("edit", "says"),
+    [
+        (rename, "cell ids differ from the text (has a1b2c3d4; lacks run-it-2): run `make notebooks`"),
+        (edit_source, "cell run-it-2 differs from the text"),
+        (edit_tags, "cell run-it-2 has other tags than the text"),
+        (add_timing, "cell run-it-2 has metadata that the text does not give"),
+        (add_cell, "cell ids differ from the text (has extra)"),
+        (swap, "cell ids differ from the text (other order)"),
+        (python_version, "its metadata is not what the text gives"),
+        (old_hash, "its outputs are older than its text or a lesson node that it runs"),
+        (not_run, "was not run from top to bottom"),
+        (error_shown, "cell run-it-2 shows an error without the tag raises-exception"),
+        (error_gone, "cell no-period is tagged raises-exception, but raised none"),
+        (picture_without_words, "cell run-it-2: its picture has no text/plain that says what it shows"),
+        (no_picture, "shows no picture"),
+        (nothing_stated, "after cell change-it-6, whose output is ignored, no compared cell shows anything"),
+    ],
+)
+def test_a_notebook_that_differs_is_found(course: Tree, edit: Callable[[Notebook], None], says: str) -> None:
+    change_notebook(course.notebooks / "21_beeps.ipynb", edit)
+    assert any(words.startswith("notebooks/21_beeps.ipynb: ") and says in words for words in told(course)), (
+        told(course)
+    )
+
+
+def test_a_changed_text_makes_its_notebook_stale(course: Tree) -> None:
+    change(course.sources / "21_beeps.py", "print(1 / 0.1)", "print(1 / 0.2)")
+    assert told(course) == [
+        "notebooks/21_beeps.ipynb: cell change-it-3 differs from the text: run `make notebooks`",
+        "notebooks/21_beeps.ipynb: its outputs are older than its text or a lesson node that it runs: "
+        "run `make notebooks`",
+    ]
+
+
+def test_a_changed_exercise_makes_its_notebook_stale(course: Tree) -> None:
+    change(course.solutions / "21_beeps.py", "# TODO 1: create", "# TODO 1: make")
+    assert told(course) == [
+        "exercises/21_beeps.ipynb: cell your-program differs from the text: run `make notebooks`"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("notebooks/scratch.ipynb", "fits nowhere: notebooks/ holds NN_slug.ipynb only"),
+        ("notebooks/22_lights.ipynb", "has no text: notebooks/sources/22_lights.py is missing"),
+        ("notebooks/sources/readme.md", "fits nowhere"),
+        ("exercises/21_beeps.py", "fits nowhere: exercises/ holds NN_slug.ipynb only"),
+        ("exercises/22_lights.ipynb", "has no text: solutions/22_lights.py is missing"),
+        ("exercises/criteria/22_lights.py", "has no text: solutions/22_lights.py is missing"),
+        ("solutions/lights.py", "fits nowhere: solutions/ holds NN_slug.py only"),
+        ("tests/right_answers/22_lights/one.py", "tests/right_answers/22_lights: has no text"),
+        ("tests/wrong_answers/lights.py", "fits nowhere: tests/wrong_answers/ holds folders NN_slug only"),
+        ("tests/right_answers/21_beeps/notes.md", "fits nowhere: answers are Python files"),
+        ("notebooks/sources/21_again.py", "number 21 is taken by 21_again"),
+    ],
+)
+def test_a_file_that_fits_nowhere_is_found(course: Tree, name: str, says: str) -> None:
+    path = course.root / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.touch()
+    assert any(says in words for words in told(course)), told(course)
+
+
+@pytest.mark.parametrize("name", [".ipynb_checkpoints", "__pycache__", ".hidden"])
+def test_what_tools_leave_is_ignored(course: Tree, name: str) -> None:
+    (course.notebooks / name).mkdir()
+    (course.solutions / name).mkdir()
+    assert told(course) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "says"),
+    [
+        ("notebooks/21_beeps.ipynb", "is not built"),
+        ("exercises/21_beeps.ipynb", "is not built"),
+        (
+            "exercises/criteria/21_beeps.py",
+            "21_beeps has no criteria: exercises/criteria/21_beeps.py is missing",
+        ),
+        ("tests/right_answers/21_beeps/script.py", "has 2 right answers; 3 are the fewest"),
+        ("tests/wrong_answers/21_beeps/wrong_name.py", "has 4 wrong answers; 5 are the fewest"),
+        ("notebooks/sources/21_beeps.py", "no lesson 21 leads to this exercise"),
+    ],
+)
+def test_a_missing_file_is_found(course: Tree, name: str, says: str) -> None:
+    (course.root / name).unlink()
+    assert any(says in words for words in told(course)), told(course)
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "says"),
+    [
+        ("solutions/21_beeps.py", "# %% [hint]\n", "", "needs exactly three [hint] cells"),
+        ("solutions/21_beeps.py", "About 20 minutes", "A while", "the story must say '20 minutes'"),
+        ("solutions/21_beeps.py", "difficulty 2 of 5", "easy", "the story must say 'difficulty 2 of 5'"),
+        ("solutions/21_beeps.py", "5 points", "6 points", "the story must say '5 points'"),
+        ("solutions/21_beeps.py", "# | 1 | every", "# | 2 | every", "add up to 5, not 6"),
+        (
+            "solutions/21_beeps.py",
+            "# # Exercise 21 · ",
+            "# # Beeps ",
+            "the story must begin with '# Exercise 21 · ",
+        ),
+        (
+            "solutions/21_beeps.py",
+            "# Beeps: the story",
+            "# TODO(author): the",
+            "line 16 is still to be written",
+        ),
+        ("exercises/criteria/21_beeps.py", "import workbook", "import nothing", "No module named 'nothing'"),
+        (
+            "tests/wrong_answers/21_beeps/wrong_name.py",
+            "# loses: ",
+            "# costs: ",
+            "must begin with '# loses: '",
+        ),
+        (
+            "notebooks/sources/21_beeps.py",
+            "(../exercises/21_beeps",
+            "(../exercises/21_boops",
+            "leads nowhere",
+        ),
+        (
+            "notebooks/sources/21_beeps.py",
+            "# A period of zero",
+            "# ![](dot.png) A",
+            "has no alternative text",
+        ),
+        ("notebooks/sources/21_beeps.py", "print(1 / 0.1)", "# NBVAL_SKIP\nprint()", "write a tag instead"),
+        ("notebooks/sources/21_beeps.py", '# %%\nprint("that was the time")\n', "", "before the next one"),
+    ],
+)
+def test_a_fault_in_a_text_is_found(course: Tree, name: str, old: str, new: str, says: str) -> None:
+    if says == "before the next one":
+        change(
+            course.root / name, "# %%\nprint(1 / 2.0)", '# %% tags=["nbval-ignore-output"]\nprint(1 / 2.0)'
+        )
+        change(
+            course.root / name,
+            '# %% tags=["raises-exception"] id',
+            '# %% tags=["raises-exception", "nbval-ignore-output"] id',
+        )
+    change(course.root / name, old, new)
+    assert any(says in words for words in told(course)), told(course)
+
+
+def test_more_than_a_third_ignored_is_too_much(course: Tree) -> None:
+    source = course.sources / "21_beeps.py"
+    text = source.read_text(encoding="utf-8")
+    source.write_text(text.replace("# %%\n", '# %% tags=["nbval-ignore-output"]\n'), encoding="utf-8")
+    assert any("of 11 code cells ignore their output; a third is the most" in words for words in told(course))
+
+
+def test_the_next_lesson_is_linked(course: Tree) -> None:
+    (course.sources / "22_lights.py").write_text("# %% [markdown]\n# # 22 · Lights\n", encoding="utf-8")
+    assert any("**Next:** must link to the next lesson, (22_lights.ipynb)" in words for words in told(course))
+
+
+def test_the_report_groups_by_file(course: Tree) -> None:
+    (course.notebooks / "21_beeps.ipynb").unlink()
+    (course.solutions / "x.md").touch()
+    assert report(check(course)).splitlines() == [
+        "solutions/x.md",
+        "  - fits nowhere: solutions/ holds NN_slug.py only",
+        "notebooks/21_beeps.ipynb",
+        "  - is not built: run `make notebooks`",
+    ]
