@@ -1,0 +1,79 @@
+import matplotlib
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from tests.pictures.reading import pixels
+from workbook import pictures
+from workbook.pictures import palette, png
+
+
+def dark(picture: bytes) -> int:
+    """How many opaque dots are so dark that a dark page hides them."""
+    image = pixels(picture)
+    return int(np.count_nonzero((image[..., :3].max(axis=2) < 60) & (image[..., 3] > 128)))
+
+
+def contrast(color: str, page: str) -> float:
+    def luminance(name: str) -> float:
+        parts = [value / 12.92 if value <= 0.03928 else ((value + 0.055) / 1.055) ** 2.4
+                 for value in palette.rgba(name)[:3]]  # fmt: skip
+        return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]
+
+    light, low = sorted((luminance(color), luminance(page)), reverse=True)
+    return (light + 0.05) / (low + 0.05)
+
+
+@pytest.mark.parametrize("page", ["#ffffff", "#111111"])
+@pytest.mark.parametrize("color", palette.CYCLE)
+def test_every_color_reads_on_both_pages(color: str, page: str) -> None:
+    assert contrast(color, page) > 4.1
+
+
+def test_a_figure_of_ours_is_transparent_and_has_nothing_dark() -> None:
+    fig, ax = pictures.figure(4, 2)
+    ax.plot([0, 1, 2], [1, 3, 2], label="battery")
+    ax.set_title("Battery")
+    ax.legend()
+    picture = pictures.render(fig)
+    assert pixels(picture)[2, 2, 3] == 0
+    assert dark(picture) == 0
+    assert png.size_on_screen(picture)[0] == pytest.approx(4 * 96, abs=30)
+
+
+def test_a_plain_matplotlib_figure_is_made_readable() -> None:
+    fig = Figure(figsize=(4, 2))
+    ax = fig.subplots()
+    ax.plot([0, 1], [1, 0], label="line")
+    ax.set_xlabel("time (s)")
+    ax.legend()
+    assert dark(pictures.render(fig)) == 0
+
+
+def test_the_style_ends_with_its_block() -> None:
+    before = matplotlib.rcParams["text.color"]
+    with pictures.style():
+        assert matplotlib.rcParams["text.color"] == palette.GREY
+    assert matplotlib.rcParams["text.color"] == before
+
+
+def test_a_pyplot_figure_is_closed_so_that_it_is_not_shown_twice() -> None:
+    matplotlib.use("agg")
+    import matplotlib.pyplot as plt
+
+    with pictures.style():
+        fig, ax = plt.subplots()
+        ax.plot([0, 1])
+    still = pictures.still(fig, "a rising line")
+    assert plt.get_fignums() == []
+    assert repr(still) == "Picture: a rising line"
+
+
+def test_several_axes() -> None:
+    _, axes = pictures.figure(rows=2, columns=1)
+    assert axes.shape == (2,)
+
+
+def test_bytes_stay_as_they_are() -> None:
+    picture = pictures.humanoid.placeholder()
+    assert pictures.still(picture, "robot asleep").png is picture

@@ -1,0 +1,245 @@
+"""A small vector canvas: smooth shapes and text on a transparent ground, fast enough to draw thirty times a second.
+
+Coordinates are pixels as the page shows them, x to the right and y down. The picture has `scale` dots per pixel, so
+it stays sharp on a fine screen. It uses matplotlib's rasterizer without figure, axes or global state.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
+from typing import Literal
+
+import numpy as np
+from matplotlib.backends.backend_agg import RendererAgg
+from matplotlib.font_manager import FontProperties
+from matplotlib.path import Path
+from matplotlib.textpath import text_to_path
+from matplotlib.transforms import Affine2D
+
+from workbook.pictures.palette import GREY, rgba
+from workbook.pictures.png import encode
+
+Point = tuple[float, float]
+Align = Literal["left", "center", "right"]
+
+
+class Canvas:
+    """A transparent picture of `width` by `height` pixels."""
+
+    def __init__(self, width: float, height: float, scale: float = 2.0) -> None:
+        self.width, self.height, self.scale = width, height, scale
+        self._renderer = RendererAgg(round(width * scale), round(height * scale), 72)
+        self._pen = self._renderer.new_gc()
+        self._base = Affine2D.from_values(scale, 0, 0, -scale, 0, round(height * scale))
+
+    def png(self) -> bytes:
+        """The picture."""
+        return encode(np.asarray(self._renderer.buffer_rgba()), dots_per_pixel=self.scale)
+
+    def path(
+        self,
+        path: Path,
+        *,
+        fill: str | None = None,
+        stroke: str | None = None,
+        width: float = 2.0,
+        alpha: float = 1.0,
+        dash: Sequence[float] | None = None,
+        at: Affine2D | None = None,
+    ) -> None:
+        """Any path; `at` places it. Without `fill` only its line is drawn, without `stroke` only its face."""
+        pen = self._pen
+        pen.set_linewidth(width * self.scale if stroke else 0.0)
+        pen.set_foreground(rgba(stroke or GREY, alpha), isRGBA=True)
+        pen.set_alpha(alpha)
+        pen.set_capstyle("round")
+        pen.set_joinstyle("round")
+        pen.set_dashes(0, [part * self.scale for part in dash] if dash else None)
+        pen.set_antialiased(True)
+        place = self._base if at is None else at + self._base
+        self._renderer.draw_path(pen, path, place, rgba(fill, alpha) if fill else None)
+
+    def polygon(
+        self,
+        points: Iterable[Point],
+        *,
+        fill: str | None = None,
+        stroke: str | None = None,
+        width: float = 2.0,
+        alpha: float = 1.0,
+    ) -> None:
+        """A closed polygon."""
+        corners = list(points)
+        self.path(
+            Path([*corners, corners[0]], closed=True), fill=fill, stroke=stroke, width=width, alpha=alpha
+        )
+
+    def line(
+        self,
+        points: Iterable[Point],
+        *,
+        stroke: str = GREY,
+        width: float = 2.0,
+        alpha: float = 1.0,
+        dash: Sequence[float] | None = None,
+    ) -> None:
+        """An open line through the points, with round ends."""
+        self.path(Path(list(points)), stroke=stroke, width=width, alpha=alpha, dash=dash)
+
+    def curve(
+        self,
+        start: Point,
+        pull: Point,
+        push: Point,
+        end: Point,
+        *,
+        stroke: str = GREY,
+        width: float = 2.0,
+        alpha: float = 1.0,
+        dash: Sequence[float] | None = None,
+    ) -> None:
+        """A Bézier curve from `start` to `end`."""
+        codes = [Path.MOVETO, Path.CURVE4, Path.CURVE4, Path.CURVE4]
+        self.path(Path([start, pull, push, end], codes), stroke=stroke, width=width, alpha=alpha, dash=dash)
+
+    def disc(
+        self,
+        center: Point,
+        radius: float,
+        *,
+        fill: str | None = None,
+        stroke: str | None = None,
+        width: float = 2.0,
+        alpha: float = 1.0,
+        flat: float = 1.0,
+    ) -> None:
+        """A disc, or an ellipse `flat` times as high as wide."""
+        place = Affine2D.from_values(radius, 0, 0, radius * flat, *center)
+        self.path(_CIRCLE, fill=fill, stroke=stroke, width=width, alpha=alpha, at=place)
+
+    def box(
+        self,
+        x: float,
+        y: float,
+        width: float,
+        height: float,
+        *,
+        radius: float = 0.0,
+        fill: str | None = None,
+        stroke: str | None = None,
+        line: float = 2.0,
+        alpha: float = 1.0,
+        at: Affine2D | None = None,
+    ) -> None:
+        """A box with rounded corners; (x, y) is its upper left corner."""
+        if width <= 0 or height <= 0:
+            return
+        path = rounded(x, y, width, height, min(radius, width / 2, height / 2))
+        self.path(path, fill=fill, stroke=stroke, width=line, alpha=alpha, at=at)
+
+    def capsule(
+        self,
+        start: Point,
+        end: Point,
+        start_radius: float,
+        end_radius: float,
+        *,
+        fill: str | None = None,
+        stroke: str | None = None,
+        width: float = 2.0,
+        alpha: float = 1.0,
+    ) -> None:
+        """A limb: two round ends and the straight sides between them."""
+        self.path(
+            capsule(start, end, start_radius, end_radius), fill=fill, stroke=stroke, width=width, alpha=alpha
+        )
+
+    def text(
+        self,
+        at: Point,
+        words: str,
+        *,
+        size: float = 12.0,
+        color: str = GREY,
+        bold: bool = False,
+        align: Align = "left",
+        alpha: float = 1.0,
+        angle: float = 0.0,
+    ) -> None:
+        """One line of text; `at` is on its base line. `size` in pixels, `angle` in rad."""
+        if not words:
+            return
+        outline, length = _outline(words, size, bold)
+        shift = {"left": 0.0, "center": -length / 2, "right": -length}[align]
+        place = Affine2D().translate(shift, 0).scale(1, -1).rotate(-angle).translate(*at)
+        self.path(outline, fill=color, alpha=alpha, at=place)
+
+
+def text_width(words: str, size: float = 12.0, *, bold: bool = False) -> float:
+    """How many pixels a line of text takes."""
+    return _outline(words, size, bold)[1] if words else 0.0
+
+
+def shorten(words: str, room: float, size: float = 12.0, *, bold: bool = False) -> str:
+    """The text, cut with an ellipsis so that it fits `room` pixels."""
+    if text_width(words, size, bold=bold) <= room:
+        return words
+    while words and text_width(words + "…", size, bold=bold) > room:
+        words = words[:-1]
+    return words + "…"
+
+
+def capsule(start: Point, end: Point, start_radius: float, end_radius: float) -> Path:
+    """The outline of two discs and what lies between them."""
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    length = math.hypot(dx, dy)
+    if length <= abs(start_radius - end_radius):
+        center, radius = (start, start_radius) if start_radius >= end_radius else (end, end_radius)
+        return Path(np.asarray(_CIRCLE.vertices) * radius + np.asarray(center), _CIRCLE.codes)
+    along = math.atan2(dy, dx)
+    lean = math.acos((start_radius - end_radius) / length)
+    points = [
+        *_arc(end, end_radius, along - lean, along + lean),
+        *_arc(start, start_radius, along + lean, along + 2 * math.pi - lean),
+    ]
+    return Path([*points, points[0]], closed=True)
+
+
+@lru_cache(maxsize=512)
+def rounded(x: float, y: float, width: float, height: float, radius: float) -> Path:
+    """The outline of a box with round corners."""
+    if radius <= 0:
+        corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
+        return Path(corners, closed=True)
+    quarter = math.pi / 2
+    points = [
+        *_arc((x + width - radius, y + radius), radius, -quarter, 0),
+        *_arc((x + width - radius, y + height - radius), radius, 0, quarter),
+        *_arc((x + radius, y + height - radius), radius, quarter, 2 * quarter),
+        *_arc((x + radius, y + radius), radius, 2 * quarter, 3 * quarter),
+    ]
+    return Path([*points, points[0]], closed=True)
+
+
+def _arc(center: Point, radius: float, start: float, end: float) -> list[Point]:
+    steps = max(3, math.ceil(abs(end - start) / 0.2))
+    turn = (end - start) / steps
+    return [
+        (
+            center[0] + radius * math.cos(start + step * turn),
+            center[1] + radius * math.sin(start + step * turn),
+        )
+        for step in range(steps + 1)
+    ]
+
+
+@lru_cache(maxsize=2048)
+def _outline(words: str, size: float, bold: bool) -> tuple[Path, float]:
+    font = FontProperties(family="DejaVu Sans", weight="bold" if bold else "normal", size=size)
+    vertices, codes = text_to_path.get_text_path(font, words)
+    zoom = size / text_to_path.FONT_SCALE
+    length, _, _ = text_to_path.get_text_width_height_descent(words, font, ismath=False)
+    return Path(np.asarray(vertices) * zoom, codes), float(length)
+
+
+_CIRCLE = Path.unit_circle()

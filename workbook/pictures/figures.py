@@ -1,0 +1,111 @@
+"""Matplotlib figures of the lessons: one look, a transparent ground, readable on a light and on a dark page."""
+
+import io
+import sys
+from contextlib import AbstractContextManager
+from typing import Any
+
+import matplotlib
+from cycler import cycler
+from matplotlib.axis import Axis
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from matplotlib.legend import Legend
+from matplotlib.spines import Spine
+from matplotlib.text import Text
+
+from workbook.pictures.palette import CYCLE, GREY
+from workbook.pictures.stills import Still
+
+DOTS_PER_INCH = 192
+"""96 pixels of a page to the inch, drawn with two dots per pixel."""
+
+LOOK: Any = {
+    "figure.facecolor": "none",
+    "axes.facecolor": "none",
+    "savefig.facecolor": "none",
+    "axes.edgecolor": GREY,
+    "axes.labelcolor": GREY,
+    "axes.titlecolor": GREY,
+    "axes.titlesize": 11,
+    "axes.titlelocation": "left",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "grid.color": GREY,
+    "grid.alpha": 0.25,
+    "text.color": GREY,
+    "xtick.color": GREY,
+    "ytick.color": GREY,
+    "legend.frameon": False,
+    "lines.linewidth": 2.0,
+    "font.family": "DejaVu Sans",
+    "font.size": 10,
+    "axes.prop_cycle": cycler(color=list(CYCLE)),
+}
+
+
+def style() -> AbstractContextManager[None]:
+    """The look of the lessons for what is drawn inside: `with pictures.style(): fig, ax = plt.subplots()`."""
+    return matplotlib.rc_context(LOOK)
+
+
+def figure(width: float = 6.4, height: float = 3.0, rows: int = 1, columns: int = 1) -> tuple[Figure, Any]:
+    """A figure in the look of the lessons, `width` by `height` inches, and its axes (an array if there are several).
+
+    It needs no pyplot, so it is neither shown twice nor kept alive.
+    """
+    with style():
+        fig = Figure(figsize=(width, height), layout="constrained")
+        return fig, fig.subplots(rows, columns)
+
+
+def render(fig: Figure) -> bytes:
+    """A figure as PNG bytes, cropped to what is drawn. What is black in it turns grey, so that a dark page shows it."""
+    _make_readable(fig)
+    file = io.BytesIO()
+    with style():
+        fig.savefig(
+            file, format="png", dpi=DOTS_PER_INCH, transparent=True, bbox_inches="tight", pad_inches=0.06,
+            metadata={"Software": None},
+        )  # fmt: skip
+    return file.getvalue()
+
+
+def still(picture: Figure | bytes, description: str) -> Still:
+    """A matplotlib figure or PNG bytes as a picture with alternative text."""
+    if isinstance(picture, bytes):
+        return Still(picture, description)
+    png = render(picture)
+    pyplot = sys.modules.get("matplotlib.pyplot")
+    if pyplot is not None:
+        pyplot.close(picture)  # otherwise the notebook shows it a second time at the end of the cell
+    return Still(png, description)
+
+
+def show(picture: Figure | bytes, description: str) -> None:
+    """Show a matplotlib figure or PNG bytes in the cell, with alternative text."""
+    from IPython.display import display
+
+    display(still(picture, description))
+
+
+def _make_readable(fig: Figure) -> None:
+    for artist in fig.findobj():
+        if isinstance(artist, Text):
+            if _is_black(artist.get_color()):
+                artist.set_color(GREY)
+        elif isinstance(artist, Spine):
+            if _is_black(artist.get_edgecolor()):
+                artist.set_edgecolor(GREY)
+        elif isinstance(artist, Legend):
+            artist.get_frame().set_alpha(0.0)
+        elif isinstance(artist, Axis) and any(_is_black(line.get_color()) for line in artist.get_ticklines()):
+            artist.set_tick_params(which="both", color=GREY)
+
+
+def _is_black(color: Any) -> bool:
+    try:
+        return max(to_rgb(color)) < 0.05
+    except ValueError:
+        return False

@@ -1,0 +1,150 @@
+"""A picture that moves in a notebook cell, and stays as a still when it has ended.
+
+Everything runs in the one thread of the kernel: frames are drawn while a cell awaits `animate`, and ROS callbacks,
+widgets and other tasks run in between. Stop ends it with the last frame on the page.
+"""
+
+import asyncio
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from workbook.pictures.stills import Still
+
+
+class Screen(Protocol):
+    """Where a live picture is shown."""
+
+    def show(self, still: Still) -> None: ...
+
+    def update(self, still: Still) -> None: ...
+
+
+class CellOutput:
+    """The output area of the running cell: one picture, replaced in place."""
+
+    def __init__(self) -> None:
+        self._handle: Any = None
+
+    def show(self, still: Still) -> None:
+        from IPython.display import display
+
+        self._handle = display(still, display_id=True)
+
+    def update(self, still: Still) -> None:
+        if self._handle is not None:
+            self._handle.update(still)
+
+
+class LiveFigure:
+    """One picture on the page that is replaced by each `show(png)`.
+
+    `describe` is the text for those who cannot see it; it stays the same for every frame.
+    """
+
+    def __init__(self, describe: str, screen: Screen | None = None) -> None:
+        self.describe = describe
+        self.frames = 0
+        self.still: Still | None = None
+        self._screen: Screen = screen or CellOutput()
+
+    def show(self, png: bytes) -> None:
+        """Put this frame in the place of the one before."""
+        still = Still(png, self.describe)
+        if self.still is None:
+            self._screen.show(still)
+        else:
+            self._screen.update(still)
+        self.still = still
+        self.frames += 1
+
+
+@dataclass(frozen=True, repr=False)
+class LiveStill(Still):
+    """The last frame of a live picture, with what was measured of the showing.
+
+    `frames` pictures were shown in `seconds` of real time; `stopped` is True when it was stopped before its time.
+    """
+
+    frames: int = 0
+    seconds: float = 0.0
+    stopped: bool = False
+    cell: int | None = None
+
+    @property
+    def frames_per_second(self) -> float:
+        """How many pictures per second were really shown."""
+        return self.frames / self.seconds if self.seconds > 0 else 0.0
+
+    def _ipython_display_(self) -> None:
+        # In the cell that showed it live, the picture is on the page already.
+        if self.cell is None or self.cell != _running_cell():
+            from IPython.display import display
+
+            display(Still(self.png, self.description))
+
+
+async def animate(
+    frame: Callable[[], bytes | None],
+    seconds: float,
+    fps: float = 20.0,
+    *,
+    describe: str,
+    screen: Screen | None = None,
+) -> LiveStill:
+    """Show the PNG that `frame()` gives, up to `fps` times per second, for `seconds` of real time.
+
+    `frame` returns None when there is nothing new: the picture stays. It may let waiting ROS callbacks run, but it
+    must not block. A busy machine shows fewer frames and never falls behind. Stop (the cell is interrupted, the task
+    cancelled) ends the showing early, without an error, and the code after it goes on.
+
+    Returns the last frame, with `frames_per_second` as really shown. Raises ValueError for a rate or time that is
+    not positive, RuntimeError if `frame` never gave a picture.
+    """
+    if not fps > 0 or not seconds > 0:
+        raise ValueError(f"seconds and fps must be above zero, not {seconds} and {fps}")
+    figure = LiveFigure(describe, screen)
+    period, stopped = 1.0 / fps, False
+    start = now = time.perf_counter()
+    due = start
+    try:
+        while now < start + seconds:
+            png = frame()
+            if png is not None:
+                figure.show(png)
+            now = time.perf_counter()
+            due = max(due + period, now)
+            # At least one turn of the loop for everybody else, also when a frame takes longer than its period.
+            await asyncio.sleep(max(0.0, min(due, start + seconds) - now))
+            now = time.perf_counter()
+    except asyncio.CancelledError:
+        if figure.still is None:
+            raise
+        stopped = True
+        task = asyncio.current_task()
+        if task is not None:
+            task.uncancel()
+    except KeyboardInterrupt:
+        if figure.still is None:
+            raise
+        stopped = True
+    if figure.still is None:
+        raise RuntimeError("there was no picture to show: frame() gave None each time")
+    return LiveStill(
+        figure.still.png,
+        describe,
+        frames=figure.frames,
+        seconds=time.perf_counter() - start,
+        stopped=stopped,
+        cell=_running_cell(),
+    )
+
+
+def _running_cell() -> int | None:
+    try:
+        from IPython.core.getipython import get_ipython
+    except ImportError:
+        return None
+    shell = get_ipython()
+    return None if shell is None else int(shell.execution_count)

@@ -1,0 +1,53 @@
+"""Gaps between marks, and a timeline small enough for a line of text. Light: it needs no matplotlib."""
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from workbook.pictures.palette import BLUE, GREY, RED, rgba
+from workbook.pictures.png import encode
+
+GAP = 1.5
+"""Two messages further apart than this many periods have a gap between them."""
+
+
+def gaps(
+    times: Sequence[float], period: float, start: float | None = None, end: float | None = None
+) -> list[tuple[float, float]]:
+    """Stretches (s) longer than 1.5 periods without a mark, those at either bound included."""
+    edges = [*([] if start is None else [start]), *sorted(times), *([] if end is None else [end])]
+    return [(a, b) for a, b in pairwise(edges) if b - a > GAP * period + 1e-9]
+
+
+def tiny(
+    times: Sequence[float],
+    *,
+    end: float,
+    start: float = 0.0,
+    period: float | None = None,
+    width: int = 240,
+    height: int = 18,
+) -> bytes:
+    """A timeline as high as a line of text, for a card: blue marks, red where marks were missing, as PNG bytes."""
+    scale = 2
+    pixels = np.zeros((height * scale, width * scale, 4), np.uint8)
+    span = end - start if end > start else 1.0
+
+    def column(t: float) -> int:
+        return round((t - start) / span * (width * scale - 6)) + 3
+
+    def paint(x0: int, x1: int, y0: int, y1: int, color: str, alpha: float) -> None:
+        pixels[y0:y1, max(0, x0) : min(width * scale, x1)] = [
+            round(part * 255) for part in rgba(color, alpha)
+        ]
+
+    middle = height * scale // 2
+    for a, b in gaps(times, period, start, end) if period else ():
+        paint(column(a), column(b), 4, height * scale - 4, RED, 0.35)
+        paint(column(a), column(b), middle - 2, middle + 2, RED, 1.0)
+    paint(0, width * scale, middle - 1, middle + 1, GREY, 0.7)
+    for t in times:
+        if start <= t <= end:
+            paint(column(t) - 2, column(t) + 3, 3, height * scale - 3, BLUE, 1.0)
+    return encode(pixels, dots_per_pixel=scale)

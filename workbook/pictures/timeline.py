@@ -1,0 +1,285 @@
+"""Pictures of time: when messages arrived, when they should have, and where they were missing."""
+
+import math
+from bisect import bisect_right
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from statistics import fmean, median, pstdev
+from typing import Any
+
+import numpy as np
+
+from workbook.observing.recording import Recording
+from workbook.pictures.canvas import Canvas, shorten, text_width
+from workbook.pictures.marks import gaps
+from workbook.pictures.palette import AMBER, BLUE, CYCLE, RED
+
+WIDTH = 680
+
+_ROW, _TOP, _LEFT, _RIGHT = 40.0, 12.0, 16.0, 16.0
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of a timeline: a label and the times (s) of its marks.
+
+    `period` (s) is what was asked for: it gives the expected ticks and decides what a gap is. `start` and `end` bound
+    the time in which marks could be seen; outside them nothing is missing. `note` stands at the right of the line.
+    """
+
+    label: str
+    times: Sequence[float]
+    period: float | None = None
+    start: float | None = None
+    end: float | None = None
+    note: str | None = None
+
+
+def timeline(
+    recording: Recording,
+    *,
+    periods: Mapping[str, float] | None = None,
+    topics: Sequence[str] | None = None,
+    width: float = WIDTH,
+) -> bytes:
+    """A recording as PNG bytes: a row per topic, a mark per arrival, over robot time in s.
+
+    `periods` (s, by topic) adds the expected ticks and shades the gaps. `topics` picks and orders the rows; without
+    it, all topics that had a publisher or are in `periods`. Where the program ended by itself is marked.
+    """
+    asked = dict(periods or {})
+    names = list(topics) if topics is not None else _topics(recording, asked)
+    rows = []
+    for name in names:
+        topic = recording.topic(name)
+        window = topic.window or (0.0, recording.robot_s)
+        times = [arrival.t for arrival in topic.arrivals]
+        rows.append(Row(name, times, asked.get(name), window[0], window[1]))
+    return draw(rows, end=recording.robot_s, program_end=process_end(recording), width=width)
+
+
+def strip(
+    times_by_label: Mapping[str, Sequence[float]],
+    *,
+    periods: Mapping[str, float] | None = None,
+    start: float = 0.0,
+    end: float | None = None,
+    noun: str = "messages",
+    width: float = WIDTH,
+) -> bytes:
+    """Marks on lines, as PNG bytes: times (s) by label, such as what two timers did.
+
+    `periods` (s, by label) adds the expected ticks, counted from the first mark, and shades gaps between marks.
+    `noun` says what the marks are, in the plural: they are counted at the right.
+    """
+    asked = dict(periods or {})
+    rows = [
+        Row(label, times, asked.get(label), note=_rate_words(times, noun))
+        for label, times in times_by_label.items()
+    ]
+    return draw(rows, start=start, end=end, width=width)
+
+
+def draw(
+    rows: Sequence[Row],
+    *,
+    start: float = 0.0,
+    end: float | None = None,
+    program_end: float | None = None,
+    width: float = WIDTH,
+) -> bytes:
+    """Rows over one time axis from `start` to `end` (s), as PNG bytes. Without `end`, up to the last mark."""
+    last = max((t for row in rows for t in row.times), default=start)
+    stop = end if end is not None else last
+    if not math.isfinite(stop) or stop <= start:
+        stop = start + 1.0
+    bottom = _TOP + _ROW * max(1, len(rows))
+    canvas = Canvas(width, bottom + 40)
+    labels = max((text_width(row.label, 12.5) for row in rows), default=0.0)
+    left = _LEFT + min(labels, 220.0) + 14
+    notes = [row.note if row.note is not None else _rate_words(row.times) for row in rows]
+    right = width - _RIGHT - max((text_width(note, 11.5) for note in notes), default=0.0) - 14
+    axis = _Axis(start, stop, left, right)
+    if not rows:
+        canvas.text((left, bottom - 12), "nothing was published", size=12.5)
+    _axis(canvas, axis, bottom)
+    for index, (row, note) in enumerate(zip(rows, notes, strict=True)):
+        y = _TOP + _ROW * (index + 0.5)
+        canvas.text((left - 14, y + 4.5), shorten(row.label, 220, 12.5), size=12.5, align="right")
+        canvas.text((right + 14, y + 4.5), note, size=11.5)
+        _row(canvas, axis, row, y, CYCLE[index % 3])
+    if program_end is not None and start <= program_end <= stop:
+        x = axis.x(program_end)
+        canvas.line([(x, 4), (x, bottom)], stroke=RED, width=2)
+        room = width - x - 8
+        words = shorten("✗ the program ended here", max(room, x - 8), 11.5, bold=True)
+        fits = text_width(words, 11.5, bold=True) <= room
+        canvas.text((x + 6 if fits else x - 6, bottom + 32), words, size=11.5, bold=True, color=RED,
+                    align="left" if fits else "right")  # fmt: skip
+    return canvas.png()
+
+
+def histogram(
+    values: Sequence[float],
+    *,
+    target: float | None = None,
+    unit: str = "ms",
+    label: str = "time between two messages",
+    bins: int = 24,
+    width: float = 520,
+) -> bytes:
+    """How often each value occurs, as PNG bytes; `target` is marked. Mean and spread stand above.
+
+    Values that are not finite are left out. Raises ValueError when none is left.
+    """
+    kept = [value for value in values if math.isfinite(value)]
+    if not kept:
+        raise ValueError("a histogram needs at least one finite value")
+    everything = [*kept, *([] if target is None else [target])]
+    low, high = min(everything), max(everything)
+    margin = (high - low) * 0.06 or max(abs(high) * 0.01, 1e-6)
+    counts, _ = np.histogram(kept, bins=bins, range=(low - margin, high + margin))
+    canvas = Canvas(width, 228)
+    axis = _Axis(low - margin, high + margin, 24.0, width - 24.0)
+    floor, tall = 172.0, 116.0
+    step = (axis.right - axis.left) / bins
+    for index, count in enumerate(counts):
+        height = tall * float(count) / float(max(counts))
+        canvas.box(axis.left + index * step + 1, floor - height, step - 2, height, radius=2, fill=BLUE)
+    canvas.line([(axis.left, floor), (axis.right, floor)], width=1.4)
+    for value in _ticks(axis.start, axis.end, 6):
+        canvas.line([(axis.x(value), floor), (axis.x(value), floor + 4)], width=1.4)
+        canvas.text((axis.x(value), floor + 18), _number(value), size=11.5, align="center")
+    canvas.text(((axis.left + axis.right) / 2, floor + 40), f"{label} ({unit})", size=12, align="center")
+    if target is not None:
+        x = axis.x(target)
+        canvas.line([(x, 44), (x, floor)], stroke=AMBER, width=2, dash=(5, 4))
+        side = "left" if x < width / 2 else "right"
+        canvas.text((x + (6 if side == "left" else -6), 46), f"asked: {_number(target)} {unit}", size=11.5,
+                    color=AMBER, bold=True, align="left" if side == "left" else "right")  # fmt: skip
+    words = f"{len(kept)} values · mean {fmean(kept):.4g} {unit} · spread {pstdev(kept):.2g} {unit}"
+    canvas.text((axis.left, 20), words, size=12)
+    return canvas.png()
+
+
+def describe(recording: Recording, periods: Mapping[str, float] | None = None) -> str:
+    """The timeline in words, as its alternative text: topics and their gaps, without measured numbers."""
+    asked = dict(periods or {})
+    parts = []
+    for name in _topics(recording, asked):
+        topic = recording.topic(name)
+        times = [arrival.t for arrival in topic.arrivals]
+        if not times:
+            parts.append(f"{name} silent")
+        elif name in asked:
+            window = topic.window or (0.0, recording.robot_s)
+            found = gaps(times, asked[name], *window)
+            parts.append(f"{name} {'with gaps' if found else 'without a gap'}")
+        else:
+            parts.append(name)
+    ended = "; the program ended early" if process_end(recording) is not None else ""
+    return f"timeline of messages: {', '.join(parts) or 'nothing was published'}{ended}"
+
+
+def process_end(recording: Recording) -> float | None:
+    """When the program ended by itself, in robot time (s); None if it was alive to the end of the watch."""
+    process = recording.process
+    if process.ended_by != "itself" or process.ended_at is None:
+        return None
+    pairs: list[tuple[float, float]] = sorted(
+        (arrival.wall, arrival.t) for topic in recording.topics.values() for arrival in topic.arrivals
+    )
+    speed_at = {phase.start: phase.speed for phase in recording.phases}
+    at = bisect_right([wall for wall, _ in pairs], process.ended_at) - 1
+    if at >= 0:
+        wall, t = pairs[at]
+        begun = [start for start in speed_at if start <= t]
+        speed = speed_at[max(begun)] if begun else 1.0
+        t += (process.ended_at - wall) * speed
+    else:
+        t = process.ended_at
+    return max(0.0, min(t, recording.robot_s))
+
+
+@dataclass(frozen=True)
+class _Axis:
+    start: float
+    end: float
+    left: float
+    right: float
+
+    def x(self, t: float) -> float:
+        return self.left + (t - self.start) / (self.end - self.start) * (self.right - self.left)
+
+    def clip(self, t: float) -> float:
+        return self.x(min(max(t, self.start), self.end))
+
+
+def _row(canvas: Canvas, axis: _Axis, row: Row, y: float, color: str) -> None:
+    begin = axis.start if row.start is None else row.start
+    finish = axis.end if row.end is None else row.end
+    canvas.line([(axis.clip(begin), y), (axis.clip(finish), y)], width=1.4, alpha=0.55)
+    if row.period:
+        _expected(canvas, axis, row, y, begin, finish)
+        for a, b in gaps(row.times, row.period, row.start, row.end):
+            x0, x1 = axis.clip(a), axis.clip(b)
+            canvas.box(x0 + 3, y - 12, max(2.0, x1 - x0 - 6), 24, radius=4, fill=RED, alpha=0.24)
+            words = f"✗ {b - a:.3g} s"
+            if text_width(words, 11, bold=True) < x1 - x0 - 8:
+                canvas.text(((x0 + x1) / 2, y + 4), words, size=11, bold=True, color=RED, align="center")
+    xs = sorted({round(axis.x(t) * 2) / 2 for t in row.times if axis.start <= t <= axis.end})
+    close = len(xs) > 1 and median(b - a for a, b in pairwise(xs)) < 5
+    for x in xs:
+        canvas.line(
+            [(x, y - 9), (x, y + 9)], stroke=color, width=1.2 if close else 3.4, alpha=0.8 if close else 1.0
+        )
+
+
+def _expected(canvas: Canvas, axis: _Axis, row: Row, y: float, begin: float, finish: float) -> None:
+    period = row.period or 1.0
+    anchor = min(row.times, default=begin + period)
+    count = (finish - begin) / period
+    if axis.x(axis.start + period) - axis.left < 4 or count > 2000:
+        return  # closer than one can see
+    first = math.ceil((max(begin, axis.start) - anchor) / period - 1e-9)
+    last = math.floor((min(finish, axis.end) - anchor) / period + 1e-9)
+    for index in range(first, last + 1):
+        x = axis.x(anchor + index * period)
+        canvas.line([(x, y - 15), (x, y - 11)], width=1.6, alpha=0.8)
+        canvas.line([(x, y + 11), (x, y + 15)], width=1.6, alpha=0.8)
+
+
+def _axis(canvas: Canvas, axis: _Axis, y: float) -> None:
+    canvas.line([(axis.left, y), (axis.right, y)], width=1.4)
+    for value in _ticks(axis.start, axis.end, max(3, int((axis.right - axis.left) / 60))):
+        x = axis.x(value)
+        canvas.line([(x, y), (x, y + 4)], width=1.4)
+        canvas.text((x, y + 17), _number(value), size=11, align="center")
+    canvas.text((axis.right + 14, y + 17), "s", size=11)
+
+
+def _ticks(start: float, end: float, most: int) -> list[float]:
+    span = end - start
+    power = 10.0 ** math.floor(math.log10(span / most))
+    step = next(part * power for part in (1, 2, 5, 10, 20) if span / (part * power) <= most)
+    first, last = math.ceil(start / step - 1e-9), math.floor(end / step + 1e-9)
+    return [round(index * step, 12) for index in range(first, last + 1)]
+
+
+def _number(value: float) -> str:
+    return f"{value:.6g}".replace("-", "−")
+
+
+def _rate_words(times: Sequence[float], noun: str = "messages") -> str:
+    if len(times) < 2:
+        return f"1 {noun.removesuffix('s')}" if times else "✗ none"
+    span = max(times) - min(times)
+    rate = f" · {(len(times) - 1) / span:.3g} Hz" if span > 0 else ""
+    return f"{len(times)} {noun}{rate}"
+
+
+def _topics(recording: Recording, asked: Mapping[str, Any]) -> list[str]:
+    hidden = ("/rosout", "/parameter_events", "/clock")
+    seen = [topic.name for topic in recording.published() if topic.name not in hidden]
+    return [*asked, *(name for name in seen if name not in asked)]
