@@ -244,7 +244,7 @@ def test_a_missing_file_is_found(course: Tree, name: str, says: str) -> None:
             "has no alternative text",
         ),
         ("notebooks/sources/21_beeps.py", "print(1 / 0.1)", "# NBVAL_SKIP\nprint()", "write a tag instead"),
-        ("notebooks/sources/21_beeps.py", '# %%\nprint("that was the time")\n', "", "before the next one"),
+        ("notebooks/sources/21_beeps.py", '# %%\nrecall("b")\n', "", "before the next one"),
     ],
 )
 def test_a_fault_in_a_text_is_found(course: Tree, name: str, old: str, new: str, says: str) -> None:

@@ -47,6 +47,7 @@ CASES = [
     ("\n\n# %%\nprint(1 / 0.1)", "", "'Faster' needs a code cell after the prediction"),
     ('# %% tags=["raises-exception"] id="no-period"\n1 / 0\n', "", "provokes the error"),
     ("\n# %% [markdown]\n# A period of zero has no rate.\n", "", "must explain, after the code"),
+    ('recall("b")', "print()", "no cell shows a prediction again"),
     ("period = ...", "period = 1", "leaves something blank"),
     ("# First all of it, then with a blank, then [the exercise](../exercises/21_beeps.ipynb).", "# Now.", "must link"),
     ("# **3. And for 1 s?**\n", "", "needs three to five questions"),

@@ -18,6 +18,7 @@ GOOD_ANSWER = "What a good answer contains"
 UNWRITTEN = "TODO(author)"
 
 _PREDICT = re.compile(r"^\s*predict\(\s*(?P<quote>['\"])(?P<choice>.*?)(?P=quote)", re.MULTILINE)
+_RECALL = re.compile(r"^\s*(?:recall|.*\bpredicted)\(", re.MULTILINE)
 _OPTION = re.compile(r"^- \*\*[a-e]\*\* \S", re.MULTILINE)
 _QUESTION = re.compile(r"^\*\*(?P<number>\d)\. .+\*\*\s*$", re.MULTILINE)
 _DETAILS = re.compile(r"<details>\s*<summary>(?P<summary>.*?)</summary>(?P<body>.*?)</details>", re.DOTALL)
@@ -64,6 +65,8 @@ def problems(cells: Sequence[Cell], number: int, *, has_exercise: bool) -> Itera
             yield from (
                 f"{'the opening' if title == OPENING else f'## {title}'}: {words}" for words in rule(section)
             )
+    if not any(cell.kind == "code" and _RECALL.search(cell.source) for cell in cells):
+        yield "no cell shows a prediction again beside what happened: recall('b')"
     for cell in cells:
         if cell.kind == "code" and _SETUP.search(cell.source):
             yield f"cell {cell.id} sets something up: a lesson has no set-up cell, the environment is there"
