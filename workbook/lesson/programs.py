@@ -8,8 +8,8 @@ from pathlib import Path
 from types import ModuleType
 
 from workbook.magics.running import node_names, wait_for_nodes
-from workbook.observing.process import NodeProcess
-from workbook.observing.recording import ProcessRecord, Recording
+from workbook.observing.process import NodeProcess, ros_arguments
+from workbook.observing.recording import Clock, ProcessRecord, Recording
 from workbook.observing.watch import Observer, Plan
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
@@ -27,15 +27,15 @@ def program_file(program: Program) -> Path:
     return Path(program)
 
 
-def start(program: Program) -> str:
+def start(program: Program, **parameters: object) -> str:
     """Start a program as its own process on this notebook's domain; an earlier run of it is ended first.
 
-    Returns the names of its nodes once they are on the graph. `stop` ends it.
+    `parameters` are ROS parameters for its nodes, e.g. `period_s=0.5`. Returns the names of its nodes once they are on the graph. `stop` ends it.
     """
     file = program_file(program)
     _end(file.stem)
     known = node_names()
-    process = NodeProcess(file, int(os.environ["ROS_DOMAIN_ID"]))
+    process = NodeProcess(file, int(os.environ["ROS_DOMAIN_ID"]), ros_arguments(parameters))
     _started[file.stem] = process
     nodes = wait_for_nodes(process, known)
     if not process.is_running():
@@ -62,12 +62,16 @@ atexit.register(stop)
 
 
 def record(
-    program: Program, periods: Mapping[str, float], seconds: float = 60.0, clock: str = "simulated"
+    program: Program,
+    periods: Mapping[str, float],
+    seconds: float = 60.0,
+    clock: Clock = "simulated",
+    **parameters: object,
 ) -> Recording:
     """Run a program on a domain of its own and record the topics in `periods` (topic name: expected period in s).
 
     On the "simulated" clock, `seconds` of robot time pass in about a fifteenth of that; on the "wall" clock they
-    really pass.
+    really pass. `parameters` are ROS parameters for its nodes.
     """
     if clock not in ("simulated", "wall"):
         raise ValueError(f'clock is "simulated" or "wall", not {clock!r}')
@@ -75,8 +79,7 @@ def record(
     half = seconds / 2 if clock == "simulated" else seconds
     plan = Plan(tuple(periods), shortest, longest, robot_seconds=half)
     with Observer() as observer:
-        kind = "simulated" if clock == "simulated" else "wall"
-        with observer.watch(program_file(program), plan, kind) as watch:  # type: ignore[arg-type]
+        with observer.watch(program_file(program), plan, clock, parameters=parameters) as watch:
             return watch.finish(watch.observe())
 
 

@@ -10,7 +10,7 @@ from std_msgs.msg import Float32, Float32MultiArray, String
 from workbook.pictures import dashboard, humanoid
 from workbook.pictures.joints import Follower
 from workbook.pictures.live import LiveFigure
-from workbook.pictures.still import Still
+from workbook.pictures.stills import Still
 from workbook.ros.standing import standing_node
 from workbook.ros.session import Stopped, run
 

@@ -29,6 +29,17 @@ def plain_text(raw: bytes) -> str:
     return _CONTROL.sub("", text)
 
 
+def ros_arguments(parameters: Mapping[str, object]) -> list[str]:
+    """Command-line arguments that set ROS parameters for every node of a program; none for no parameters."""
+    if not parameters:
+        return []
+    arguments = ["--ros-args"]
+    for name, value in parameters.items():
+        text = str(value).lower() if isinstance(value, bool) else str(value)
+        arguments += ["-p", f"{name}:={text}"]
+    return arguments
+
+
 class ProgramLog:
     """Reads what a program prints; keeps the first and the last part, and tells when there was far too much."""
 

@@ -4,7 +4,7 @@ import math
 import secrets
 import statistics
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
@@ -14,7 +14,7 @@ from rclpy.context import Context
 from rclpy.node import Node
 
 from workbook.observing.clock import SimulatedClock
-from workbook.observing.process import NodeProcess
+from workbook.observing.process import NodeProcess, ros_arguments
 from workbook.observing.recorder import Recorder
 from workbook.observing.recording import Clock, Phase, ProcessRecord, Recording
 from workbook.ros.domains import DomainLease, lease_domain
@@ -32,7 +32,6 @@ POLL_S = 0.01
 LOOK_EVERY_S = 0.1
 PATIENCE_S = 0.7
 PATIENCE_WITH_THE_END_S = 4.0
-USE_SIM_TIME = ("--ros-args", "-p", "use_sim_time:=true")
 
 
 @dataclass(frozen=True)
@@ -106,11 +105,17 @@ class Observer:
         plan: Plan,
         clock: Clock,
         *,
+        parameters: Mapping[str, object] | None = None,
         check_fields: bool = False,
         limits: dict[str, int] | None = None,
     ) -> "Watch":
-        """Start `program` and return the running watch; use it as a context manager."""
-        return Watch(self, program, plan, clock, check_fields=check_fields, limits=limits)
+        """Start `program` and return the running watch; use it as a context manager.
+
+        `parameters`: ROS parameters for its nodes, by name.
+        """
+        return Watch(
+            self, program, plan, clock, parameters=parameters or {}, check_fields=check_fields, limits=limits
+        )
 
 
 class Watch:
@@ -126,6 +131,7 @@ class Watch:
         plan: Plan,
         clock: Clock,
         *,
+        parameters: Mapping[str, object],
         check_fields: bool,
         limits: dict[str, int] | None,
     ) -> None:
@@ -147,7 +153,8 @@ class Watch:
             use_global_arguments=False,
         )
         self._clock = SimulatedClock(self._node, plan.step_s) if clock == "simulated" else None
-        arguments = USE_SIM_TIME if clock == "simulated" else ()
+        sim_time = {"use_sim_time": True} if clock == "simulated" else {}
+        arguments = ros_arguments({**sim_time, **parameters})
         try:
             self._process = NodeProcess(
                 program, observer.domain_id, arguments, check_fields=check_fields, limits=limits
