@@ -208,6 +208,15 @@ def test_each_lack_is_named_with_the_section_that_helps(
     assert section in headings
 
 
+def test_a_missing_venv_module_is_named_with_the_package_that_brings_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(sys.modules, "ensurepip", None)
+    with pytest.raises(bootstrap.Problem, match=r"sudo apt install python3\.\d+-venv"):
+        bootstrap.check_venv_module(None)
+    bootstrap.check_venv_module("/usr/bin/uv")
+
+
 def test_the_file_is_readable_by_an_old_python() -> None:
     import ast
 
