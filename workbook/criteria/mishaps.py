@@ -87,6 +87,11 @@ _KNOWN = (
         "Put Python floats into float fields: float(angle).",
     ),
     _Known(
+        r"AssertionError: The '\w+' field must be",
+        "A message field was given a value of another type than it holds.",
+        "Give the field what its type says: float(angle) for a float, str(word) for a text, a list for an array.",
+    ),
+    _Known(
         r"type 'Publisher' is not subscriptable|'type' object is not subscriptable",
         "Publisher[String] is written for a newer rclpy. In Jazzy Publisher takes no type parameter.",
         "Annotate with plain Publisher.",

@@ -302,14 +302,15 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
     def fail(saw: str, because: str, try_this: str) -> Verdict:
         return failed(saw, expected, because, try_this, about_time=True)
 
-    if seen.count == 1:
+    if seen.hz is None:
+        once = "one single message" if seen.count == 1 else f"{seen.count} messages at one moment, and no other"
         return fail(
-            f"one single message in {seconds(window[1] - window[0])}",
+            f"{once} in {seconds(window[1] - window[0])}",
             "It is published once, not again and again.",
             f"Publish in a callback and let create_timer({number(topic.period)}, ...) call it.",
         )
     gap_limit = LONGEST_GAP_PERIODS * topic.period
-    hz = seen.hz or math.inf
+    hz = seen.hz
     if seen.in_bursts:
         groups = "pairs" if seen.burst == 2 else f"groups of {seen.burst}"
         return fail(

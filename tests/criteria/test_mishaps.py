@@ -1,0 +1,215 @@
+"""Common errors as they really look: each program runs once through the host, and its log is explained."""
+
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from workbook.criteria.mishaps import Mishap, find_mishap
+from workbook.observing.process import HOST
+from workbook.ros.domains import lease_domain
+from workbook.ros.environment import child_environment
+
+HEAD = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float32, Float32MultiArray, String
+"""
+IN_NODE = (
+    HEAD
+    + """\
+
+
+class Humanoid(Node):
+    def __init__(self):
+        super().__init__("humanoid")
+        {body}
+
+    def tick(self):
+        pass
+
+
+rclpy.init()
+node = Humanoid()
+rclpy.spin_once(node, timeout_sec=2.0)
+"""
+)
+IN_NODE_LINE = 9
+
+
+@dataclass(frozen=True)
+class Case:
+    """A program, the error it ends with, the line that is to blame and a word of the advice."""
+
+    name: str
+    program: str
+    error: str
+    line: int | None
+    advice: str
+    check_fields: bool = False
+
+
+def in_node(name: str, body: str, error: str, advice: str, **options: bool) -> Case:
+    return Case(name, IN_NODE.format(body=body), error, IN_NODE_LINE, advice, **options)
+
+
+CASES = [
+    Case(
+        "with_init", HEAD + "with rclpy.init():\n    pass\n", "TypeError", 4, "rclpy.init() on its own line"
+    ),
+    Case("no_init", HEAD + "node = Node('humanoid')\n", "NotInitializedException", 4, "rclpy.init() once"),
+    Case("init_twice", HEAD + "rclpy.init()\nrclpy.init()\n", "RuntimeError", 5, "exactly once"),
+    Case(
+        "shutdown_twice",
+        HEAD + "rclpy.init()\nrclpy.shutdown()\nrclpy.shutdown()\n",
+        "RuntimeError",
+        6,
+        "rclpy.try_shutdown()",
+    ),
+    Case(
+        "no_super_init",
+        HEAD
+        + """\
+class Humanoid(Node):
+    def __init__(self):
+        self.create_timer(1.0, print)
+rclpy.init()
+Humanoid()
+""",
+        "AttributeError",
+        6,
+        "super().__init__",
+    ),
+    in_node("no_depth", "self.create_publisher(String, '/robot/status')", "TypeError", "Add a depth"),
+    in_node(
+        "other_message",
+        "self.create_publisher(Float32MultiArray, 'joints', 10).publish([0.0])",
+        "TypeError",
+        "Make a message of the right class",
+    ),
+    in_node("name_taken", "self.publishers = []", "AttributeError", "joint_pub"),
+    in_node(
+        "topic_name",
+        "self.create_publisher(String, '/robot/joint-positions', 10)",
+        "InvalidTopicNameException",
+        "exactly as the exercise gives it",
+    ),
+    in_node(
+        "text_in_floats",
+        "Float32MultiArray(data=['0.1'])",
+        "TypeError",
+        "float(angle)",
+        check_fields=True,
+    ),
+    in_node("text_in_float", "Float32(data='0.1')", "AssertionError", "float(angle)", check_fields=True),
+    in_node("text_in_array", "Float32MultiArray(data=['0.1'])", "TypeError", "float(angle)"),
+    in_node(
+        "undefined", "self.pub = self.create_publisher(Joints, 'x', 10)", "NameError", "Import or define it"
+    ),
+    in_node("keyboard", "input('speed? ')", "EOFError", "input()"),
+    in_node("own_error", "raise ValueError('joint 7 is loose')", "ValueError: joint 7 is loose", "bottom up"),
+    Case("node_name", HEAD + "rclpy.init()\nNode('my robot')\n", "InvalidNodeNameException", 5, "plain name"),
+    Case(
+        "callback_called",
+        IN_NODE.format(body="self.create_timer(0.05, self.tick())"),
+        "TypeError",
+        None,
+        "without parentheses",
+    ),
+    Case("no_module", "import rclpie\n", "ModuleNotFoundError", 1, "Check the spelling"),
+    Case("no_name", HEAD + "from std_msgs.msg import Floaty\n", "ImportError", 4, "Check the spelling"),
+    Case("subscript", HEAD + "x: Node[str]\n", "TypeError", 4, ""),
+    Case("indentation", HEAD + "def main():\nrclpy.init()\n", "IndentationError", 5, "four spaces"),
+    Case("syntax", HEAD + "rclpy.init(\nx = = 1\n", "SyntaxError", None, "brackets, quotes, colons"),
+    Case("memory", "raise MemoryError\n", "MemoryError", 1, "grows without end"),
+    Case(
+        "in_a_thread",
+        "import threading\ndef work():\n    missing_name\nt = threading.Thread(target=work)\nt.start()\nt.join()\n",
+        "NameError",
+        3,
+        "Import or define it",
+    ),
+    Case(
+        "while_handling",
+        "try:\n    1 / 0\nexcept ZeroDivisionError:\n    unknown\n",
+        "NameError",
+        4,
+        "Import or define it",
+    ),
+]
+
+
+def run_through_host(case: Case, folder: Path, domain_id: int) -> str:
+    program = folder / f"{case.name}.py"
+    program.write_text(case.program)
+    done = subprocess.run(
+        [sys.executable, "-P", str(HOST), str(program)],
+        env=child_environment(domain_id, check_fields=case.check_fields, log_folder=folder),
+        cwd=folder,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
+    return done.stdout
+
+
+@pytest.fixture(scope="module")
+def logs(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    folder = tmp_path_factory.mktemp("mishaps")
+    with lease_domain() as lease, ThreadPoolExecutor(4) as pool:
+        texts = pool.map(lambda case: run_through_host(case, folder, lease.domain_id), CASES)
+        return {case.name: text for case, text in zip(CASES, texts, strict=True)}
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_a_real_traceback_is_explained(case: Case, logs: dict[str, str]) -> None:
+    log = logs[case.name]
+    mishap = find_mishap(log, f"{case.name}.py")
+    assert isinstance(mishap, Mishap), log
+    assert case.error in mishap.error, log
+    assert case.line is None or mishap.line == case.line, (mishap, log)
+    assert case.advice in mishap.try_this, (mishap, log)
+    assert mishap.because
+
+
+def test_the_line_is_the_students_own(logs: dict[str, str]) -> None:
+    """Frames of rclpy are deeper, but the student's file is where it can be mended."""
+    mishap = find_mishap(logs["topic_name"], "topic_name.py")
+    assert mishap is not None
+    assert mishap.where == f"line {IN_NODE_LINE}: "
+    elsewhere = find_mishap(logs["topic_name"], "another.py")
+    assert elsewhere is not None
+    assert elsewhere.line is None
+    assert elsewhere.where == ""
+
+
+@pytest.mark.parametrize(
+    "log",
+    [
+        "",
+        "[INFO] [humanoid]: No Error so far",
+        "[ERROR] [humanoid]: ValueError: joint 7 is loose",
+        "ValueError: printed by the student",
+        "Error: battery low\nValueError\nAll good",
+        "The tutorial says: Traceback (most recent call last) is what one sees after an error",
+        "NotARealException: only a word in a log\n[INFO] [humanoid]: still running",
+        "Traceback (most recent call last):\n"
+        '  File "/answers/answer.py", line 3, in <module>\n    rclpy.spin(node)\nKeyboardInterrupt\n',
+    ],
+)
+def test_a_log_that_only_mentions_errors_is_no_mishap(log: str) -> None:
+    assert find_mishap(log, "answer.py") is None
+
+
+def test_a_truncated_traceback_still_tells_the_error() -> None:
+    log = (
+        '… 9000 bytes left out …\n  File "/answers/answer.py", line 31, in tick\n    angle / 0\n'
+        "ZeroDivisionError: division\n"
+    )
+    mishap = find_mishap(log, "answer.py")
+    assert mishap is not None
+    assert (mishap.error, mishap.line) == ("ZeroDivisionError: division", 31)

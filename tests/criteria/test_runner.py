@@ -1,0 +1,157 @@
+"""Running criteria over a recording: order, needs, hidden ones, parts, and criteria that are broken themselves."""
+
+from collections.abc import Callable
+
+import pytest
+from std_msgs.msg import Float32, String
+
+from tests.criteria.by_hand import recorded
+from workbook.criteria import (
+    Criterion,
+    Recording,
+    Verdict,
+    criterion,
+    failed,
+    partial,
+    passed,
+    topic,
+    watching,
+)
+from workbook.criteria.criterion import criteria_in, plan_for, topics_in, watching_in
+from workbook.criteria.runner import CriterionError, run_criteria
+
+BAD = failed("11 values", "12 values", "one too few", "count again", about_time=True)
+
+
+def says(name: str, verdict: Verdict, points: float = 2, **options: object) -> Criterion:
+    def judge(recording: Recording) -> Verdict:
+        return verdict
+
+    judge.__name__ = name
+    make: Callable[..., Criterion] = criterion(points=points, title=name.title(), **options)  # type: ignore[arg-type]
+    return make(judge)
+
+
+def test_results_come_in_the_order_of_the_criteria_with_all_texts() -> None:
+    results = run_criteria([says("second", BAD), says("first", passed("all there"))], recorded())
+    assert [result.id for result in results] == ["second", "first"]
+    lost, kept = results
+    assert (lost.status, lost.points, lost.max_points) == ("failed", 0.0, 2)
+    assert (lost.saw, lost.expected, lost.because, lost.try_this) == (
+        "11 values",
+        "12 values",
+        "one too few",
+        "count again",
+    )
+    assert lost.about_time
+    assert (kept.status, kept.points, kept.saw) == ("passed", 2, "all there")
+
+
+def test_what_needs_a_failed_criterion_is_skipped_and_says_which() -> None:
+    root = says("topic_is_there", BAD)
+    child = says("right_values", passed("fine"), needs=[root])
+    grandchild = says("right_sum", passed("fine"), needs=[child])
+    free = says("alive", passed("fine"))
+    results = {result.id: result for result in run_criteria([root, child, grandchild, free], recorded())}
+    assert [results[name].status for name in ("right_values", "right_sum", "alive")] == [
+        "skipped",
+        "skipped",
+        "passed",
+    ]
+    assert results["right_values"].points == 0.0
+    assert results["right_values"].max_points == 2
+    assert "Topic_Is_There" in results["right_values"].saw
+    assert "Right_Values" in results["right_sum"].saw
+
+
+def test_a_part_does_not_satisfy_a_need() -> None:
+    half = says("half", partial(0.5, "6 of 12", "12", "half is missing", "add it"), points=3)
+    results = run_criteria([half, says("next_one", passed("fine"), needs=[half])], recorded())
+    assert (results[0].status, results[0].points, results[1].status) == ("partial", 1.5, "skipped")
+
+
+def test_a_skipped_criterion_is_not_even_called() -> None:
+    def never(recording: Recording) -> Verdict:
+        raise AssertionError("called although its need does not hold")
+
+    root = says("root", BAD)
+    assert run_criteria([root, criterion(points=1, title="Never", needs=[root])(never)], recorded())[
+        1
+    ].status == ("skipped")
+
+
+def test_hidden_criteria_are_judged_and_marked() -> None:
+    [result] = run_criteria([says("secret", BAD, hidden=True)], recorded())
+    assert result.hidden
+    assert result.status == "failed"
+    assert result.to_json()["hidden"] is True
+
+
+def test_a_criterion_that_crashes_is_our_fault() -> None:
+    @criterion(points=1, title="Divides by zero")
+    def broken(recording: Recording) -> Verdict:
+        return passed(str(1 / 0))
+
+    with pytest.raises(CriterionError, match=r"broken crashed: ZeroDivisionError"):
+        run_criteria([broken], recorded())
+
+
+@pytest.mark.parametrize("returned", [None, True, "passed"])
+def test_a_criterion_that_returns_no_verdict_is_our_fault(returned: object) -> None:
+    @criterion(points=1, title="Returns something else")
+    def careless(recording: Recording) -> Verdict:
+        return returned  # type: ignore[return-value]
+
+    with pytest.raises(CriterionError, match="careless returned"):
+        run_criteria([careless], recorded())
+
+
+def test_results_as_json_have_the_keys_of_the_contract() -> None:
+    [result] = run_criteria([says("rate", BAD)], recorded())
+    assert list(result.to_json()) == [
+        "id",
+        "title",
+        "status",
+        "points",
+        "max_points",
+        "hidden",
+        "saw",
+        "expected",
+        "because",
+        "try",
+    ]
+
+
+def test_points_and_titles_are_checked() -> None:
+    with pytest.raises(ValueError, match="never negative"):
+        criterion(points=-1, title="Minus")
+    with pytest.raises(ValueError, match="title"):
+        criterion(points=1, title="  ")
+    assert says("free", passed(""), points=0).points == 0
+
+
+class Module:
+    """A criteria file as Python sees it."""
+
+    battery = topic("/robot/battery", Float32, hz=0.5)
+    status = topic("/robot/status", String, hz=2.0)
+    no_rate = topic("/robot/name", String)
+    one = says("one", BAD)
+    two = says("two", BAD)
+    how = watching(robot_seconds=30.0, to_the_end=True)
+
+
+def test_a_module_tells_its_criteria_topics_and_plan() -> None:
+    module: object = Module
+    assert [one.id for one in criteria_in(module)] == ["one", "two"]  # type: ignore[arg-type]
+    plan = plan_for(topics_in(module), watching_in(module))  # type: ignore[arg-type]
+    assert plan.topics == ("/robot/battery", "/robot/status", "/robot/name")
+    assert plan.step_s == pytest.approx(0.05)
+    assert plan.robot_s_per_speed == 15.0
+    assert plan.wall_s == 8.0
+
+
+def test_without_a_word_on_it_a_watch_covers_seven_of_the_longest_period() -> None:
+    plan = plan_for((Module.battery,), watching())
+    assert plan.robot_s_per_speed == 7.0
+    assert not watching().to_the_end
