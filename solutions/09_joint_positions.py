@@ -35,6 +35,9 @@
 # | `/robot/status` (as it is) | `String` | 1 Hz | `operational` or `error` |
 # | `/robot/battery` (as it is) | `Float32` | 0.5 Hz | percent, 0 to 100, never rising |
 #
+# The figure on the screen takes the angles in this order: neck, waist, left shoulder, left elbow, right
+# shoulder, right elbow, left hip, left knee, left ankle, right hip, right knee, right ankle.
+#
 # The message types are those of `std_msgs.msg`. You choose how the simulated joints move: a sine, a random
 # walk, a wave of the hand. Two joints at least must change from message to message.
 #

@@ -1,0 +1,179 @@
+# ---
+# exercise: 05_timers
+# title: Three rhythms in one robot
+# minutes: 20
+# difficulty: 2
+# kind: program
+# clock: simulated
+# objectives:
+#   - let a timer do work that repeats, instead of a loop that sleeps
+#   - turn a frequency in hertz into a period in seconds
+#   - run three rates in one node, so that none disturbs the others
+# out_of_scope:
+#   - real sensors; all values are simulated and only their rhythm is judged
+#   - callbacks that take long, which lesson 10 gives a place of their own
+#   - how the program ends (lesson 01 judges that) and how the code is written
+# ---
+# %% [markdown]
+# # Exercise 05 · Three rhythms in one robot
+#
+# Your humanoid leaves the workshop for its first walk. On a screen far away somebody wants to know three
+# things. Is it alive? One heartbeat a second is plenty. Is there charge left? A battery is slow, so every two
+# seconds will do. Is it about to fall? A fall takes half a second, so the tilt of its body has to come five
+# times a second. Three rhythms, one node.
+#
+# **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
+# [05](../notebooks/05_timers.ipynb).
+#
+# ## What to build
+#
+# | topic | type | rate | content |
+# |---|---|---:|---|
+# | `/robot/heartbeat` | `String` | 1 Hz | a sign of life, for example `alive` |
+# | `/robot/battery` | `Float32` | 0.5 Hz | charge in percent |
+# | `/robot/tilt` | `Float32` | 5 Hz | how far the body leans, in rad |
+#
+# The message types are those of `std_msgs.msg`. The heartbeat is there already. Battery and tilt are yours,
+# and so are their values: any floats will do. What counts is the rhythm.
+#
+# ## What is judged
+#
+# Your program runs as a process of its own for one minute of robot time, which is over in a few seconds, and
+# every message is counted. One more or one less may fall on the edge of the minute.
+#
+# | points | criterion |
+# |---:|---|
+# | 1 | `/robot/heartbeat` exists and carries `String` |
+# | 2 | 60 heartbeats in the minute, evenly |
+# | 1 | `/robot/battery` exists and carries `Float32` |
+# | 2 | 30 battery reports in the minute, evenly |
+# | 1 | `/robot/tilt` exists and carries `Float32` |
+# | 2 | 300 tilt values in the minute, evenly |
+# | 1 | the program is still running at the end of the watch |
+#
+# Any shape of program will do: three timers, one timer that counts, several nodes, another executor.
+#
+# **Not part of it:** real sensors, slow callbacks, and how your program ends on Ctrl-C.
+# %% [answer]
+"""The vital signs of a humanoid: heartbeat, battery and tilt, each in its own rhythm."""
+
+import math
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from std_msgs.msg import Float32, String
+
+HEARTBEAT_PERIOD_S = 1.0  # 1 Hz
+# [solution]
+BATTERY_PERIOD_S = 2.0  # 0.5 Hz: one message every two seconds
+TILT_PERIOD_S = 0.2  # 5 Hz: five messages every second
+# [starter]
+# | # TODO 1: the battery reports at 0.5 Hz, the tilt at 5 Hz. How many seconds lie between two messages?
+# [end]
+
+
+class VitalSigns(Node):
+    """Reports that the robot lives, how much charge is left, and how far it leans.
+
+    Topics:
+        /robot/heartbeat (std_msgs/String), 1 Hz: "alive".
+        /robot/battery (std_msgs/Float32), 0.5 Hz: charge in percent, from 100.0 down to 0.0.
+        /robot/tilt (std_msgs/Float32), 5 Hz: lean of the body in rad.
+    """
+
+    def __init__(self) -> None:
+        super().__init__("vital_signs")
+        self.heartbeat_publisher = self.create_publisher(String, "/robot/heartbeat", 10)
+        self.create_timer(HEARTBEAT_PERIOD_S, self.publish_heartbeat)
+        # [solution]
+        self.battery_level = 100.0
+        self.battery_publisher = self.create_publisher(Float32, "/robot/battery", 10)
+        self.tilt_publisher = self.create_publisher(Float32, "/robot/tilt", 10)
+        self.create_timer(BATTERY_PERIOD_S, self.publish_battery)
+        self.create_timer(TILT_PERIOD_S, self.publish_tilt)
+        # [starter]
+        # | # TODO 2: create the publishers for /robot/battery and /robot/tilt
+        # | # TODO 3: create a timer for each of them
+        # [end]
+
+    def publish_heartbeat(self) -> None:
+        """Say that the robot lives."""
+        self.heartbeat_publisher.publish(String(data="alive"))
+
+    # [solution]
+    def publish_battery(self) -> None:
+        """Drain the simulated battery a little, never below empty, and report its charge."""
+        self.battery_level = max(0.0, self.battery_level - 0.2)
+        self.battery_publisher.publish(Float32(data=self.battery_level))
+
+    def publish_tilt(self) -> None:
+        """Report how far the body leans now; it sways from side to side as the robot walks."""
+        seconds = self.get_clock().now().nanoseconds / 1e9
+        self.tilt_publisher.publish(Float32(data=0.1 * math.sin(math.pi * seconds)))
+
+    # [starter]
+    # | # TODO 4: write the two methods that your timers call. Each makes a Float32 message,
+    # | #         gives its data a float and publishes it.
+    # |
+    # [end]
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    rclpy.init(args=args)
+    try:
+        rclpy.spin(VitalSigns())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == "__main__":
+    main()
+# %% [hint]
+# The heartbeat already does all you need: a publisher, a timer, and a method that publishes. Look at these
+# three, then ask for each new topic: what is different? Mind the unit. The task gives messages per second, and
+# a timer wants to know how many seconds lie between two of them.
+#
+# Nodes, topics and the rest: [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html)
+# %% [hint]
+# - The period is 1 divided by the frequency: `1 / 0.5` for the battery, `1 / 5` for the tilt. The slow one gets
+#   the large number.
+# - `self.create_timer(period, self.publish_battery)`: pass the method without `()`. With `()` you would call it
+#   at once, and hand over what it returns.
+# - Each timer stands on its own. You can create as many as you like, one line each.
+# - `Float32(data=0.0)`: a float, not an int. `Float32(data=100)` would arrive as 0.0.
+#
+# What a node offers: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
+# %% [hint]
+# One of the two, with gaps. The other has the same shape.
+#
+# ```python
+# BATTERY_PERIOD_S = ___
+#
+# # in __init__
+# self.battery_publisher = self.create_publisher(___, "/robot/battery", 10)
+# self.create_timer(___, self.publish_battery)
+#
+# def publish_battery(self) -> None:
+#     self.battery_publisher.publish(Float32(data=97.5))
+# ```
+#
+# A timer and a publisher, step by step: [Writing a simple publisher and
+# subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)
+# %% [alternatives]
+# ## Other good ways
+#
+# - **One timer that counts.** A single 5 Hz timer publishes the tilt each time, the heartbeat every 5th time and
+#   the battery every 10th. All three are sure to come in step. But the rates hang together now: a heartbeat at
+#   0.7 Hz would mean rewriting it.
+# - **Write `1 / 5` instead of `0.2`.** `TILT_HZ = 5.0` and `create_timer(1.0 / TILT_HZ, ...)` says in the code
+#   what the task says in words. Good when others will turn that knob.
+# - **Keep the timer.** `self.tilt_timer = self.create_timer(...)` is not needed to keep it alive: the node does
+#   that. It is useful when you want to `cancel()` or `reset()` it later.
+# - **Three nodes, one rhythm each.** Right when the parts have different jobs or may fail apart. For three lines of
+#   work it is more scaffolding than house.
+# - **A loop with `sleep`.** It works for one rhythm, and drifts. With three you would do the book-keeping yourself:
+#   which is next, and when? That is the timer's job.
