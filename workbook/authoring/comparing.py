@@ -10,7 +10,7 @@ from pathlib import Path
 
 from workbook.authoring import building
 from workbook.authoring.running import CELL_TIMEOUT_S
-from workbook.authoring.tree import Tree
+from workbook.authoring.tree import AuthoringError, Tree
 
 NBVAL = ("--nbval", "--nbval-current-env", f"--nbval-cell-timeout={CELL_TIMEOUT_S}")
 
@@ -20,6 +20,9 @@ def compare(tree: Tree, names: Iterable[str] = (), *, jobs: int = 1, extra: Sequ
 
     Lessons run as they are, exercises with the starter and once more with the solution put in. `extra` goes to
     pytest. Returns pytest's exit code.
+
+    Raises:
+        AuthoringError: a notebook is not built, or an exercise cannot be.
     """
     lessons, exercises = building.select(tree, names)
     with tempfile.TemporaryDirectory(prefix="notebooks-") as scratch:
@@ -51,5 +54,7 @@ def compare(tree: Tree, names: Iterable[str] = (), *, jobs: int = 1, extra: Sequ
 
 
 def _copy(path: Path, folder: Path) -> None:
+    if not path.is_file():
+        raise AuthoringError(f"{path.parent.name}/{path.name} is not built: run `make notebooks`")
     folder.mkdir(parents=True, exist_ok=True)
     shutil.copy(path, folder)
