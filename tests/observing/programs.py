@@ -1,0 +1,43 @@
+"""Small programs for the bench to run, and ways to see what became of them."""
+
+import os
+import textwrap
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+PATIENCE_S = 30.0
+
+
+def write(folder: Path, text: str, name: str = "answer.py") -> Path:
+    """Store a program, without the indentation it has in the test."""
+    path = folder / name
+    path.write_text(textwrap.dedent(text).lstrip("\n"), encoding="utf-8")
+    return path
+
+
+def wait_until(condition: Callable[[], object]) -> None:
+    """Wait until a condition holds; fail when it does not within half a minute."""
+    deadline = time.monotonic() + PATIENCE_S
+    while not condition():
+        assert time.monotonic() < deadline, f"waited {PATIENCE_S} s in vain"
+        time.sleep(0.01)
+
+
+def is_gone(pid: int) -> bool:
+    """Whether a process has ended (a zombie that nobody of ours must reap counts as ended)."""
+    try:
+        state = Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0]
+    except OSError:
+        return True
+    return state in "ZX"
+
+
+def children_of_this_process() -> set[int]:
+    found: set[int] = set()
+    for task in os.listdir("/proc/self/task"):
+        try:
+            found |= set(map(int, Path(f"/proc/self/task/{task}/children").read_text().split()))
+        except OSError:
+            continue
+    return found
