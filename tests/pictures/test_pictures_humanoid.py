@@ -1,4 +1,5 @@
 import math
+from functools import partial
 
 import numpy as np
 import pytest
@@ -22,6 +23,8 @@ from workbook.pictures.joints import (
     waving,
 )
 
+draw = partial(humanoid.draw, scale=2.0)
+placeholder = partial(humanoid.placeholder, scale=2.0)
 MIDDLE = humanoid.WIDTH  # dots: the picture has two dots per pixel
 
 
@@ -42,16 +45,16 @@ def test_the_poses_that_we_ship_are_comfortable(named: tuple[float, ...]) -> Non
 
 def test_a_symmetrical_pose_is_drawn_symmetrically() -> None:
     for angles in (NEUTRAL, SQUAT, CHEER):
-        outline = drawn(humanoid.draw(angles))
+        outline = drawn(draw(angles))
         wrong = np.count_nonzero(outline != outline[:, ::-1]) / np.count_nonzero(outline)
         assert wrong < 0.004
-    outline = drawn(humanoid.draw(WAVE))
+    outline = drawn(draw(WAVE))
     assert np.count_nonzero(outline != outline[:, ::-1]) / np.count_nonzero(outline) > 0.05
 
 
 @pytest.mark.parametrize(("joint", "left_of_picture"), [("left_shoulder", False), ("right_shoulder", True)])
 def test_a_shoulder_moves_the_arm_on_its_own_side(joint: str, left_of_picture: bool) -> None:
-    moved = changed(humanoid.draw(pose()), humanoid.draw(pose(**{joint: 1.2})))
+    moved = changed(draw(pose()), draw(pose(**{joint: 1.2})))
     sides = np.count_nonzero(moved[:, :MIDDLE]), np.count_nonzero(moved[:, MIDDLE:])
     own, other = sides if left_of_picture else sides[::-1]
     assert own > 4000
@@ -63,7 +66,7 @@ def test_a_shoulder_moves_the_arm_on_its_own_side(joint: str, left_of_picture: b
 def test_each_of_the_twelve_joints_is_seen_to_move(index: int) -> None:
     angles = list(NEUTRAL)
     angles[index] += 0.4
-    assert np.count_nonzero(changed(humanoid.draw(NEUTRAL), humanoid.draw(angles))) > 300
+    assert np.count_nonzero(changed(draw(NEUTRAL), draw(angles))) > 300
 
 
 def test_an_angle_is_seen_as_the_angle_it_is() -> None:
@@ -88,7 +91,7 @@ def test_the_lowest_point_of_any_pose_is_on_the_ground_and_all_is_on_the_picture
 @settings(max_examples=10, deadline=None)
 @given(st.lists(st.floats(allow_nan=False, allow_infinity=False), min_size=12, max_size=12))
 def test_any_finite_angle_can_be_drawn(angles: list[float]) -> None:
-    assert png.size(humanoid.draw(angles, panel=True)) == (
+    assert png.size(draw(angles, panel=True)) == (
         2 * (humanoid.WIDTH + humanoid.PANEL),
         2 * humanoid.HEIGHT,
     )
@@ -108,18 +111,18 @@ def test_any_finite_angle_can_be_drawn(angles: list[float]) -> None:
 )
 def test_angles_that_cannot_be_drawn_are_named(angles: object, says: str) -> None:
     with pytest.raises(ValueError) as caught:  # noqa: PT011  the sentence is compared below
-        humanoid.draw(angles)  # type: ignore[arg-type]
+        draw(angles)  # type: ignore[arg-type]
     assert says in str(caught.value)
 
 
 def test_numpy_and_float32_are_angles_too() -> None:
-    same = humanoid.draw(np.array(WAVE, dtype=np.float64))
-    assert same == humanoid.draw(WAVE)
-    assert humanoid.draw(np.array(WAVE, dtype=np.float32))
+    same = draw(np.array(WAVE, dtype=np.float64))
+    assert same == draw(WAVE)
+    assert draw(np.array(WAVE, dtype=np.float32))
 
 
 def test_the_lamp_tells_operational_from_error_by_more_than_color() -> None:
-    dark, good, bad = (humanoid.draw(NEUTRAL, lamp=lamp) for lamp in (None, "operational", "error"))
+    dark, good, bad = (draw(NEUTRAL, lamp=lamp) for lamp in (None, "operational", "error"))
     assert (
         np.count_nonzero(colored(good, palette.GREEN)) > 400 > np.count_nonzero(colored(dark, palette.GREEN))
     )
@@ -133,22 +136,20 @@ def test_the_lamp_tells_operational_from_error_by_more_than_color() -> None:
 
 def test_the_placeholder_shows_its_text_and_no_open_eyes() -> None:
     one, other = (
-        humanoid.placeholder("no message yet"),
-        humanoid.placeholder("waiting for /robot/joint_positions"),
+        placeholder("no message yet"),
+        placeholder("waiting for /robot/joint_positions"),
     )
     moved = changed(one, other)
     assert np.count_nonzero(moved[2 * 400 :]) > 200
     assert np.count_nonzero(moved[: 2 * 395]) == 0
     assert (
-        np.count_nonzero(colored(one, "#7fd0ff"))
-        < 50
-        < np.count_nonzero(colored(humanoid.draw(NEUTRAL), "#7fd0ff"))
+        np.count_nonzero(colored(one, "#7fd0ff")) < 50 < np.count_nonzero(colored(draw(NEUTRAL), "#7fd0ff"))
     )
 
 
 def test_the_panel_marks_values_beyond_the_ranges() -> None:
-    calm = humanoid.draw(pose(), panel=True)
-    beyond = humanoid.draw(pose(neck=0.0, left_elbow=4.0), panel=True)
+    calm = draw(pose(), panel=True)
+    beyond = draw(pose(neck=0.0, left_elbow=4.0), panel=True)
     panel = slice(2 * humanoid.WIDTH, None)
     assert np.count_nonzero(colored(calm, palette.RED)[:, panel]) == 0
     row = np.nonzero(colored(beyond, palette.RED)[:, panel])[0]
@@ -159,12 +160,12 @@ def test_the_panel_marks_values_beyond_the_ranges() -> None:
 
 
 def test_the_ground_of_the_picture_is_transparent() -> None:
-    image = pixels(humanoid.draw(NEUTRAL))
+    image = pixels(draw(NEUTRAL))
     assert image[0, 0, 3] == image[0, -1, 3] == image[500, 40, 3] == 0
 
 
 def test_the_same_angles_give_the_same_bytes() -> None:
-    assert humanoid.draw(SQUAT, lamp="error") == humanoid.draw(SQUAT, lamp="error")
+    assert draw(SQUAT, lamp="error") == draw(SQUAT, lamp="error")
 
 
 def test_the_follower_glides_and_arrives() -> None:

@@ -20,12 +20,16 @@ class FakeScreen:
     def __init__(self) -> None:
         self.shown: list[Still] = []
         self.updates: list[Still] = []
+        self.finished: list[Still] = []
 
     def show(self, still: Still) -> None:
         self.shown.append(still)
 
     def update(self, still: Still) -> None:
         self.updates.append(still)
+
+    def finish(self, still: Still) -> None:
+        self.finished.append(still)
 
 
 def counting() -> Callable[[], bytes]:
@@ -51,7 +55,8 @@ def test_the_loop_counts_the_frames_it_showed() -> None:
     still = asyncio.run(animate(counting(), 0.4, 50, describe="counter", screen=screen))
     assert still.frames == 1 + len(screen.updates)
     assert 2 <= still.frames <= 21, "never more than asked for"
-    assert still.png == screen.updates[-1].png, "the last frame stays"
+    assert still.png == screen.updates[-1].png == screen.finished[0].png, "the last frame stays"
+    assert len(screen.finished) == 1
     assert still.frames_per_second == still.frames / still.seconds
     assert still.seconds >= 0.4
     assert not still.stopped
@@ -110,6 +115,7 @@ def test_cancelling_ends_it_with_the_last_frame_and_the_task_goes_on() -> None:
     assert still.frames >= 4
     assert still.png == screen.updates[-1].png
     assert after
+    assert [last.png for last in screen.finished] == [still.png]
 
 
 def test_an_interrupt_while_a_frame_is_drawn_ends_it_too() -> None:
@@ -138,11 +144,17 @@ def test_a_stop_before_the_first_picture_is_passed_on() -> None:
 
 
 def test_an_error_of_the_frame_is_the_callers() -> None:
+    frames = [frame_of(2), frame_of(1)]
+    screen = FakeScreen()
+
     def broken() -> bytes:
-        raise ZeroDivisionError("in the frame")
+        if not frames:
+            raise ZeroDivisionError("in the frame")
+        return frames.pop()
 
     with pytest.raises(ZeroDivisionError, match="in the frame"):
-        asyncio.run(animate(broken, 1, describe="counter", screen=FakeScreen()))
+        asyncio.run(animate(broken, 1, describe="counter", screen=screen))
+    assert [still.png for still in screen.finished] == [frame_of(2)], "what was shown last stays"
 
 
 def test_never_a_picture_is_an_error() -> None:

@@ -29,6 +29,7 @@ from workbook.pictures.palette import AMBER, BLUE, GREEN, GREY, RED
 Lamp = Literal["operational", "error"]
 
 WIDTH, HEIGHT, PANEL = 420, 420, 284
+SCALE = 1.5
 DESCRIPTION = "humanoid, 12 joints"
 
 _GROUND = 388.0
@@ -43,14 +44,16 @@ def draw(
     lamp: Lamp | None = None,
     caption: str = "",
     panel: bool = False,
+    scale: float = SCALE,
 ) -> bytes:
     """The humanoid at twelve joint angles (rad, in the order of JOINT_NAMES), as PNG bytes.
 
     `lamp` lights the lamp on its chest, `caption` is a line under its feet, `panel` adds the twelve values beside it.
+    `scale` is dots per pixel: more is sharper on a fine screen and slower.
     Raises ValueError, in words for the sender, unless there are twelve finite angles.
     """
     pose = checked(angles)
-    canvas = Canvas(WIDTH + (PANEL if panel else 0), HEIGHT)
+    canvas = Canvas(WIDTH + (PANEL if panel else 0), HEIGHT, scale)
     figure = skeleton(pose)
     _ground(canvas, figure)
     _robot(canvas, figure, lamp)
@@ -61,9 +64,9 @@ def draw(
     return canvas.png()
 
 
-def placeholder(text: str = "no message yet", *, panel: bool = False) -> bytes:
+def placeholder(text: str = "no message yet", *, panel: bool = False, scale: float = SCALE) -> bytes:
     """The robot asleep, with a line of text: what to show before the first message arrives."""
-    canvas = Canvas(WIDTH + (PANEL if panel else 0), HEIGHT)
+    canvas = Canvas(WIDTH + (PANEL if panel else 0), HEIGHT, scale)
     figure = skeleton(NEUTRAL)
     _ground(canvas, figure)
     _robot(canvas, figure, None, asleep=True)

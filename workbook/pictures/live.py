@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from workbook.pictures.png import img_tag
 from workbook.pictures.stills import Still
 
 
@@ -20,9 +21,14 @@ class Screen(Protocol):
 
     def update(self, still: Still) -> None: ...
 
+    def finish(self, still: Still) -> None: ...
+
 
 class CellOutput:
-    """The output area of the running cell: one picture, replaced in place."""
+    """The output area of the running cell: one picture, replaced in place.
+
+    While it moves, each frame travels once; `finish` leaves the last one in all the forms that a still has.
+    """
 
     def __init__(self) -> None:
         self._handle: Any = None
@@ -33,6 +39,11 @@ class CellOutput:
         self._handle = display(still, display_id=True)
 
     def update(self, still: Still) -> None:
+        if self._handle is not None:
+            bundle = {"text/plain": repr(still), "text/html": img_tag(still.png, still.description)}
+            self._handle.update(bundle, raw=True)
+
+    def finish(self, still: Still) -> None:
         if self._handle is not None:
             self._handle.update(still)
 
@@ -58,6 +69,11 @@ class LiveFigure:
             self._screen.update(still)
         self.still = still
         self.frames += 1
+
+    def finish(self) -> None:
+        """Leave the last frame as the still picture of the cell."""
+        if self.still is not None:
+            self._screen.finish(self.still)
 
 
 @dataclass(frozen=True, repr=False)
@@ -129,13 +145,16 @@ async def animate(
         if figure.still is None:
             raise
         stopped = True
+    finally:
+        elapsed = time.perf_counter() - start
+        figure.finish()
     if figure.still is None:
         raise RuntimeError("there was no picture to show: frame() gave None each time")
     return LiveStill(
         figure.still.png,
         describe,
         frames=figure.frames,
-        seconds=time.perf_counter() - start,
+        seconds=elapsed,
         stopped=stopped,
         cell=_running_cell(),
     )

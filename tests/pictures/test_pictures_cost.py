@@ -1,0 +1,8 @@
+from tests.pictures.benchmark import PICTURES, cost
+
+
+def test_a_frame_of_the_humanoid_costs_less_than_an_empty_matplotlib_figure() -> None:
+    """A ratio of processor times, each the best of several: about a third; a slow machine is slow at both."""
+    frame = min(cost(PICTURES["humanoid"], rounds=8))
+    empty = min(cost(PICTURES["empty matplotlib figure"], rounds=8))
+    assert frame < empty
