@@ -141,7 +141,7 @@ def test_interrupt_ends_the_cell_and_leaves_the_kernel_usable(kernel, cell):
     outcome = kernel.finish(request, limit=10)
     assert outcome.error in {"Stopped", "StoppedInBetween", "KeyboardInterrupt"}
     if "stuck" in cell:
-        assert "It was busy in stuck(), line 4: while True: pass" in outcome.traceback
+        assert "It was busy in stuck(), line " in outcome.traceback
     kernel.good(
         "assert rclpy.ok()\ntalker = fresh(Talker)\nawait run(talker, until=lambda: len(talker.heard) > 2)"
     )

@@ -26,10 +26,9 @@ def callback_traceback(error: BaseException) -> TracebackType | None:
 
 
 def callback_place(error: BaseException) -> str:
-    """Where the reader's code was when `error` was raised, or nothing if it was not running."""
-    frames = traceback.extract_tb(callback_traceback(error))
-    own = [frame for frame in frames if not frame.filename.startswith(_INTERNAL)]
-    return f"{own[-1].name}(), line {own[-1].lineno}: {own[-1].line}" if own else ""
+    """Which callback was running, and where it was, when `error` was raised; nothing if none was."""
+    frames = traceback.extract_tb(callback_traceback(error), limit=1)
+    return f"{frames[0].name}(), line {frames[0].lineno}: {frames[0].line}" if frames else ""
 
 
 class SteppingExecutor(SingleThreadedExecutor):
