@@ -1,7 +1,10 @@
+import io
+
 import matplotlib
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
+from PIL import Image
 
 from tests.pictures.reading import pixels
 from workbook import pictures
@@ -77,3 +80,17 @@ def test_several_axes() -> None:
 def test_bytes_stay_as_they_are() -> None:
     picture = pictures.humanoid.placeholder()
     assert pictures.still(picture, "robot asleep").png is picture
+
+
+def test_a_plot_gets_smaller_and_a_color_map_keeps_its_colors() -> None:
+    fig, ax = pictures.figure()
+    for phase in range(4):
+        ax.plot(np.sin(np.linspace(0, 9, 100) + phase))
+    plot = pictures.render(fig)
+    assert Image.open(io.BytesIO(plot)).mode == "P"
+    assert png.size_on_screen(plot)[0] == pytest.approx(6.4 * 96, abs=40)
+    dots = np.random.default_rng(7).integers(0, 255, (64, 64, 4), dtype=np.uint8)
+    dots[..., 3] = 255
+    file = io.BytesIO()
+    Image.fromarray(dots).save(file, "PNG")
+    assert png.smaller(file.getvalue()) == file.getvalue()

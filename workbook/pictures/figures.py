@@ -15,6 +15,7 @@ from matplotlib.spines import Spine
 from matplotlib.text import Text
 
 from workbook.pictures.palette import CYCLE, GREY
+from workbook.pictures.png import smaller
 from workbook.pictures.stills import Still
 
 DOTS_PER_INCH = 192
@@ -66,7 +67,7 @@ def render(fig: Figure) -> bytes:
             file, format="png", dpi=DOTS_PER_INCH, transparent=True, bbox_inches="tight", pad_inches=0.06,
             metadata={"Software": None},
         )  # fmt: skip
-    return file.getvalue()
+    return smaller(file.getvalue(), dots_per_pixel=DOTS_PER_INCH / 96)
 
 
 def still(picture: Figure | bytes, description: str) -> Still:
