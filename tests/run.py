@@ -38,7 +38,7 @@ def steps() -> list[Step]:
     python = sys.executable
     found = [
         Step("ruff check", "style", (python, "-m", "ruff", "check", ".")),
-        Step("ruff format", "style", (python, "-m", "ruff", "format", "--check", "--quiet", ".")),
+        Step("ruff format", "style", (python, "-m", "ruff", "format", "--check", ".")),
     ]
     for folder in TYPED_FOLDERS:
         if any((ROOT / folder).rglob("*.py")):

@@ -1,5 +1,6 @@
 """The `workbook` command and the Makefile as a person meets them."""
 
+import os
 import re
 import subprocess
 import sys
@@ -28,6 +29,24 @@ def test_building_the_command_line_imports_nothing_heavy() -> None:
         [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=60
     )
     assert not set(HEAVY) & set(done.stdout.split())
+
+
+@pytest.fixture
+def other_ros(tmp_path: Path) -> dict[str, str]:
+    """The environment of a shell in which another ROS was sourced, whose rclpy does not work here."""
+    (tmp_path / "rclpy").mkdir()
+    (tmp_path / "rclpy" / "__init__.py").write_text("raise ImportError('built for another Python')\n")
+    return os.environ | {"PYTHONPATH": str(tmp_path), "RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp"}
+
+
+def test_a_sourced_ros_does_not_reach_the_command(other_ros: dict[str, str]) -> None:
+    command = [sys.executable, "-m", "workbook.cli.main", "doctor"]
+    done = subprocess.run(command, env=other_ros, capture_output=True, text=True, timeout=120)
+    lines = {line[7:].split("  ")[0].strip(): line for line in done.stdout.splitlines() if line[:1] in "✓!✗"}
+    assert "note" in lines["Shell"]
+    assert "RMW_IMPLEMENTATION" in lines["Shell"]
+    assert "ok" in lines["rclpy"][:6]
+    assert "ok" in lines["Two processes"][:6]
 
 
 def test_unknown_arguments_are_refused_where_nobody_takes_them(capsys: pytest.CaptureFixture[str]) -> None:

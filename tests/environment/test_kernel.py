@@ -70,6 +70,15 @@ def test_ros_logs_show_in_the_cell_under_pytest_too(run_cell: Callable[..., str]
     assert "[INFO] [left_leg]: standing" in said
 
 
+def test_a_sourced_ros_does_not_reach_the_kernel(run_cell: Callable[..., str], tmp_path: Path) -> None:
+    other = tmp_path / "opt" / "rclpy"
+    other.mkdir(parents=True)
+    (other / "__init__.py").write_text("raise ImportError('built for another Python')\n")
+    code = "import rclpy, os\nprint(rclpy.get_rmw_implementation_identifier(), os.environ.get('PYTHONPATH'))"
+    said = run_cell(code, PYTHONPATH=str(other.parent), RMW_IMPLEMENTATION="rmw_cyclonedds_cpp")
+    assert said.strip() == "rmw_fastrtps_cpp None"
+
+
 def test_two_kernels_have_two_domains(run_cell: Callable[..., str]) -> None:
     code = "import os\nprint(os.environ['ROS_DOMAIN_ID'])"
     assert run_cell(code).strip() != run_cell(code).strip()

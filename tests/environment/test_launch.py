@@ -18,7 +18,7 @@ def test_the_persons_arguments_come_last_and_so_win(tmp_path: Path) -> None:
         lesson="notebooks/00_start_here.ipynb",
         root_user=False,
     )
-    assert line[:3] == [sys.executable, "-m", "jupyterlab"]
+    assert line[:4] == [sys.executable, "-P", "-m", "jupyterlab"]
     assert f"--ServerApp.root_dir={tmp_path}" in line
     assert "--LabApp.default_url=/lab/tree/notebooks/00_start_here.ipynb" in line
     assert line[-2:] == ["--no-browser", "--port=8899"]

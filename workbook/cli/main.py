@@ -7,6 +7,7 @@ nothing heavy at their top, so that `workbook --help` answers at once.
 
 import argparse
 import importlib
+import os
 import pkgutil
 import sys
 from collections.abc import Sequence
@@ -31,8 +32,23 @@ def build_parser() -> argparse.ArgumentParser:
     return parser
 
 
+def drop_search_path() -> None:
+    """Start again without PYTHONPATH: a sourced ROS would put its own rclpy before that of the wheels."""
+    if not (os.environ.get("PYTHONPATH") or os.environ.get("PYTHONHOME")):
+        return
+    from workbook.ros.environment import uses_wheels
+
+    if uses_wheels():
+        environ = {
+            name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "PYTHONHOME")
+        }
+        os.execve(sys.executable, [sys.executable, "-P", "-m", "workbook.cli.main", *sys.argv[1:]], environ)
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one subcommand and return its exit code."""
+    if arguments is None:
+        drop_search_path()
     parser = build_parser()
     options, rest = parser.parse_known_args(arguments)
     if rest:

@@ -24,13 +24,23 @@ def configure(config: Any) -> None:
     )  # a warning about local TCP at each start tells a learner nothing
     config.InteractiveShellApp.exec_lines.append(_START)
     try:
-        from workbook.ros.environment import prepare
+        from workbook.ros.environment import prepare, uses_wheels
 
+        if uses_wheels():
+            forget_search_path()
         prepare()
     except Exception as error:
         _problems.append(
             f"ROS is not set up in this kernel: {error} (`workbook doctor` in a terminal says more)"
         )
+
+
+def forget_search_path() -> None:
+    """Take what PYTHONPATH brought off `sys.path`: a sourced ROS would otherwise hide the rclpy of the wheels."""
+    foreign = {
+        os.path.abspath(entry) for entry in os.environ.get("PYTHONPATH", "").split(os.pathsep) if entry
+    }
+    sys.path[:] = [entry for entry in sys.path if not entry or os.path.abspath(entry) not in foreign]
 
 
 def start(shell: Any) -> None:

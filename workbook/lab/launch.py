@@ -56,7 +56,7 @@ def check_port(arguments: Sequence[str]) -> None:
 
 def command(arguments: Sequence[str], *, work: Path, lesson: str | None, root_user: bool) -> list[str]:
     """The JupyterLab command; what the person passes comes last and so wins."""
-    line = [sys.executable, "-m", "jupyterlab", "--log-level=WARN", f"--ServerApp.root_dir={work}"]
+    line = [sys.executable, "-P", "-m", "jupyterlab", "--log-level=WARN", f"--ServerApp.root_dir={work}"]
     if lesson is not None:
         line.append(f"--LabApp.default_url=/lab/tree/{lesson}")
     if root_user and "--allow-root" not in arguments:
