@@ -8,7 +8,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
 from workbook.observing.recording import ProcessRecord
@@ -148,14 +148,26 @@ def domains_of(pids: Sequence[int]) -> tuple[int, ...]:
         except OSError:
             continue
         inodes |= {link[8:-1] for link in links if link.startswith("socket:[")}
-    domains: set[int] = set()
+    ports: set[int] = set()
     for line in Path("/proc/net/udp").read_text().splitlines()[1:]:
         fields = line.split()
         if fields[9] in inodes:
-            domain_id = domain_of_port(int(fields[1].rsplit(":", 1)[1], 16))
-            if domain_id is not None:
-                domains.add(domain_id)
-    return tuple(sorted(domains))
+            ports.add(int(fields[1].rsplit(":", 1)[1], 16))
+    return domains_of_ports(ports)
+
+
+def domains_of_ports(ports: Collection[int]) -> tuple[int, ...]:
+    """ROS domains whose participants listen on these UDP ports.
+
+    A participant has two: discovery on an even offset from 10 on, messages on the next. A single port is
+    the one it sends from, which the system chose.
+    """
+    found = {
+        domain_of_port(port)
+        for port in ports
+        if (port - 7400) % 250 >= 10 and (port - 7400) % 250 % 2 == 0 and port + 1 in ports
+    }
+    return tuple(sorted(domain_id for domain_id in found if domain_id is not None))
 
 
 class NodeProcess:
