@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from rclpy.node import Node
@@ -208,10 +208,16 @@ class Recorder:
         return tuple(self._nodes[name] for name in sorted(self._nodes))
 
     def start_windows(self, t: float) -> None:
-        """Begin the watch at robot time `t`: topics matched before count from then."""
+        """Begin the watch at robot time `t`: what was matched or seen before counts from then.
+
+        On the wall clock, robot time begins only now, so earlier moments mean nothing any more.
+        """
         for watched in self._topics.values():
             if watched.matched_at is not None:
-                watched.matched_at = max(watched.matched_at, t)
+                watched.matched_at = t
+            for gid, publisher in watched.publishers.items():
+                last_seen = None if publisher.last_seen is None else t
+                watched.publishers[gid] = replace(publisher, first_seen=t, last_seen=last_seen)
 
     def topics(self, end: float) -> dict[str, TopicRecording]:
         """What was recorded, with every window closed at robot time `end`."""
