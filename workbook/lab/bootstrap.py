@@ -199,6 +199,8 @@ def install(uv: str | None, names: list[str]) -> None:
     """Install sections of the lock into `.venv`, then this project itself, then Jupyter's settings."""
     python = VENV / "bin" / "python"
     pip: list[Any] = [python, "-m", "pip", "install", "--quiet", "--no-input", "--no-build-isolation"]
+    if uv is None and not list(VENV.glob("lib/python*/site-packages/pip/__init__.py")):
+        run([python, "-I", "-m", "ensurepip", "--default-pip"], "Adding pip to the environment")
     if uv is not None:
         pip = [
             uv,
