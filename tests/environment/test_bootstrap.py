@@ -152,6 +152,23 @@ def test_another_named_python_makes_it_anew_and_an_unnamed_one_does_not(checkout
     assert "Creating" in checkout.make("--chosen-python").stdout
 
 
+@pytest.mark.parametrize("arguments", [(), ("--chosen-python",)])
+def test_an_environment_made_by_hand_is_kept_and_filled(
+    checkout: Checkout, arguments: tuple[str, ...]
+) -> None:
+    venv = checkout.venv
+    (venv / "bin").mkdir(parents=True)
+    (venv / "pyvenv.cfg").touch()
+    (venv / "mine").touch()
+    python = venv / "bin" / "python"
+    python.write_text(f"#!/bin/sh\necho {bootstrap.version_text(sys.version_info[:2])}\n")
+    python.chmod(0o755)
+    done = checkout.make(*arguments)
+    assert done.returncode == 0, done.stderr
+    assert "Updating" in done.stdout
+    assert (venv / "mine").exists()
+
+
 def test_a_strange_folder_is_not_deleted(checkout: Checkout) -> None:
     checkout.venv.mkdir()
     (checkout.venv / "thesis.txt").write_text("three years of work")

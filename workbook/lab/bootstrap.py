@@ -231,7 +231,7 @@ def ensure(wanted: list[str], chosen_python: bool) -> bool:
     stamp = read_stamp()
     current = digest()
     version = version_text(sys.version_info[:2])
-    same_python = stamp.get("python") == version or not chosen_python
+    same_python = not chosen_python or version == (stamp.get("python") or version_of(VENV / "bin" / "python"))
     names = [name for name in SECTIONS if name in wanted or name in stamp.get("sections", ())]
     if stamp.get("digest") == current and same_python and set(names) == set(stamp["sections"]):
         return False
@@ -253,7 +253,7 @@ def ensure(wanted: list[str], chosen_python: bool) -> bool:
         (VENV / UNFINISHED).touch()
         if (VENV / STAMP).exists():
             (VENV / STAMP).unlink()
-        version = stamp.get("python") or version_of(VENV / "bin" / "python")
+        version = version_of(VENV / "bin" / "python") or version
     sys.stdout.flush()
     install(uv, names)
     new_stamp = {"digest": current, "sections": names, "python": version, "root": str(ROOT)}
@@ -264,8 +264,12 @@ def ensure(wanted: list[str], chosen_python: bool) -> bool:
 
 
 def version_of(python: Path) -> str:
+    """The version of an interpreter, as 3.12; empty when there is none or it does not run."""
     command = [str(python), "-I", "-c", "import sys; print('%d.%d' % sys.version_info[:2])"]
-    return subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout.decode().strip()
+    try:
+        return subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout.decode().strip()
+    except (OSError, subprocess.CalledProcessError):
+        return ""
 
 
 def main(arguments: list[str] | None = None) -> int:
