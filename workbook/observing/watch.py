@@ -17,6 +17,7 @@ from workbook.observing.clock import SimulatedClock
 from workbook.observing.process import NodeProcess, ros_arguments
 from workbook.observing.recorder import Recorder
 from workbook.observing.recording import Clock, Phase, ProcessRecord, Recording
+from workbook.observing.rest import Rest
 from workbook.ros.domains import DomainLease, lease_domain
 from workbook.ros.environment import is_prepared, prepare
 
@@ -162,6 +163,7 @@ class Watch:
         except OSError:
             self._shut()
             raise
+        self._rest = Rest(self._process.pid)
         self._began = self._process.started_at
         self._recorder = Recorder(self._node, self._process.started_at, self._robot_time)
         self._notes: list[str] = []
@@ -221,6 +223,7 @@ class Watch:
             next_look = 0.0
             while self._clock.now < end and self._process.is_running():
                 self._pause(self._clock.until_due())
+                self._rest.wait()
                 self._recorder.take()
                 self._clock.advance()
                 if time.monotonic() > next_look:
@@ -233,6 +236,7 @@ class Watch:
         """Let what the last step set in motion arrive before the phase is closed."""
         assert self._clock is not None
         self._pause(max(0.005, self._clock.until_due()))
+        self._rest.wait()
         self._recorder.take()
 
     def _run_wall_time(self, seconds: float) -> None:
@@ -276,6 +280,7 @@ class Watch:
         return self.recording()
 
     def _begin_watch(self) -> None:
+        self._rest.wait()  # it has then taken in that it was matched, too
         self._recorder.discard()
         if self._clock is not None:
             self._clock.publish()
@@ -283,14 +288,16 @@ class Watch:
             self._began = time.monotonic()
         self._recorder.start_windows(0.0)
 
-    def keep_watching(self, wall_s_after_match: float, enough: Callable[[], bool] = lambda: False) -> bool:
-        """Let the program live until so many real seconds after it was matched, its clock running at 1x.
+    def keep_watching(
+        self, wall_s_after_match: float, enough: Callable[[], bool] = lambda: False, *, speed: float = 1.0
+    ) -> bool:
+        """Let the program live until so many real seconds after it was matched, a simulated clock running at `speed`.
 
         Returns early when it ends by itself, or when `enough` says so. Returns whether it was watched to the end.
         """
         until = (self._matched_wall or time.monotonic()) + wall_s_after_match
         if self._clock is not None:
-            self._clock.run_at(1.0)
+            self._clock.run_at(speed)
         while (left := until - time.monotonic()) > 0 and self._process.is_running():
             if enough():
                 return False
@@ -333,6 +340,7 @@ class Watch:
         return replace(recording, process=self._process.record())
 
     def _end_process(self, patience_s: float = PATIENCE_S) -> None:
+        self._rest.close()
         was_killed = self._process.killed
         self._process.stop(patience_s)
         if self._process.killed and not was_killed:

@@ -1,0 +1,91 @@
+"""Whether a program has done all that it was woken for, read from the states of its threads."""
+
+import os
+import time
+from contextlib import suppress
+from pathlib import Path
+
+from workbook.observing.process import process_tree
+
+LONGEST_WAIT_S = 0.25
+BUDGET_S = 4.0
+OWN_THREADS = "dds."
+_POLL_S = 0.0005
+_LIST_EVERY_S = 0.1
+
+
+class Rest:
+    """Waits until no thread of a program is running or waiting for a core, nor one of ours that receives messages.
+
+    On a busy machine a program stands in line for a core while robot time goes on, and misses ticks through no fault
+    of its own. A driver of robot time that waits for rest before each step cannot run away from it.
+
+    A program that never rests, such as a loop without a pause, is not waited for longer than `LONGEST_WAIT_S` at
+    once and `BUDGET_S` in all (s). Where the states cannot be read, everything counts as at rest.
+    """
+
+    def __init__(self, pid: int) -> None:
+        self._pid = pid
+        self._left = BUDGET_S
+        self._listed = -_LIST_EVERY_S
+        self._states: dict[str, int] = {}
+
+    def wait(self) -> bool:
+        """Return as soon as all is at rest, or when patience is at an end. Returns whether it was at rest."""
+        if self.now():
+            return True
+        began = time.monotonic()
+        limit = min(LONGEST_WAIT_S, self._left)
+        while time.monotonic() - began < limit:
+            time.sleep(_POLL_S)
+            if self.now():
+                return True
+        self._left = max(0.0, self._left - limit)
+        return False
+
+    def now(self) -> bool:
+        """Whether all is at rest at this moment."""
+        if time.monotonic() - self._listed >= _LIST_EVERY_S:
+            self._list()
+        return not any(map(_is_at_work, self._states.values()))
+
+    def close(self) -> None:
+        while self._states:
+            os.close(self._states.popitem()[1])
+
+    def _list(self) -> None:
+        self._listed = time.monotonic()
+        wanted = {f"/proc/self/task/{task}/stat" for task in _own_tasks()}
+        for pid in process_tree(self._pid):
+            wanted |= {f"/proc/{pid}/task/{task}/stat" for task in _tasks(pid)}
+        for path in self._states.keys() - wanted:
+            os.close(self._states.pop(path))
+        for path in wanted - self._states.keys():
+            with suppress(OSError):
+                self._states[path] = os.open(path, os.O_RDONLY | os.O_CLOEXEC)
+
+
+def _tasks(pid: int) -> list[str]:
+    try:
+        return os.listdir(f"/proc/{pid}/task")
+    except OSError:
+        return []
+
+
+def _own_tasks() -> list[str]:
+    """Our threads that receive messages; DDS names them."""
+    found = []
+    for task in _tasks(os.getpid()):
+        with suppress(OSError):
+            if Path(f"/proc/self/task/{task}/comm").read_text().startswith(OWN_THREADS):
+                found.append(task)
+    return found
+
+
+def _is_at_work(state: int) -> bool:
+    try:
+        line = os.pread(state, 512, 0)
+    except OSError:  # the thread has ended
+        return False
+    after_name = line.rfind(b")") + 2
+    return line[after_name : after_name + 1] in (b"R", b"D")
