@@ -1,0 +1,97 @@
+"""The order and the strictness of `make test` itself."""
+
+import importlib.util
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import pytest
+
+RUN = Path(__file__).resolve().parents[1] / "run.py"
+
+
+@pytest.fixture(scope="module")
+def proof() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("proof_of_everything", RUN)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+REPORT = """<testsuites><testsuite>
+<testcase classname="tests.browser.test_lab" name="test_light"><skipped type="pytest.skip" message="no Chromium"/></testcase>
+<testcase classname="tests.browser.test_lab" name="test_dark"/>
+<testcase classname="tests.ros.test_rate" name="test_known"><skipped type="pytest.xfail" message="known"/></testcase>
+</testsuite></testsuites>"""
+
+
+def test_skips_are_found_in_a_report_and_expected_failures_are_none(
+    proof: ModuleType, tmp_path: Path
+) -> None:
+    report = tmp_path / "report.xml"
+    report.write_text(REPORT)
+    assert proof.skipped(report) == [("tests.browser.test_lab::test_light", "no Chromium")]
+    assert proof.skipped(tmp_path / "absent.xml") == []
+
+
+def test_only_listed_skips_are_allowed(proof: ModuleType) -> None:
+    skips = [
+        ("tests.browser.test_lab::test_light", "no Chromium"),
+        ("tests.sandbox::test_escape", "no bwrap"),
+    ]
+    patterns = proof.allowed_patterns("# reasons\n\ntests.sandbox::*  # no user namespaces on this kernel\n")
+    assert proof.unlisted(skips, patterns) == skips[:1]
+    assert proof.unlisted(skips, []) == skips
+
+
+def test_pytest_is_the_last_step_and_every_group_can_be_chosen(proof: ModuleType) -> None:
+    plan = proof.steps()
+    assert plan[-1].name == "pytest"
+    assert {step.group for step in proof.chosen(plan, "lint")} == {"style", "types"}
+    assert proof.chosen(plan, None) == plan
+    for group in ("style", "types", "notebooks", "compare", "pytest"):
+        assert proof.chosen(plan, group)
+
+
+def test_a_failed_step_is_named_and_the_others_run(
+    proof: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(proof, "ARTIFACTS", tmp_path)
+    ran = tmp_path / "ran"
+    plan = [
+        proof.Step("first", "style", (sys.executable, "-c", "raise SystemExit(3)")),
+        proof.Step("second", "style", (sys.executable, "-c", f"open({str(ran)!r}, 'w')")),
+    ]
+    said: list[str] = []
+    assert proof.run(plan, said.append) == ["first (exit 3)"]
+    assert ran.exists()
+    assert any("FAILED" in line for line in said)
+
+
+@pytest.mark.parametrize(("ci", "code"), [("true", 1), ("", 0)])
+def test_an_unlisted_skip_fails_in_ci_only(
+    proof: ModuleType,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+    ci: str,
+    code: int,
+) -> None:
+    monkeypatch.setenv("CI", ci)
+    monkeypatch.setattr(proof, "ARTIFACTS", tmp_path)
+    report = tmp_path / "report.xml"
+    write = f"import pathlib; pathlib.Path({str(report)!r}).write_text({REPORT!r})"
+    step = proof.Step("tests", "style", (sys.executable, "-c", write), report)
+    monkeypatch.setattr(proof, "steps", lambda: [step])
+    assert proof.main([]) == code
+    assert ("test_light (no Chromium)" in capfd.readouterr().out) == bool(code)
+
+
+def test_the_ci_script_is_sound() -> None:
+    script = RUN.parents[1] / ".ci" / "run"
+    assert script.stat().st_mode & 0o111
+    subprocess.run(["sh", "-n", str(script)], check=True)
