@@ -180,7 +180,8 @@ def test_a_best_effort_and_a_latched_publisher_are_heard(watched: Watched) -> No
     assert len(recording.topic("/status").arrivals) == 14
 
 
-def test_a_node_on_another_domain_is_told(watched: Watched) -> None:
+def test_a_node_on_another_domain_is_told(watched: Watched, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("workbook.observing.watch.FIRST_SIGN_S", 6.0)
     with lease_domain() as other:
         recording = watched(TWO_TIMERS.replace("rclpy.init()", f"rclpy.init(domain_id={other.domain_id})"))
         assert recording.process.domains_used == (other.domain_id,)
