@@ -23,7 +23,8 @@ def proof() -> ModuleType:
 
 
 REPORT = """<testsuites><testsuite>
-<testcase classname="tests.browser.test_lab" name="test_light"><skipped type="pytest.skip" message="no Chromium"/></testcase>
+<testcase classname="tests.browser.test_lab" name="test_light">
+<skipped type="pytest.skip" message="no Chromium"/></testcase>
 <testcase classname="tests.browser.test_lab" name="test_dark"/>
 <testcase classname="tests.ros.test_rate" name="test_known"><skipped type="pytest.xfail" message="known"/></testcase>
 </testsuite></testsuites>"""
