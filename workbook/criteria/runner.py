@@ -30,10 +30,11 @@ class CriterionResult:
     because: str
     try_this: str
     about_time: bool = False
+    garbled: bool = False
 
     def to_json(self) -> dict[str, Any]:
         data = asdict(self)
-        del data["about_time"]
+        del data["about_time"], data["garbled"]
         data["try"] = data.pop("try_this")
         return data
 
@@ -66,6 +67,7 @@ def _judged(criterion: Criterion, verdict: Verdict) -> CriterionResult:
         because=verdict.because,
         try_this=verdict.try_this,
         about_time=verdict.about_time,
+        garbled=verdict.garbled,
     )
 
 

@@ -12,7 +12,8 @@ class Verdict:
 
     `saw` and `expected` are facts, `because` the likely reason, `try_this` one next step. `share` is the part of the
     points that is earned (0 to 1). `about_time` marks failures that depend on rates and silences: if they come
-    from robot time, the wall clock is asked before they count.
+    from robot time, the wall clock is asked before they count. `garbled` marks values that look as if a message field
+    had got something of a wrong type: the program is then run once more with field checks on, to quote what they say.
     """
 
     status: VerdictStatus
@@ -22,6 +23,7 @@ class Verdict:
     try_this: str = ""
     share: float = 0.0
     about_time: bool = False
+    garbled: bool = False
 
     @property
     def ok(self) -> bool:
@@ -33,9 +35,11 @@ def passed(saw: str) -> Verdict:
     return Verdict("passed", saw, share=1.0)
 
 
-def failed(saw: str, expected: str, because: str, try_this: str, *, about_time: bool = False) -> Verdict:
+def failed(
+    saw: str, expected: str, because: str, try_this: str, *, about_time: bool = False, garbled: bool = False
+) -> Verdict:
     """The criterion does not hold."""
-    return Verdict("failed", saw, expected, because, try_this, about_time=about_time)
+    return Verdict("failed", saw, expected, because, try_this, about_time=about_time, garbled=garbled)
 
 
 def partial(

@@ -7,6 +7,7 @@ from typing import Any
 
 from workbook.criteria.criterion import Topic
 from workbook.criteria.estimators import Pace, pace
+from workbook.criteria.garbled import why_garbled
 from workbook.criteria.mishaps import find_mishap
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.observing.recording import Arrival, Recording, TopicRecording
@@ -472,6 +473,39 @@ def finite(recording: Recording, topic: Topic) -> Verdict:
     )
 
 
+def really_arrives(recording: Recording, topic: Topic) -> Verdict:
+    """No message says 0.0 where the program means another number: not the first one, and none before another number.
+
+    For a quantity that starts above zero and never comes back from it, such as a charge. What fails here is mostly a
+    value that is no Python float: stock ROS sends it as 0.0.
+    """
+    nothing = no_message(recording, topic)
+    if nothing is not None:
+        return nothing
+    seen = [value for value in values(recording, topic) if isinstance(value, (int, float))]
+    zeros = [place for place, value in enumerate(seen) if value == 0.0]
+    followed = [place for place in zeros if any(value != 0.0 for value in seen[place:])]
+    if not followed and (not seen or seen[0] != 0.0):
+        return passed(f"numbers arrive as they are, the first is {number(seen[0])}" if seen else "no numbers in it")
+    if len(zeros) == len(seen):
+        saw = f"0.0 on {topic.name} in each of {_count(len(seen), 'message')}, from the first on"
+    else:
+        after = next(value for value in seen[followed[0] :] if value != 0.0)
+        saw = f"0.0 on {topic.name} in message {followed[0] + 1}, and {number(after)} after it"
+    return failed(
+        saw,
+        "the number that your program means, in every message",
+        why_garbled(
+            recording,
+            "Stock ROS does not check what a field is given. In a float field an int is sent as 0.0, without a word; "
+            "so are a str, None and np.float32.",
+            "The program itself says 0.0: with field checks on, nothing of a wrong type was found in its messages.",
+        ),
+        "Give the field a float: float(level), 100.0 and not 100, and no int() or round() on the way.",
+        garbled=True,
+    )
+
+
 def within(recording: Recording, topic: Topic, low: float, high: float, unit: str = "", slack: float = 1e-6) -> Verdict:
     """Every value lies in [low, high]; `slack` allows for rounding to 32 bits. NaN is `finite`'s business."""
     nothing = no_message(recording, topic)
@@ -540,7 +574,8 @@ def one_of(recording: Recording, topic: Topic, allowed: Collection[str]) -> Verd
     reason = "Others compare this text letter by letter."
     if text == "":
         reason = "Empty text: the message was published before its data was set, or a field name is misspelled."
-    return failed(f'"{text}" on {topic.name}', words, reason, f"Publish exactly one of {words}.")
+        reason = why_garbled(recording, reason, reason)
+    return failed(f'"{text}" on {topic.name}', words, reason, f"Publish exactly one of {words}.", garbled=text == "")
 
 
 def never_rises(recording: Recording, topic: Topic, slack: float = 1e-4) -> Verdict:

@@ -21,7 +21,10 @@ def judgement_to_json(judgement: Judgement) -> dict[str, Any]:
         "answer_sha256": judgement.answer_sha256,
         "status": judgement.status,
         "reason": judgement.reason,
-        "criteria": [{**result.to_json(), "about_time": result.about_time} for result in judgement.criteria],
+        "criteria": [
+            {**result.to_json(), "about_time": result.about_time, "garbled": result.garbled}
+            for result in judgement.criteria
+        ],
         "recording": None if judgement.recording is None else judgement.recording.to_json(),
         "provisional": judgement.provisional,
         "watched_real_life": judgement.watched_real_life,

@@ -8,14 +8,17 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
+from workbook.criteria.garbled import field_check_note
 from workbook.criteria.runner import CriterionError, CriterionResult, run_criteria
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise
 from workbook.observing.recording import Clock, Recording
-from workbook.observing.watch import PATIENCE_WITH_THE_END_S, Observer, Watch, speeds_agree
+from workbook.observing.watch import PATIENCE_WITH_THE_END_S, SPEEDS, Observer, Watch, speeds_agree
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
 REAL_LIFE_S = 8.0
+FIELD_CHECKS_S = 2.0
+FIELD_CHECKS_PERIODS = 1.5
 
 JudgementStatus = Literal["graded", "infra_error"]
 
@@ -105,28 +108,63 @@ class Judge:
         program = folder / f"{exercise.stem}.py"
         try:
             program.write_text(answer.text, encoding="utf-8")
-            if exercise.source.clock == "simulated":
-                with self._observer.watch(program, exercise.plan, "simulated", limits=self._limits) as watch:
-                    judgement = self._judge(exercise, answer, watch)
-                    on_robot_time = not _needs_wall_clock(exercise, judgement)
-                    if on_robot_time:
-                        judgement = self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
-                if on_robot_time and not (exercise.to_the_end and thorough and judgement.full_marks):
-                    return judgement
-                if on_robot_time:
-                    if report is not None:
-                        report(judgement)
-                    return self._second_life(exercise, answer, program, judgement, enough)
-                if report is not None:
-                    report(judgement_as_provisional(judgement))
-            with self._observer.watch(program, exercise.plan, "wall", limits=self._limits) as watch:
-                judgement = self._judge(exercise, answer, watch)
-                return self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
+            judgement = self._on_both_clocks(exercise, answer, program, thorough, report, enough)
+            if any(result.garbled for result in judgement.criteria):
+                return self._with_field_checks(exercise, answer, program, judgement)
+            return judgement
         finally:
             remove_scratch(folder)
 
+    def _on_both_clocks(
+        self,
+        exercise: Exercise,
+        answer: Answer,
+        program: Path,
+        thorough: bool,
+        report: Report | None,
+        enough: Callable[[], bool],
+    ) -> Judgement:
+        """Judge on robot time where the exercise allows it, and on the wall clock where that is not enough."""
+        if exercise.source.clock == "simulated":
+            with self._observer.watch(program, exercise.plan, "simulated", limits=self._limits) as watch:
+                judgement = self._judge(exercise, answer, watch)
+                on_robot_time = not _needs_wall_clock(exercise, judgement)
+                if on_robot_time:
+                    judgement = self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
+            if on_robot_time and not (exercise.to_the_end and thorough and judgement.full_marks):
+                return judgement
+            if on_robot_time:
+                if report is not None:
+                    report(judgement)
+                return self._second_life(exercise, answer, program, judgement, enough)
+            if report is not None:
+                report(judgement_as_provisional(judgement))
+        with self._observer.watch(program, exercise.plan, "wall", limits=self._limits) as watch:
+            judgement = self._judge(exercise, answer, watch)
+            return self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
+
+    def _with_field_checks(
+        self, exercise: Exercise, answer: Answer, program: Path, judgement: Judgement
+    ) -> Judgement:
+        """Run the program once more, briefly, with field checks on; what they say goes into the recording's notes."""
+        recording = judgement.recording
+        assert recording is not None
+        plan = exercise.plan
+        with self._observer.watch(program, plan, recording.clock, check_fields=True, limits=self._limits) as watch:
+            watch.wait_until_seen()
+            watch.keep_watching(max(FIELD_CHECKS_S, FIELD_CHECKS_PERIODS * plan.longest_period), speed=SPEEDS[-1])
+            process = watch.process_record()
+            if process.ended_by is not None:
+                process = watch.finish(recording).process
+        recording = replace(recording, notes=(*recording.notes, field_check_note(process)))
+        return judge_recording(exercise, answer.sha256, recording, real_life=judgement.watched_real_life)
+
     def _judge(self, exercise: Exercise, answer: Answer, watch: Watch) -> Judgement:
-        return judge_recording(exercise, answer.sha256, watch.observe())
+        recording = watch.observe()
+        if exercise.to_the_end:
+            recording = watch.finish(recording, PATIENCE_WITH_THE_END_S)
+        real_life = exercise.to_the_end and recording.clock == "wall"
+        return judge_recording(exercise, answer.sha256, recording, real_life=real_life)
 
     def _live_on(
         self,
@@ -142,8 +180,7 @@ class Judge:
         recording = judgement.recording
         assert recording is not None
         if exercise.to_the_end:
-            recording = watch.finish(recording, PATIENCE_WITH_THE_END_S)
-            return judge_recording(exercise, answer.sha256, recording, real_life=recording.clock == "wall")
+            return judgement  # it has been ended before it was judged
         if thorough and recording.process.ended_by is None and judgement.status == "graded":
             if report is not None:
                 report(judgement)
@@ -165,6 +202,8 @@ class Judge:
             process = watch.process_record()
         if process.ended_by == "itself":
             recording = replace(recording, process=process)
+        else:
+            recording = replace(recording, process=replace(recording.process, watched_for=process.watched_for))
         return judge_recording(exercise, answer.sha256, recording, real_life=True)
 
 

@@ -139,6 +139,8 @@ def start(arguments: list[str]) -> None:
         arguments = arguments[2:]
     path = arguments[0]
     sys.argv = arguments
+    # Whoever started us may ignore Ctrl-C (a slot does), and a program inherits that. In a terminal it would not.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         run(path)
     except SystemExit:
