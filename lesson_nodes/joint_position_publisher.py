@@ -12,6 +12,20 @@ from std_msgs.msg import Float32MultiArray
 
 PERIOD_S = 0.05
 WAVES_PER_SECOND = 0.8
+JOINTS = (
+    "neck",
+    "waist",
+    "left_shoulder",
+    "left_elbow",
+    "right_shoulder",
+    "right_elbow",
+    "left_hip",
+    "left_knee",
+    "left_ankle",
+    "right_hip",
+    "right_knee",
+    "right_ankle",
+)
 
 
 def waving(seconds: float, waves_per_second: float = WAVES_PER_SECOND) -> list[float]:
@@ -22,8 +36,7 @@ def waving(seconds: float, waves_per_second: float = WAVES_PER_SECOND) -> list[f
         waves_per_second: How often the hand goes to and fro.
 
     Returns:
-        12 angles in radians: neck, waist, left shoulder, left elbow, right shoulder, right elbow,
-        left hip, left knee, left ankle, right hip, right knee, right ankle.
+        12 angles in radians, in the order of JOINTS.
     """
     swing = math.sin(2.0 * math.pi * waves_per_second * seconds)
     sway = math.sin(0.5 * math.pi * waves_per_second * seconds)
@@ -39,7 +52,11 @@ class JointPositionPublisher(Node):
     """Publishes where the joints of a waving humanoid are.
 
     Topics:
-        /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles in radians, in the order of `waving`.
+        /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles in radians, in the order of JOINTS.
+
+    Parameters:
+        period_s (float): Time between two messages, in seconds. Set it from outside with
+            ``--ros-args -p period_s:=0.5``; without that, the argument of the same name counts.
 
     Args:
         period_s: Time between two messages, in seconds.
@@ -50,11 +67,12 @@ class JointPositionPublisher(Node):
     """
 
     def __init__(self, period_s: float = PERIOD_S, waves_per_second: float = WAVES_PER_SECOND) -> None:
+        super().__init__("joint_position_publisher")
+        period_s = self.declare_parameter("period_s", period_s).value
         if not 0.0 < period_s < math.inf:
             raise ValueError(
                 f"The period is the time between two messages in seconds, for example 0.05, not {period_s}."
             )
-        super().__init__("joint_position_publisher")
         self.waves_per_second = waves_per_second
         self.joint_publisher = self.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
         self.joint_timer = self.create_timer(period_s, self.publish_joint_positions)

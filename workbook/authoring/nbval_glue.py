@@ -1,7 +1,7 @@
 """A pytest plugin that lets nbval see what JupyterLab shows.
 
 nbval by itself drops updates of a display and piles up cleared outputs, so that a picture that moves never equals
-the one committed. This plugin applies both as they come. It also sets the sanitize file unless another is given,
+the one committed. This plugin applies both as they come. Pictures inside HTML are not compared. It also sets the sanitize file unless another is given,
 compares only text in notebooks whose metadata says `workbook.compare: text`, fails a cell whose magic does not
 exist, and gives each notebook an answers folder of its own unless WORKBOOK_ANSWERS is set.
 """
@@ -18,7 +18,7 @@ import nbformat
 import pytest
 from nbval.plugin import IPyNbCell, IPyNbFile, NbCellError
 
-from workbook.authoring.outputs import SANITIZE
+from workbook.authoring.outputs import SANITIZE, without_pictures
 
 OUTPUTS = ("display_data", "execute_result", "stream", "error")
 NOT_TEXT = ("text/html", "text/markdown", "image/svg+xml")
@@ -65,6 +65,8 @@ def pytest_collectstart(collector: pytest.Collector) -> None:
 def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
     if not isinstance(item, IPyNbCell):
         return (yield)
+    sanitize = item.sanitize
+    item.sanitize = lambda text: sanitize(without_pictures(text) if isinstance(text, str) else text)
     notebook: Any = item.parent
     ask = notebook.get_kernel_message
     notebook.get_kernel_message = LiveOutputs(ask, lambda: item.test_outputs)

@@ -5,15 +5,17 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from workbook.lesson.predictions import predict, predicted, recall
-    from workbook.lesson.programs import arrivals, record, run_program, start, stop, values
+    from workbook.lesson.programs import arrivals, processor_seconds, record, run_program, start, stop, values
     from workbook.lesson.views import robot, watch_robot, watch_status
-    from workbook.ros.session import run, spin_for
+    from workbook.ros.session import init, run, spin_for
     from workbook.ros.twins import fresh
 
 _HOME = {
     "arrivals": "workbook.lesson.programs",
     "fresh": "workbook.ros.twins",
+    "init": "workbook.ros.session",
     "predict": "workbook.lesson.predictions",
+    "processor_seconds": "workbook.lesson.programs",
     "predicted": "workbook.lesson.predictions",
     "recall": "workbook.lesson.predictions",
     "record": "workbook.lesson.programs",
@@ -31,8 +33,10 @@ _HOME = {
 __all__ = [
     "arrivals",
     "fresh",
+    "init",
     "predict",
     "predicted",
+    "processor_seconds",
     "recall",
     "record",
     "robot",

@@ -83,6 +83,16 @@ def record(
             return watch.finish(watch.observe())
 
 
+def processor_seconds(program: Program, seconds: float = 4.0, **parameters: object) -> float:
+    """Processor time (s) that a program takes in its first `seconds` of real time on a domain of its own."""
+    with Observer() as observer:
+        with NodeProcess(program_file(program), observer.domain_id, ros_arguments(parameters)) as process:
+            if process.wait(seconds):
+                raise RuntimeError(f"the program ended early:\n{process.record().log}")
+            fields = Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
 def arrivals(recording: Recording, topic: str) -> list[float]:
     """When messages of `topic` arrived, in s of robot time."""
     return [arrival.t for arrival in recording.topic(topic).arrivals]

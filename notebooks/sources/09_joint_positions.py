@@ -1,0 +1,511 @@
+# %% [markdown]
+# # 09 · The joint positions
+#
+# A planner, a safety monitor and a picture on your screen all need to know the same thing: where are the joints now?
+#
+# - **Minutes:** 40
+# - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb)
+# - **You will be able to:** publish an array of joint angles, choose its rate with a reason, use it in a subscriber,
+#   and say what a higher rate costs
+# - **Left out:** names inside the message (`sensor_msgs/JointState`), how links are connected (URDF), motor control
+
+# %% [markdown]
+# The next cell starts a program of its own, `lesson_nodes/joint_position_publisher.py`. It publishes twelve angles
+# on `/robot/joint_positions`, twenty times a second. The notebook only listens.
+
+# %%
+from lesson_nodes import joint_position_publisher
+from workbook.lesson import start, stop, watch_robot
+
+print("started", start(joint_position_publisher, period_s=0.05))
+await watch_robot(seconds=6, ease=0.1)
+
+# %% [markdown]
+# Every pose that you saw went through DDS, from one process to another, as twelve numbers:
+#
+# | index | joint | index | joint | index | joint |
+# |---|---|---|---|---|---|
+# | 0 | neck | 4 | right shoulder | 8 | left ankle |
+# | 1 | waist | 5 | right elbow | 9 | right hip |
+# | 2 | left shoulder | 6 | left hip | 10 | right knee |
+# | 3 | left elbow | 7 | left knee | 11 | right ankle |
+#
+# The angles are radians: π is half a turn. The robot faces you, so its left arm is on your right.
+
+# %%
+from workbook.ros.tools import topic_info
+
+topic_info("/robot/joint_positions")
+
+# %%
+stop()
+
+# %% [markdown]
+# ## Predict
+#
+# The battery of lesson 08 is published at 0.5 Hz, one message every 2 s. Suppose we publish the joint angles of the
+# *waving* robot just as slowly, and somebody draws the robot from the last message that arrived.
+#
+# How wrong is that drawing at worst? The elbow swings by about 1 rad (57°) from one end to the other.
+#
+# - **a** Hardly at all: the last message is nearly true.
+# - **b** By about a tenth of the swing.
+# - **c** By nearly the whole swing.
+# - **d** It is not wrong: DDS fills in the values between two messages.
+
+# %%
+from workbook.lesson import predict
+
+predict("...", about="the slow drawing")
+
+# %% [markdown]
+# ## Run it
+#
+# We record the same publisher with a period of 2 s. The recorder drives the robot's clock, so 14 s of robot time take
+# about a second.
+
+# %%
+from workbook.lesson import arrivals, record, values
+
+TOPIC = "/robot/joint_positions"
+slow = record(joint_position_publisher, {TOPIC: 2.0}, seconds=14, period_s=2.0)
+
+print("arrived at", arrivals(slow, TOPIC), "s")
+print("values per message:", {len(angles) for angles in values(slow, TOPIC)})
+
+# %% [markdown]
+# We know how the robot really moves: the lesson node computes every pose with `waving(t)`. So we can compare the
+# elbow with what the last message says of it.
+
+# %%
+import numpy as np
+
+from lesson_nodes.joint_position_publisher import JOINTS, waving
+
+ELBOW = JOINTS.index("left_elbow")
+moments = np.arange(2.0, 14.0, 0.01)
+truth = np.array([waving(t)[ELBOW] for t in moments])
+
+
+def last_known(recording):
+    """The elbow angle (rad) of the newest message at each moment."""
+    times = np.array(arrivals(recording, TOPIC))
+    angles = np.array([row[ELBOW] for row in values(recording, TOPIC)])
+    newest = np.searchsorted(times, moments, side="right") - 1
+    return angles[newest]
+
+
+swing = truth.max() - truth.min()
+worst = np.abs(last_known(slow) - truth).max()
+print(f"the elbow swings by {swing:.1f} rad; at 0.5 Hz the last message is wrong by up to {worst:.1f} rad")
+
+# %%
+from workbook.pictures.figures import figure, show
+
+fig, axes = figure(7.2, 2.8)
+axes.plot(moments, truth, label="where the elbow is")
+axes.step(moments, last_known(slow), where="post", label="what the last message says")
+axes.set(xlabel="robot time (s)", ylabel="left elbow (rad)")
+axes.legend(loc="upper right")
+show(fig, "the elbow swings quickly while the last known angle changes only every two seconds")
+
+# %% [markdown]
+# ## Look inside
+#
+# Look at your prediction again.
+
+# %%
+from workbook.lesson import recall
+
+recall("c", about="the slow drawing")
+
+# %% [markdown]
+# A message is a snapshot. Between two snapshots a subscriber knows nothing: DDS delivers, it does not guess. The elbow
+# waves 0.8 times a second and is read every 2 s, so it has time to go to the other end and back before the next
+# message.
+#
+# The battery is different. The status publisher of lesson 08 drains it by at most 0.5 % in 2 s, so the last
+# message is never wrong by more than that.
+#
+# This is the rule behind every rate on a robot: **publish as fast as the value changes in a way that somebody needs to
+# know**. Batteries: once in seconds. Joints that a planner uses: 10 to 100 Hz. Motor control inside the joint:
+# 1000 Hz and more, and not over a Python topic.
+#
+# The message type is `Float32MultiArray`: a list of 32-bit floats with an optional `layout` that describes rows and
+# columns. It has no joint names. Sender and receiver must agree on the order, as we did in the table above.
+
+# %%
+from std_msgs.msg import Float32MultiArray
+
+message = Float32MultiArray(data=waving(0.25))
+print(len(message.data), "values, stored as", type(message.data).__name__, "of type", repr(message.data.typecode))
+print("left elbow sent:", waving(0.25)[ELBOW])
+print("left elbow kept:", message.data[ELBOW])
+
+# %% [markdown]
+# The two numbers differ in the eighth digit: a Python `float` has 64 bits and the field has 32. For an angle that is
+# less than a hair's breadth. Only never compare such values with `==`.
+
+# %% [markdown]
+# ## Change it
+#
+# ### Experiment 1: joints faster than the battery?
+#
+# Now the joint publisher sends at 10 Hz, on the wall clock, for four real seconds. The worst error of the last known
+# elbow angle will be:
+#
+# - **a** the same, because the motion is the same
+# - **b** about half
+# - **c** less than a third
+
+# %%
+predict("...", about="10 Hz")
+
+# %%
+fast = record(joint_position_publisher, {TOPIC: 0.1}, seconds=4, clock="wall", period_s=0.1)
+steps = np.abs(np.diff([row[ELBOW] for row in values(fast, TOPIC)]))
+
+print("largest step from one message to the next, compared with the swing:")
+print("less than a third" if steps.max() < swing / 3 else "a third or more")
+recall("c", about="10 Hz")
+
+# %% [markdown]
+# So the answer to the first question of the exercise is measured, not felt: joints change by radians in a second, the
+# battery by a fraction of a percent. The joints deserve the faster topic. The exercise asks for 0.5 Hz all the same,
+# because there the angles are simulated and nobody steers by them.
+
+# %% [markdown]
+# ### Experiment 2: a subscriber that uses the angles
+#
+# How high is the left hand? From shoulder and elbow angle and the lengths of upper arm and forearm one can compute it.
+# The node below listens to the angles and publishes the height of the hand above the shoulder, in meters.
+#
+# It spins in this notebook while the waving robot runs in its own process. In five seconds, with 20 messages per
+# second, how many heights will it publish?
+#
+# - **a** about 100: one for each message that arrives
+# - **b** about 5: one per second
+# - **c** none: it has no timer
+
+# %%
+predict("...", about="the hand tracker")
+
+# %%
+import math
+
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+from workbook.lesson import fresh, init, run
+
+init()  # rclpy.init(), made so that a cell can be run again
+
+UPPER_ARM, FOREARM = 0.30, 0.28  # m
+
+
+class HandTracker(Node):
+    """Publishes how high the left hand is above the shoulder (m), for every set of joint angles."""
+
+    def __init__(self) -> None:
+        super().__init__("hand_tracker")
+        self.heights: list[float] = []
+        self.height_pub = self.create_publisher(Float32, "/robot/left_hand_height", 10)
+        self.create_subscription(Float32MultiArray, "/robot/joint_positions", self.on_joints, 10)
+
+    def on_joints(self, msg: Float32MultiArray) -> None:
+        shoulder = msg.data[JOINTS.index("left_shoulder")]
+        elbow = msg.data[JOINTS.index("left_elbow")]
+        height = -UPPER_ARM * math.cos(shoulder) - FOREARM * math.cos(shoulder + elbow)
+        self.heights.append(height)
+        self.height_pub.publish(Float32(data=height))
+
+
+start(joint_position_publisher, period_s=0.05)
+tracker = fresh(HandTracker)
+await run(tracker, seconds=5)
+stop()
+
+print("more than 80 heights:", len(tracker.heights) > 80)
+print("always above the shoulder:", min(tracker.heights) > 0)
+recall("a", about="the hand tracker")
+
+# %%
+fig, axes = figure(7.2, 2.4)
+axes.plot(np.arange(len(tracker.heights)) * 0.05, tracker.heights, ".-")
+axes.set(xlabel="real time (s)", ylabel="hand above shoulder (m)")
+show(fig, "the height of the waving hand, computed from the joint angles, goes up and down")
+
+# %% [markdown]
+# The subscriber needs no timer: a message *is* its clock. This is how most of a robot works. A node takes one topic,
+# makes something more useful of it, and publishes that.
+
+# %% [markdown]
+# ### Experiment 3: 100 Hz instead of 0.5 Hz
+#
+# What does it cost to be generous? We run the publisher at three rates, each for four real seconds in a process of
+# its own, and read from the operating system how much processor time it took.
+#
+# At 100 Hz there are 200 times as many messages as at 0.5 Hz. The processor time of the program will be:
+#
+# - **a** about 200 times as much
+# - **b** more, but far less than 200 times as much
+# - **c** the same
+
+# %%
+predict("...", about="100 Hz")
+
+# %%
+from rclpy.serialization import serialize_message
+
+size = len(serialize_message(message))
+print("one message is", size, "bytes on the wire, headers of DDS not counted")
+for hz in (0.5, 10, 100):
+    print(f"{hz:>5} Hz: {hz * size:>6.0f} bytes per second")
+
+# %% tags=["nbval-ignore-output"]
+from workbook.lesson import processor_seconds
+
+used = {hz: processor_seconds(joint_position_publisher, seconds=4, period_s=1 / hz) for hz in (0.5, 10.0, 100.0)}
+for hz, busy in used.items():
+    print(f"{hz:>5} Hz: {100 * busy / 4:5.1f} % of one core, starting up included")
+
+# %%
+print("100 Hz costs more than 0.5 Hz:", used[100.0] > used[0.5])
+print("but less than 200 times as much:", used[100.0] < 200 * used[0.5])
+recall("b", about="100 Hz")
+
+# %%
+fig, axes = figure(5.2, 2.4)
+bars = axes.bar([f"{hz:g} Hz" for hz in used], [100 * busy / 4 for busy in used.values()])
+axes.bar_label(bars, fmt="%.0f %%")
+axes.set(ylabel="one core, busy (%)")
+axes.margins(y=0.2)
+show(fig, "processor time of the publisher at 0.5, 10 and 100 Hz: it grows, but far less than the number of messages")
+
+# %% [markdown]
+# Most of the time at 0.5 Hz goes into starting Python and ROS; a message itself costs little. 100 Hz is affordable for
+# *one* publisher. But every subscriber pays as well, for every message, and a robot has many topics. Two hundred times
+# the data for an angle that nobody reads faster than once a second is waste. And a Python node that is busy with one
+# topic is late for the others: that is lesson 10.
+
+# %% [markdown]
+# ## When it goes wrong
+#
+# **A plain list.** The most common slip with arrays: publishing the list instead of the message.
+
+# %% tags=["raises-exception"]
+import rclpy
+
+node = fresh(lambda: rclpy.create_node("mistakes"))
+joint_pub = node.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
+joint_pub.publish(waving(0.0))
+
+# %% [markdown]
+# The publisher wants an object of its message class. Put the list into the `data` field of one:
+# `Float32MultiArray(data=angles)`.
+#
+# **One number instead of twelve.** The field is an array, also for a single value.
+
+# %% tags=["raises-exception"]
+Float32MultiArray(data=1.57)
+
+# %% [markdown]
+# The message tries to walk through what it is given, element by element. A list with one element is what is wanted:
+# `[1.57]`.
+#
+# **Eleven values, degrees, NaN.** These raise nothing at all: for ROS they are an array of floats like any other.
+# Only somebody who *uses* the angles can notice. Here is the pose with the left arm stretched out to the side, once in
+# radians and once with the same number in degrees.
+
+# %%
+from workbook.lesson import robot
+from workbook.pictures.joints import pose
+
+robot(*pose(left_shoulder=math.radians(90)), caption="left shoulder at math.radians(90)")
+
+# %%
+robot(*pose(left_shoulder=90), caption="left shoulder at 90: that is 14 turns and a bit")
+
+# %%
+for bad in ([0.0] * 11, [math.nan] * 12):
+    accepted = Float32MultiArray(data=bad)
+    try:
+        robot(*accepted.data)
+    except ValueError as complaint:
+        print("ROS takes it, the robot does not:", complaint)
+
+# %% [markdown]
+# So check what you send where you make it: twelve values, `math.isfinite`, within ±π. And check what you receive where
+# it matters: a motor that gets NaN may do anything.
+
+# %% [markdown]
+# ## From a worked example to your own
+#
+# **Worked.** The status publisher of lesson 08 learns one more topic: how far the head is turned, a single angle, once a
+# second. Three additions: a publisher, a timer, a callback. The two old topics stay as they were, because
+# `super().__init__()` still makes them.
+
+# %%
+from rclpy.logging import LoggingSeverity, set_logger_level
+
+from lesson_nodes.humanoid_status_publisher import HumanoidStatusPublisher
+
+set_logger_level("humanoid_status_publisher", LoggingSeverity.WARN)  # its log was lesson 08
+
+class WithHeadAngle(HumanoidStatusPublisher):
+    """The status publisher, and the angle of the head on /robot/head_angle (Float32, rad, 1 Hz)."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.head_pub = self.create_publisher(Float32, "/robot/head_angle", 10)
+        self.head_timer = self.create_timer(1.0, self.publish_head)
+        self.looks = 0
+
+    def publish_head(self) -> None:
+        self.looks += 1
+        self.head_pub.publish(Float32(data=0.5 * math.sin(self.looks)))
+
+
+looking = fresh(WithHeadAngle)
+await run(looking, seconds=3.5)
+print("head angles published:", looking.looks)
+
+# %% [markdown]
+# **Faded.** Now the five fingers of the left hand, on `/robot/finger_positions`, twice a second. The lines with
+# `...` are yours. Until then the cell runs, and says what is missing.
+
+# %%
+FINGERS = 5
+FINGER_PERIOD_S = ...  # TODO: seconds between two messages at 2 Hz
+
+
+class WithFingers(WithHeadAngle):
+    """Adds the angles of five fingers on /robot/finger_positions (Float32MultiArray, rad, 2 Hz)."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.finger_pub = ...  # TODO: a publisher of Float32MultiArray on /robot/finger_positions
+        self.grips = 0
+        if FINGER_PERIOD_S is not ...:
+            self.finger_timer = self.create_timer(FINGER_PERIOD_S, self.publish_fingers)
+
+    def publish_fingers(self) -> None:
+        self.grips += 1
+        angles = ...  # TODO: a list of five angles that change with self.grips
+        self.finger_pub.publish(Float32MultiArray(data=angles))
+
+
+if FINGER_PERIOD_S is ...:
+    print("Fill in the period, the publisher and the angles, then run this cell again.")
+else:
+    gripping = fresh(WithFingers)
+    await run(gripping, seconds=3)
+    print("finger messages published:", gripping.grips)
+
+# %% [markdown]
+# **Your own.** The [exercise](../exercises/09_joint_positions.ipynb) is the whole thing: twelve joints on
+# `/robot/joint_positions`, every 2 s, beside status and battery. It is judged by what your node does on the topics.
+
+# %% [markdown]
+# ## Check yourself
+#
+# **1. A joint moves through its whole range in half a second. A safety monitor must see it. Which rate fits?**
+#
+# <details><summary>a) 0.5 Hz, as in the exercise</summary>
+#
+# ✗ Two seconds pass between two messages. The joint can go there and back four times unseen.
+#
+# </details>
+# <details><summary>b) 20 to 100 Hz</summary>
+#
+# ✓ Ten or more messages fall into each movement, and one Python node can afford it.
+#
+# </details>
+# <details><summary>c) As fast as the loop can go</summary>
+#
+# ✗ Every subscriber pays for every message. A rate that nobody needs takes time from those who do.
+#
+# </details>
+#
+# **2. Your message holds eleven values. Who notices?**
+#
+# <details><summary>a) rclpy, when you call publish()</summary>
+#
+# ✗ A Float32MultiArray may have any length. rclpy checks types, if anything.
+#
+# </details>
+# <details><summary>b) DDS, because the publisher announced twelve</summary>
+#
+# ✗ Nobody announced a length. The type says "a sequence of floats", no more.
+#
+# </details>
+# <details><summary>c) Only a subscriber that counts</summary>
+#
+# ✓ So the agreement of twelve joints in this order is yours to keep, on both sides.
+#
+# </details>
+#
+# **3. You want 0.5 Hz and write `create_timer(0.5, self.publish_joints)`. What arrives?**
+#
+# <details><summary>a) One message every 2 s</summary>
+#
+# ✗ That would be `create_timer(2.0, …)`: the argument is a period in seconds.
+#
+# </details>
+# <details><summary>b) Two messages every second</summary>
+#
+# ✓ A period of 0.5 s is 2 Hz, four times too fast.
+#
+# </details>
+# <details><summary>c) An error, because Hz was meant</summary>
+#
+# ✗ 0.5 is a fine period. rclpy cannot know what you meant.
+#
+# </details>
+#
+# **4. The angles come from NumPy as `float32`. What do subscribers of a Float32MultiArray get?**
+#
+# <details><summary>a) The right values</summary>
+#
+# ✓ An array field converts what it is given, element by element. (A single Float32 field is another story: lesson 03.)
+#
+# </details>
+# <details><summary>b) Zeros</summary>
+#
+# ✗ That happens to `Float32(data=np.float32(1.5))` with field checks off, not to an array.
+#
+# </details>
+# <details><summary>c) Nothing, the message is refused</summary>
+#
+# ✗ It is accepted. `.tolist()` is still a good habit: plain Python floats work everywhere.
+#
+# </details>
+
+# %% [markdown]
+# ## Talk it through
+#
+# > My humanoid publishes twelve joint angles. A colleague wants them at 100 Hz for logging, the dashboard needs 2 Hz, and
+# > the arm planner 50 Hz. Should I make three topics, one fast topic, or something else? What speaks for each?
+#
+# <details><summary>What a good answer contains</summary>
+#
+# One topic at the fastest rate that somebody really needs; slower users drop or sample what they do not want (queue depth
+# 1, or a timer that reads the last message). Three topics of the same thing can disagree. The cost of a message is paid
+# by each subscriber, so a slow one in Python may want its own, thinned topic. And a real robot would use
+# `sensor_msgs/JointState`, which carries names, positions, velocities and a time stamp.
+#
+# </details>
+
+# %% [markdown]
+# ## Take away
+#
+# - A message is a snapshot; between two of them a subscriber knows nothing.
+# - Choose a rate by how fast the value changes and who needs to know.
+# - `Float32MultiArray` carries any number of floats; order and count are an agreement.
+# - A subscriber that publishes needs no timer: messages drive it.
+# - Check length, finiteness and range where you make the angles.
+#
+# **Next:** the exercise, and then slow callbacks (lesson 10, in preparation).
+#
+# **More:** [Publishing and subscribing in Python](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)
+# and [about interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html).
