@@ -120,7 +120,7 @@ def run(options: argparse.Namespace) -> int:
     from workbook.exercise.source import SourceError, UnknownExercise
     from workbook.grading.batch import Batch
 
-    slots = options.slots or SLOTS_PER_CORE * (os.cpu_count() or 1)
+    slots = SLOTS_PER_CORE * (os.cpu_count() or 1) if options.slots is None else options.slots
     stopping = _Stopping()
     screen = _Screen()
     before = signal.signal(signal.SIGINT, stopping)

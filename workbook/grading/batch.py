@@ -130,7 +130,7 @@ class Batch:
                     result = self._refuse(hand_in, str(error), sha256)
                     book.append(result)
                     done += 1
-                    progress(self._progress(done, len(hand_ins) - kept, kept, began, 0, result))
+                    progress(self._progress(done, len(hand_ins) - kept, kept, began, done, result))
                     continue
                 if self._is_done(hand_in, answer.sha256):
                     kept += 1
