@@ -24,12 +24,15 @@ from workbook.ros.environment import is_prepared, prepare
 SPEEDS = (10.0, 20.0)
 PERIODS_PER_SPEED = 3.5
 WALL_PERIODS = 4.0
+WALL_EXTRA_S = 0.5
 LEAST_WALL_WATCH_S = 4.0
 FIRST_SIGN_S = 12.0
+ELSEWHERE_S = 2.0
 SETTLE_S = 0.6
 MATCH_S = 3.0
 FOLLOW_S = 1.0
 POLL_S = 0.01
+HELD_STEPS = 5
 LOOK_EVERY_S = 0.1
 PATIENCE_S = 0.7
 PATIENCE_WITH_THE_END_S = 4.0
@@ -59,7 +62,7 @@ class Plan:
 
     @property
     def wall_s(self) -> float:
-        return max(LEAST_WALL_WATCH_S, WALL_PERIODS * self.longest_period)
+        return max(LEAST_WALL_WATCH_S, WALL_PERIODS * self.longest_period + WALL_EXTRA_S)
 
 
 class Observer:
@@ -181,8 +184,13 @@ class Watch:
     def _wait_for_first_sign(self) -> bool:
         """Wait until a publisher of the program is on the graph. Returns False if it never came."""
         deadline = time.monotonic() + FIRST_SIGN_S
+        look_elsewhere = time.monotonic() + ELSEWHERE_S
         node_since: float | None = None
         while time.monotonic() < deadline:
+            if time.monotonic() > look_elsewhere:
+                if set(self._process.domains_used()) - {self._observer.domain_id}:
+                    return False
+                look_elsewhere += 1.0
             if self._recorder.look() and node_since is None and self._recorder.nodes():
                 node_since = time.monotonic()
             if self._recorder.any_publisher():
@@ -250,15 +258,13 @@ class Watch:
                 next_look = time.monotonic() + LOOK_EVERY_S
         self._recorder.take()
 
-    def _needs_longer(self) -> bool:
-        """On the wall clock: a judged topic that came late has not been watched for three of its periods yet."""
+    def _left_to_watch(self) -> float:
+        """On the wall clock: real seconds until also the topic that was matched last has had its full watch."""
         now = self._robot_time(time.monotonic())
         topics = self._recorder.topics(now)
-        for name in self._plan.topics:
-            window = topics[name].window if name in topics else None
-            if window is not None and window[1] - window[0] < 3 * self._plan.longest_period:
-                return True
-        return False
+        begins = [topics[name].window for name in self._plan.topics if name in topics]
+        latest = max((window[0] for window in begins if window is not None), default=0.0)
+        return latest + self._plan.wall_s - now
 
     def observe(self) -> Recording:
         """Watch the program as planned and return the recording. Does not end the program."""
@@ -273,20 +279,32 @@ class Watch:
                     self._run_robot_time()
                 else:
                     self._run_wall_time(self._plan.wall_s)
-                    if self._process.is_running() and self._needs_longer():
-                        self._run_wall_time(self._plan.wall_s)
+                    if self._process.is_running():
+                        self._run_wall_time(self._left_to_watch())
         if not self._recorder.any_publisher() or not all(map(self._recorder.matched, self._plan.topics)):
             self._process.domains_used()
         return self.recording()
 
     def _begin_watch(self) -> None:
-        self._rest.wait()  # it has then taken in that it was matched, too
+        if self._clock is not None:
+            self._hold_the_clock()
         self._recorder.discard()
         if self._clock is not None:
             self._clock.publish()
         else:
             self._began = time.monotonic()
         self._recorder.start_windows(0.0)
+
+    def _hold_the_clock(self) -> None:
+        """Show the program the start of robot time until it listens.
+
+        That we are matched with it does not mean that it is matched with us: what is published now may pass it by.
+        """
+        assert self._clock is not None
+        for _ in range(HELD_STEPS):
+            self._clock.publish()
+            self._pause(POLL_S)
+            self._rest.wait()
 
     def keep_watching(
         self, wall_s_after_match: float, enough: Callable[[], bool] = lambda: False, *, speed: float = 1.0
@@ -342,10 +360,17 @@ class Watch:
     def _end_process(self, patience_s: float = PATIENCE_S) -> None:
         self._rest.close()
         was_killed = self._process.killed
-        self._process.stop(patience_s)
+        if self._clock is not None:
+            self._clock.run_at(1.0)
+        self._process.stop(patience_s, self._keep_time)
         if self._process.killed and not was_killed:
             self._shut()
             self._observer.move()
+
+    def _keep_time(self) -> None:
+        """Let robot time go on while the program ends: one that waits for its next timer hears of Ctrl-C only then."""
+        if self._clock is not None and self._context.ok() and self._clock.until_due() == 0.0:
+            self._clock.advance()
 
     def _shut(self) -> None:
         if self._context.ok():
