@@ -20,6 +20,7 @@ HOST = Path(__file__).with_name("host.py")
 LOG_KEPT_BYTES = 8_000
 LOG_LIMIT_BYTES = 50_000_000
 RUN_MARK = "WORKBOOK_RUN"
+TURN_S = 0.05
 _CONTROL = re.compile(r"\x1b\[[0-?]*[ -/]*[@-~]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)|[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 
 
@@ -270,16 +271,21 @@ class NodeProcess:
                     pass
             time.sleep(0.005)
 
-    def stop(self, patience_s: float = 2.0) -> None:
+    def stop(self, patience_s: float = 2.0, meanwhile: Callable[[], object] = lambda: None) -> None:
         """End the program: SIGINT, wait up to `patience_s`, then SIGKILL to everything it started.
 
-        SIGTERM is not used: this rclpy loses some of them while it spins.
+        `meanwhile` is called again and again while it waits. SIGTERM is not used: this rclpy loses some of them
+        while it spins.
         """
         if self.is_running():
             self._ended_by_bench = True
             self.interrupt()
-            if not self.wait(patience_s):
-                self.killed = True
+            deadline = time.monotonic() + patience_s
+            while not self.wait(max(0.0, min(TURN_S, deadline - time.monotonic()))):
+                if time.monotonic() >= deadline:
+                    self.killed = True
+                    break
+                meanwhile()
         if self.killed or processes_marked(self._mark):
             self.killed = True
             self._kill_tree()

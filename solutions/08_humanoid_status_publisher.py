@@ -1,0 +1,192 @@
+# ---
+# exercise: 08_humanoid_status_publisher
+# title: The humanoid status publisher
+# minutes: 20
+# difficulty: 2
+# kind: program
+# clock: simulated
+# objectives:
+#   - find a fault by what arrives on the topics, not by staring at the code
+#   - send a number in a float field so that it arrives as that number
+#   - turn a rate in hertz into the period of a timer
+#   - end a node on Ctrl-C with exit code 0
+# out_of_scope:
+#   - adding topics (exercise 09 does that)
+#   - reading a real battery (BatteryState) and what the robot should do when it is empty
+#   - ending on SIGTERM, and parameters for rates
+# ---
+# %% [markdown]
+# # Exercise 08 · The humanoid status publisher
+#
+# The night shift has left you a note: *"Somebody tidied up the status publisher yesterday. It starts, it logs, it
+# looks fine. But the dashboard says the battery is at 0 %, although the robot walks about. The battery topic is
+# busier than it should be. And the service manager reports a crash every time we stop it."* Three complaints, three
+# bugs. Mend them. The rest of the program is as it should be.
+#
+# **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
+# [08](../notebooks/08_humanoid_status_publisher.ipynb).
+#
+# ## What it has to do
+#
+# | topic | type | rate | content |
+# |---|---|---|---|
+# | `/robot/status` | `String` | 1 Hz | `operational`, or `error` once the battery is empty |
+# | `/robot/battery` | `Float32` | 0.5 Hz | percent, from 100 downwards, never below 0, never rising |
+#
+# On Ctrl-C the program ends with exit code 0 and without a traceback.
+#
+# ## What is judged
+#
+# Your program runs as a process of its own. It is judged by what it publishes, and by how it ends when it gets the
+# signal that Ctrl-C sends.
+#
+# | points | criterion |
+# |---:|---|
+# | 1 | `/robot/battery` carries `Float32` |
+# | 2 | the charge really arrives, from 0 to 100 %, and falls |
+# | 2 | the battery comes at 0.5 Hz, evenly (0.4 to 0.6 Hz, no gap over 3 s) |
+# | 1 | `/robot/status` is as it was: `String`, 1 Hz, one of the two words |
+# | 1 | the program runs until it is told to end |
+# | 3 | Ctrl-C ends it with exit code 0 and no traceback |
+#
+# Run the program below first, as it is: `%start` and the dashboard show you the complaints. Whether you change three
+# lines or write it anew is up to you.
+#
+# **Not part of it:** new topics, real batteries, other signals than that of Ctrl-C.
+# %% [answer]
+"""A humanoid robot that reports its state once a second and its battery every two seconds."""
+
+import random
+
+import rclpy
+# [solution]
+from rclpy.executors import ExternalShutdownException
+# [end]
+from rclpy.node import Node
+from std_msgs.msg import Float32, String
+
+STATUS_PERIOD_S = 1.0  # 1 Hz
+# [solution]
+BATTERY_PERIOD_S = 2.0  # 0.5 Hz: one message every two seconds
+# [starter]
+# | BATTERY_PERIOD_S = 0.5  # 0.5 Hz
+# [end]
+DRAIN_PERCENT = (0.5, 1.5)
+
+
+class HumanoidStatusPublisher(Node):
+    """Publishes the state of the robot and the charge of its battery.
+
+    Topics:
+        /robot/status (std_msgs/String), 1 Hz: "operational", or "error" once the battery is empty.
+        /robot/battery (std_msgs/Float32), 0.5 Hz: charge in percent, from 100 down to 0.
+    """
+
+    def __init__(self) -> None:
+        super().__init__("humanoid_status_publisher")
+        self.battery_level = 100.0
+        self.status_publisher = self.create_publisher(String, "/robot/status", 10)
+        self.battery_publisher = self.create_publisher(Float32, "/robot/battery", 10)
+        self.status_timer = self.create_timer(STATUS_PERIOD_S, self.publish_status)
+        self.battery_timer = self.create_timer(BATTERY_PERIOD_S, self.publish_battery)
+        self.get_logger().info("Humanoid status publisher started")
+
+    def publish_status(self) -> None:
+        """Say whether the robot can work."""
+        message = String(data="operational" if self.battery_level > 0.0 else "error")
+        self.status_publisher.publish(message)
+        self.get_logger().info(f"Status: {message.data}")
+
+    def publish_battery(self) -> None:
+        """Drain the simulated battery a little, never below empty, and report its charge."""
+        self.battery_level = max(0.0, self.battery_level - random.uniform(*DRAIN_PERCENT))
+        # [solution]
+        message = Float32(data=self.battery_level)
+        # [starter]
+        # | message = Float32(data=round(self.battery_level))  # whole percents are easier to read
+        # [end]
+        self.battery_publisher.publish(message)
+        self.get_logger().info(f"Battery: {self.battery_level:.0f} %")
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the node until Ctrl-C."""
+    rclpy.init(args=args)
+    humanoid = HumanoidStatusPublisher()
+    # [solution]
+    try:
+        rclpy.spin(humanoid)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass  # somebody ended the program: that is no error
+    finally:
+        rclpy.try_shutdown()  # Ctrl-C may have shut the context down already
+    # [starter]
+    # | try:
+    # |     rclpy.spin(humanoid)
+    # | except KeyboardInterrupt:
+    # |     pass
+    # | finally:
+    # |     humanoid.destroy_node()
+    # |     rclpy.shutdown()
+    # [end]
+
+
+if __name__ == "__main__":
+    main()
+# %% [live]
+# %start
+# %% [hint]
+# Do not read the code yet. Look at the dashboard, and take one complaint at a time.
+#
+# - **0 %.** The log says 99 %, the topic says 0. So the level is right in `self.battery_level` and is lost on its way
+#   into the message. Which single line lies between the two?
+# - **Too busy.** Count the battery messages in ten seconds. How many should it be at 0.5 Hz?
+# - **The crash.** `%check` shows the last lines of the log after Ctrl-C. Read the very last one first.
+#
+# What a publisher and a timer do, step by step: [Writing a simple publisher and
+# subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)
+# %% [hint]
+# - **0 %.** Ask Python: `type(round(99.4))`. Then look up which Python type a `float32` field wants. (`round` with a
+#   second argument gives another type.)
+# - **Too busy.** `create_timer` takes a *period* in seconds. The comment beside the number names a *frequency*. One is
+#   1 divided by the other.
+# - **The crash.** On Ctrl-C rclpy shuts the context down by itself. What does the program do with it after that? rclpy
+#   has a second function for it, which does not mind: its name begins with `try_`. And there is a second exception
+#   that may come out of `spin`: `rclpy.executors.ExternalShutdownException`.
+#
+# Field types and their Python types: [About interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html)
+# %% [hint]
+# The three places, with gaps:
+#
+# ```python
+# BATTERY_PERIOD_S = ___  # 0.5 Hz: one message every ... seconds
+#
+#     message = Float32(data=___(self.battery_level))  # or the level as it is
+#
+#     try:
+#         rclpy.spin(humanoid)
+#     except (KeyboardInterrupt, ___):
+#         pass
+#     finally:
+#         rclpy.___()
+# ```
+#
+# The functions that begin and end a program: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
+# %% [alternatives]
+# ## Other good ways
+#
+# - **`float(round(self.battery_level))`.** Whole percents on the wire, and a float all the same. `round(level, 1)`
+#   gives a float, too. Better still: send the number as it is and round where it is *shown*. The one who listens may
+#   want the decimals.
+# - **Test `rclpy.ok()` before `rclpy.shutdown()`.** `if rclpy.ok(): rclpy.shutdown()` does what `try_shutdown()` does,
+#   in more words.
+# - **`destroy_node()` in `finally`.** Not wrong: it may be called after the context is down. It is not needed either,
+#   since the process ends. It matters in a program that goes on without the node.
+# - **No `ExternalShutdownException`.** On Ctrl-C `KeyboardInterrupt` comes out of `spin`, and catching it is enough here.
+#   The other exception comes when something else has shut the context down: a SIGTERM from a service manager, or a
+#   program that was started with Ctrl-C ignored. Catch both and you need not think about who it was.
+# - **`signal_handler_options=SignalHandlerOptions.NO` in `rclpy.init`.** Then rclpy leaves the signals alone, the context
+#   is still up after Ctrl-C, and a plain `rclpy.shutdown()` is right. Useful when the robot has to say good-bye: a last
+#   `/robot/status` can be published only while the context is up.
+# - **`sensor_msgs/msg/BatteryState`.** What a real robot publishes: voltage, current, charge from 0 to 1 and the health
+#   of the cells, with a time stamp. `Float32` does not even say that it means percent.
