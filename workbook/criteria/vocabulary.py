@@ -14,6 +14,7 @@ from workbook.observing.recording import Arrival, Recording, TopicRecording
 
 RATE_TOLERANCE = 0.2
 LONGEST_GAP_PERIODS = 1.5
+INTERVAL_TOLERANCE = 0.1
 LEAST_INTERVALS = 3
 
 
@@ -360,6 +361,26 @@ def counts(recording: Recording, topic: Topic) -> Verdict:
         f"{_count(seen.count, 'message')} in {seconds(end - start)} ({number(hz)} Hz)",
         f"{wanted} messages: {number(topic.hz)} Hz, one every {number(topic.period)} s",
         _why_rate(topic, hz),
+        _try_rate(topic),
+        about_time=True,
+    )
+
+
+def keeps_period(recording: Recording, topic: Topic) -> Verdict:
+    """The typical interval is the topic's period, within a tenth: exact also where few messages were watched."""
+    nothing = no_message(recording, topic)
+    if nothing is not None:
+        return nothing
+    typical = topic_pace(recording, topic).typical_interval
+    if typical is not None and abs(typical - topic.period) <= INTERVAL_TOLERANCE * topic.period:
+        return passed(f"one message every {number(topic.period)} s")
+    return failed(
+        "one single message" if typical is None else f"typically {typical:.3g} s from one message to the next",
+        f"one message every {number(topic.period)} s",
+        "It is published once, not again and again."
+        if typical is None
+        else "The period given to create_timer is near the right one, but not the right one; or a loop sleeps for the "
+        "period and takes the time of its work on top.",
         _try_rate(topic),
         about_time=True,
     )
