@@ -148,7 +148,7 @@ def test_a_module_tells_its_criteria_topics_and_plan() -> None:
     assert plan.topics == ("/robot/battery", "/robot/status", "/robot/name")
     assert plan.step_s == pytest.approx(0.05)
     assert plan.robot_s_per_speed == 15.0
-    assert plan.wall_s == 8.0
+    assert plan.wall_s == 8.5
 
 
 def test_without_a_word_on_it_a_watch_covers_seven_of_the_longest_period() -> None:

@@ -108,7 +108,7 @@ def test_exits_cleanly() -> None:
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=None, signal="SIGKILL"))), "had to be killed")
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=None, signal="SIGABRT"))), "SIGABRT", "thread")
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=130))), "exit code 130", "KeyboardInterrupt")
-    refuses(see.exits_cleanly(silent(replace(LIVING, exit=1, log=TRACEBACK))), "line 7", "NameError")
+    refuses(see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=TRACEBACK))), "line 7", "NameError")
     with pytest.raises(ValueError, match="to_the_end"):
         see.exits_cleanly(silent(replace(LIVING, exit=None, ended_by=None)))
 
@@ -193,7 +193,7 @@ def test_silence_fails_every_word_and_is_about_time(word: Callable[[Recording], 
 
 def test_rate_accepts_its_whole_tolerance() -> None:
     accepts(see.rate(battery(EVEN), BATTERY), "0.5 Hz", "7 messages")
-    accepts(see.rate(battery(every(1.7, 8)), BATTERY), "0.5882 Hz")
+    accepts(see.rate(battery(every(1.7, 8)), BATTERY), "0.59 Hz")
     accepts(see.rate(battery(every(2.4, 5)), BATTERY), "0.4167 Hz")
 
 
@@ -203,7 +203,7 @@ def test_rate_accepts_its_whole_tolerance() -> None:
         (every(0.5, 27), ("2 Hz", "0.5 s", "27 messages", "Period and frequency are mixed up")),
         (every(0.1, 140), ("10 Hz", "20 times too fast")),
         (every(4.0, 3), ("0.25 Hz", "3 messages", "Too slow")),
-        (every(2.9, 4), ("0.3448 Hz", "Too slow", "create_timer(2.0, ...)")),
+        (every(2.9, 4), ("0.34 Hz", "Too slow", "create_timer(2.0, ...)")),
         ([2.0], ("one single message in 14.0 s", "published once")),
         ([2.0, 2.0], ("2 messages at one moment",)),
         (sorted(EVEN * 2), ("messages come in pairs", "Two timers")),
@@ -313,7 +313,7 @@ def test_varies() -> None:
     refuses(see.varies(joints([0.0] * 3), JOINTS, 2, 1e-6), "a single message", about_time=True)
     nan = [[math.nan, 0.1 * n, 0.2 * n] for n in range(5)]
     accepts(see.varies(joints(*nan), JOINTS, 2, 1e-6), "2 of 3")
-    refuses(see.varies(joints([], [1.0], [2.0], [3.0]), JOINTS, 1, 1e-6), "no value moves")
+    accepts(see.varies(joints([], [1.0], [2.0], [3.0]), JOINTS, 1, 1e-6), "1 of 1")
 
 
 def test_one_of() -> None:

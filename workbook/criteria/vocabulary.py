@@ -2,6 +2,7 @@
 
 import difflib
 import math
+import statistics
 from collections.abc import Callable, Collection, Sequence
 from typing import Any
 
@@ -25,6 +26,11 @@ def number(value: float) -> str:
     return f"{value:.4g}"
 
 
+def hertz(value: float) -> str:
+    """A measured rate, rounded to what can be told from a few messages: 0.5, 1.1, 100."""
+    return f"{float(f'{value:.2g}'):g}"
+
+
 def seconds(value: float) -> str:
     return f"{value:.1f} s"
 
@@ -46,7 +52,7 @@ def _count(n: int, noun: str) -> str:
 def program_runs(recording: Recording) -> Verdict:
     """The program starts and its node or a publisher of it is seen on the graph."""
     expected = "a program that starts, makes its node and keeps it running"
-    if any(topic.publishers for topic in recording.topics.values()):
+    if _got_going(recording):
         nodes = sorted({node.name for node in recording.nodes})
         return passed(f"node {listing(nodes)} is on the graph" if nodes else "publishers are on the graph")
     process = recording.process
@@ -67,6 +73,13 @@ def program_runs(recording: Recording) -> Verdict:
             "Something prints in an endless loop.",
             "Look for a print or log line that runs without a timer or a pause.",
         )
+    if any(topic.publishers for topic in recording.topics.values()):
+        return failed(
+            "the publishers of your node appeared and vanished again, while the program runs on",
+            expected,
+            "The node was destroyed before it was spun (destroy_node, shutdown, or a with block that ended).",
+            "Destroy the node only after rclpy.spin(node) has returned.",
+        )
     if recording.nodes:
         names = listing(sorted(node.name for node in recording.nodes))
         return failed(
@@ -83,6 +96,19 @@ def program_runs(recording: Recording) -> Verdict:
     )
 
 
+def _got_going(recording: Recording) -> bool:
+    """A message arrived, or a publisher is there and stays while the program runs.
+
+    A program that fails in its first lines may show publishers for a moment; that is not yet running.
+    """
+    topics = recording.topics.values()
+    if any(topic.arrivals or topic.undecodable or topic.not_kept for topic in topics):
+        return True
+    if recording.process.ended_by == "itself":
+        return False
+    return any(publisher.last_seen is None for topic in topics for publisher in topic.publishers)
+
+
 def _ended_before_it_was_seen(recording: Recording, expected: str) -> Verdict:
     process = recording.process
     mishap = find_mishap(process.log, process.program)
@@ -90,7 +116,7 @@ def _ended_before_it_was_seen(recording: Recording, expected: str) -> Verdict:
         return failed(f"{mishap.where}{mishap.error}", expected, mishap.because, mishap.try_this)
     how = f"signal {process.signal}" if process.signal else f"exit code {process.exit}"
     return failed(
-        f"the program ended after {seconds(process.ended_at or 0.0)} ({how}), before any topic appeared",
+        f"the program ended after {seconds(process.ended_at or 0.0)} ({how}), before any message came",
         expected,
         "Nothing keeps it alive: a program ends with its last line unless something spins.",
         "Make the node in main(), call rclpy.spin(node), and call main() at the end of the file.",
@@ -146,7 +172,7 @@ def exits_cleanly(recording: Recording) -> Verdict:
             "A thread was still spinning when the interpreter went down.",
             "Shut the executor down first, then join its thread.",
         )
-    mishap = find_mishap(process.log, process.program)
+    mishap = find_mishap(process.end_log, process.program)
     if mishap is None and process.exit == 0:
         return passed("ended with exit code 0 after Ctrl-C, no traceback")
     if mishap is not None:
@@ -277,7 +303,8 @@ def no_message(recording: Recording, topic: Topic) -> Verdict | None:
 
 
 def _window(recording: Recording, seen: TopicRecording) -> tuple[float, float]:
-    return seen.window if seen.window is not None else (0.0, recording.robot_s)
+    start, end = seen.window if seen.window is not None else (0.0, recording.robot_s)
+    return start, max(start, end)
 
 
 def topic_pace(recording: Recording, topic: Topic) -> Pace:
@@ -308,15 +335,15 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
         once = "one single message" if seen.count == 1 else f"{seen.count} messages at one moment, and no other"
         return fail(
             f"{once} in {seconds(window[1] - window[0])}",
-            "It is published once, not again and again.",
+            "It is published once, or far too rarely.",
             f"Publish in a callback and let create_timer({number(topic.period)}, ...) call it.",
         )
     gap_limit = LONGEST_GAP_PERIODS * topic.period
     hz = seen.hz
-    if seen.in_bursts:
+    if seen.in_bursts and hz > high:
         groups = "pairs" if seen.burst == 2 else f"groups of {seen.burst}"
         return fail(
-            f"{number(hz)} Hz: messages come in {groups}",
+            f"{hertz(hz)} Hz: messages come in {groups}",
             "Two timers call the same function, two publishers share the topic, or one callback publishes twice.",
             "Keep one timer and one publish() for this topic.",
         )
@@ -342,7 +369,7 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
             "Too few to tell a rate.",
             f"Let create_timer({number(topic.period)}, ...) call the function that publishes.",
         )
-    return passed(f"{number(hz)} Hz over {_count(seen.count, 'message')}")
+    return passed(f"{hertz(hz)} Hz over {_count(seen.count, 'message')}")
 
 
 def counts(recording: Recording, topic: Topic) -> Verdict:
@@ -358,7 +385,7 @@ def counts(recording: Recording, topic: Topic) -> Verdict:
         return passed(f"{seen.count} messages in {seconds(end - start)}")
     hz = seen.count / (end - start)
     return failed(
-        f"{_count(seen.count, 'message')} in {seconds(end - start)} ({number(hz)} Hz)",
+        f"{_count(seen.count, 'message')} in {seconds(end - start)} ({hertz(hz)} Hz)",
         f"{wanted} messages: {number(topic.hz)} Hz, one every {number(topic.period)} s",
         _why_rate(topic, hz),
         _try_rate(topic),
@@ -389,7 +416,7 @@ def keeps_period(recording: Recording, topic: Topic) -> Verdict:
 def _rate_seen(recording: Recording, seen: Pace, hz: float) -> str:
     if recording.step_s is not None and hz > 0.5 / recording.step_s:
         return f"faster than {number(0.5 / recording.step_s)} Hz"
-    return f"{number(hz)} Hz: one message every {number(1 / hz)} s ({_count(seen.count, 'message')})"
+    return f"{hertz(hz)} Hz: one message every {hertz(1 / hz)} s ({_count(seen.count, 'message')})"
 
 
 def _why_rate(topic: Topic, hz: float) -> str:
@@ -541,7 +568,9 @@ def within(recording: Recording, topic: Topic, low: float, high: float, unit: st
         return passed(f"all values within {span}")
     message, place, value, affected = bad
     reason = "The simulated value is not limited."
-    if math.isclose(high, math.pi) and abs(value) <= 360.0:
+    if math.isclose(high, math.pi) and abs(value) <= 2 * math.pi:
+        reason = "The angle goes on turning: it is neither limited nor wrapped at π."
+    elif math.isclose(high, math.pi) and abs(value) <= 360.0:
         reason = "Values above π look like degrees; angles in ROS are radians (REP 103)."
     elif math.isinf(value):
         reason = "Infinite: a division by zero, or a number too large for 32 bits."
@@ -560,7 +589,8 @@ def varies(recording: Recording, topic: Topic, at_least: int, by: float, what: s
     if nothing is not None:
         return nothing
     rows = [_array(value) for value in values(recording, topic)]
-    width = min(len(row) for row in rows)
+    width = statistics.mode(len(row) for row in rows)
+    rows = [row for row in rows if len(row) == width]
     moving = []
     for place in range(width):
         column = [row[place] for row in rows if isinstance(row[place], (int, float)) and math.isfinite(row[place])]

@@ -69,12 +69,12 @@ def _color_of(judgement: Judgement) -> str:
 
 def _log(judgement: Judgement) -> str:
     recording = judgement.recording
-    if recording is None or not recording.process.log.strip():
+    if recording is None:
         return ""
-    return (
-        "<details><summary>What your program printed</summary>"
-        f"<pre>{escape(recording.process.log.strip())}</pre></details>"
-    )
+    log = (recording.process.log + recording.process.end_log).strip()
+    if not log:
+        return ""
+    return f"<details><summary>What your program printed</summary><pre>{escape(log)}</pre></details>"
 
 
 def as_html(judgement: Judgement, extras: Extras | None = None) -> str:

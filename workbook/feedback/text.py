@@ -50,7 +50,8 @@ def as_text(judgement: Judgement, color: bool = False, log_lines: int = 12) -> s
         if line:
             lines.append(f"  {line}")
     recording = judgement.recording
-    if first is not None and recording is not None and "Traceback" in recording.process.log:
-        tail = recording.process.log.rstrip().splitlines()[-log_lines:]
+    log = "" if recording is None else recording.process.log + recording.process.end_log
+    if first is not None and "Traceback" in log:
+        tail = log.rstrip().splitlines()[-log_lines:]
         lines += ["  Last lines of your program's log:", *(f"    {line}" for line in tail)]
     return "\n".join(lines)

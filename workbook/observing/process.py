@@ -195,6 +195,7 @@ class NodeProcess:
         self._limits_hit: list[str] = []
         self._ended_at: float | None = None
         self._ended_by_bench = False
+        self._log_before_end: str | None = None
         self._domains_used: tuple[int, ...] = ()
         self.killed = False
         command = [sys.executable, "-P", str(HOST), "--parent", str(os.getpid())]
@@ -279,6 +280,7 @@ class NodeProcess:
         """
         if self.is_running():
             self._ended_by_bench = True
+            self._log_before_end = self.log.text()
             self.interrupt()
             deadline = time.monotonic() + patience_s
             while not self.wait(max(0.0, min(TURN_S, deadline - time.monotonic()))):
@@ -302,6 +304,11 @@ class NodeProcess:
         if code is not None and -code == signal.SIGXCPU:
             limits.append("cpu")
         by_bench = self._ended_by_bench or "output" in limits
+        log = end_log = self.log.text()
+        if self._log_before_end is None:
+            end_log = ""
+        else:
+            log, end_log = self._log_before_end, end_log.removeprefix(self._log_before_end)
         return ProcessRecord(
             program=self.program.name,
             exit=code if code is not None and code >= 0 else None,
@@ -310,7 +317,8 @@ class NodeProcess:
             ended_by=None if code is None else ("bench" if by_bench else "itself"),
             watched_for=(ended_at if ended_at is not None else time.monotonic() - self.started_at),
             limits_hit=tuple(limits),
-            log=self.log.text(),
+            log=log,
+            end_log=end_log,
             log_truncated=self.log.truncated,
             domains_used=self._domains_used,
         )

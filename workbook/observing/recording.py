@@ -75,7 +75,10 @@ class NodeSeen:
 
 @dataclass(frozen=True)
 class ProcessRecord:
-    """How the program ran and ended. `ended_by` is "itself", "bench", or None while it runs."""
+    """How the program ran and ended. `ended_by` is "itself", "bench", or None while it runs.
+
+    `log` is what it printed of its own accord, `end_log` what it printed after the bench had sent Ctrl-C.
+    """
 
     program: str = ""
     exit: int | None = None
@@ -85,6 +88,7 @@ class ProcessRecord:
     watched_for: float = 0.0
     limits_hit: tuple[str, ...] = ()
     log: str = ""
+    end_log: str = ""
     log_truncated: bool = False
     domains_used: tuple[int, ...] = ()
 
