@@ -55,15 +55,18 @@ class JointPositionPublisher(Node):
         /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles in radians, in the order of JOINTS.
 
     Parameters:
-        period_s (float): Time between two messages, in seconds. Set it from outside with
-            ``--ros-args -p period_s:=0.5``; without that, the argument of the same name counts.
+        period_s (float): Time between two messages, in seconds.
+        waves_per_second (float): How often the hand goes to and fro, whatever the period.
+
+    Set a parameter from outside with ``--ros-args -p period_s:=0.5``; without that, the argument of the same
+    name counts.
 
     Args:
         period_s: Time between two messages, in seconds.
         waves_per_second: How often the hand goes to and fro, whatever the period.
 
     Raises:
-        ValueError: The period is not a positive number.
+        ValueError: The period is not a positive number, or the waves are infinitely many or negative.
     """
 
     def __init__(self, period_s: float = PERIOD_S, waves_per_second: float = WAVES_PER_SECOND) -> None:
@@ -73,7 +76,11 @@ class JointPositionPublisher(Node):
             raise ValueError(
                 f"The period is the time between two messages in seconds, for example 0.05, not {period_s}."
             )
-        self.waves_per_second = waves_per_second
+        self.waves_per_second = self.declare_parameter("waves_per_second", waves_per_second).value
+        if not 0.0 <= self.waves_per_second < math.inf:
+            raise ValueError(
+                f"A hand waves 0.0 times a second or more often, for example 0.8, not {self.waves_per_second}."
+            )
         self.joint_publisher = self.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
         self.joint_timer = self.create_timer(period_s, self.publish_joint_positions)
         self.get_logger().info("Joint position publisher started")

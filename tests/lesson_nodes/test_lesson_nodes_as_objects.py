@@ -73,6 +73,12 @@ def test_a_period_is_a_positive_number_of_seconds(period_s: float) -> None:
         JointPositionPublisher(period_s)
 
 
+@pytest.mark.parametrize("waves_per_second", [-0.8, float("inf"), float("nan")])
+def test_a_hand_waves_so_many_times_a_second(waves_per_second: float) -> None:
+    with pytest.raises(ValueError, match="times a second"):
+        JointPositionPublisher(waves_per_second=waves_per_second)
+
+
 def test_the_monitor_warns_once_for_each_time_the_battery_runs_low(capfd: pytest.CaptureFixture[str]) -> None:
     monitor = StatusMonitor()
     for level in (20.0, 19.9, 12.0, 55.0, 8.0):

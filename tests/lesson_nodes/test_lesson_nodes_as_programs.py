@@ -33,10 +33,12 @@ def observer() -> Iterator[Observer]:
         yield standing
 
 
-def recorded(observer: Observer, name: str, *topics: str) -> list[TopicRecording]:
+def recorded(observer: Observer, name: str, *topics: str, **parameters: object) -> list[TopicRecording]:
     """A few periods of what a lesson node publishes, on robot time (shortest period 1 s, longest 2 s)."""
     plan = Plan(topics=topics, shortest_period=1.0, longest_period=2.0)
-    with observer.watch(ROOT / "lesson_nodes" / f"{name}.py", plan, "simulated") as watch:
+    with observer.watch(
+        ROOT / "lesson_nodes" / f"{name}.py", plan, "simulated", parameters=parameters
+    ) as watch:
         recording = watch.observe()
     assert recording.process.ended_by is None, recording.process.log
     return [recording.topic(topic) for topic in topics]
@@ -63,6 +65,15 @@ def test_the_waving_humanoid_sends_twelve_moving_angles(observer: Observer) -> N
     assert all(abs(angle) < math.pi for pose in poses for angle in pose)
     elbow = [pose[3] for pose in poses]
     assert max(elbow) - min(elbow) > 0.5
+
+
+def test_the_waves_are_set_from_outside(observer: Observer) -> None:
+    (joints,) = recorded(
+        observer, "joint_position_publisher", "/robot/joint_positions", period_s=1.0, waves_per_second=0.0
+    )
+    poses = [arrival.value["data"] for arrival in joints.arrivals]
+    assert len(poses) > 3
+    assert all(pose == poses[0] for pose in poses)
 
 
 def wait_until_it_spins(name: str, domain_id: int) -> None:
