@@ -27,5 +27,5 @@ def test_a_parent_that_ignores_ctrl_c_does_not_take_it_from_the_program(tmp_path
             ended = process.record()
     finally:
         signal.signal(signal.SIGINT, before)
-    assert "interrupted" in ended.log
+    assert "interrupted" in ended.end_log
     assert (ended.exit, ended.signal) == (0, None)

@@ -257,7 +257,7 @@ def test_a_program_that_ends_on_ctrl_c(start: Start) -> None:
     program.stop(patience_s=30.0)
     record = program.record()
     assert (record.exit, record.ended_by) == (0, "bench")
-    assert record.log == "ready\ngood night\n"
+    assert (record.log, record.end_log) == ("ready\n", "good night\n")
     assert not program.killed
 
 
