@@ -45,11 +45,15 @@ def joint_rate(recording: Recording) -> Verdict:
 @criterion(points=1, title="/robot/status is as it was: String, 1 Hz", needs=[program_runs])
 def status_kept(recording: Recording) -> Verdict:
     return see.all_of(
-        see.publishes(recording, STATUS), see.one_of(recording, STATUS, {"operational", "error"}), see.rate(recording, STATUS)
+        see.publishes(recording, STATUS),
+        see.one_of(recording, STATUS, {"operational", "error"}),
+        see.rate(recording, STATUS),
     )
 
 
-@criterion(points=1, title="/robot/battery is as it was: Float32, 0.5 Hz, 0 to 100, falling", needs=[program_runs])
+@criterion(
+    points=1, title="/robot/battery is as it was: Float32, 0.5 Hz, 0 to 100, falling", needs=[program_runs]
+)
 def battery_kept(recording: Recording) -> Verdict:
     return see.all_of(
         see.publishes(recording, BATTERY),

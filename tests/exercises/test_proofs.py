@@ -37,11 +37,15 @@ def expectation_of(path: Path) -> Expectation:
         if not found:
             break
         fields[found[1]].append(found[2].strip())
-    names = {key: [name.strip() for text in fields[key] for name in text.split(",")] for key in ("loses", "skips")}
+    names = {
+        key: [name.strip() for text in fields[key] for name in text.split(",")] for key in ("loses", "skips")
+    }
     assert names["loses"], f"{path} has no `# loses:` line"
     assert fields["says"], f"{path} has no `# says:` line"
     return Expectation(
-        frozenset(names["loses"]), frozenset(names["skips"]) if names["skips"] else None, tuple(fields["says"])
+        frozenset(names["loses"]),
+        frozenset(names["skips"]) if names["skips"] else None,
+        tuple(fields["says"]),
     )
 
 
@@ -49,7 +53,9 @@ def answers(kind: str, stem: str) -> list[Path]:
     return sorted((ROOT / "tests" / f"{kind}_answers" / stem).glob("*.py"))
 
 
-CASES = {kind: [(stem, path) for stem in STEMS for path in answers(kind, stem)] for kind in ("right", "wrong")}
+CASES = {
+    kind: [(stem, path) for stem in STEMS for path in answers(kind, stem)] for kind in ("right", "wrong")
+}
 Key = tuple[str, str]
 
 

@@ -1,9 +1,10 @@
 """A pytest plugin that lets nbval see what JupyterLab shows.
 
 nbval by itself drops updates of a display and piles up cleared outputs, so that a picture that moves never equals
-the one committed. This plugin applies both as they come. Pictures inside HTML are not compared. It also sets the sanitize file unless another is given,
-compares only text in notebooks whose metadata says `workbook.compare: text`, fails a cell whose magic does not
-exist, and gives each notebook an answers folder of its own unless WORKBOOK_ANSWERS is set.
+the one committed. This plugin applies both as they come. Pictures inside HTML are not compared. It also sets the
+sanitize file unless another is given, compares only text in notebooks whose metadata says `workbook.compare: text`,
+fails a cell whose magic does not exist, and gives each notebook an answers folder of its own unless
+WORKBOOK_ANSWERS is set.
 """
 
 import json

@@ -16,7 +16,11 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     )
     parser.add_argument("exercise", metavar="EXERCISE", help="such as 09_joint_positions or joint_positions")
     parser.add_argument(
-        "file", metavar="FILE", nargs="?", type=Path, help="the answer, .py or .ipynb (default: answers/EXERCISE.py)"
+        "file",
+        metavar="FILE",
+        nargs="?",
+        type=Path,
+        help="the answer, .py or .ipynb (default: answers/EXERCISE.py)",
     )
     parser.add_argument(
         "--as-graded",
@@ -51,7 +55,9 @@ def run(options: argparse.Namespace) -> int:
         exercise = load_exercise(options.exercise)
         file = options.file or _default_file(exercise.stem)
         if file is None:
-            raise Ungradable(f"there is no answers/{exercise.stem}.py here; name the file: workbook check EXERCISE FILE")
+            raise Ungradable(
+                f"there is no answers/{exercise.stem}.py here; name the file: workbook check EXERCISE FILE"
+            )
         answer = read_answer(file, exercise.stem)
 
         def report(judgement: Judgement) -> None:
@@ -62,7 +68,15 @@ def run(options: argparse.Namespace) -> int:
 
         with Observer() as observer:
             judgement = Judge(observer).judge(exercise, answer, thorough=options.as_graded, report=report)
-    except (Ungradable, UnknownExercise, NoCourse, BrokenCriteria, SourceError, NoDomainFree, OSError) as error:
+    except (
+        Ungradable,
+        UnknownExercise,
+        NoCourse,
+        BrokenCriteria,
+        SourceError,
+        NoDomainFree,
+        OSError,
+    ) as error:
         print(f"workbook check: {error}", file=sys.stderr)
         return NOT_JUDGED
     print(as_text(judgement, color))

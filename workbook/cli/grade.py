@@ -109,7 +109,9 @@ def _exercise_name(options: argparse.Namespace) -> str:
     if len(found) == 1:
         return found[0]
     if found:
-        raise Ungradable(f"the files answer several exercises: {', '.join(found)}. Choose one with --exercise")
+        raise Ungradable(
+            f"the files answer several exercises: {', '.join(found)}. Choose one with --exercise"
+        )
     raise Ungradable("the file names do not tell which exercise this is. Name it with --exercise")
 
 

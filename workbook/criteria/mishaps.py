@@ -128,7 +128,9 @@ _KNOWN = (
     ),
 )
 
-_ERROR_LINE = re.compile(r"^(?P<name>[A-Za-z_][\w.]*(?:Error|Exception|Interrupt|Handle|Iteration|Exit))(?::.*)?$")
+_ERROR_LINE = re.compile(
+    r"^(?P<name>[A-Za-z_][\w.]*(?:Error|Exception|Interrupt|Handle|Iteration|Exit))(?::.*)?$"
+)
 _FRAME = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)')
 
 
@@ -154,7 +156,9 @@ def find_mishap(log: str, program_name: str = "") -> Mishap | None:
         if frame and (not program_name or frame["file"].rsplit("/", 1)[-1] == program_name):
             line_number = int(frame["line"])
     for known in _KNOWN:
-        if re.search(known.pattern, error) or re.search(known.pattern, "\n".join(lines[max(0, error_at - 2) : error_at])):
+        if re.search(known.pattern, error) or re.search(
+            known.pattern, "\n".join(lines[max(0, error_at - 2) : error_at])
+        ):
             return Mishap(error, line_number, known.because, known.try_this)
     return Mishap(
         error,

@@ -221,7 +221,9 @@ def publishes(recording: Recording, topic: Topic) -> Verdict:
 
 def _not_published(recording: Recording, topic: Topic, expected: str) -> Verdict:
     names = [other.name for other in recording.published()]
-    same_type = [other for other in recording.published() if topic.type in other.types and other.name != topic.name]
+    same_type = [
+        other for other in recording.published() if topic.type in other.types and other.name != topic.name
+    ]
     near = difflib.get_close_matches(topic.name, names, 1, 0.75)
     base = topic.name.rsplit("/", 1)[-1]
     suspect = next((name for name in names if name.rsplit("/", 1)[-1] == base), near[0] if near else None)
@@ -237,7 +239,10 @@ def _not_published(recording: Recording, topic: Topic, expected: str) -> Verdict
     mishap = find_mishap(recording.process.log, recording.process.program)
     if mishap is not None:
         return failed(
-            f"nothing on {topic.name}: {mishap.where}{mishap.error}", expected, mishap.because, mishap.try_this
+            f"nothing on {topic.name}: {mishap.where}{mishap.error}",
+            expected,
+            mishap.because,
+            mishap.try_this,
         )
     return failed(
         f"nothing on {topic.name}; your program publishes {listing(names) or 'nothing'}",
@@ -332,7 +337,9 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
         return failed(saw, expected, because, try_this, about_time=True)
 
     if seen.hz is None:
-        once = "one single message" if seen.count == 1 else f"{seen.count} messages at one moment, and no other"
+        once = (
+            "one single message" if seen.count == 1 else f"{seen.count} messages at one moment, and no other"
+        )
         return fail(
             f"{once} in {seconds(window[1] - window[0])}",
             "It is published once, or far too rarely.",
@@ -357,7 +364,9 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
     if not low <= hz <= high:
         return fail(_rate_seen(recording, seen, hz), _why_rate(topic, hz), _try_rate(topic))
     if seen.gap.seconds > gap_limit + (recording.step_s or 0.0):
-        where = "before the first message" if seen.gap.kind == "before" else f"after {seconds(seen.gap.start)}"
+        where = (
+            "before the first message" if seen.gap.kind == "before" else f"after {seconds(seen.gap.start)}"
+        )
         return fail(
             f"a silence of {seconds(seen.gap.seconds)} {where}",
             "Something blocks: while one callback works or sleeps, no other timer of the node runs.",
@@ -402,7 +411,9 @@ def keeps_period(recording: Recording, topic: Topic) -> Verdict:
     if typical is not None and abs(typical - topic.period) <= INTERVAL_TOLERANCE * topic.period:
         return passed(f"one message every {number(topic.period)} s")
     return failed(
-        "one single message" if typical is None else f"typically {typical:.3g} s from one message to the next",
+        "one single message"
+        if typical is None
+        else f"typically {typical:.3g} s from one message to the next",
         f"one message every {number(topic.period)} s",
         "It is published once, not again and again."
         if typical is None
@@ -468,7 +479,9 @@ def length(recording: Recording, topic: Topic, wanted: int, what: str = "value")
     if not wrong:
         return passed(f"{_count(wanted, what)} in each of {_count(len(lengths), 'message')}")
     kinds = listing([str(n) for n in sorted(set(wrong))])
-    how_many = "every message has" if len(wrong) == len(lengths) else f"{len(wrong)} of {len(lengths)} messages have"
+    how_many = (
+        "every message has" if len(wrong) == len(lengths) else f"{len(wrong)} of {len(lengths)} messages have"
+    )
     reason = "Counting from 0 or from 1 gets one too many or one too few easily."
     if 0 in wrong:
         reason = "At least one message was published before its data was filled in."
@@ -534,7 +547,9 @@ def really_arrives(recording: Recording, topic: Topic) -> Verdict:
     zeros = [place for place, value in enumerate(seen) if value == 0.0]
     followed = [place for place in zeros if any(value != 0.0 for value in seen[place:])]
     if not followed and (not seen or seen[0] != 0.0):
-        return passed(f"numbers arrive as they are, the first is {number(seen[0])}" if seen else "no numbers in it")
+        return passed(
+            f"numbers arrive as they are, the first is {number(seen[0])}" if seen else "no numbers in it"
+        )
     if len(zeros) == len(seen):
         saw = f"0.0 on {topic.name} in each of {_count(len(seen), 'message')}, from the first on"
     else:
@@ -554,7 +569,9 @@ def really_arrives(recording: Recording, topic: Topic) -> Verdict:
     )
 
 
-def within(recording: Recording, topic: Topic, low: float, high: float, unit: str = "", slack: float = 1e-6) -> Verdict:
+def within(
+    recording: Recording, topic: Topic, low: float, high: float, unit: str = "", slack: float = 1e-6
+) -> Verdict:
     """Every value lies in [low, high]; `slack` allows for rounding to 32 bits. NaN is `finite`'s business."""
     nothing = no_message(recording, topic)
     if nothing is not None:
@@ -562,7 +579,9 @@ def within(recording: Recording, topic: Topic, low: float, high: float, unit: st
     unit = f" {unit}" if unit else ""
     span = f"{number(low)} to {number(high)}{unit}"
     bad = _first_bad(
-        recording, topic, lambda x: isinstance(x, (int, float)) and not low - slack <= x <= high + slack and x == x
+        recording,
+        topic,
+        lambda x: isinstance(x, (int, float)) and not low - slack <= x <= high + slack and x == x,
     )
     if bad is None:
         return passed(f"all values within {span}")
@@ -593,15 +612,24 @@ def varies(recording: Recording, topic: Topic, at_least: int, by: float, what: s
     rows = [row for row in rows if len(row) == width]
     moving = []
     for place in range(width):
-        column = [row[place] for row in rows if isinstance(row[place], (int, float)) and math.isfinite(row[place])]
+        column = [
+            row[place] for row in rows if isinstance(row[place], (int, float)) and math.isfinite(row[place])
+        ]
         if column and max(column) - min(column) > by:
             moving.append(place)
     if len(moving) >= at_least:
         return passed(f"{len(moving)} of {width} {what}s move")
     saw = f"only {what} {moving[0]} moves" if moving else f"no {what} moves: every message is the same"
-    reason = "The values are set once, outside the callback." if not moving else "Only one element is ever changed."
+    reason = (
+        "The values are set once, outside the callback."
+        if not moving
+        else "Only one element is ever changed."
+    )
     if len(rows) < 2:
-        saw, reason = "a single message, so nothing can be seen to move", "The message is published only once."
+        saw, reason = (
+            "a single message, so nothing can be seen to move",
+            "The message is published only once.",
+        )
     return failed(
         saw,
         f"at least {_count(at_least, what)} that change from message to message (by more than {by:g})",
@@ -617,16 +645,22 @@ def one_of(recording: Recording, topic: Topic, allowed: Collection[str]) -> Verd
     if nothing is not None:
         return nothing
     words = listing([f'"{word}"' for word in sorted(allowed, reverse=True)]).replace(" and ", " or ")
-    wrong = [value for value in values(recording, topic) if not isinstance(value, str) or value not in allowed]
+    wrong = [
+        value for value in values(recording, topic) if not isinstance(value, str) or value not in allowed
+    ]
     if not wrong:
         said = sorted(set(map(str, values(recording, topic))))
         return passed("it says " + listing([f'"{word}"' for word in said]))
     text = str(wrong[0])[:60]
     reason = "Others compare this text letter by letter."
     if text == "":
-        reason = "Empty text: the message was published before its data was set, or a field name is misspelled."
+        reason = (
+            "Empty text: the message was published before its data was set, or a field name is misspelled."
+        )
         reason = why_garbled(recording, reason, reason)
-    return failed(f'"{text}" on {topic.name}', words, reason, f"Publish exactly one of {words}.", garbled=text == "")
+    return failed(
+        f'"{text}" on {topic.name}', words, reason, f"Publish exactly one of {words}.", garbled=text == ""
+    )
 
 
 def never_rises(recording: Recording, topic: Topic, slack: float = 1e-4) -> Verdict:
@@ -643,4 +677,6 @@ def never_rises(recording: Recording, topic: Topic, slack: float = 1e-4) -> Verd
                 "The sign of the drain is wrong, or each message starts from a fresh random number.",
                 "Subtract from the level that the node remembers.",
             )
-    return passed(f"falls from {number(numbers[0])} to {number(numbers[-1])}" if len(numbers) > 1 else "never rises")
+    return passed(
+        f"falls from {number(numbers[0])} to {number(numbers[-1])}" if len(numbers) > 1 else "never rises"
+    )

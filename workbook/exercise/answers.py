@@ -77,7 +77,9 @@ def _as_utf8(text: str) -> str:
     try:
         text.encode()
     except UnicodeEncodeError as error:
-        raise Ungradable(f"the answer holds half of a character, which no file can hold: {error.reason}") from error
+        raise Ungradable(
+            f"the answer holds half of a character, which no file can hold: {error.reason}"
+        ) from error
     lines = text.split("\n")
     for index in range(min(2, len(lines))):
         lines[index] = _CODING.sub(r"\1utf-8", lines[index])

@@ -55,7 +55,12 @@ Report = Callable[[Judgement], None]
 
 
 def judge_recording(
-    exercise: Exercise, answer_sha256: str, recording: Recording, *, provisional: bool = False, real_life: bool = False
+    exercise: Exercise,
+    answer_sha256: str,
+    recording: Recording,
+    *,
+    provisional: bool = False,
+    real_life: bool = False,
 ) -> Judgement:
     """Judge a recording without running anything. A criterion that crashes gives an `infra_error`."""
     try:
@@ -150,9 +155,13 @@ class Judge:
         recording = judgement.recording
         assert recording is not None
         plan = exercise.plan
-        with self._observer.watch(program, plan, recording.clock, check_fields=True, limits=self._limits) as watch:
+        with self._observer.watch(
+            program, plan, recording.clock, check_fields=True, limits=self._limits
+        ) as watch:
             watch.wait_until_seen()
-            watch.keep_watching(max(FIELD_CHECKS_S, FIELD_CHECKS_PERIODS * plan.longest_period), speed=SPEEDS[-1])
+            watch.keep_watching(
+                max(FIELD_CHECKS_S, FIELD_CHECKS_PERIODS * plan.longest_period), speed=SPEEDS[-1]
+            )
             process = watch.process_record()
             if process.ended_by is not None:
                 process = watch.finish(recording).process
@@ -190,7 +199,12 @@ class Judge:
         return judge_recording(exercise, answer.sha256, recording, real_life=real_life)
 
     def _second_life(
-        self, exercise: Exercise, answer: Answer, program: Path, judgement: Judgement, enough: Callable[[], bool]
+        self,
+        exercise: Exercise,
+        answer: Answer,
+        program: Path,
+        judgement: Judgement,
+        enough: Callable[[], bool],
     ) -> Judgement:
         """Where the end was judged on robot time: run the program again, for its real seconds."""
         recording = judgement.recording
@@ -203,7 +217,9 @@ class Judge:
         if process.ended_by == "itself":
             recording = replace(recording, process=process)
         else:
-            recording = replace(recording, process=replace(recording.process, watched_for=process.watched_for))
+            recording = replace(
+                recording, process=replace(recording.process, watched_for=process.watched_for)
+            )
         return judge_recording(exercise, answer.sha256, recording, real_life=True)
 
 

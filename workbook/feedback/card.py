@@ -88,7 +88,9 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
         f"{escape(wording.headline(judgement))}</b> &nbsp;{_bar(judgement)}</p>",
     ]
     if judgement.provisional:
-        parts.append(f'<p style="margin:4px 0;color:{color}">{escape(wording.provisional_line(judgement))}</p>')
+        parts.append(
+            f'<p style="margin:4px 0;color:{color}">{escape(wording.provisional_line(judgement))}</p>'
+        )
     first = wording.first_to_mend(judgement)
     if first is not None:
         parts.append(f"<p><b>First to mend: {escape(first.title)}</b></p>{_advice(first)}")
@@ -107,7 +109,9 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
     elif first is not None and extras.hints_left:
         parts.append("<p>Stuck? <code>%hint</code> gives the next hint.</p>")
     small = " ".join(filter(None, (wording.clock_line(judgement), wording.hidden_line(judgement))))
-    parts.append(f'<p style="color:{COLORS["skipped"]};margin:4px 0 0 0"><small>{escape(small)}</small></p></div>')
+    parts.append(
+        f'<p style="color:{COLORS["skipped"]};margin:4px 0 0 0"><small>{escape(small)}</small></p></div>'
+    )
     return "".join(parts)
 
 

@@ -34,7 +34,9 @@ def grades_csv(results: Iterable[Result]) -> str:
                 criteria.append(one["id"])
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(["student", "exercise", "score", "max_score", "status", "reason", *criteria, "clock", "answer"])
+    writer.writerow(
+        ["student", "exercise", "score", "max_score", "status", "reason", *criteria, "clock", "answer"]
+    )
     for result in rows:
         earned = {one["id"]: one["points"] for one in result["criteria"]}
         writer.writerow(

@@ -29,7 +29,9 @@ def _is_answer(path: Path) -> bool:
 def _files_below(folder: Path) -> list[Path]:
     found: list[Path] = []
     for base, folders, files in os.walk(folder, followlinks=False):
-        folders[:] = sorted(name for name in folders if name not in _SKIPPED_FOLDERS and not name.startswith("."))
+        folders[:] = sorted(
+            name for name in folders if name not in _SKIPPED_FOLDERS and not name.startswith(".")
+        )
         found += [Path(base) / name for name in sorted(files) if _is_answer(Path(name))]
     return found
 
@@ -51,7 +53,10 @@ def _choose(student: str, folder: Path, root: Path, stem: str) -> HandIn:
         return HandIn(student, candidates[0], str(candidates[0].relative_to(root)))
     names = ", ".join(str(path.relative_to(folder)) for path in (candidates or files)[:5])
     return HandIn(
-        student, folder, label, f"{len(candidates or files)} files could be the answer to {stem}: {names}. Leave one"
+        student,
+        folder,
+        label,
+        f"{len(candidates or files)} files could be the answer to {stem}: {names}. Leave one",
     )
 
 
@@ -100,7 +105,9 @@ def _settle_twins(found: list[HandIn]) -> list[HandIn]:
             settled.append(own[0])
         else:
             labels = ", ".join(hand_in.label for hand_in in own)
-            settled.append(HandIn(student, own[0].path, labels, f"{len(own)} hand-ins of one student: {labels}"))
+            settled.append(
+                HandIn(student, own[0].path, labels, f"{len(own)} hand-ins of one student: {labels}")
+            )
     return settled
 
 

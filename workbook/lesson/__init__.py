@@ -4,6 +4,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from workbook.lesson.looking import doctor, draw_graph
+    from workbook.lesson.graphs import graph_picture
     from workbook.lesson.predictions import predict, predicted, recall
     from workbook.lesson.programs import arrivals, processor_seconds, record, run_program, start, stop, values
     from workbook.lesson.views import robot, watch_robot, watch_status
@@ -12,7 +14,10 @@ if TYPE_CHECKING:
 
 _HOME = {
     "arrivals": "workbook.lesson.programs",
+    "doctor": "workbook.lesson.looking",
+    "draw_graph": "workbook.lesson.looking",
     "fresh": "workbook.ros.twins",
+    "graph_picture": "workbook.lesson.graphs",
     "init": "workbook.ros.session",
     "predict": "workbook.lesson.predictions",
     "processor_seconds": "workbook.lesson.programs",
@@ -32,7 +37,10 @@ _HOME = {
 
 __all__ = [
     "arrivals",
+    "doctor",
+    "draw_graph",
     "fresh",
+    "graph_picture",
     "init",
     "predict",
     "predicted",

@@ -30,7 +30,8 @@ def program_file(program: Program) -> Path:
 def start(program: Program, **parameters: object) -> str:
     """Start a program as its own process on this notebook's domain; an earlier run of it is ended first.
 
-    `parameters` are ROS parameters for its nodes, e.g. `period_s=0.5`. Returns the names of its nodes once they are on the graph. `stop` ends it.
+    `parameters` are ROS parameters for its nodes, e.g. `period_s=0.5`. Returns the names of its nodes once they are
+    on the graph. `stop` ends it.
     """
     file = program_file(program)
     _end(file.stem)

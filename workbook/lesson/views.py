@@ -11,8 +11,8 @@ from workbook.pictures import dashboard, humanoid
 from workbook.pictures.joints import Follower
 from workbook.pictures.live import LiveFigure
 from workbook.pictures.stills import Still
-from workbook.ros.standing import standing_node
 from workbook.ros.session import Stopped, run
+from workbook.ros.standing import standing_node
 
 ROBOT_TEXT = "a humanoid robot with twelve joints, posed by the last message on /robot/joint_positions"
 

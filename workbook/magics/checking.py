@@ -59,7 +59,9 @@ def judge(stem: str, answer: Answer, report: Callable[[Judgement], None]) -> Jud
         return Judgement(stem, answer.sha256, "infra_error", str(error), (), None)
 
 
-def _timeline(exercise: Exercise, judgement: Judgement, first: CriterionResult | None) -> tuple[bytes | None, str]:
+def _timeline(
+    exercise: Exercise, judgement: Judgement, first: CriterionResult | None
+) -> tuple[bytes | None, str]:
     """A picture of the arrivals when the first thing to mend is about time."""
     if first is None or not first.about_time or judgement.recording is None:
         return None, ""

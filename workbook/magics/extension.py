@@ -47,7 +47,9 @@ class ExerciseMagics(Magics):  # type: ignore[misc]
     def _exercise(self, line: str) -> Exercise:
         name = line.strip() or self._stem or self._notebook_stem()
         if name is None:
-            raise _Notice(f"Which exercise? Run its `{ANSWER_MAGIC}` cell first, or name it: `%check 09_joint_positions`.")
+            raise _Notice(
+                f"Which exercise? Run its `{ANSWER_MAGIC}` cell first, or name it: `%check 09_joint_positions`."
+            )
         exercise = load_exercise(name)
         self._stem = exercise.stem
         return exercise
@@ -66,7 +68,9 @@ class ExerciseMagics(Magics):  # type: ignore[misc]
 
     def _answer(self, line: str, cell: str) -> None:
         if not line.strip():
-            raise _Notice(f"Name the exercise in the first line, for example `{ANSWER_MAGIC} 09_joint_positions`.")
+            raise _Notice(
+                f"Name the exercise in the first line, for example `{ANSWER_MAGIC} 09_joint_positions`."
+            )
         exercise = self._exercise(line)
         saved = save_answer(exercise.stem, cell, exercise.source.starter_code)
         where = shown_path(saved.path)
@@ -76,7 +80,13 @@ class ExerciseMagics(Magics):  # type: ignore[misc]
                 f"`%load {saved.path}` brings your answer back into a cell; `%reset` really starts over."
             )
             return
-        print({"new": f"Saved as {where}.", "changed": f"Saved as {where}.", "unchanged": f"{where} is as it was."}[saved.outcome])
+        print(
+            {
+                "new": f"Saved as {where}.",
+                "changed": f"Saved as {where}.",
+                "unchanged": f"{where} is as it was.",
+            }[saved.outcome]
+        )
         mistake = syntax_mistake(cell)
         if mistake is not None:
             caret = " " * (mistake.column - 1) + "^"
@@ -114,7 +124,9 @@ class ExerciseMagics(Magics):  # type: ignore[misc]
         answer = read_answer(file, exercise.stem)
         mistake = syntax_mistake(answer.text)
         if mistake is not None:
-            raise _Notice(f"Python cannot read it yet: {mistake.message}, line {mistake.line}: {mistake.text.strip()}")
+            raise _Notice(
+                f"Python cannot read it yet: {mistake.message}, line {mistake.line}: {mistake.text.strip()}"
+            )
         self._running.stop(exercise.stem)
         known = node_names()
         process = self._running.start(exercise.stem, file)
@@ -130,7 +142,9 @@ class ExerciseMagics(Magics):  # type: ignore[misc]
         record = process.record()
         mishap = find_mishap(record.log, record.program)
         if mishap is not None:
-            raise _Notice(f"Your program ended with {mishap.where}{mishap.error}\n{mishap.because}\n{mishap.try_this}")
+            raise _Notice(
+                f"Your program ended with {mishap.where}{mishap.error}\n{mishap.because}\n{mishap.try_this}"
+            )
         how = record.signal or f"exit code {record.exit}"
         raise _Notice(f"Your program ended at once ({how}). Does it spin?\n{record.log.strip()}".rstrip())
 
@@ -254,7 +268,9 @@ class ExerciseMagics(Magics):  # type: ignore[misc]
     def _need_file(stem: str) -> Path:
         file = answer_file(stem)
         if not file.is_file():
-            raise _Notice(f"There is no {shown_path(file)} yet. Run the cell that begins with `{ANSWER_MAGIC} {stem}` first.")
+            raise _Notice(
+                f"There is no {shown_path(file)} yet. Run the cell that begins with `{ANSWER_MAGIC} {stem}` first."
+            )
         return file
 
     @staticmethod

@@ -21,7 +21,9 @@ LOG_KEPT_BYTES = 8_000
 LOG_LIMIT_BYTES = 50_000_000
 RUN_MARK = "WORKBOOK_RUN"
 TURN_S = 0.05
-_CONTROL = re.compile(r"\x1b\[[0-?]*[ -/]*[@-~]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)|[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+_CONTROL = re.compile(
+    r"\x1b\[[0-?]*[ -/]*[@-~]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)|[\x00-\x08\x0b-\x1f\x7f-\x9f]"
+)
 
 
 def plain_text(raw: bytes) -> str:

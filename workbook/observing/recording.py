@@ -137,7 +137,11 @@ class Recording:
     def from_json(cls, data: Mapping[str, Any]) -> "Recording":
         """Rebuild a recording. Raises ValueError when the data is not one or is of another format."""
         if not isinstance(data, Mapping) or data.get("format") != FORMAT:
-            found = f"format is {data.get('format')!r}" if isinstance(data, Mapping) else f"it is {type(data).__name__}"
+            found = (
+                f"format is {data.get('format')!r}"
+                if isinstance(data, Mapping)
+                else f"it is {type(data).__name__}"
+            )
             raise ValueError(f"this is not a recording of format {FORMAT}: {found}")
         try:
             return _recording(data)

@@ -399,7 +399,11 @@ def speeds_agree(recording: Recording, topics: Sequence[str]) -> bool:
         counts: list[int] = []
         medians: list[float] = []
         for phase in recording.phases:
-            times = [arrival.t for arrival in recording.topic(name).arrivals if phase.start < arrival.t <= phase.end]
+            times = [
+                arrival.t
+                for arrival in recording.topic(name).arrivals
+                if phase.start < arrival.t <= phase.end
+            ]
             counts.append(len(times))
             if len(times) >= 3:
                 medians.append(statistics.median(b - a for a, b in zip(times, times[1:], strict=False)))

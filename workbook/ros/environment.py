@@ -18,9 +18,37 @@ LOOPBACK_PROFILE = Path(__file__).with_name("loopback.xml")
 LOG_FORMAT = "[{severity}] [{name}]: {message}"
 
 _BOOTSTRAP_DONE = "_ROS_WHEELS_BOOTSTRAP_COMPLETE"
-_LEFTOVER_PREFIXES = ("ROS_", "RMW_", "RCUTILS_", "FASTRTPS_", "FASTDDS_", "CYCLONEDDS_", "AMENT_", "COLCON_", "RCL_")
-_LEFTOVERS = ("PYTHONPATH", "PYTHONHOME", "PYTHONOPTIMIZE", "CMAKE_PREFIX_PATH", "LD_PRELOAD", "PYTHONSTARTUP")
-_INHERITED = ("PATH", "HOME", "LANG", "LC_ALL", "LC_CTYPE", "TZ", "USER", "LOGNAME", "TMPDIR", "XDG_CACHE_HOME")
+_LEFTOVER_PREFIXES = (
+    "ROS_",
+    "RMW_",
+    "RCUTILS_",
+    "FASTRTPS_",
+    "FASTDDS_",
+    "CYCLONEDDS_",
+    "AMENT_",
+    "COLCON_",
+    "RCL_",
+)
+_LEFTOVERS = (
+    "PYTHONPATH",
+    "PYTHONHOME",
+    "PYTHONOPTIMIZE",
+    "CMAKE_PREFIX_PATH",
+    "LD_PRELOAD",
+    "PYTHONSTARTUP",
+)
+_INHERITED = (
+    "PATH",
+    "HOME",
+    "LANG",
+    "LC_ALL",
+    "LC_CTYPE",
+    "TZ",
+    "USER",
+    "LOGNAME",
+    "TMPDIR",
+    "XDG_CACHE_HOME",
+)
 
 _kernel_lease: DomainLease | None = None
 _log_folder: Path | None = None
@@ -86,7 +114,9 @@ def child_environment(
         environ = {name: os.environ[name] for name in _INHERITED if name in os.environ}
         environ |= library_path(os.environ)
     else:
-        environ = {name: value for name, value in os.environ.items() if not name.startswith(("ROS_PYTHON_CHECK",))}
+        environ = {
+            name: value for name, value in os.environ.items() if not name.startswith(("ROS_PYTHON_CHECK",))
+        }
     environ |= ros_settings(domain_id, check_fields=check_fields, log_folder=folder)
     environ["PYTHONUNBUFFERED"] = "1"
     environ["PYTHONDONTWRITEBYTECODE"] = "1"
@@ -94,7 +124,10 @@ def child_environment(
 
 
 def prepare(
-    environ: MutableMapping[str, str] | None = None, *, domain_id: int | None = None, check_fields: bool = True
+    environ: MutableMapping[str, str] | None = None,
+    *,
+    domain_id: int | None = None,
+    check_fields: bool = True,
 ) -> int:
     """Set up this process before its first ROS import and return its domain.
 
@@ -115,4 +148,6 @@ def prepare(
 
 def is_prepared(environ: Mapping[str, str] | None = None) -> bool:
     """Whether this process already runs with the loopback profile."""
-    return (os.environ if environ is None else environ).get("FASTRTPS_DEFAULT_PROFILES_FILE") == str(LOOPBACK_PROFILE)
+    return (os.environ if environ is None else environ).get("FASTRTPS_DEFAULT_PROFILES_FILE") == str(
+        LOOPBACK_PROFILE
+    )

@@ -1,0 +1,17 @@
+"""The graph of this moment as a picture: which nodes talk, over which topics."""
+
+from workbook.pictures import graph as drawing
+from workbook.pictures.stills import Still
+from workbook.ros.tools import graph
+
+
+def graph_picture(*highlight: str) -> Still:
+    """Draw the nodes and topics on this notebook's domain; names in `highlight` get a bold frame."""
+    seen = graph()
+    arrows = [
+        (edge.node, edge.topic) if edge.role == "publishes" else (edge.topic, edge.node)
+        for edge in seen.edges
+    ]
+    topics = {name: ", ".join(types) for name, types in seen.topics.items()}
+    picture = drawing.draw(seen.nodes, topics, arrows, highlight=highlight)
+    return Still(picture, drawing.describe(seen.nodes, topics, arrows))
