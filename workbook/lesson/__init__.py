@@ -4,8 +4,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from workbook.lesson.looking import doctor, draw_graph
     from workbook.lesson.graphs import graph_picture
+    from workbook.lesson.machine import doctor
     from workbook.lesson.predictions import predict, predicted, recall
     from workbook.lesson.programs import arrivals, processor_seconds, record, run_program, start, stop, values
     from workbook.lesson.views import robot, watch_robot, watch_status
@@ -14,8 +14,7 @@ if TYPE_CHECKING:
 
 _HOME = {
     "arrivals": "workbook.lesson.programs",
-    "doctor": "workbook.lesson.looking",
-    "draw_graph": "workbook.lesson.looking",
+    "doctor": "workbook.lesson.machine",
     "fresh": "workbook.ros.twins",
     "graph_picture": "workbook.lesson.graphs",
     "init": "workbook.ros.session",
@@ -38,7 +37,6 @@ _HOME = {
 __all__ = [
     "arrivals",
     "doctor",
-    "draw_graph",
     "fresh",
     "graph_picture",
     "init",

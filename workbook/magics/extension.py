@@ -5,6 +5,7 @@ import threading
 from pathlib import Path
 
 from IPython.core.magic import Magics, cell_magic, line_magic, magics_class
+from IPython.core.interactiveshell import InteractiveShell
 from IPython.display import DisplayHandle, Markdown, display
 
 from workbook.exercise.answers import ANSWER_MAGIC, Ungradable, read_answer, syntax_mistake
@@ -33,10 +34,10 @@ class _Notice(Exception):
 
 
 @magics_class
-class ExerciseMagics(Magics):  # type: ignore[misc]
+class ExerciseMagics(Magics):
     """One per kernel. Remembers the exercise at hand and what is running."""
 
-    def __init__(self, shell: object) -> None:
+    def __init__(self, shell: InteractiveShell | None) -> None:
         super().__init__(shell)
         self._stem: str | None = None
         self._running = Running()
