@@ -1,3 +1,3 @@
-"""For every pytest run in this checkout, `pytest --nbval notebooks` included."""
+"""For every pytest run in this checkout: `pytest --nbval notebooks`, and criteria files with `--answer FILE`."""
 
-pytest_plugins = ["workbook.authoring.nbval_glue"]
+pytest_plugins = ["workbook.authoring.nbval_glue", "workbook.exercise.pytest_plugin"]

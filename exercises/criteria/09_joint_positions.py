@@ -57,6 +57,7 @@ def status_kept(recording: Recording) -> Verdict:
 def battery_kept(recording: Recording) -> Verdict:
     return see.all_of(
         see.publishes(recording, BATTERY),
+        see.really_arrives(recording, BATTERY),
         see.finite(recording, BATTERY),
         see.within(recording, BATTERY, 0.0, 100.0, "%"),
         see.never_rises(recording, BATTERY),

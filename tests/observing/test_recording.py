@@ -232,9 +232,9 @@ def test_long_arrays_and_texts_are_cut_and_say_how_long_they_were(count: int) ->
     ["", "String", "std_msgs/msg", "std_msgs/srv/String", "os/msg/../path", "no_such/msg/Thing", "a/msg/b-c"],
 )
 def test_a_type_that_is_not_here_is_none(name: str) -> None:
-    assert values.message_class(name) is None
+    assert values.known_class(name) is None
 
 
 def test_type_names_and_classes_belong_together() -> None:
     assert values.type_name(String) == "std_msgs/msg/String"
-    assert values.message_class("std_msgs/msg/String") is String
+    assert values.known_class("std_msgs/msg/String") is String

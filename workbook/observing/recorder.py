@@ -10,7 +10,7 @@ from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPo
 from rclpy.serialization import deserialize_message
 
 from workbook.observing.recording import Arrival, NodeSeen, PublisherSeen, SubscriberSeen, TopicRecording
-from workbook.observing.values import message_class, plain
+from workbook.observing.values import known_class, plain
 
 INFRASTRUCTURE = ("/rosout", "/parameter_events", "/clock")
 KEPT_PER_TOPIC = 20_000
@@ -151,7 +151,7 @@ class Recorder:
             else:
                 return
         for publisher in watched.publishers.values():
-            message_type = message_class(publisher.type)
+            message_type = known_class(publisher.type)
             if message_type is None:
                 continue
             watched.best_effort = best_effort
@@ -227,7 +227,7 @@ class Recorder:
 def _finish(watched: _Watched, end: float) -> TopicRecording:
     arrivals: list[Arrival] = []
     undecodable = 0
-    message_type = None if watched.subscribed_type is None else message_class(watched.subscribed_type)
+    message_type = None if watched.subscribed_type is None else known_class(watched.subscribed_type)
     for t, wall, raw in watched.raw:
         try:
             value = plain(deserialize_message(raw, message_type))

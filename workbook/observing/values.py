@@ -1,8 +1,9 @@
 """From ROS messages to plain data, and from type names to message classes."""
 
 import array
-import importlib
 from typing import Any
+
+from workbook.ros.messages import message_class
 
 LONGEST_ARRAY = 4096
 LONGEST_TEXT = 4096
@@ -14,14 +15,11 @@ def type_name(message_class: Any) -> str:
     return f"{package}/{kind}/{message_class.__name__}"
 
 
-def message_class(name: str) -> Any | None:
+def known_class(name: str) -> Any | None:
     """The class of a message type such as "std_msgs/msg/String"; None if it is not installed here."""
-    parts = name.split("/")
-    if len(parts) != 3 or not all(part.isidentifier() for part in parts) or parts[1] != "msg":
-        return None
     try:
-        return getattr(importlib.import_module(f"{parts[0]}.msg"), parts[2], None)
-    except ImportError:
+        return message_class(name)
+    except (ValueError, LookupError):
         return None
 
 
