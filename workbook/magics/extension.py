@@ -4,8 +4,8 @@ import os
 import threading
 from pathlib import Path
 
-from IPython.core.magic import Magics, cell_magic, line_magic, magics_class
 from IPython.core.interactiveshell import InteractiveShell
+from IPython.core.magic import Magics, cell_magic, line_magic, magics_class
 from IPython.display import DisplayHandle, Markdown, display
 
 from workbook.exercise.answers import ANSWER_MAGIC, Ungradable, read_answer, syntax_mistake
