@@ -1,0 +1,327 @@
+"""Feedback as card and text: complete, safe in any notebook, readable on light and dark, the same every time."""
+
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+
+from workbook.criteria.runner import CriterionResult
+from workbook.exercise.definition import load_exercise
+from workbook.exercise.judging import Judgement, judge_recording, judgement_as_provisional
+from workbook.feedback.card import Card, Extras, as_html
+from workbook.feedback.review import review_prompt
+from workbook.feedback.text import as_text
+from workbook.observing.recording import Recording
+
+ROOT = Path(__file__).resolve().parents[2]
+STEM = "09_joint_positions"
+EVIL = "</pre><script>alert('owned')</script><img src=x onerror=alert(1)> & \"quoted\""
+
+
+def judged(name: str) -> Judgement:
+    recording = Recording.load(ROOT / "tests" / "recordings" / STEM / f"{name}.json")
+    return judge_recording(load_exercise(STEM, ROOT), "0" * 64, recording)
+
+
+def not_judged() -> Judgement:
+    return Judgement(STEM, "0" * 64, "infra_error", "the slot ended with code -9", (), None)
+
+
+def with_hidden() -> Judgement:
+    judgement = judged("solution")
+    first, *rest = judgement.criteria
+    secret = replace(
+        first, id="secret", title="Secret title", status="failed", saw="secret sight", hidden=True
+    )
+    return replace(judgement, criteria=(*rest, replace(secret, max_points=1.0)))
+
+
+def in_part() -> Judgement:
+    judgement = judged("solution")
+    last = replace(
+        judgement.criteria[-1],
+        status="partial",
+        points=0.5,
+        saw="alive for a while",
+        expected="alive",
+        because="it tires",
+        try_this="spin",
+    )
+    return replace(judgement, criteria=(*judgement.criteria[:-1], last))
+
+
+def evil() -> Judgement:
+    judgement = judged("eleven_values")
+    assert judgement.recording is not None
+    process = replace(judgement.recording.process, log=EVIL)
+    criteria = tuple(
+        replace(one, title=EVIL, saw=EVIL, expected=EVIL, because=EVIL, try_this=EVIL)
+        for one in judgement.criteria
+    )
+    return replace(judgement, criteria=criteria, recording=replace(judgement.recording, process=process))
+
+
+JUDGEMENTS = {
+    "full marks": judged("solution"),
+    "failed": judged("eleven_values"),
+    "skipped": judged("wrong_name"),
+    "starter": judged("starter"),
+    "crashed": judged("raises_at_once"),
+    "wall clock": judged("period_for_frequency"),
+    "provisional": judgement_as_provisional(judged("period_for_frequency")),
+    "in part": in_part(),
+    "hidden": with_hidden(),
+    "not judged": not_judged(),
+    "evil": evil(),
+}
+every_judgement = pytest.mark.parametrize("judgement", JUDGEMENTS.values(), ids=JUDGEMENTS.keys())
+
+
+class Reader(HTMLParser):
+    """Sees a card as a browser does: its tags, their attributes, its text."""
+
+    VOID = ("br", "img", "hr", "input")
+
+    def __init__(self, html: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.tags: set[str] = set()
+        self.attributes: list[tuple[str, str]] = []
+        self.texts: list[str] = []
+        self.feed(html)
+        self.close()
+        assert not self.open, f"never closed: {self.open}"
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.add(tag)
+        self.attributes += [(name, value or "") for name, value in attrs]
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        self.texts.append(data)
+
+    @property
+    def text(self) -> str:
+        return " ".join(self.texts)
+
+
+def card_of(judgement: Judgement) -> Card:
+    return Card(judgement, Extras(file="answers/09_joint_positions.py", review="Please review", hints_left=2))
+
+
+# --- the card -------------------------------------------------------------------------------------------
+
+
+@every_judgement
+def test_a_card_is_whole_and_plain_html(judgement: Judgement) -> None:
+    reader = Reader(card_of(judgement)._repr_html_())
+    assert reader.tags <= set(
+        "div p b i table thead tbody tr th td progress details summary pre code small span img br ul ol li".split()
+    )
+    assert not [
+        name for name, _ in reader.attributes if name.startswith("on") or name in ("class", "id", "href")
+    ]
+
+
+@every_judgement
+def test_a_card_is_readable_on_light_and_dark(judgement: Judgement) -> None:
+    html = card_of(judgement)._repr_html_()
+    styles = [value for name, value in Reader(html).attributes if name == "style"]
+    assert not [style for style in styles if "background" in style]
+    assert "var(" not in html
+    colors = {color for style in styles for color in re.findall(r"#[0-9a-f]{3,8}\b", style)}
+    assert colors <= {"#208a3c", "#dc3b3b", "#b06a00", "#787878", "#2f78d0"}
+    assert not [
+        style for style in styles if re.search(r"(^|;|\s)(color|border[\w-]*):\s*(?!.*#)[a-z]+(;|$)", style)
+    ]
+
+
+@every_judgement
+def test_a_card_loads_nothing_from_anywhere(judgement: Judgement) -> None:
+    html = as_html(judgement, Extras(timeline=b"png", timeline_text="arrivals"))
+    assert not [
+        value for name, value in Reader(html).attributes if name == "src" and not value.startswith("data:")
+    ]
+    assert "http" not in html.replace("http://www", "")
+    assert "url(" not in html
+
+
+def test_nothing_of_a_program_or_a_criterion_is_markup() -> None:
+    extras = Extras(file=EVIL, review=EVIL, timeline=b"", timeline_text=EVIL, hints_left=1)
+    for judgement in (
+        evil(),
+        replace(evil(), criteria=tuple(replace(c, status="passed") for c in evil().criteria)),
+    ):
+        html = as_html(judgement, extras)
+        reader = Reader(html)
+        assert "script" not in reader.tags
+        assert EVIL in "".join(reader.texts)
+        assert "<script" not in html
+        assert "onerror" not in {name for name, _ in reader.attributes}
+        assert {value for name, value in reader.attributes if name == "alt"} == {EVIL}
+    broken = replace(not_judged(), reason=EVIL)
+    assert "<script" not in as_html(broken)
+
+
+def test_full_marks() -> None:
+    reader = Reader(card_of(judged("solution"))._repr_html_())
+    assert "✓ Full marks: 10 of 10 points." in reader.text
+    assert "answers/09_joint_positions.py" in reader.text
+    assert "Please review" in reader.text
+    assert "First to mend" not in reader.text
+    assert "%hint" not in reader.text
+    assert reader.text.count("✓ holds") == 8
+
+
+def test_a_failed_card_says_what_to_mend_first_and_why() -> None:
+    reader = Reader(card_of(judged("eleven_values"))._repr_html_())
+    assert "First to mend: Every message has exactly 12 values" in reader.text
+    for words in (
+        "every message has 11 values",
+        "exactly 12 values",
+        "Likely reason",
+        "Try",
+        "✗ not yet",
+        "%hint",
+    ):
+        assert words in reader.text
+    assert "Hand in" not in reader.text
+    assert "Please review" not in reader.text
+    no_hint = Reader(as_html(judged("eleven_values"), Extras(hints_left=0))).text
+    assert "%hint" not in no_hint
+
+
+def test_what_waits_says_so_instead_of_a_red_line() -> None:
+    text = Reader(card_of(judged("wrong_name"))._repr_html_()).text
+    assert text.count("– waits") == 4
+    assert text.count("✗ not yet") == 1
+    assert "/robot/joint_angles" in text
+
+
+def test_a_sign_and_a_word_stand_beside_each_color() -> None:
+    words = {"passed": "✓ holds", "failed": "✗ not yet", "skipped": "– waits", "partial": "◐ in part"}
+    for judgement in (judged("wrong_name"), in_part()):
+        text = Reader(as_html(judgement)).text
+        for result in judgement.criteria:
+            if result.max_points:
+                assert words[result.status] in text
+
+
+def test_a_provisional_card_says_that_it_is() -> None:
+    html = as_html(JUDGEMENTS["provisional"])
+    assert "Provisional" in html
+    assert "wall clock has the last word" in html
+    assert "Provisional" not in as_html(judged("period_for_frequency"))
+    full = judgement_as_provisional(judged("solution"))
+    assert "Hand in this file" not in card_of(full)._repr_html_()
+
+
+def test_a_fault_of_ours_is_no_mark() -> None:
+    html = as_html(not_judged())
+    assert "Not judged: the slot ended with code -9" in html
+    assert "of 10" not in html
+
+
+def test_hidden_criteria_are_counted_and_not_shown() -> None:
+    judgement = with_hidden()
+    for text in (as_html(judgement), as_text(judgement), repr(Card(judgement))):
+        assert "Secret" not in text
+        assert "secret" not in text
+    assert "one more criterion that this check does not show" in as_text(judgement)
+    assert "one more criterion" in as_html(judgement)
+    assert "more criteri" not in as_text(judged("solution"))
+
+
+def test_the_picture_has_a_text() -> None:
+    attributes = Reader(
+        as_html(judged("period_for_frequency"), Extras(timeline=b"\x89PNG", timeline_text="28 messages"))
+    ).attributes
+    assert ("alt", "28 messages") in attributes
+    assert ("src", "data:image/png;base64,iVBORw==") in attributes
+
+
+# --- the text -------------------------------------------------------------------------------------------
+
+
+@every_judgement
+def test_the_plain_text_of_a_card_is_the_same_in_every_run(judgement: Judgement) -> None:
+    """nbval compares it, so it holds no times and no measured numbers."""
+    line = repr(Card(judgement))
+    assert "\n" not in line
+    recording = judgement.recording
+    if recording is not None:
+        slower = replace(recording, wall_s=99.0, process=replace(recording.process, watched_for=99.0))
+        assert repr(Card(replace(judgement, recording=slower))) == line
+    assert not re.search(r"\d+\.\d+ s\b", line)
+
+
+def test_the_plain_text_of_some_cards() -> None:
+    assert repr(Card(judged("solution"))) == "Full marks: 10 of 10 points."
+    assert repr(Card(judged("eleven_values"))) == (
+        "9 of 10 points. First to mend: Every message has exactly 12 values."
+    )
+    assert repr(Card(not_judged())) == "Not judged: the slot ended with code -9"
+
+
+@every_judgement
+def test_a_terminal_gets_no_escapes_unless_it_wants_colors(judgement: Judgement) -> None:
+    plain = as_text(judgement)
+    assert "\x1b" not in plain
+    assert re.sub(r"\x1b\[\d+m", "", as_text(judgement, color=True)) == plain
+
+
+def test_the_text_shows_each_criterion_and_the_first_to_mend_in_full() -> None:
+    text = as_text(judged("wrong_name"))
+    assert text.startswith("09_joint_positions: 3 of 10 points.\n")
+    for label in ("saw ", "expected ", "because ", "try "):
+        assert len(re.findall(rf"^ +{label}", text, re.MULTILINE)) == 1, label
+    assert "✗   0/2  /robot/joint_positions carries Float32MultiArray" in text
+    assert "–   0/1  Every message has exactly 12 values" in text
+    assert "✓   1/1  /robot/status is as it was" in text
+    assert max(map(len, text.splitlines())) <= 120
+
+
+def test_the_text_ends_with_the_log_of_a_crash() -> None:
+    text = as_text(judged("raises_at_once"))
+    assert "line 8: NameError: name 'Float32MultiArray' is not defined" in text
+    assert "Last lines of your program's log:" in text
+    assert text.rstrip().endswith("NameError: name 'Float32MultiArray' is not defined")
+    assert "Last lines" not in as_text(judged("wrong_name"))
+
+
+def test_each_result_says_which_clock_was_used() -> None:
+    assert "14 s of robot time" in as_text(judged("solution"))
+    assert "wall clock" in as_text(judged("period_for_frequency"))
+    lived = replace(judged("solution"), watched_real_life=True)
+    assert "kept running until" in as_text(lived)
+
+
+def test_parts_of_points_are_shown() -> None:
+    text = as_text(in_part())
+    assert text.startswith("09_joint_positions: 9.5 of 10 points.")
+    assert "◐ 0.5/1" in text
+
+
+def test_a_condition_without_points_is_shown_only_when_it_fails() -> None:
+    assert "Your program runs" not in as_text(judged("wrong_name"))
+    assert "✗   0/0  Your program runs and its node is on the graph" in as_text(judged("raises_at_once"))
+
+
+# --- the review -----------------------------------------------------------------------------------------
+
+
+def test_the_review_prompt_holds_task_answer_and_what_was_seen() -> None:
+    source = load_exercise(STEM, ROOT).source
+    judgement = with_hidden()
+    prompt = review_prompt(source, "print('my answer')\n\n", judgement)
+    assert "print('my answer')\n```" in prompt
+    assert "The joint positions" in prompt
+    seen: list[CriterionResult] = [one for one in judgement.criteria if not one.hidden]
+    assert all(one.saw in prompt for one in seen)
+    assert "secret" not in prompt.lower()
