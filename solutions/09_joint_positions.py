@@ -178,6 +178,12 @@ if __name__ == "__main__":
 # 1. Should the joint positions come faster or slower than the battery level? Why?
 # 2. What would another node do with these angles, and how would it read them?
 # 3. What happens when you publish them at 100 Hz instead of 0.5 Hz?
+# %% [live]
+# from workbook.lesson import watch_robot
+#
+# %start
+# await watch_robot(seconds=8)
+
 # %% [hint]
 # The battery already does everything you need: it has a publisher, a timer and a method that fills a
 # message. Point at these three places in the code, then ask of each: what is different for the joints? Mind
