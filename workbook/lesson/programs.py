@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
 
+from workbook.lesson.readiness import wait_until_it_serves
 from workbook.magics.running import node_names, wait_for_nodes
 from workbook.observing.process import NodeProcess, ros_arguments
 from workbook.observing.recording import Clock, ProcessRecord, Recording
@@ -31,7 +32,7 @@ def start(program: Program, **parameters: object) -> str:
     """Start a program as its own process on this notebook's domain; an earlier run of it is ended first.
 
     `parameters` are ROS parameters for its nodes, e.g. `period_s=0.5`. Returns the names of its nodes once they are
-    on the graph. `stop` ends it.
+    on the graph and at work. `stop` ends it. Raises RuntimeError with the program's log when it ended at once.
     """
     file = program_file(program)
     _end(file.stem)
@@ -39,6 +40,8 @@ def start(program: Program, **parameters: object) -> str:
     process = NodeProcess(file, int(os.environ["ROS_DOMAIN_ID"]), ros_arguments(parameters))
     _started[file.stem] = process
     nodes = wait_for_nodes(process, known)
+    if nodes:
+        wait_until_it_serves(process, nodes[0])
     if not process.is_running():
         _end(file.stem)
         raise RuntimeError(f"{file.name} ended at once:\n{process.record().log.strip()}")

@@ -1,0 +1,81 @@
+"""Programs beside a notebook: one that fails in its first lines is reported, not left on the graph as a ghost."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from workbook.lesson import start, stop
+from workbook.magics.running import node_names
+from workbook.ros.domains import lease_domain
+from workbook.ros.environment import prepare
+from workbook.ros.standing import close_standing_node
+
+HEAD = """
+import time
+import rclpy
+from rclpy.node import Node
+
+class Gripper(Node):
+    def __init__(self):
+        super().__init__("gripper", start_parameter_services=%s)
+"""
+WORKS = (
+    HEAD
+    + """
+rclpy.init()
+rclpy.spin(Gripper())
+"""
+)
+FAILS_LATER = (
+    HEAD
+    + """
+        time.sleep(0.7)  # a slow first line, long after the node is on the graph
+        raise ValueError("the gripper is jammed")
+
+rclpy.init()
+rclpy.spin(Gripper())
+"""
+)
+
+
+@pytest.fixture(autouse=True)
+def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    for name in list(os.environ):
+        monkeypatch.setenv(name, os.environ[name])  # put back what `prepare` changes
+    with lease_domain() as lease:
+        prepare(domain_id=lease.domain_id)
+        try:
+            yield
+        finally:
+            stop()
+            close_standing_node()
+
+
+def program(folder: Path, text: str, services: bool = True) -> Path:
+    file = folder / "gripper.py"
+    file.write_text(text % services)
+    return file
+
+
+def test_a_program_that_works_is_named_by_its_node(tmp_path: Path) -> None:
+    assert start(program(tmp_path, WORKS)) == "/gripper"
+    assert node_names()["/gripper"] == 1
+
+
+def test_a_node_that_answers_no_questions_is_taken_as_it_is(tmp_path: Path) -> None:
+    assert start(program(tmp_path, WORKS, services=False)) == "/gripper"
+
+
+def test_an_error_after_the_node_has_appeared_is_told(tmp_path: Path) -> None:
+    with pytest.raises(RuntimeError, match="the gripper is jammed"):
+        start(program(tmp_path, FAILS_LATER))
+    assert node_names()["/gripper"] == 0
+
+
+def test_a_program_without_a_node_is_told(tmp_path: Path) -> None:
+    file = tmp_path / "empty.py"
+    file.write_text("print('nothing to do')\n")
+    with pytest.raises(RuntimeError, match=r"(?s)empty\.py ended at once.*nothing to do"):
+        start(file)
