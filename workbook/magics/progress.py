@@ -42,6 +42,8 @@ def save_progress(stem: str, progress: ExerciseProgress) -> None:
         data = json.loads(path.read_text())
     except (OSError, ValueError):
         data = {}
+    if not isinstance(data, dict):
+        data = {}
     data[stem] = asdict(progress)
     partial = path.with_suffix(".part")
     partial.write_text(json.dumps(data, indent=1, sort_keys=True))

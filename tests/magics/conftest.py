@@ -1,0 +1,123 @@
+"""A real kernel with the magics, and the student's folder in which it works."""
+
+import os
+import sys
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pytest
+from jupyter_client.manager import KernelManager
+
+PATIENCE_S = 90.0
+START = """
+from workbook.ros.environment import prepare
+_ = prepare()
+if 'workbook.magics' not in get_ipython().extension_manager.loaded:
+    get_ipython().run_line_magic('load_ext', 'workbook.magics')
+"""
+
+
+@dataclass
+class Shown:
+    """What one cell gave: what it printed, the text form of what it displayed, and its error."""
+
+    text: str = ""
+    displays: list[str] = field(default_factory=list)
+    html: list[str] = field(default_factory=list)
+    error: str | None = None
+
+
+class Kernel:
+    """One kernel; `run` executes a cell as a notebook does."""
+
+    def __init__(self, folder: Path) -> None:
+        environ = {name: value for name, value in os.environ.items() if name != "PYTEST_CURRENT_TEST"}
+        for name in ("ROS_DOMAIN_ID", "JPY_SESSION_NAME", "WORKBOOK_ANSWERS"):
+            environ.pop(name, None)
+        self.manager = KernelManager(kernel_name="python3")
+        self.manager.kernel_spec.argv = [
+            sys.executable,
+            "-m",
+            "ipykernel_launcher",
+            "-f",
+            "{connection_file}",
+        ]
+        self.manager.kernel_spec.env = {}
+        self.manager.start_kernel(env=environ, cwd=str(folder))
+        self.client: Any = self.manager.client()
+        self.client.start_channels()
+        self.client.wait_for_ready(timeout=PATIENCE_S)
+        self.folder = folder
+        assert self.run(START).error is None
+
+    @property
+    def pid(self) -> int:
+        return int(self.manager.provisioner.pid)
+
+    def start(self, code: str) -> str:
+        return str(self.client.execute(code))
+
+    def finish(self, request: str) -> Shown:
+        shown = Shown()
+        deadline = time.monotonic() + PATIENCE_S
+        while True:
+            message = self.client.get_iopub_msg(timeout=max(0.1, deadline - time.monotonic()))
+            if message["parent_header"].get("msg_id") != request:
+                continue
+            content, kind = message["content"], message["msg_type"]
+            if kind == "stream":
+                shown.text += content["text"]
+            elif kind in ("display_data", "execute_result"):  # an update belongs to an earlier cell
+                shown.displays.append(content["data"].get("text/markdown") or content["data"]["text/plain"])
+                shown.html.append(content["data"].get("text/html", ""))
+            elif kind == "error":
+                shown.error = "\n".join(content["traceback"])
+            elif kind == "status" and content["execution_state"] == "idle":
+                return shown
+
+    def run(self, code: str) -> Shown:
+        return self.finish(self.start(code))
+
+    def good(self, code: str) -> Shown:
+        shown = self.run(code)
+        assert shown.error is None, shown.error
+        return shown
+
+    def work_in(self, folder: Path) -> None:
+        """Continue as a student who has nothing yet."""
+        (folder / "answers").mkdir(parents=True)
+        self.good(f"import os; os.chdir({str(folder)!r})\n%stop")
+        self.folder = folder
+
+    def shut_down(self) -> None:
+        self.client.stop_channels()
+        self.manager.shutdown_kernel()
+
+    def close(self) -> None:
+        if self.manager.has_kernel:
+            self.client.stop_channels()
+            self.manager.shutdown_kernel(now=True)
+
+
+@pytest.fixture(scope="module")
+def shared_kernel(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Kernel]:
+    kernel = Kernel(tmp_path_factory.mktemp("work"))
+    yield kernel
+    kernel.close()
+
+
+@pytest.fixture
+def kernel(shared_kernel: Kernel, tmp_path: Path) -> Kernel:
+    shared_kernel.work_in(tmp_path / "work")
+    return shared_kernel
+
+
+@pytest.fixture
+def fresh_kernel(tmp_path: Path) -> Iterator[Kernel]:
+    (tmp_path / "answers").mkdir()
+    kernel = Kernel(tmp_path)
+    yield kernel
+    kernel.close()
