@@ -1,0 +1,562 @@
+# %% [markdown]
+# # 05 · Timers
+#
+# A robot that does something again and again, on time, is a robot with timers: its heartbeat, its balance, its
+# battery report.
+#
+# - **Minutes:** 35
+# - **You need:** lesson 00, and to know that `publish` sends a message on a topic
+# - **You will be able to:** give a node work that repeats, turn a frequency into a period, run several rates in one
+#   node, and say what a slow callback does to them
+# - **Left out:** what `spin` does inside (lesson 06), doing slow work properly (lesson 10)
+
+# %% [markdown]
+# Watch the robot. Both arms follow the same plan, up and down. The arm marked **L** is moved by a timer that ticks
+# every 0.05 s. The arm marked **R** has a timer of its own, which ticks once a second.
+
+# %%
+from lesson_nodes import two_arms
+from workbook.lesson import start, stop, watch_robot
+
+print("started", start(two_arms, left_period_s=0.05, right_period_s=1.0))
+await watch_robot(seconds=8, ease=0.0)
+stop()
+
+# %% [markdown]
+# One node, two timers, two rhythms. Change `right_period_s` to `0.3` and run the cell again. How short must
+# the period be until both arms look alike to you?
+
+# %% [markdown]
+# ## Predict
+#
+# A robot reads its tilt sensor ten times a second. Reading takes 10 ms. Here are two ways to do it fifty times:
+#
+# ```python
+# # A: a loop that sleeps                   # B: a timer
+# for _ in range(50):                       node.create_timer(0.1, read_tilt)
+#     time.sleep(0.1)                       rclpy.spin(node)
+#     read_tilt()
+# ```
+#
+# `create_timer(0.1, read_tilt)` asks the node to call `read_tilt` every 0.1 s, and `spin` lets the node do so.
+#
+# Fifty times 0.1 s would be 5.0 s. How long does each of them take?
+#
+# - **a** Both 5.0 s: the period is 0.1 s, so what?
+# - **b** Both at least 5.5 s: the reading takes its time in either case.
+# - **c** The loop at least 5.5 s, the timer about 5.0 s.
+# - **d** The loop 5.0 s, the timer longer, because ROS has to do more.
+
+# %%
+from workbook.lesson import predict
+
+predict("...", about="loop and timer")
+
+# %% [markdown]
+# ## Run it
+#
+# First the loop. `time.sleep(0.010)` plays the sensor, which lets us wait. We note the moment of each reading.
+
+# %%
+import time
+
+PERIOD_S = 0.1
+ROUNDS = 50
+
+
+def read_tilt() -> float:
+    """Read the tilt of the body (rad). The sensor takes 10 ms to answer."""
+    time.sleep(0.010)
+    return 0.02
+
+
+began = time.monotonic()
+loop_moments = []
+for _ in range(ROUNDS):
+    time.sleep(PERIOD_S)
+    loop_moments.append(time.monotonic() - began)
+    read_tilt()
+loop_s = time.monotonic() - began
+
+print(len(loop_moments), "readings by the loop")
+
+# %% [markdown]
+# Now the timer. Its callback is the method `on_tick`. `run` lets the node work, as `rclpy.spin` would, and gives the
+# notebook back after fifty ticks.
+
+# %%
+from rclpy.node import Node
+
+from workbook.lesson import fresh, init, run
+
+init()  # rclpy.init(), made so that a cell can be run again
+
+
+class TiltReader(Node):
+    """Reads the tilt sensor on every tick of a timer."""
+
+    def __init__(self) -> None:
+        super().__init__("tilt_reader")
+        self.began = time.monotonic()
+        self.moments: list[float] = []
+        self.create_timer(PERIOD_S, self.on_tick)
+
+    def on_tick(self) -> None:
+        self.moments.append(time.monotonic() - self.began)
+        read_tilt()
+
+
+reader = fresh(TiltReader)
+await run(reader, seconds=20, until=lambda: len(reader.moments) == ROUNDS)
+timer_s = time.monotonic() - reader.began
+
+print(len(reader.moments), "readings by the timer")
+
+# %% tags=["nbval-ignore-output"]
+print(f"the loop took  {loop_s:.2f} s")
+print(f"the timer took {timer_s:.2f} s")
+
+# %%
+from workbook.lesson import recall
+
+print("the loop took 5.5 s or more:", loop_s >= 5.5)
+print("the timer was faster than that:", timer_s < 5.5)
+recall("c", about="loop and timer")
+
+# %% [markdown]
+# ## Look inside
+#
+# Here are the first readings. The small marks above and below each line are the plan: one reading every 0.1 s.
+
+# %%
+from workbook.pictures.figures import figure, show
+from workbook.pictures.timeline import strip
+
+first = {"loop": loop_moments[:14], "timer": reader.moments[:14]}
+picture = strip(first, periods={"loop": PERIOD_S, "timer": PERIOD_S}, end=1.6, noun="readings")
+show(picture, "the first readings of loop and timer: the loop falls behind the plan, the timer stays on it")
+
+# %% [markdown]
+# The loop waits 0.1 s *after* the work is done. So one round is sleep **plus** work, and each round starts later than
+# the one before. The delays add up. This is called **drift**.
+#
+# The timer has a plan: 0.1, 0.2, 0.3 s and so on after its start. After the work it waits only for what is left until
+# the next moment of the plan. A late tick does not make the next one late.
+#
+# The next picture shows for each reading how late it was.
+
+# %%
+from itertools import pairwise
+
+
+def lateness(moments):
+    """How late each reading is (ms), if the first one was on time."""
+    return [1000 * (moment - moments[0] - PERIOD_S * n) for n, moment in enumerate(moments)]
+
+
+fig, axes = figure(6.4, 2.6)
+axes.plot(lateness(loop_moments), label="loop that sleeps")
+axes.plot(lateness(reader.moments), label="timer", linestyle="--")
+axes.set(xlabel="reading", ylabel="late by (ms)")
+axes.legend(loc="upper left")
+show(fig, "the lateness of the loop grows with every reading; that of the timer does not grow")
+
+# %%
+print("the last reading of the loop was late by more than four periods:", lateness(loop_moments)[-1] > 400)
+print("the last reading of the timer was late by less than two:", lateness(reader.moments)[-1] < 200)
+
+# %% [markdown]
+# No timer is perfect. The operating system has other programs to serve, so a tick comes a little late, and the next one
+# seems early. This trembling is called **jitter**. It does not add up.
+
+# %%
+from workbook.pictures.timeline import histogram
+
+intervals_ms = [1000 * (b - a) for a, b in pairwise(reader.moments)]
+show(
+    histogram(intervals_ms, target=1000 * PERIOD_S, label="time between two ticks"),
+    "a histogram of the times between two ticks, around the 100 ms that were asked for",
+)
+
+# %%
+mean_ms = sum(intervals_ms) / len(intervals_ms)
+print("all intervals are exactly 100 ms:", all(interval == 100 for interval in intervals_ms))
+print("their mean is within 5 % of it:", abs(mean_ms - 100) < 5)
+
+# %% [markdown]
+# ### A myth, tested
+#
+# You will read that you must keep a timer in an attribute, as in `self.timer = self.create_timer(...)`, or Python will
+# throw it away. Above we kept nothing. Here we also ask the garbage collector to throw away all it can.
+
+# %%
+import gc
+
+
+class Forgetful(Node):
+    """Makes a timer and does not keep it."""
+
+    def __init__(self) -> None:
+        super().__init__("forgetful")
+        self.ticks = 0
+        self.create_timer(0.2, self.on_tick)
+
+    def on_tick(self) -> None:
+        self.ticks += 1
+
+
+forgetful = fresh(Forgetful)
+gc.collect()
+await run(forgetful, seconds=5, until=lambda: forgetful.ticks == 5)
+print("ticks after the garbage collection:", forgetful.ticks)
+
+# %% [markdown]
+# It ticks. In rclpy the node keeps its timers. The rule is true for C++, where it comes from. An attribute is still
+# handy, if you want to stop the timer later with `self.timer.cancel()`.
+
+# %% [markdown]
+# ## Change it
+#
+# Waiting a minute to count sixty ticks is dull. **Robot time** helps: a ROS node can take the time from a topic,
+# `/clock`, and not from the clock on the wall. `record` starts a program like this and publishes a `/clock` that runs
+# ten to twenty times as fast, so the node lives through a minute in a few seconds, and its timers cannot tell.
+
+# %% [markdown]
+# ### Experiment 1: half a hertz
+#
+# A robot shall beep at 0.5 Hz, that is 30 times a minute. Somebody writes `create_timer(0.5, self.beep)`. How many
+# beeps will we count in one minute of robot time?
+#
+# - **a** 30, as ordered
+# - **b** 60
+# - **c** 120
+
+# %%
+predict("...", about="half a hertz")
+
+# %%
+from lesson_nodes import blink_and_beep
+from workbook.lesson import arrivals, record
+
+BEEP, BLINK = "/robot/beep", "/robot/blink"
+period_s = 0.5  # turn this knob
+
+minute = record(blink_and_beep, {BEEP: period_s}, seconds=60, beep_period_s=period_s)
+print(f"a period of {period_s} s: {len(arrivals(minute, BEEP))} beeps in a minute")
+recall("c", about="half a hertz")
+
+# %% [markdown]
+# `create_timer` takes a **period**: seconds from one tick to the next. Hertz is a **frequency**: ticks per second. One
+# is 1 divided by the other.
+
+# %%
+for hertz in (0.5, 1, 5, 100):
+    print(f"{hertz:>5} Hz is a period of {1 / hertz:g} s")
+
+# %% [markdown]
+# Low frequency, long period. Set `period_s` to `2.0` in the cell above and count again.
+
+# %% [markdown]
+# ### Experiment 2: two timers in one node
+#
+# Now the node blinks at 1 Hz and beeps at 0.5 Hz. It has one thread, so it can do only one thing at a time. What
+# happens in a minute?
+#
+# - **a** 60 blinks and 30 beeps: the two do not disturb each other
+# - **b** 45 of each: they take turns
+# - **c** 60 blinks and no beep: the first timer keeps the node busy
+
+# %%
+predict("...", about="two timers")
+
+# %%
+both = record(blink_and_beep, {BLINK: 1.0, BEEP: 2.0}, seconds=60, blink_period_s=1.0, beep_period_s=2.0)
+print(len(arrivals(both, BLINK)), "blinks and", len(arrivals(both, BEEP)), "beeps")
+recall("a", about="two timers")
+
+# %%
+ten_seconds = {name: [t for t in arrivals(both, name) if t < 10.5] for name in (BLINK, BEEP)}
+for name, moments in ten_seconds.items():
+    print(name, "at", [round(moment) for moment in moments], "s")
+show(
+    strip(ten_seconds, periods={BLINK: 1.0, BEEP: 2.0}, end=10.5),
+    "ten seconds of robot time: a blink every second, and a beep with every second blink",
+)
+
+# %% [markdown]
+# A timer does not hold the thread between two ticks. It only says when it is due. The node sleeps, wakes up for
+# whichever timer is due next, calls its callback, and sleeps again. When two are due at once, one callback runs after
+# the other. As long as each is done quickly, nobody notices.
+
+# %% [markdown]
+# ### Experiment 3: a callback that takes its time
+#
+# What if one is *not* done quickly? The node blinks every 0.2 s. Every 2 s it beeps, and this beep takes 1.1 s. In
+# that time five blinks fall due. What becomes of them?
+#
+# - **a** Nothing is lost: they come in a burst when the beep is over.
+# - **b** They come on time: a timer can interrupt the beep.
+# - **c** They all come, each of them late.
+# - **d** One comes late, the others never come.
+
+# %%
+predict("...", about="the long beep")
+
+# %% [markdown]
+# This one runs on the wall clock, for eight real seconds, because the beep takes real time.
+
+# %%
+long_beep = {"blink_period_s": 0.2, "beep_period_s": 2.0, "beep_takes_s": 1.1}
+slow = record(blink_and_beep, {BLINK: 0.2, BEEP: 2.0}, clock="wall", **long_beep)
+
+blinks, beeps = arrivals(slow, BLINK), arrivals(slow, BEEP)
+show(
+    strip({BLINK: blinks, BEEP: beeps}, periods={BLINK: 0.2, BEEP: 2.0}, end=8.5),
+    "blinks every 0.2 s, with a silence after each beep",
+)
+
+# %%
+came = [sum(a - 0.1 < t < b - 0.1 for t in blinks) for a, b in pairwise(beeps[:4])]
+print("blinks due from one beep to the next: 10")
+print("blinks that came:                    ", came)
+gaps = [b - a for a, b in pairwise(blinks)]
+print("any two of them at once, as in a burst:", any(gap < 0.02 for gap in gaps))
+recall("d", about="the long beep")
+
+# %% [markdown]
+# Five blinks were due while the robot beeped, and four of them never came. When the beep is over, the blink timer sees
+# that it is late and ticks once. Then it goes back to its plan. Missed ticks are **dropped**.
+#
+# That is a kind design. A robot that has been busy wants to know its tilt *now*, not five times over what it should
+# have measured a while ago.
+#
+# But for 1.1 s this robot felt nothing. Keep callbacks short. What to do with work that is long is lesson 10.
+
+# %% [markdown]
+# ## When it goes wrong
+#
+# **A pair of parentheses too many.** What does this say?
+
+# %% tags=["raises-exception"]
+class Eager(Node):
+    """Wants to blink ten times a second."""
+
+    def __init__(self) -> None:
+        super().__init__("eager")
+        self.create_timer(0.1, self.blink())
+
+    def blink(self) -> None:
+        print("blink!")
+
+
+eager = fresh(Eager)
+await run(eager, seconds=1)
+
+# %% [markdown]
+# One blink, and then an error that speaks of `NoneType`. `self.blink()` *calls* the method, at once, while the node is
+# being made. It returns `None`, and that is what the timer got as its callback. rclpy notices when the timer ticks for
+# the first time, not where the mistake is. Without the parentheses you hand over the method itself:
+
+# %%
+class Patient(Node):
+    """Blinks ten times a second."""
+
+    def __init__(self) -> None:
+        super().__init__("patient")
+        self.blinks = 0
+        self.create_timer(0.1, self.blink)
+
+    def blink(self) -> None:
+        self.blinks += 1
+
+
+patient = fresh(Patient)
+await run(patient, seconds=5, until=lambda: patient.blinks == 3)
+print("blinks:", patient.blinks)
+
+# %% [markdown]
+# **Silence.** This node has a timer, all is spelled well, and nothing happens.
+
+# %%
+silent = fresh(Patient)
+time.sleep(1.0)
+print("blinks after a second:", silent.blinks)
+
+# %% [markdown]
+# Nobody lets the node work. A timer is an entry in a list, and somebody has to look into it: `rclpy.spin(node)` in a
+# program, `run(node)` in these lessons. Here is the same node, with somebody who looks:
+
+# %%
+await run(silent, seconds=5, until=lambda: silent.blinks == 3)
+print("blinks:", silent.blinks)
+
+# %% [markdown]
+# ## From a worked example to your own
+#
+# **Worked.** A guide robot counts two things: every half second one step of its walk, and every 2 s it looks around.
+# Each rhythm is one period, one timer, one method.
+
+# %%
+STEP_PERIOD_S = 1 / 2.0  # 2 Hz
+LOOK_PERIOD_S = 1 / 0.5  # 0.5 Hz
+
+
+class Guide(Node):
+    """Walks, and looks around now and then."""
+
+    def __init__(self) -> None:
+        super().__init__("guide")
+        self.done: list[str] = []
+        self.create_timer(STEP_PERIOD_S, self.make_step)
+        self.create_timer(LOOK_PERIOD_S, self.look_around)
+
+    def make_step(self) -> None:
+        self.done.append("step")
+
+    def look_around(self) -> None:
+        self.done.append("look")
+
+
+guide = fresh(Guide)
+await run(guide, seconds=4.25)
+print(guide.done.count("step"), "steps,", guide.done.count("look"), "looks")
+
+# %% [markdown]
+# **Faded.** The guide shall talk as well, at 0.8 Hz. Fill in what is `...`. Until then the cell runs, and says what is
+# missing.
+
+# %%
+TALK_PERIOD_S = ...  # TODO: seconds between two sentences at 0.8 Hz
+
+
+class TalkingGuide(Guide):
+    """Walks, looks around, and talks."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        if TALK_PERIOD_S is not ...:
+            ...  # TODO: a timer that calls self.talk
+
+    def talk(self) -> None:
+        self.done.append("talk")
+
+
+if TALK_PERIOD_S is ...:
+    print("Fill in the period and the timer, then run this cell again.")
+else:
+    talking = fresh(TalkingGuide)
+    await run(talking, seconds=4.25)
+    print(talking.done.count("talk"), "sentences in 4.25 s; there should be 3")
+
+# %% [markdown]
+# **Your own.** In the [exercise](../exercises/05_timers.ipynb) a humanoid reports heartbeat, battery and tilt, each in
+# a rhythm of its own. It is judged by counting what arrives in a minute of robot time.
+
+# %% [markdown]
+# ## Check yourself
+#
+# **1. `create_timer(0.25, self.beep)`: how often does it beep?**
+#
+# <details><summary>a) Every four seconds</summary>
+#
+# ✗ That would be 0.25 Hz. The number is a period: a quarter of a second from beep to beep.
+#
+# </details>
+# <details><summary>b) Four times a second</summary>
+#
+# ✓ Yes. 1 divided by 0.25 s is 4 Hz.
+#
+# </details>
+# <details><summary>c) Once, after a quarter of a second</summary>
+#
+# ✗ A timer goes on until it is cancelled or its node is gone.
+#
+# </details>
+#
+# **2. A loop does 20 ms of work and then sleeps 0.1 s, again and again. How many rounds fit into a minute?**
+#
+# <details><summary>a) 600</summary>
+#
+# ✗ 600 rounds of 0.1 s, yes, if the work took no time.
+#
+# </details>
+# <details><summary>b) At most 500</summary>
+#
+# ✓ One round takes 0.12 s at least, and 60 / 0.12 is 500. `sleep` may take a little longer than asked, never less.
+#
+# </details>
+# <details><summary>c) 600, but the last ones come in a hurry</summary>
+#
+# ✗ The loop has no plan that it could hurry after. It only knows how long to sleep.
+#
+# </details>
+#
+# **3. A timer ticks every 0.1 s. One of its callbacks takes 0.35 s this once. What follows?**
+#
+# <details><summary>a) Three ticks in a row, to catch up</summary>
+#
+# ✗ There is no catching up. You saw it with the long beep.
+#
+# </details>
+# <details><summary>b) One late tick, then the old plan again</summary>
+#
+# ✓ The plan stays where it was. The ticks in between are gone.
+#
+# </details>
+# <details><summary>c) From now on every tick is 0.25 s late</summary>
+#
+# ✗ This is what a loop that sleeps would do. A timer keeps its plan.
+#
+# </details>
+#
+# **4. You wrote `self.create_timer(1.0, self.beat)` and kept nothing of it. What happens to the timer?**
+#
+# <details><summary>a) It ticks as long as the node lives</summary>
+#
+# ✓ The node keeps it. Your node still has to be spun, of course.
+#
+# </details>
+# <details><summary>b) The garbage collector takes it sooner or later</summary>
+#
+# ✗ You asked the collector yourself in this lesson, and the timer ticked on.
+#
+# </details>
+# <details><summary>c) It ticks once, because nobody can reach it any more</summary>
+#
+# ✗ You cannot reach it, but the node can: `node.timers` lists all it has.
+#
+# </details>
+
+# %% [markdown]
+# ## Talk it through
+#
+# Discuss this with a colleague or an AI assistant:
+#
+# > My robot reads a distance sensor at 20 Hz and saves a camera picture once a second, both with timers in one node.
+# > Saving takes between 30 and 200 ms. What will the distance readings look like, and what would you change?
+#
+# <details><summary>What a good answer contains</summary>
+#
+# The distance timer is due every 50 ms. While a picture is saved, its ticks wait: the first one comes late, and up to
+# three are dropped. So there is a hole of up to a fifth of a second, once a second, and no burst afterwards. Whether
+# that matters depends on how fast the robot drives: at 1 m/s it is 20 cm. Ways out: make the callback short (hand the
+# picture to a thread or to another process that saves it), or let the two callbacks run in different threads (another
+# executor and callback group, lesson 10). Making the timer faster does not help. Good answers also ask whether the
+# picture must be saved on this robot at all.
+#
+# </details>
+
+# %% [markdown]
+# ## Take away
+#
+# - `create_timer(period, callback)`: the period is in seconds, and hertz is 1 divided by it.
+# - A timer keeps a plan. It trembles (jitter), but it does not drift; a loop that sleeps does.
+# - One node can have many timers. They share one thread and take turns.
+# - A slow callback makes others late. Missed ticks are dropped, they do not come in a burst.
+# - Hand over the callback without parentheses, and spin the node.
+#
+# **Next:** [08 · The humanoid status publisher](08_humanoid_status_publisher.ipynb), a node with two timers that earns
+# its living.
+#
+# **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html), who look after
+# the timers, and [clock and time](https://design.ros2.org/articles/clock_and_time.html), where robot time comes from.
