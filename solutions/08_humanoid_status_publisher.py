@@ -49,8 +49,8 @@
 # | 1 | the program runs until it is told to end |
 # | 3 | Ctrl-C ends it with exit code 0 and no traceback |
 #
-# Run the program below first, as it is: `%start` and the dashboard show you the complaints. Whether you change three
-# lines or write it anew is up to you.
+# Run the program below first, as it is: the dashboard shows you two of the complaints, `%check` the third. Whether you
+# change three places or write it anew is up to you.
 #
 # **Not part of it:** new topics, real batteries, other signals than that of Ctrl-C.
 # %% [answer]
@@ -134,7 +134,10 @@ def main(args: list[str] | None = None) -> None:
 if __name__ == "__main__":
     main()
 # %% [live]
+# from workbook.lesson import watch_status
+#
 # %start
+# view = await watch_status(seconds=10)
 # %% [hint]
 # Do not read the code yet. Look at the dashboard, and take one complaint at a time.
 #
