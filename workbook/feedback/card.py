@@ -10,7 +10,10 @@ from workbook.feedback import wording
 
 COLORS = {"passed": "#208a3c", "failed": "#dc3b3b", "partial": "#b06a00", "skipped": "#787878"}
 BLUE = "#2f78d0"
-_CELL = "text-align:left;vertical-align:top;padding:2px 10px 2px 0"
+# JupyterLab aligns cells to the right and breaks lines of preformatted text inside words.
+_CELL = "text-align:left;vertical-align:top;padding:3px 14px 3px 0"
+_PRE = "white-space:pre-wrap;word-break:normal;overflow-wrap:anywhere;margin:4px 0"
+_TIMELINE_KEY = "Colored: messages that came. Thin and gray: when one was due."
 
 
 @dataclass(frozen=True)
@@ -46,17 +49,22 @@ def _advice(result: CriterionResult) -> str:
         ("Likely reason", result.because),
         ("Try", result.try_this),
     ]
+    # A body for each row: JupyterLab stripes the rows of one body, and these four belong together.
     rows = "".join(
-        f'<tr><td style="{_CELL};white-space:nowrap"><b>{label}</b></td><td style="{_CELL}">{escape(text)}</td></tr>'
+        f'<tbody><tr><td style="{_CELL};white-space:nowrap"><b>{label}</b></td>'
+        f'<td style="{_CELL}">{escape(text)}</td></tr></tbody>'
         for label, text in lines
         if text
     )
-    return f"<table>{rows}</table>"
+    return f'<table style="margin:0 0 8px 0">{rows}</table>'
 
 
 def _bar(judgement: Judgement) -> str:
     score, most = judgement.score or 0.0, judgement.max_score
-    return f'<progress value="{score:g}" max="{most:g}" aria-label="points">{score:g} of {most:g}</progress>'
+    return (
+        f'<progress value="{score:g}" max="{most:g}" aria-label="points" style="accent-color:{_color_of(judgement)}">'
+        f"{score:g} of {most:g}</progress>"
+    )
 
 
 def _color_of(judgement: Judgement) -> str:
@@ -67,6 +75,14 @@ def _color_of(judgement: Judgement) -> str:
     return COLORS["failed"] if not judgement.score else COLORS["partial"]
 
 
+def _fold(summary: str, html: str) -> str:
+    return f'<details style="margin:6px 0"><summary>{summary}</summary>{html}</details>'
+
+
+def _pre(text: str) -> str:
+    return f'<pre style="{_PRE}">{escape(text)}</pre>'
+
+
 def _log(judgement: Judgement) -> str:
     recording = judgement.recording
     if recording is None:
@@ -74,7 +90,7 @@ def _log(judgement: Judgement) -> str:
     log = (recording.process.log + recording.process.end_log).strip()
     if not log:
         return ""
-    return f"<details><summary>What your program printed</summary><pre>{escape(log)}</pre></details>"
+    return _fold("What your program printed", _pre(log))
 
 
 def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
@@ -84,7 +100,7 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
     sign = "✓" if judgement.full_marks else "◔" if judgement.provisional else "➜"
     parts = [
         f'<div style="border-left:6px solid {color};padding:4px 0 4px 14px">',
-        f'<p style="font-size:115%;margin:0 0 4px 0"><b style="color:{color}">{sign} '
+        f'<p style="font-size:115%;margin:0 0 8px 0"><b style="color:{color}">{sign} '
         f"{escape(wording.headline(judgement))}</b> &nbsp;{_bar(judgement)}</p>",
     ]
     if judgement.provisional:
@@ -93,21 +109,29 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
         )
     first = wording.first_to_mend(judgement)
     if first is not None:
-        parts.append(f"<p><b>First to mend: {escape(first.title)}</b></p>{_advice(first)}")
+        parts.append(
+            f'<p style="margin:0 0 4px 0"><b>First to mend: {escape(first.title)}</b></p>{_advice(first)}'
+        )
     if extras.timeline is not None:
         data = base64.b64encode(extras.timeline).decode()
-        parts.append(f'<p><img alt="{escape(extras.timeline_text)}" src="data:image/png;base64,{data}"></p>')
+        parts.append(
+            f'<p style="margin:0 0 8px 0"><img alt="{escape(extras.timeline_text)}" '
+            f'src="data:image/png;base64,{data}"><br>'
+            f'<small style="color:{COLORS["skipped"]}">{_TIMELINE_KEY}</small></p>'
+        )
     parts.append(_table(judgement))
     later = wording.also_to_mend(judgement)
     if later:
         folded = "".join(f"<p><b>{escape(result.title)}</b></p>{_advice(result)}" for result in later)
         what = "the other one" if len(later) == 1 else f"the other {len(later)}"
-        parts.append(f"<details><summary>Reasons for {what}</summary>{folded}</details>")
+        parts.append(_fold(f"Reasons for {what}", folded))
+    if judgement.full_marks and not judgement.provisional and extras.file:
+        parts.append(f'<p style="margin:6px 0">Hand in this file: <code>{escape(extras.file)}</code></p>')
     parts.append(_log(judgement))
     if judgement.full_marks and not judgement.provisional:
-        parts.append(_farewell(extras))
+        parts.append(_last_step(extras))
     elif first is not None and extras.hints_left:
-        parts.append("<p>Stuck? <code>%hint</code> gives the next hint.</p>")
+        parts.append('<p style="margin:6px 0">Stuck? <code>%hint</code> gives the next hint.</p>')
     small = " ".join(filter(None, (wording.clock_line(judgement), wording.hidden_line(judgement))))
     parts.append(
         f'<p style="color:{COLORS["skipped"]};margin:4px 0 0 0"><small>{escape(small)}</small></p></div>'
@@ -118,22 +142,18 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
 def _table(judgement: Judgement) -> str:
     rows = "".join(map(_row, wording.visible(judgement)))
     return (
-        f'<table><thead><tr><th style="{_CELL}">State</th><th style="{_CELL}">Points</th>'
-        f'<th style="{_CELL}">Criterion</th><th style="{_CELL}">Seen on the wire</th></tr></thead>'
+        f'<table style="margin:0 0 8px 0"><thead><tr><th style="{_CELL}">State</th><th style="{_CELL}">Points</th>'
+        f'<th style="{_CELL};width:38%">Criterion</th><th style="{_CELL}">Seen on the wire</th></tr></thead>'
         f"<tbody>{rows}</tbody></table>"
     )
 
 
-def _farewell(extras: Extras) -> str:
-    parts = []
-    if extras.file:
-        parts.append(f"<p>Hand in this file: <code>{escape(extras.file)}</code></p>")
-    if extras.review:
-        parts.append(
-            "<details><summary>One last step: a review. A prompt to give to a colleague or an AI assistant"
-            f"</summary><pre>{escape(extras.review)}</pre></details>"
-        )
-    return "".join(parts)
+def _last_step(extras: Extras) -> str:
+    if not extras.review:
+        return ""
+    return _fold(
+        "One last step: a review. A prompt to give to a colleague or an AI assistant", _pre(extras.review)
+    )
 
 
 class Card:
