@@ -220,7 +220,7 @@ def test_future_statements_of_the_host_do_not_reach_the_answer(run: Run) -> None
 @pytest.mark.parametrize(
     ("limit", "text"),
     [
-        ("memory=600000000", "x = bytearray(2_000_000_000)"),
+        ("memory=600000000", "import mmap\nmmap.mmap(-1, 2_000_000_000)"),
         ("open_files=20", "files = [open('/dev/null') for _ in range(50)]"),
         (
             "file_size=1000",
