@@ -168,6 +168,19 @@ def test_other_tasks_and_pictures_go_on_while_nodes_run(kernel):
     assert last == "True"
 
 
+def test_pictures_slower_than_their_rate_leave_room_for_messages(kernel):
+    # Each picture takes twice the time that its rate leaves: a slow or busy machine.
+    heard = kernel.good(
+        "init()\n"
+        "talker = fresh(Talker, 0.02)\n"
+        "await run(talker, until=lambda: talker.heard)\n"
+        "before = len(talker.heard)\n"
+        "await live(talker, each_frame=lambda: time.sleep(0.1), seconds=2.0, fps=20)\n"
+        "print(len(talker.heard) - before >= 10)"
+    )
+    assert heard.text == "True\n"
+
+
 def test_a_coroutine_callback_that_waits_at_the_end_does_not_lock_its_group(kernel):
     kernel.good(
         "from rclpy.task import Future\n"

@@ -166,10 +166,8 @@ class _Run:
         started = time.monotonic()
         wait_end = min(turn_end, started + longest_wait, self.end)
         try:
-            while True:
-                wait = wait_end - time.monotonic()
-                if wait <= 0 or not self.executor.step(wait):
-                    return
+            # At least one step: pictures that take longer than their time must not keep messages out for good.
+            while self.executor.step(max(0.0, wait_end - time.monotonic())):
                 if self.interrupts.asked or self.reached() or time.monotonic() - started > LONGEST_TURN_S:
                     return
         except ExternalShutdownException:
