@@ -25,6 +25,18 @@ def test_the_persons_arguments_come_last_and_so_win(tmp_path: Path) -> None:
     assert "--allow-root" not in line
 
 
+def test_a_terminal_keeps_the_search_path_of_the_environment(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # A shell that is named is started as it is; without a name it is a login shell, which sets PATH anew.
+    monkeypatch.setenv("SHELL", "/bin/some-shell")
+    line = launch.command([], work=tmp_path, lesson=None, root_user=False)
+    assert "--ServerApp.terminado_settings={'shell_command': ['/bin/some-shell']}" in line
+    monkeypatch.delenv("SHELL")
+    unnamed = launch.command([], work=tmp_path, lesson=None, root_user=False)
+    assert any("shell_command" in argument and "sh" in argument for argument in unnamed)
+
+
 def test_root_is_allowed_only_for_root(tmp_path: Path) -> None:
     def count(*arguments: str) -> int:
         return launch.command(arguments, work=tmp_path, lesson=None, root_user=True).count("--allow-root")

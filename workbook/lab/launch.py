@@ -1,6 +1,7 @@
 """Starting JupyterLab on the student's copy."""
 
 import os
+import shutil
 import socket
 import sys
 from collections.abc import Mapping, Sequence
@@ -57,6 +58,9 @@ def check_port(arguments: Sequence[str]) -> None:
 def command(arguments: Sequence[str], *, work: Path, lesson: str | None, root_user: bool) -> list[str]:
     """The JupyterLab command; what the person passes comes last and so wins."""
     line = [sys.executable, "-P", "-m", "jupyterlab", "--log-level=WARN", f"--ServerApp.root_dir={work}"]
+    # Named, it is no login shell: that would put /etc/profile's PATH in the place of the environment's.
+    shell = os.environ.get("SHELL") or shutil.which("bash") or "/bin/sh"
+    line.append(f"--ServerApp.terminado_settings={{'shell_command': [{shell!r}]}}")
     if lesson is not None:
         line.append(f"--LabApp.default_url=/lab/tree/{lesson}")
     if root_user and "--allow-root" not in arguments:
