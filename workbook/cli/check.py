@@ -64,7 +64,7 @@ def run(options: argparse.Namespace) -> int:
             if judgement.provisional:
                 print("Watching it on the wall clock as well; that takes some seconds ...", file=sys.stderr)
             else:
-                print("It passes on robot time; watching that it lives on ...", file=sys.stderr)
+                print("Judged on robot time; watching that it lives on ...", file=sys.stderr)
 
         with Observer() as observer:
             judgement = Judge(observer).judge(exercise, answer, thorough=options.as_graded, report=report)

@@ -2,21 +2,15 @@
 
 from workbook.criteria.criterion import Criterion, Topic, criterion, topic, watching
 from workbook.criteria.verdict import Verdict, all_of, failed, partial, passed
-from workbook.criteria.vocabulary import (
-    alive_at_end,
-    counts,
-    exits_cleanly,
+from workbook.criteria.words_of_programs import alive_at_end, exits_cleanly, program_runs
+from workbook.criteria.words_of_rates import counts, keeps_period, rate, topic_pace
+from workbook.criteria.words_of_topics import no_message, publishes
+from workbook.criteria.words_of_values import (
     finite,
-    keeps_period,
     length,
     never_rises,
-    no_message,
     one_of,
-    program_runs,
-    publishes,
-    rate,
     really_arrives,
-    topic_pace,
     values,
     varies,
     within,

@@ -1,0 +1,33 @@
+"""How feedback spells numbers, durations, rates and lists."""
+
+import math
+from collections.abc import Sequence
+
+
+def number(value: float) -> str:
+    """A number as a person would say it: 0.5, 12, 3.1416."""
+    if not math.isfinite(value):
+        return str(value)
+    return f"{value:.4g}"
+
+
+def hertz(value: float) -> str:
+    """A measured rate, rounded to what can be told from a few messages: 0.5, 1.1, 100."""
+    return f"{float(f'{value:.2g}'):g}"
+
+
+def seconds(value: float) -> str:
+    """A duration: 2.0 s."""
+    return f"{value:.1f} s"
+
+
+def listing(names: Sequence[str]) -> str:
+    """Names as an English list."""
+    if len(names) < 2:
+        return "".join(names)
+    return ", ".join(names[:-1]) + " and " + names[-1]
+
+
+def count(n: int, noun: str) -> str:
+    """A number with its noun in the right form."""
+    return f"{n} {noun}" if n == 1 else f"{n} {noun}s"

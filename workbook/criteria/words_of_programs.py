@@ -1,0 +1,148 @@
+"""Words about the program as a whole: does it run, live on, end well?"""
+
+from workbook.criteria.mishaps import find_mishap
+from workbook.criteria.phrasing import listing, seconds
+from workbook.criteria.verdict import Verdict, failed, passed
+from workbook.observing.recording import Recording
+
+
+def program_runs(recording: Recording) -> Verdict:
+    """The program starts and its node or a publisher of it is seen on the graph."""
+    expected = "a program that starts, makes its node and keeps it running"
+    if _got_going(recording):
+        nodes = sorted({node.name for node in recording.nodes})
+        return passed(f"node {listing(nodes)} is on the graph" if nodes else "publishers are on the graph")
+    process = recording.process
+    strangers = [domain for domain in process.domains_used if domain != recording.domain_id]
+    if strangers:
+        return failed(
+            f"your node is on domain {strangers[0]}, the exercise on another one",
+            "a node on the domain that the environment gives (ROS_DOMAIN_ID)",
+            "The program chooses a domain itself, so nobody here can hear it.",
+            "Remove the domain_id argument or the ROS_DOMAIN_ID line from your program.",
+        )
+    if process.ended_by == "itself":
+        return _ended_before_it_was_seen(recording, expected)
+    if "output" in process.limits_hit:
+        return failed(
+            "the program printed more than 50 MB and was stopped",
+            expected,
+            "Something prints in an endless loop.",
+            "Look for a print or log line that runs without a timer or a pause.",
+        )
+    if any(topic.publishers for topic in recording.topics.values()):
+        return failed(
+            "the publishers of your node appeared and vanished again, while the program runs on",
+            expected,
+            "The node was destroyed before it was spun (destroy_node, shutdown, or a with block that ended).",
+            "Destroy the node only after rclpy.spin(node) has returned.",
+        )
+    if recording.nodes:
+        names = listing(sorted(node.name for node in recording.nodes))
+        return failed(
+            f"node {names} is there, but it publishes nothing at all",
+            expected,
+            "No create_publisher() call was reached.",
+            "Create the publishers in __init__ and make sure that __init__ runs to its end.",
+        )
+    return failed(
+        f"the program runs, but no node of it appeared within {seconds(process.watched_for)}",
+        expected,
+        "It is still busy in its first lines (a loop, a sleep, a wait), or never makes a node.",
+        "Make the node first, and let timers do the work that repeats.",
+    )
+
+
+def _got_going(recording: Recording) -> bool:
+    """A message arrived, or a publisher is there and stays while the program runs.
+
+    A program that fails in its first lines may show publishers for a moment; that is not yet running.
+    """
+    topics = recording.topics.values()
+    if any(topic.arrivals or topic.undecodable or topic.not_kept for topic in topics):
+        return True
+    if recording.process.ended_by == "itself":
+        return False
+    return any(publisher.last_seen is None for topic in topics for publisher in topic.publishers)
+
+
+def _ended_before_it_was_seen(recording: Recording, expected: str) -> Verdict:
+    process = recording.process
+    mishap = find_mishap(process.log, process.program)
+    if mishap is not None:
+        return failed(f"{mishap.where}{mishap.error}", expected, mishap.because, mishap.try_this)
+    how = f"signal {process.signal}" if process.signal else f"exit code {process.exit}"
+    return failed(
+        f"the program ended after {seconds(process.ended_at or 0.0)} ({how}), before any message came",
+        expected,
+        "Nothing keeps it alive: a program ends with its last line unless something spins.",
+        "Make the node in main(), call rclpy.spin(node), and call main() at the end of the file.",
+    )
+
+
+def alive_at_end(recording: Recording) -> Verdict:
+    """The program still runs when the watch ends."""
+    process = recording.process
+    expected = "a program that goes on until it is stopped"
+    if process.ended_by != "itself":
+        return passed(f"still running after {seconds(process.watched_for)}")
+    ended = f"the program ended by itself after {seconds(process.ended_at or 0.0)}"
+    mishap = find_mishap(process.log, process.program)
+    if mishap is not None:
+        return failed(f"{ended}: {mishap.where}{mishap.error}", expected, mishap.because, mishap.try_this)
+    how = f"signal {process.signal}" if process.signal else f"exit code {process.exit}"
+    return failed(
+        f"{ended} ({how})",
+        expected,
+        "A loop that counts, a spin with an end, or a missing rclpy.spin(node).",
+        "Keep the node alive with rclpy.spin(node) until Ctrl-C.",
+    )
+
+
+def exits_cleanly(recording: Recording) -> Verdict:
+    """On Ctrl-C (SIGINT) the program ends with exit code 0 and without a traceback.
+
+    Needs `watching(to_the_end=True)`; raises ValueError when the recording does not hold the end.
+    """
+    process = recording.process
+    if process.ended_by is None:
+        raise ValueError("exits_cleanly needs watching(to_the_end=True) in the criteria file")
+    expected = "exit code 0 and no traceback after Ctrl-C"
+    if process.ended_by == "itself":
+        return failed(
+            f"the program ended by itself after {seconds(process.ended_at or 0.0)}, before Ctrl-C was sent",
+            expected,
+            "Nothing keeps it alive, or an error ended it.",
+            "Keep it running with rclpy.spin(node) first.",
+        )
+    if process.signal == "SIGKILL":
+        return failed(
+            "it went on running after Ctrl-C and had to be killed",
+            expected,
+            "KeyboardInterrupt is swallowed inside a loop, or a thread goes on.",
+            "Let KeyboardInterrupt leave the spin; catch it around rclpy.spin(node) only.",
+        )
+    if process.signal == "SIGABRT":
+        return failed(
+            "it aborted at its end (SIGABRT)",
+            expected,
+            "A thread was still spinning when the interpreter went down.",
+            "Shut the executor down first, then join its thread.",
+        )
+    mishap = find_mishap(process.end_log, process.program)
+    if mishap is None and process.exit == 0:
+        return passed("ended with exit code 0 after Ctrl-C, no traceback")
+    if mishap is not None:
+        return failed(
+            f"after Ctrl-C: {mishap.where}{mishap.error} (exit code {process.exit})",
+            expected,
+            mishap.because,
+            mishap.try_this,
+        )
+    return failed(
+        f"exit code {process.exit} after Ctrl-C",
+        expected,
+        "KeyboardInterrupt leaves main() without being caught.",
+        "Wrap rclpy.spin(node) in try/except (KeyboardInterrupt, ExternalShutdownException), and call "
+        "rclpy.try_shutdown() in finally.",
+    )

@@ -1,0 +1,124 @@
+"""Words about a topic: is it published, under this name and type, and does anything arrive?"""
+
+import difflib
+
+from workbook.criteria.criterion import Topic
+from workbook.criteria.mishaps import find_mishap
+from workbook.criteria.phrasing import count, listing, seconds
+from workbook.criteria.verdict import Verdict, failed, passed
+from workbook.observing.recording import Recording, TopicRecording
+
+
+def publishes(recording: Recording, topic: Topic) -> Verdict:
+    """Somebody publishes `topic` with the right type."""
+    seen = recording.topic(topic.name)
+    expected = f"a publisher on {topic.name} of type {topic.short_type}"
+    if topic.type in seen.types:
+        others = [name for name in seen.types if name != topic.type]
+        if others:
+            return failed(
+                f"{topic.name} has publishers of two types: {topic.short_type} and {listing(others)}",
+                expected,
+                "Two create_publisher() calls use the same topic name with different message types.",
+                "Keep the one of the right type.",
+            )
+        return passed(f"{topic.name} carries {topic.short_type}")
+    if seen.publishers:
+        got = listing([name.rsplit("/", 1)[1] for name in seen.types])
+        return failed(
+            f"{topic.name} carries {got}",
+            expected,
+            f"The publisher was created with another message type than {topic.short_type}.",
+            f"Import {topic.short_type} from {topic.type.split('/')[0]}.msg and give it to create_publisher().",
+        )
+    return _not_published(recording, topic, expected)
+
+
+def _not_published(recording: Recording, topic: Topic, expected: str) -> Verdict:
+    names = [other.name for other in recording.published()]
+    same_type = [
+        other for other in recording.published() if topic.type in other.types and other.name != topic.name
+    ]
+    near = difflib.get_close_matches(topic.name, names, 1, 0.75)
+    base = topic.name.rsplit("/", 1)[-1]
+    suspect = next((name for name in names if name.rsplit("/", 1)[-1] == base), near[0] if near else None)
+    if suspect is None and len(same_type) == 1 and similar_share(same_type[0].name, topic.name) > 0.5:
+        suspect = same_type[0].name
+    if suspect is not None:
+        return failed(
+            f"your node publishes {suspect}, and nothing on {topic.name}",
+            expected,
+            _why_other_name(recording, suspect, topic.name),
+            f"Write the name as {topic.name!r}.",
+        )
+    mishap = find_mishap(recording.process.log, recording.process.program)
+    if mishap is not None:
+        return failed(
+            f"nothing on {topic.name}: {mishap.where}{mishap.error}",
+            expected,
+            mishap.because,
+            mishap.try_this,
+        )
+    return failed(
+        f"nothing on {topic.name}; your program publishes {listing(names) or 'nothing'}",
+        expected,
+        "The publisher is not created, or under a very different name.",
+        f"Call create_publisher({topic.short_type}, {topic.name!r}, 10) in __init__.",
+    )
+
+
+def similar_share(one: str, other: str) -> float:
+    """How alike two names are, 0 to 1."""
+    return difflib.SequenceMatcher(None, one, other).ratio()
+
+
+def _why_other_name(recording: Recording, seen: str, wanted: str) -> str:
+    if seen.lower() == wanted.lower():
+        return "Topic names are case-sensitive: capital and small letters are different names."
+    owners = {publisher.node for publisher in recording.topic(seen).publishers}
+    if any(seen.startswith(f"{owner}/") for owner in owners):
+        return "A name that begins with ~ is private: the node's own name is put in front."
+    if wanted.endswith(seen):
+        return f"The namespace {wanted[: -len(seen)]} is missing."
+    if seen.endswith(wanted):
+        return f"The node runs in the namespace {seen[: -len(wanted)]}, which is put in front of a relative name."
+    return "The two names differ; ROS matches names letter by letter."
+
+
+def no_message(recording: Recording, topic: Topic) -> Verdict | None:
+    """A failed verdict when nothing arrived on `topic`, else None."""
+    seen = recording.topic(topic.name)
+    if seen.arrivals:
+        return None
+    window = window_of(recording, seen)
+    lasted = seconds(window[1] - window[0])
+    if seen.undecodable:
+        return failed(
+            f"{count(seen.undecodable, 'message')} on {topic.name} could not be decoded",
+            f"readable {topic.short_type} messages",
+            "The bytes on the wire are no message of this type.",
+            "Publish message objects, not raw bytes.",
+        )
+    mishap = find_mishap(recording.process.log, recording.process.program)
+    if mishap is not None:
+        return failed(
+            f"no message on {topic.name} in {lasted}: {mishap.where}{mishap.error}",
+            f"messages on {topic.name}",
+            mishap.because,
+            mishap.try_this,
+            about_time=True,
+        )
+    return failed(
+        f"the publisher on {topic.name} is there, but no message arrived in {lasted}",
+        f"messages on {topic.name}",
+        "No timer calls the function that publishes, the node does not spin, or it published only once before "
+        "anybody was connected.",
+        "Create a timer for it in __init__, keep it running with rclpy.spin(node), and publish inside the callback.",
+        about_time=True,
+    )
+
+
+def window_of(recording: Recording, seen: TopicRecording) -> tuple[float, float]:
+    """Begin and end (s of robot time) of the watch over a topic."""
+    start, end = seen.window if seen.window is not None else (0.0, recording.robot_s)
+    return start, max(start, end)
