@@ -45,6 +45,7 @@ def run(options: argparse.Namespace) -> int:
     from workbook.exercise.definition import BrokenCriteria, load_exercise
     from workbook.exercise.judging import Judge, Judgement
     from workbook.exercise.source import SourceError, UnknownExercise
+    from workbook.feedback import wording
     from workbook.feedback.review import review_prompt
     from workbook.feedback.text import as_text
     from workbook.observing.watch import Observer
@@ -82,7 +83,7 @@ def run(options: argparse.Namespace) -> int:
     print(as_text(judgement, color))
     if judgement.status != "graded":
         return NOT_JUDGED
-    if judgement.full_marks:
+    if wording.all_shown_hold(judgement):
         print(f"  Hand in this file: {file}")
         if options.review:
             print("\n" + review_prompt(exercise.source, answer.text, judgement))

@@ -10,7 +10,7 @@ from typing import Literal
 
 from workbook.criteria.garbled import field_check_note
 from workbook.criteria.runner import CriterionError, CriterionResult, run_criteria
-from workbook.exercise.answers import Answer
+from workbook.exercise.answers import Answer, syntax_mistake
 from workbook.exercise.definition import Exercise
 from workbook.observing.recording import Clock, Recording
 from workbook.observing.watch import PATIENCE_WITH_THE_END_S, SPEEDS, Observer, Watch, speeds_agree
@@ -70,21 +70,17 @@ def judge_recording(
     return Judgement(exercise.stem, answer_sha256, "graded", None, results, recording, provisional, real_life)
 
 
-def _needs_wall_clock(exercise: Exercise, judgement: Judgement) -> bool:
+def _needs_wall_clock(exercise: Exercise, answer: Answer, judgement: Judgement) -> bool:
     recording = judgement.recording
     if recording is None or judgement.status != "graded":
         return False
     if recording.process.ended_by == "itself":
-        return not _never_started(recording)
+        return syntax_mistake(answer.text) is None
     if recording.follows_clock is None:
         return False
     if not recording.follows_clock or not speeds_agree(recording, exercise.plan.topics):
         return True
     return any(result.about_time for result in judgement.criteria)
-
-
-def _never_started(recording: Recording) -> bool:
-    return "SyntaxError" in recording.process.log or "IndentationError" in recording.process.log
 
 
 class Judge:
@@ -133,7 +129,7 @@ class Judge:
         if exercise.source.clock == "simulated":
             with self._observer.watch(program, exercise.plan, "simulated", limits=self._limits) as watch:
                 judgement = self._judge(exercise, answer, watch)
-                on_robot_time = not _needs_wall_clock(exercise, judgement)
+                on_robot_time = not _needs_wall_clock(exercise, answer, judgement)
                 if on_robot_time:
                     judgement = self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
             if on_robot_time and not (exercise.to_the_end and thorough and judgement.full_marks):

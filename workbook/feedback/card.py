@@ -60,7 +60,7 @@ def _advice(result: CriterionResult) -> str:
 
 
 def _bar(judgement: Judgement) -> str:
-    score, most = judgement.score or 0.0, judgement.max_score
+    score, most = wording.shown_points(judgement)
     return (
         f'<progress value="{score:g}" max="{most:g}" aria-label="points" style="accent-color:{_color_of(judgement)}">'
         f"{score:g} of {most:g}</progress>"
@@ -70,9 +70,9 @@ def _bar(judgement: Judgement) -> str:
 def _color_of(judgement: Judgement) -> str:
     if judgement.provisional:
         return COLORS["partial"]
-    if judgement.full_marks:
+    if wording.all_shown_hold(judgement):
         return COLORS["passed"]
-    return COLORS["failed"] if not judgement.score else COLORS["partial"]
+    return COLORS["partial"] if wording.shown_points(judgement)[0] else COLORS["failed"]
 
 
 def _fold(summary: str, html: str) -> str:
@@ -97,7 +97,7 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
     """The card. All text of the program is escaped; colors are plain hex values with a word beside each."""
     extras = extras or Extras()
     color = _color_of(judgement)
-    sign = "✓" if judgement.full_marks else "◔" if judgement.provisional else "➜"
+    sign = "✓" if wording.all_shown_hold(judgement) else "◔" if judgement.provisional else "➜"
     parts = [
         f'<div style="border-left:6px solid {color};padding:4px 0 4px 14px">',
         f'<p style="font-size:115%;margin:0 0 8px 0"><b style="color:{color}">{sign} '
@@ -125,10 +125,10 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
         folded = "".join(f"<p><b>{escape(result.title)}</b></p>{_advice(result)}" for result in later)
         what = "the other one" if len(later) == 1 else f"the other {len(later)}"
         parts.append(_fold(f"Reasons for {what}", folded))
-    if judgement.full_marks and not judgement.provisional and extras.file:
+    if wording.all_shown_hold(judgement) and not judgement.provisional and extras.file:
         parts.append(f'<p style="margin:6px 0">Hand in this file: <code>{escape(extras.file)}</code></p>')
     parts.append(_log(judgement))
-    if judgement.full_marks and not judgement.provisional:
+    if wording.all_shown_hold(judgement) and not judgement.provisional:
         parts.append(_last_step(extras))
     elif first is not None and extras.hints_left:
         parts.append('<p style="margin:6px 0">Stuck? <code>%hint</code> gives the next hint.</p>')

@@ -35,12 +35,24 @@ def also_to_mend(judgement: Judgement) -> list[CriterionResult]:
     return [one for one in visible(judgement) if one.status in ("failed", "partial")][1:]
 
 
+def shown_points(judgement: Judgement) -> tuple[float, float]:
+    """Points earned and points there are, without the hidden criteria: their marks would give them away."""
+    shown = [result for result in judgement.criteria if not result.hidden]
+    return round(sum(result.points for result in shown), 6), sum(result.max_points for result in shown)
+
+
+def all_shown_hold(judgement: Judgement) -> bool:
+    """Whether everything that the student is shown holds."""
+    shown = [result for result in judgement.criteria if not result.hidden]
+    return judgement.status == "graded" and all(result.status == "passed" for result in shown)
+
+
 def headline(judgement: Judgement) -> str:
     """One line that says it all, the same in every run: no times in it."""
     if judgement.status != "graded":
         return f"Not judged: {judgement.reason}"
-    score, most = points(judgement.score or 0.0), points(judgement.max_score)
-    if judgement.full_marks:
+    score, most = map(points, shown_points(judgement))
+    if all_shown_hold(judgement):
         return f"Full marks: {score} of {most} points."
     return f"{score} of {most} points."
 

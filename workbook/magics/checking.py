@@ -78,7 +78,9 @@ def card_for(exercise: Exercise, answer: Answer, file: Path, judgement: Judgemen
         judgement,
         Extras(
             file=str(file),
-            review=review_prompt(exercise.source, answer.text, judgement) if judgement.full_marks else "",
+            review=review_prompt(exercise.source, answer.text, judgement)
+            if wording.all_shown_hold(judgement)
+            else "",
             timeline=timeline,
             timeline_text=timeline_text,
             hints_left=hints_left,

@@ -13,6 +13,7 @@ from workbook.exercise.course import NoCourse
 from workbook.exercise.definition import BrokenCriteria, Exercise, load_exercise
 from workbook.exercise.judging import Judgement
 from workbook.exercise.source import STEM, SourceError, UnknownExercise
+from workbook.feedback import wording
 from workbook.magics import checking
 from workbook.magics.answers import answer_file, answers_folder, restore_starter, save_answer
 from workbook.magics.progress import TRIES_BEFORE_SOLUTION, load_progress, save_progress
@@ -219,8 +220,8 @@ class ExerciseMagics(Magics):
             return
         progress = load_progress(judgement.stem)
         progress.tries += first
-        progress.solved = judgement.full_marks or (progress.solved and first)
-        progress.best = max(progress.best, judgement.score or 0.0)
+        progress.solved = wording.all_shown_hold(judgement) or (progress.solved and first)
+        progress.best = max(progress.best, wording.shown_points(judgement)[0])
         save_progress(judgement.stem, progress)
 
     # --- help -------------------------------------------------------------------------------------------------
