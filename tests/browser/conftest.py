@@ -1,0 +1,77 @@
+"""JupyterLab as a student starts it, and a Chromium to look at it."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from lab_page import LabPage
+from playwright.sync_api import Browser, Page, sync_playwright
+from student_lab import ROOT, StudentLab, await_end
+
+from workbook.lab.health import chromium
+
+KERNEL_END_S = 15.0
+
+
+@pytest.fixture(scope="module")
+def artifacts() -> Path:
+    """Where screenshots and measurements are kept (not in git)."""
+    folder = ROOT / "artifacts" / "browser"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
+    path = chromium()
+    if path is None:
+        pytest.skip("no Chromium for the tests in a real browser (apt: chromium)")
+    with sync_playwright() as playwright:
+        # In a container there may be neither user namespaces nor room in /dev/shm.
+        opened = playwright.chromium.launch(
+            executable_path=path,
+            args=["--no-sandbox", "--disable-dev-shm-usage"],
+            env={"PATH": os.environ["PATH"], "HOME": str(tmp_path_factory.mktemp("browser"))},
+        )
+        yield opened
+        opened.close()
+
+
+@pytest.fixture(scope="module")
+def lab(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[StudentLab]:
+    """One server for a module; when it ends, nothing of it may be left."""
+    started = StudentLab(tmp_path_factory.mktemp("student"))
+    left: dict[int, str] = {}
+    try:
+        yield started
+    finally:
+        left = started.close()
+    assert not left, f"still running after JupyterLab was stopped: {left}"
+
+
+@pytest.fixture
+def page(browser: Browser, lab: StudentLab) -> Iterator[LabPage]:
+    """A fresh browser page. Afterwards the kernels of the test, and what they started, have ended."""
+    context = browser.new_context(viewport={"width": 1280, "height": 1000}, reduced_motion="reduce")
+    one = LabPage(context.new_page(), lab)
+    try:
+        yield one
+        started = set(lab.processes())
+        while one.panel.count():
+            one.close_notebook()
+        left = await_end(started, KERNEL_END_S)
+        assert not left, f"still running after the notebook was shut down: {left}"
+        assert not one.failures, f"errors in the page: {one.failures}"
+    finally:
+        context.close()
+
+
+@pytest.fixture
+def browser_page(browser: Browser) -> Iterator[Page]:
+    """An empty page, without JupyterLab."""
+    context = browser.new_context(viewport={"width": 900, "height": 700})
+    try:
+        yield context.new_page()
+    finally:
+        context.close()

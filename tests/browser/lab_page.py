@@ -1,0 +1,202 @@
+"""JupyterLab as a person uses it: menus, cells, the keyboard. Waits for what shows on the page, never for a time."""
+
+import re
+from pathlib import Path
+from typing import Any
+from urllib.parse import quote
+
+from playwright.sync_api import Locator, Page, expect
+from student_lab import StudentLab
+
+QUICK_MS = 120_000
+CELL_MS = 180_000
+LESSON_MS = 600_000
+ROBOT = "a humanoid robot with twelve joints"
+_PANEL = ".jp-NotebookPanel:not(.lm-mod-hidden)"
+
+# Every code cell has its number, or a cell failed that was not meant to. After a cell that was meant to raise,
+# JupyterLab shows the cells still waiting as if they were not: a missing asterisk says nothing.
+_ALL_RAN = """
+([panel, mayRaise]) => {
+    const cells = [...document.querySelectorAll(panel + ' .jp-CodeCell')];
+    const error = '[data-mime-type="application/vnd.jupyter.stderr"] .ansi-red-fg';
+    const ran = (cell) => /\\d/.test(cell.querySelector('.jp-InputPrompt').textContent);
+    if (cells.some((cell, index) => cell.querySelector(error) && ran(cell) && !mayRaise.includes(index))) return true;
+    return cells.length > 0 && cells.every(ran);
+}
+"""
+
+# The moments (ms) at which another picture of the robot came onto the page.
+_COUNT_FRAMES = """
+(name) => {
+    const moments = [];
+    let last = null;
+    const look = () => {
+        const picture = document.querySelector(`img[alt^="${name}"]`);
+        if (picture && picture.src !== last) {
+            last = picture.src;
+            moments.push(performance.now());
+        }
+    };
+    new MutationObserver(look).observe(document.body, {subtree: true, childList: true, attributes: true});
+    window.robotMoments = moments;
+}
+"""
+
+# Contrast of every text in an element with what is behind it, as WCAG counts it.
+_CONTRASTS = """
+(card) => {
+    const parse = (text) => (text.match(/[\\d.]+/g) || []).map(Number);
+    const light = ([r, g, b]) => {
+        const [x, y, z] = [r, g, b].map(v => v / 255).map(v => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
+        return 0.2126 * x + 0.7152 * y + 0.0722 * z;
+    };
+    const behind = (element) => {
+        for (let one = element; one; one = one.parentElement) {
+            const color = parse(getComputedStyle(one).backgroundColor);
+            if (color.length === 3 || color[3] > 0.99) return color;
+        }
+        return [255, 255, 255];
+    };
+    const found = [];
+    const walker = document.createTreeWalker(card, NodeFilter.SHOW_TEXT);
+    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+        const element = node.parentElement;
+        if (!node.textContent.trim() || !element.checkVisibility() || element.closest('progress')) continue;
+        const [one, other] = [parse(getComputedStyle(element).color), behind(element)].map(light);
+        const ratio = (Math.max(one, other) + 0.05) / (Math.min(one, other) + 0.05);
+        found.push({text: node.textContent.trim().slice(0, 60), ratio: Math.round(ratio * 100) / 100});
+    }
+    return found;
+}
+"""
+
+
+class LabPage:
+    """One browser page with JupyterLab in it."""
+
+    def __init__(self, page: Page, lab: StudentLab) -> None:
+        self.page = page
+        self.lab = lab
+        self.failures: list[str] = []
+        page.set_default_timeout(QUICK_MS)
+        expect.set_options(timeout=QUICK_MS)
+        page.on("pageerror", lambda error: self.failures.append(str(error)))
+
+    # --- opening and closing ---------------------------------------------------------------------------------
+
+    def open_first(self) -> None:
+        """Follow the address that `workbook lab` prints."""
+        self.page.goto(self.lab.url)
+        self._wait_until_loaded()
+
+    def open(self, path: str) -> None:
+        """Open a notebook of the student's copy in a workspace that holds nothing else."""
+        where = f"{self.lab.address}/lab/workspaces/{quote(Path(path).stem)}/tree/{quote(path)}"
+        self.page.goto(f"{where}?reset&token={self.lab.token}")
+        self._wait_until_loaded()
+        expect(self.page.locator(".lm-TabBar-tab.lm-mod-current", has_text=Path(path).name)).to_be_visible()
+
+    def _wait_until_loaded(self) -> None:
+        expect(self.panel.locator(".jp-Cell").first).to_be_visible()
+        expect(self.page.locator("#jupyterlab-splash")).to_have_count(0)
+        expect(self.page.locator("#jp-main-statusbar")).to_contain_text("rclpy workbook | Idle")
+
+    @property
+    def panel(self) -> Locator:
+        return self.page.locator(_PANEL)
+
+    def pop_ups(self) -> Locator:
+        """Dialogs and notifications."""
+        return self.page.locator(".jp-Dialog, .Toastify__toast")
+
+    def close_notebook(self) -> None:
+        """File > Close and Shut Down Notebook, without saving what is not saved."""
+        self.menu("File", re.compile("Close and Shut Down"))
+        self.page.locator(".jp-Dialog button.jp-mod-warn").click()
+        expect(self.panel).to_have_count(0)
+
+    # --- menus and keys --------------------------------------------------------------------------------------
+
+    def menu(self, *path: str | re.Pattern[str]) -> None:
+        """Choose an entry, such as menu("Run", "Run All Cells")."""
+        top, *rest = path
+        self.page.locator(".lm-MenuBar-item", has_text=top).click()
+        for depth, label in enumerate(rest):
+            text = re.compile(f"^{re.escape(label)}$") if isinstance(label, str) else label
+            entry = self.page.locator(".lm-Menu-item:not(.lm-mod-disabled)").filter(
+                has=self.page.locator(".lm-Menu-itemLabel", has_text=text)
+            )
+            entry.hover() if depth < len(rest) - 1 else entry.click()
+
+    def choose_theme(self, theme: str) -> None:
+        """`theme`: light or dark, by the Settings menu."""
+        is_light = "true" if theme == "light" else "false"
+        if self.page.locator("body").get_attribute("data-jp-theme-light") != is_light:
+            self.menu("Settings", "Theme", f"JupyterLab {theme.title()}")
+        expect(self.page.locator("body")).to_have_attribute("data-jp-theme-light", is_light)
+
+    def save(self, path: str) -> dict[str, Any]:
+        """Ctrl+S; returns the notebook as it is on disk then."""
+
+        def is_save(response: Any) -> bool:
+            return response.request.method == "PUT" and f"/api/contents/{path}" in response.url
+
+        with self.page.expect_response(is_save) as saved:
+            self.page.keyboard.press("Control+s")
+        assert saved.value.ok, saved.value.status_text
+        return self.lab.notebook(path)
+
+    # --- cells -----------------------------------------------------------------------------------------------
+
+    def run_all(self, path: str) -> None:
+        """Clear all outputs, run all cells of the notebook `path`, and wait until the last one has ended."""
+        self.menu("Edit", "Clear Outputs of All Cells")
+        expect(self.panel.locator(".jp-OutputArea-output")).to_have_count(0)
+        self.menu("Run", "Run All Cells")
+        self.page.wait_for_function(_ALL_RAN, arg=[_PANEL, self._may_raise(path)], timeout=LESSON_MS)
+
+    def _may_raise(self, path: str) -> list[int]:
+        """Which code cells are marked as raising an error."""
+        code = [cell for cell in self.lab.notebook(path)["cells"] if cell["cell_type"] == "code"]
+        return [
+            index for index, cell in enumerate(code) if "raises-exception" in cell["metadata"].get("tags", [])
+        ]
+
+    def cell(self, text: str) -> Locator:
+        """The first code cell that holds this text."""
+        return (
+            self.panel.locator(".jp-CodeCell")
+            .filter(has=self.page.locator(".cm-content", has_text=text))
+            .first
+        )
+
+    def write(self, cell: Locator, text: str) -> None:
+        """Replace what a cell holds, as a person who selects all and pastes."""
+        cell.locator(".cm-content").click()
+        self.page.keyboard.press("Control+a")
+        self.page.keyboard.insert_text(text)
+
+    def run(self, cell: Locator) -> None:
+        """Ctrl+Enter in a cell; waits until it has ended."""
+        prompt = cell.locator(".jp-InputPrompt")
+        before = prompt.inner_text()
+        cell.locator(".cm-content").click()
+        self.page.keyboard.press("Control+Enter")
+        expect(prompt).not_to_have_text(before)
+        expect(prompt).to_have_text(re.compile(r"\[\d+\]"), timeout=CELL_MS)
+
+    # --- what shows ------------------------------------------------------------------------------------------
+
+    def count_frames(self) -> None:
+        """From now on, keep the moment of each new picture of the robot."""
+        self.page.evaluate(_COUNT_FRAMES, ROBOT)
+
+    def frames(self) -> list[float]:
+        """Seconds on the page's clock at which a new picture of the robot was there."""
+        return [moment / 1000 for moment in self.page.evaluate("() => window.robotMoments")]
+
+    @staticmethod
+    def contrasts(element: Locator) -> dict[str, float]:
+        """Each text in an element with its contrast to what is behind it (1 to 21)."""
+        return {one["text"]: one["ratio"] for one in element.evaluate(_CONTRASTS)}

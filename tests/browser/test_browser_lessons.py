@@ -1,0 +1,99 @@
+"""Every lesson, opened in JupyterLab and run from top to bottom."""
+
+import json
+from pathlib import Path
+
+import pytest
+from lab_page import ROBOT, LabPage
+from playwright.sync_api import expect
+from student_lab import ROOT, StudentLab
+
+from workbook.lab.delivery import first_lesson
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+LESSONS = sorted(path.stem for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
+SEVERAL_FRAMES = 10
+
+
+def unexpected_errors(notebook: dict[str, list[dict[str, object]]]) -> list[str]:
+    """Errors in cells that are not marked as raising one, and marked cells without one."""
+    found = []
+    for cell in notebook["cells"]:
+        outputs = cell.get("outputs", [])
+        assert isinstance(outputs, list)
+        errors = [output for output in outputs if output["output_type"] == "error"]
+        metadata = cell["metadata"]
+        assert isinstance(metadata, dict)
+        may_raise = "raises-exception" in metadata.get("tags", [])
+        if errors and not may_raise:
+            found.append(f"{cell['id']}: {errors[0]['ename']}: {errors[0]['evalue']}")
+        if may_raise and not errors:
+            found.append(f"{cell['id']}: no error, and one was expected")
+    return found
+
+
+def test_the_first_start_shows_the_first_lesson_and_asks_nothing(
+    page: LabPage, lab: StudentLab, artifacts: Path
+) -> None:
+    page.open_first()
+    first = first_lesson(ROOT)
+    assert first is not None
+    tabs = page.page.locator("#jp-main-dock-panel .lm-TabBar-tabLabel")
+    expect(tabs).to_have_text([Path(first).name])
+    expect(page.pop_ups()).to_have_count(0)
+    page.page.screenshot(path=artifacts / "first_start.png")
+    assert lab.work.is_dir()
+
+
+@pytest.mark.parametrize("stem", LESSONS)
+def test_a_lesson_runs_from_top_to_bottom(stem: str, page: LabPage, artifacts: Path) -> None:
+    path = f"notebooks/{stem}.ipynb"
+    page.open(path)
+    page.run_all(path)
+    notebook = page.save(path)
+    assert not unexpected_errors(notebook)
+    unrun = [
+        cell["id"]
+        for cell in notebook["cells"]
+        if cell["cell_type"] == "code" and "".join(cell["source"]).strip() and cell["execution_count"] is None
+    ]
+    assert not unrun, "cells that did not run"
+    for number, picture in enumerate(page.panel.locator(".jp-OutputArea img").all()):
+        assert picture.evaluate("image => image.complete && image.naturalWidth > 0"), (
+            f"picture {number} is broken"
+        )
+        assert (picture.get_attribute("alt") or "").strip(), (
+            f"picture {number} has no text for those who cannot see it"
+        )
+    expect(page.pop_ups()).to_have_count(0)
+    for number, error in enumerate(page.panel.locator(".jp-OutputArea img").all()[:1]):
+        error.scroll_into_view_if_needed()
+        page.page.screenshot(path=artifacts / f"lesson_{stem}_{number}.png")
+
+
+def test_the_robot_moves_while_the_lesson_runs(page: LabPage, artifacts: Path) -> None:
+    page.open("notebooks/09_joint_positions.ipynb")
+    page.choose_theme("light")
+    page.menu("Edit", "Clear Outputs of All Cells")
+    robot = page.page.locator(f'img[alt^="{ROBOT}"]')
+    expect(robot).to_have_count(0)
+    page.count_frames()
+    cell = page.cell("from lesson_nodes import joint_position_publisher")
+    page.run(cell)
+
+    expect(robot).to_have_count(1)
+    expect(robot).to_be_in_viewport(ratio=0.1)
+    assert robot.evaluate("image => image.complete && image.naturalWidth >= 300")
+    moments = page.frames()
+    assert len(moments) >= SEVERAL_FRAMES, "the picture hardly changed"
+    page.page.screenshot(path=artifacts / "robot_light.png")
+    page.choose_theme("dark")
+    page.page.screenshot(path=artifacts / "robot_dark.png")
+    page.choose_theme("light")
+    seconds = moments[-1] - moments[0]
+    measured = {
+        "pictures": len(moments),
+        "seconds": round(seconds, 2),
+        "per_second": round((len(moments) - 1) / seconds, 1),
+    }
+    (artifacts / "frames.json").write_text(json.dumps(measured) + "\n", encoding="utf-8")
