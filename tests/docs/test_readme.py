@@ -1,0 +1,134 @@
+"""The README promises only what is there: commands, links, lessons, pictures."""
+
+import json
+import re
+import struct
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from workbook.cli.main import build_parser
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = ("README.md", "environment.md", "CONTRIBUTING.md")
+LARGEST_PICTURE = 300_000
+LESSON_COUNT = 19
+_LINK = re.compile(r"(?P<picture>!?)\[(?P<text>[^\]]*)\]\((?P<target>[^)\s]+)\)")
+_ROW = re.compile(
+    r"^\| (?P<number>\d\d) \| (?P<lesson>.+?) \| (?P<exercise>.*?) ?\| (?P<state>.+?) \|$", re.MULTILINE
+)
+
+
+def page(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def targets(text: str) -> set[str]:
+    return set(re.findall(r"^([a-z-]+):", text, re.MULTILINE))
+
+
+def commands(text: str) -> str:
+    """Everything on a page that stands in code: spans, fences and indented lines."""
+    prose = re.sub(
+        r"^```.*?^```", lambda fence: f"`{fence[0].strip('`')}`", text, flags=re.MULTILINE | re.DOTALL
+    )
+    return "\n".join(re.findall(r"`([^`]+)`", prose) + re.findall(r"^ {4}(.*)$", prose, re.MULTILINE))
+
+
+def anchors(text: str) -> set[str]:
+    """The anchors that a code-hosting page makes of the headings."""
+    found = re.findall(r"^#+ (.*)$", text, re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in found}
+
+
+def title(notebook: Path) -> str:
+    first = json.loads(notebook.read_text(encoding="utf-8"))["cells"][0]["source"]
+    heading = ("".join(first) if isinstance(first, list) else first).split("\n")[0]
+    return heading.partition(" · ")[2]
+
+
+def rows() -> list[re.Match[str]]:
+    return list(_ROW.finditer(page("README.md")))
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_each_make_command_is_in_the_makefile(name: str) -> None:
+    named = set(re.findall(r"(?:^|&& *)make ([a-z][a-z-]*)", commands(page(name)), re.MULTILINE))
+    assert named, "the page names no command: is the pattern still right?"
+    assert named <= targets(page("Makefile"))
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_each_workbook_command_is_one(name: str) -> None:
+    named = set(re.findall(r"(?:^|/|pixi run )workbook ([a-z]+)", commands(page(name)), re.MULTILINE))
+    assert named, "the page names no command: is the pattern still right?"
+    usage = build_parser().format_help()
+    assert not {word for word in named if not re.search(rf"^    {word}\b", usage, re.MULTILINE)}
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_each_link_leads_somewhere(name: str) -> None:
+    links = list(_LINK.finditer(re.sub(r"`[^`]*`", "", page(name))))
+    assert links
+    for link in links:
+        target, _, anchor = link["target"].partition("#")
+        if target.startswith(("http://", "https://")):
+            continue
+        path = ROOT / target if target else ROOT / name
+        assert path.exists(), f"{link[0]} leads nowhere"
+        if anchor:
+            assert anchor in anchors(path.read_text(encoding="utf-8")), f"{link[0]}: no such heading"
+
+
+def test_the_table_has_every_lesson_once() -> None:
+    assert [int(row["number"]) for row in rows()] == list(range(LESSON_COUNT))
+
+
+@pytest.mark.parametrize("folder", ["notebooks", "exercises"])
+def test_ready_means_there_and_planned_means_not_there(folder: str) -> None:
+    there = {path.name for path in (ROOT / folder).glob("[0-9]*.ipynb")}
+    promised = set(re.findall(rf"\({folder}/([^)]+)\)", page("README.md")))
+    assert promised == there
+
+
+def test_a_row_says_ready_exactly_when_it_links_a_lesson_of_that_number_and_title() -> None:
+    for row in rows():
+        link = _LINK.fullmatch(row["lesson"])
+        assert row["state"] == ("**ready**" if link else "planned"), row[0]
+        if link:
+            assert link["target"].startswith(f"notebooks/{row['number']}_")
+            assert link["text"] == title(ROOT / link["target"])
+        exercise = _LINK.fullmatch(row["exercise"])
+        if exercise:
+            assert exercise["target"].startswith(f"exercises/{row['number']}_")
+            assert exercise["text"] == title(ROOT / exercise["target"])
+
+
+def test_pictures_are_small_and_described() -> None:
+    pictures = [link for link in _LINK.finditer(page("README.md")) if link["picture"]]
+    assert pictures
+    for link in pictures:
+        content = (ROOT / link["target"]).read_bytes()
+        assert content.startswith(b"\x89PNG\r\n\x1a\n")
+        assert len(content) < LARGEST_PICTURE
+        width, height = struct.unpack(">II", content[16:24])
+        assert width >= 1000 and height >= 500
+        assert len(link["text"].split()) > 5, "a picture needs words for those who cannot see it"
+    kept = {path.relative_to(ROOT).as_posix() for path in (ROOT / "docs").rglob("*") if path.is_file()}
+    assert kept == {link["target"] for link in pictures}, "docs/ holds what no page shows"
+
+
+def test_nothing_is_left_open() -> None:
+    text = page("README.md")
+    assert not re.search(r"TODO|ADDRESS-OF|<[a-z-]+>|\bXXX\b|@@|example\.com", text)
+    assert not re.search(r"(?<![\w.])/(?:home|root|work|tmp|Users)/", text)
+    assert not re.search(r"https?://", text), "the README needs no address of a server"
+
+
+def test_it_names_the_versions_of_python_that_the_project_takes() -> None:
+    project = tomllib.loads(page("pyproject.toml"))["project"]
+    assert project["readme"] == "README.md"
+    named = {int(minor) for minor in re.findall(r"\b3\.(\d\d)\b", page("README.md"))}
+    lowest, highest = map(int, re.fullmatch(r">=3\.(\d+),<3\.(\d+)", project["requires-python"]).groups())  # type: ignore[union-attr]
+    assert named == set(range(lowest, highest))
