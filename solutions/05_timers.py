@@ -19,7 +19,7 @@
 #
 # Your humanoid leaves the workshop for its first walk. On a screen far away somebody wants to know three
 # things. Is it alive? One heartbeat a second is plenty. Is there charge left? A battery is slow, so every two
-# seconds will do. Is it about to fall? A fall takes half a second, so the tilt of its body has to come five
+# seconds will do. Is it about to fall? A fall is over in a second, so the tilt of its body has to come five
 # times a second. Three rhythms, one node.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
