@@ -1,0 +1,322 @@
+"""How fast and how steady judging is: `make bench` (ARGS='--quick' for a short run, ARGS='--only check' for a part).
+
+Prints a table and writes artifacts/bench.json. Times are medians with their range; what they mean depends on what else
+the machine is doing, so each part says how busy it was when the part began.
+"""
+
+import argparse
+import json
+import os
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+import xml.etree.ElementTree as ElementTree
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+from workbook.exercise.answers import Answer, read_answer
+from workbook.exercise.definition import Exercise, load_exercise
+from workbook.exercise.judging import Judgement
+from workbook.grading.pool import Job, Slot, judge_all
+from workbook.observing.watch import Observer
+from workbook.ros.domains import lease_domain
+from workbook.ros.environment import child_environment
+
+ROOT = Path(__file__).resolve().parents[1]
+ARTIFACTS = ROOT / "artifacts"
+STEM = "09_joint_positions"
+SOLUTION = ROOT / "solutions" / f"{STEM}.py"
+WRONG = ("eleven_values", "one_joint_moves", "status_at_half_hertz", "pairs", "wrong_name")
+CORES = len(os.sched_getaffinity(0))
+BARE_NODE = (
+    "import rclpy; rclpy.init(); node = rclpy.create_node('bare'); node.destroy_node(); rclpy.shutdown()"
+)
+
+
+@dataclass(frozen=True)
+class Figure:
+    """One line of the table. `holds` is None where there is no aim."""
+
+    name: str
+    measured: str
+    spread: str = ""
+    aim: str = ""
+    holds: bool | None = None
+    values: dict[str, float | int | list[float]] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Size:
+    """How much to measure."""
+
+    runs: int
+    wall_runs: int
+    repeats: int
+    answers: int
+
+
+FULL = Size(runs=9, wall_runs=3, repeats=200, answers=40)
+QUICK = Size(runs=7, wall_runs=1, repeats=24, answers=12)
+
+
+def of_times(name: str, times: Sequence[float], aim_s: float | None = None, unit: str = "s") -> Figure:
+    """A figure from repeated measurements: the median, and the range."""
+    middle = statistics.median(times)
+    return Figure(
+        name,
+        f"{middle:.2f} {unit}",
+        f"{min(times):.2f} to {max(times):.2f}, n = {len(times)}",
+        "" if aim_s is None else f"< {aim_s:g} {unit}",
+        None if aim_s is None else middle < aim_s,
+        {"median": round(middle, 4), "all": [round(one, 4) for one in times]},
+    )
+
+
+def timed(work: Callable[[], object]) -> float:
+    """Seconds that `work` takes."""
+    began = time.monotonic()
+    work()
+    return time.monotonic() - began
+
+
+def cpu_of_children() -> float:
+    """Processor seconds of all processes below this one that have ended and were waited for."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def machine_busy() -> tuple[float, float]:
+    """Processor seconds that the whole machine has worked, and has had, since it started."""
+    fields = [int(text) for text in Path("/proc/stat").read_text().split("\n", 1)[0].split()[1:9]]
+    idle = fields[3] + fields[4]
+    return sum(fields) - idle, sum(fields)
+
+
+def bare_node(times: int) -> tuple[list[float], float]:
+    """Start Python, import rclpy, make a node, end; seconds of each, and processor seconds of one."""
+    with lease_domain() as lease:
+        environ = child_environment(lease.domain_id)
+        before = cpu_of_children()
+        spent = [
+            timed(lambda: subprocess.run([sys.executable, "-P", "-c", BARE_NODE], env=environ, check=True))
+            for _ in range(times)
+        ]
+        return spent, (cpu_of_children() - before) / times
+
+
+# --- the parts ---------------------------------------------------------------------------------------------
+
+
+def check(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
+    """`workbook check` as a command, beside the least that any ROS program takes to start."""
+    command = [str(Path(sys.executable).with_name("workbook")), "check", "joint_positions", str(SOLUTION)]
+
+    def whole_command() -> None:
+        done = subprocess.run(command, capture_output=True, text=True)
+        if done.returncode != 0:
+            raise SystemExit(f"bench: the solution did not pass:\n{done.stdout}{done.stderr}")
+
+    whole_command()
+    times = [timed(whole_command) for _ in range(size.runs)]
+    yield of_times("workbook check joint_positions, whole command", times, 2.0)
+    bare, _ = bare_node(size.runs)
+    yield of_times("  beside it: Python, import rclpy, one node", bare)
+    ratio = statistics.median(times) / statistics.median(bare)
+    yield Figure("  the command, as a multiple of that", f"{ratio:.1f} ×", values={"ratio": round(ratio, 2)})
+
+
+def warm(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
+    """%check in a notebook: until the card shows. Then the same answer on the wall clock."""
+    times, speeds = [], []
+    with Slot() as slot:
+        for run in range(size.runs + 1):
+            shown: list[float] = []
+
+            def report(judgement: Judgement, shown: list[float] = shown) -> None:
+                shown.append(time.monotonic())
+                slot.enough()
+
+            began = time.monotonic()
+            judgement = slot.judge(STEM, answer, thorough=True, report=report)
+            if not judgement.full_marks or judgement.recording is None:
+                raise SystemExit(f"bench: the solution did not pass on a warm slot: {judgement.reason}")
+            if run and judgement.recording.clock == "simulated":
+                times.append(shown[0] - began)
+                speeds.append(judgement.recording.robot_s / (shown[0] - began))
+    if not times:
+        raise SystemExit("bench: this machine is too busy for robot time; every run went to the wall clock")
+    yield of_times("%check on a warm slot, until the card shows", times, 1.5)
+    with Observer() as observer, tempfile.TemporaryDirectory() as folder:
+        program = Path(folder, f"{STEM}.py")
+        program.write_text(answer.text, encoding="utf-8")
+
+        def on_the_wall_clock() -> None:
+            with observer.watch(program, exercise.plan, "wall") as watch:
+                watch.finish(watch.observe())
+
+        wall = [timed(on_the_wall_clock) for _ in range(size.wall_runs)]
+    yield of_times("  the same answer on the wall clock", wall)
+    ratio = statistics.median(wall) / statistics.median(times)
+    yield Figure("  robot time is quicker by", f"{ratio:.1f} ×", values={"ratio": round(ratio, 2)})
+    yield of_times("robot seconds per real second, start of the program included", speeds, unit="s/s")
+
+
+def expected_verdict(file: Path) -> frozenset[str] | None:
+    """Criteria that a wrong answer loses, by its `# loses:` line; None for a right answer (nothing is lost)."""
+    for line in file.read_text(encoding="utf-8").splitlines():
+        if line.startswith("# loses:"):
+            return frozenset(name.strip() for name in line.partition(":")[2].split(",") if name.strip())
+    return None
+
+
+def lost(judgement: Judgement) -> frozenset[str]:
+    """Criteria that were judged and did not pass."""
+    return frozenset(one.id for one in judgement.criteria if one.status in ("failed", "partial"))
+
+
+def steadiness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
+    """The same answers again and again, with more slots than processors."""
+    folder = ROOT / "tests" / "wrong_answers" / STEM
+    wrong = {name: folder / f"{name}.py" for name in WRONG}
+    each = max(1, size.repeats // 20)
+    jobs = [Job("solution", STEM, answer) for _ in range(size.repeats - each * len(wrong))]
+    jobs += [Job(name, STEM, read_answer(file, STEM)) for name, file in wrong.items() for _ in range(each)]
+    slots = 4 * CORES
+    flips: Counter[str] = Counter()
+    on_the_wall = ours = 0
+    busy, had = machine_busy()
+    for job, judgement in judge_all(jobs, slots, thorough=False):
+        if judgement.status != "graded":
+            ours += 1
+            print(f"  not judged: {judgement.reason}", file=sys.stderr)
+            continue
+        should = frozenset[str]() if job.key == "solution" else expected_verdict(wrong[job.key])
+        if lost(judgement) != should:
+            flips[job.key] += 1
+            print(
+                f"  flipped: {job.key} lost {', '.join(sorted(lost(judgement))) or 'nothing'}",
+                file=sys.stderr,
+            )
+        recording = judgement.recording
+        on_the_wall += job.key == "solution" and recording is not None and recording.clock == "wall"
+    now_busy, now_had = machine_busy()
+    share = (now_busy - busy) / max(now_had - had, 1)
+    rights = sum(job.key == "solution" for job in jobs)
+    yield Figure(
+        f"verdict flips, {slots} slots on {CORES} processors",
+        f"{sum(flips.values())} of {len(jobs)}",
+        f"processors {share:.0%} busy",
+        "0",
+        not flips,
+        {"flips": sum(flips.values()), "repeats": len(jobs), "busy": round(share, 3)},
+    )
+    yield Figure(
+        "  solutions that needed the wall clock",
+        f"{on_the_wall} of {rights}",
+        values={"wall_clock": on_the_wall, "solutions": rights},
+    )
+    yield Figure(
+        "  not judged (a fault of ours)", f"{ours} of {len(jobs)}", "", "0", ours == 0, {"infra_errors": ours}
+    )
+
+
+def throughput(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
+    """Answers per minute and processor time per answer, slots included, beside a bare node."""
+    _, bare_cpu = bare_node(max(5, size.answers // 4))
+    yield Figure("processor time of a bare node", f"{bare_cpu:.2f} s", values={"cpu_s": round(bare_cpu, 4)})
+    for word, thorough, slots in (("plain", False, 2 * CORES), ("thorough", True, 8 * CORES)):
+        before = cpu_of_children()
+        began = time.monotonic()
+        jobs = [Job(number, STEM, answer) for number in range(size.answers)]
+        passed = sum(judgement.full_marks for _, judgement in judge_all(jobs, slots, thorough=thorough))
+        seconds = time.monotonic() - began
+        cpu = (cpu_of_children() - before) / size.answers
+        per_minute = 60 * size.answers / seconds
+        yield Figure(
+            f"answers per minute, {word}, {slots} slots",
+            f"{per_minute:.0f}",
+            f"{passed} of {size.answers} passed",
+            values={"per_minute": round(per_minute, 1), "passed": passed, "answers": size.answers},
+        )
+        yield Figure(
+            f"  processor time per answer, {word}, as a multiple of a bare node",
+            f"{cpu / bare_cpu:.1f} ×",
+            f"{cpu:.2f} s, slots included",
+            "≤ 2 ×",
+            cpu <= 2 * bare_cpu,
+            {"cpu_s": round(cpu, 4), "ratio": round(cpu / bare_cpu, 3)},
+        )
+
+
+def last_test_run(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
+    """What the reports of the last `make test` say; style and types, some ten seconds, are not in them."""
+    total, found = 0.0, []
+    for name in ("notebooks", "pytest"):
+        report = ARTIFACTS / f"{name}.xml"
+        if report.is_file():
+            suites = list(ElementTree.parse(report).iter("testsuite"))
+            total += sum(float(suite.get("time", "0")) for suite in suites)
+            found.append(f"{name} of {suites[0].get('timestamp', '?')[:16]}" if suites else name)
+    if len(found) < 2:
+        yield Figure("make test", "no reports yet", "run `make test` first", "< 600 s")
+        return
+    yield Figure(
+        "make test", f"{total:.0f} s", ", ".join(found), "< 600 s", total < 600, {"seconds": round(total, 1)}
+    )
+
+
+PARTS: dict[str, Callable[[Size, Exercise, Answer], Iterator[Figure]]] = {
+    "check": check,
+    "warm": warm,
+    "steadiness": steadiness,
+    "throughput": throughput,
+    "tests": last_test_run,
+}
+
+
+def line(figure: Figure) -> str:
+    sign = {None: " ", True: "✓", False: "✗"}[figure.holds]
+    return f"{sign} {figure.name:<66} {figure.measured:>14}  {figure.aim:<8}  {figure.spread}".rstrip()
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Exit code 0 when every aim is met."""
+    parser = argparse.ArgumentParser(description="What `make bench` runs.")
+    parser.add_argument("--quick", action="store_true", help="a shorter run")
+    parser.add_argument("--repeats", type=int, help="how often to judge for the verdict flips")
+    parser.add_argument(
+        "--only", choices=tuple(PARTS), action="append", help="this part (may be given again)"
+    )
+    options = parser.parse_args(arguments)
+    size = QUICK if options.quick else FULL
+    if options.repeats is not None:
+        size = Size(size.runs, size.wall_runs, max(len(WRONG) + 1, options.repeats), size.answers)
+    exercise = load_exercise(STEM, ROOT)
+    answer = read_answer(SOLUTION, STEM)
+    print(f"{CORES} processors, Python {sys.version.split()[0]}, exercise {STEM}\n")
+    print(f"  {'figure':<66} {'measured':>14}  {'aim':<8}  spread")
+    figures: list[Figure] = []
+    loads: dict[str, float] = {}
+    for name in options.only or PARTS:
+        loads[name] = os.getloadavg()[0]
+        print(f"── {name} (load average {loads[name]:.1f} on {CORES} processors)", flush=True)
+        for figure in PARTS[name](size, exercise, answer):
+            figures.append(figure)
+            print(line(figure), flush=True)
+    ARTIFACTS.mkdir(exist_ok=True)
+    content = {"processors": CORES, "load_average": loads, "figures": [asdict(figure) for figure in figures]}
+    (ARTIFACTS / "bench.json").write_text(
+        json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8"
+    )
+    missed = [figure.name.strip() for figure in figures if figure.holds is False]
+    print("\nEvery aim is met." if not missed else "\nMissed: " + "; ".join(missed) + ".")
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
