@@ -274,7 +274,7 @@ stop()
 # | `NameError: name 'start' is not defined` | a cell further up was not run: *Run > Run All Above Selected Cell* |
 # | a robot still waves, or two do | `stop()` ends all programs that this notebook has started |
 # | everything is confused | the button **⟳** restarts the kernel. Programs and variables are gone, your text stays |
-# | not even this cell works | `workbook doctor` in a terminal says what is wrong with the machine |
+# | not even the first cell works | `workbook doctor` in a terminal says what is wrong with the machine |
 # | an exercise does not pass | its card shows the first thing to mend; `%hint` helps in three steps |
 
 # %% [markdown]
@@ -359,8 +359,9 @@ print("running:", start(humanoid_status_publisher))
 #     workbook topic echo /robot/battery --count 3
 #     workbook graph
 #
-# They tell what the `ros2` command of a full installation tells. If you have one, `ros2` itself can listen in: this line,
-# typed into its terminal, tunes it to the domain of this notebook.
+# If several notebooks are open, it asks which one you mean. These commands tell what `ros2` tells in a full installation
+# of ROS 2. If you have one, `ros2` itself can listen in: this line, typed into its terminal, tunes it to the domain
+# of this notebook.
 
 # %% tags=["nbval-ignore-output"]
 from workbook.ros import join_line
