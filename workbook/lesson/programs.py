@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
 
-from workbook.lesson.readiness import wait_until_it_serves
+from workbook.magics.readiness import wait_until_it_serves
 from workbook.magics.running import node_names, wait_for_nodes
 from workbook.observing.process import NodeProcess, ros_arguments
 from workbook.observing.recording import Clock, ProcessRecord, Recording

@@ -120,6 +120,7 @@ class ExerciseMagics(Magics):
 
     def _start(self, line: str) -> None:
         from workbook.criteria.mishaps import find_mishap
+        from workbook.magics.readiness import wait_until_it_serves
 
         exercise = self._exercise(line)
         file = self._need_file(exercise.stem)
@@ -133,6 +134,8 @@ class ExerciseMagics(Magics):
         known = node_names()
         process = self._running.start(exercise.stem, file)
         nodes = wait_for_nodes(process, known)
+        if nodes:
+            wait_until_it_serves(process, nodes[0])
         if process.is_running():
             if nodes:
                 names = ", ".join(nodes)

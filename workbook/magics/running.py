@@ -8,7 +8,7 @@ from pathlib import Path
 
 from workbook.observing.process import NodeProcess
 
-SETTLE_S = 3.0
+SETTLE_S = 10.0
 
 
 class Running:
@@ -44,7 +44,7 @@ class Running:
 def wait_for_nodes(process: NodeProcess, known: Counter[str]) -> list[str]:
     """Names of nodes that appeared on the graph since `known`, as soon as there is one. Twins count.
 
-    Gives up when the program ends or after three seconds.
+    Gives up when the program ends or after ten seconds.
     """
     deadline = time.monotonic() + SETTLE_S
     while time.monotonic() < deadline:
