@@ -56,7 +56,7 @@ def work():
     while True:
         battery.publish(Float32(data=1.0))
         status.publish(String(data="operational"))
-        time.sleep(0.1)
+        time.sleep(0.02)
 
 
 threading.Thread(target=work, daemon=True).start()

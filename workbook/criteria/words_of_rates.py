@@ -46,7 +46,7 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
         return fail(
             f"{once} in {seconds(window[1] - window[0])}",
             "It is published once, or far too rarely.",
-            f"Publish in a callback and let create_timer({number(topic.period)}, ...) call it.",
+            f"Publish in a callback and let create_timer({topic.period}, ...) call it.",
         )
     gap_limit = LONGEST_GAP_PERIODS * topic.period
     hz = seen.hz
@@ -72,14 +72,15 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
         )
         return fail(
             f"a silence of {seconds(seen.gap.seconds)} {where}",
-            "Something blocks: while one callback works or sleeps, no other timer of the node runs.",
-            "Keep callbacks short; never sleep in one.",
+            "Something blocks: while one callback works or sleeps, no other timer of the node runs. "
+            "Or several messages are published at once, and then none for a while.",
+            "Keep callbacks short, never sleep in one, and publish once in each.",
         )
     if seen.count <= LEAST_INTERVALS:
         return fail(
             f"only {count(seen.count, 'message')} in {seconds(window[1] - window[0])}",
             "Too few to tell a rate.",
-            f"Let create_timer({number(topic.period)}, ...) call the function that publishes.",
+            f"Let create_timer({topic.period}, ...) call the function that publishes.",
         )
     return passed(f"{hertz(hz)} Hz over {count(seen.count, 'message')}")
 

@@ -11,7 +11,7 @@ from workbook.magics.readiness import wait_until_it_serves
 from workbook.magics.running import node_names, wait_for_nodes
 from workbook.observing.process import NodeProcess, ros_arguments
 from workbook.observing.recording import Clock, ProcessRecord, Recording
-from workbook.observing.watch import Observer, Plan
+from workbook.observing.watch import SPEEDS, Observer, Plan
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
 Program = ModuleType | Path | str
@@ -79,9 +79,13 @@ def record(
     """
     if clock not in ("simulated", "wall"):
         raise ValueError(f'clock is "simulated" or "wall", not {clock!r}')
-    shortest, longest = min(periods.values()), max(periods.values())
-    half = seconds / 2 if clock == "simulated" else seconds
-    plan = Plan(tuple(periods), shortest, longest, robot_seconds=half)
+    plan = Plan(
+        tuple(periods),
+        min(periods.values()),
+        max(periods.values()),
+        robot_seconds=seconds / len(SPEEDS),
+        wall_seconds=seconds,
+    )
     with Observer() as observer:
         with observer.watch(program_file(program), plan, clock, parameters=parameters) as watch:
             return watch.finish(watch.observe())

@@ -44,12 +44,14 @@ class Plan:
 
     `topics`: judged topic names. `shortest_period` and `longest_period`: of the judged rates, in seconds.
     `robot_seconds`: robot time to watch at each speed; None: three and a half of the longest period.
+    `wall_seconds`: real time to watch on the wall clock; None: a little more than four of the longest period.
     """
 
     topics: tuple[str, ...]
     shortest_period: float
     longest_period: float
     robot_seconds: float | None = None
+    wall_seconds: float | None = None
 
     @property
     def step_s(self) -> float:
@@ -62,7 +64,7 @@ class Plan:
 
     @property
     def wall_s(self) -> float:
-        return max(LEAST_WALL_WATCH_S, WALL_PERIODS * self.longest_period + WALL_EXTRA_S)
+        return self.wall_seconds or max(LEAST_WALL_WATCH_S, WALL_PERIODS * self.longest_period + WALL_EXTRA_S)
 
 
 class Observer:
