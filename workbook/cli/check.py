@@ -3,6 +3,11 @@
 import argparse
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from workbook.exercise.answers import Answer
+    from workbook.exercise.starting import StartedAnswer
 
 FULL_MARKS, NOT_YET, NOT_JUDGED = 0, 1, 2
 
@@ -41,46 +46,56 @@ def _default_file(stem: str) -> Path | None:
 
 def run(options: argparse.Namespace) -> int:
     from workbook.exercise.answers import Ungradable, read_answer
-    from workbook.exercise.course import NoCourse
+    from workbook.exercise.course import NoCourse, course_folder
+    from workbook.exercise.source import SourceError, UnknownExercise, find, load
+    from workbook.exercise.starting import StartedAnswer
+    from workbook.ros.domains import NoDomainFree
+
+    try:
+        source = load(find(course_folder() / "solutions", options.exercise))
+        file = options.file or _default_file(source.stem)
+        if file is None:
+            raise Ungradable(
+                f"there is no answers/{source.stem}.py here; name the file: workbook check EXERCISE FILE"
+            )
+        answer = read_answer(file, source.stem)
+        with StartedAnswer(source, answer) as started:
+            return _judge(options, source.stem, file, answer, started)
+    except (Ungradable, UnknownExercise, NoCourse, SourceError, NoDomainFree, OSError) as error:
+        return _not_judged(error)
+
+
+def _not_judged(error: Exception) -> int:
+    print(f"workbook check: {error}", file=sys.stderr)
+    return NOT_JUDGED
+
+
+def _judge(
+    options: argparse.Namespace, stem: str, file: Path, answer: "Answer", started: "StartedAnswer"
+) -> int:
+    """Judge an answer that runs already. What needs ROS is imported here, while the answer does so as well."""
     from workbook.exercise.definition import BrokenCriteria, load_exercise
     from workbook.exercise.judging import Judge, Judgement
-    from workbook.exercise.source import SourceError, UnknownExercise
     from workbook.feedback import wording
     from workbook.feedback.review import review_prompt
     from workbook.feedback.text import as_text
     from workbook.observing.watch import Observer
-    from workbook.ros.domains import NoDomainFree
 
-    color = sys.stdout.isatty()
+    def report(judgement: Judgement) -> None:
+        if judgement.provisional:
+            print("Watching it on the wall clock as well; that takes some seconds ...", file=sys.stderr)
+        else:
+            print("Judged on robot time; watching that it lives on ...", file=sys.stderr)
+
     try:
-        exercise = load_exercise(options.exercise)
-        file = options.file or _default_file(exercise.stem)
-        if file is None:
-            raise Ungradable(
-                f"there is no answers/{exercise.stem}.py here; name the file: workbook check EXERCISE FILE"
-            )
-        answer = read_answer(file, exercise.stem)
-
-        def report(judgement: Judgement) -> None:
-            if judgement.provisional:
-                print("Watching it on the wall clock as well; that takes some seconds ...", file=sys.stderr)
-            else:
-                print("Judged on robot time; watching that it lives on ...", file=sys.stderr)
-
-        with Observer() as observer:
-            judgement = Judge(observer).judge(exercise, answer, thorough=options.as_graded, report=report)
-    except (
-        Ungradable,
-        UnknownExercise,
-        NoCourse,
-        BrokenCriteria,
-        SourceError,
-        NoDomainFree,
-        OSError,
-    ) as error:
-        print(f"workbook check: {error}", file=sys.stderr)
-        return NOT_JUDGED
-    print(as_text(judgement, color))
+        exercise = load_exercise(stem)
+    except BrokenCriteria as error:
+        return _not_judged(error)
+    with Observer(started.lease) as observer:
+        judgement = Judge(observer).judge(
+            exercise, answer, thorough=options.as_graded, report=report, started=started
+        )
+    print(as_text(judgement, sys.stdout.isatty()))
     if judgement.status != "graded":
         return NOT_JUDGED
     if wording.all_shown_hold(judgement):

@@ -6,11 +6,13 @@ nothing heavy at their top, so that `workbook --help` answers at once.
 """
 
 import argparse
+import atexit
 import importlib
 import os
 import pkgutil
 import sys
 from collections.abc import Sequence
+from typing import NoReturn
 
 import workbook
 from workbook import cli
@@ -65,7 +67,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         sys.stderr.close()
         return 0
+    if arguments is None and getattr(options, "leaves_at_once", False):
+        leave(code)
     return code
+
+
+def leave(code: int) -> NoReturn:
+    """End the process after its exit functions, without taking down the interpreter piece by piece.
+
+    With rclpy and NumPy loaded that takes a tenth of a second, which a student would wait for after each check.
+    """
+    atexit._run_exitfuncs()
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(code)
 
 
 if __name__ == "__main__":

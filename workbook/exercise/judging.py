@@ -12,6 +12,8 @@ from workbook.criteria.garbled import field_check_note
 from workbook.criteria.runner import CriterionError, CriterionResult, run_criteria
 from workbook.exercise.answers import Answer, syntax_mistake
 from workbook.exercise.definition import Exercise
+from workbook.exercise.starting import StartedAnswer, write_program
+from workbook.observing.process import NodeProcess
 from workbook.observing.recording import Clock, Recording
 from workbook.observing.watch import PATIENCE_WITH_THE_END_S, SPEEDS, Observer, Watch, speeds_agree
 from workbook.ros.scratch import remove_scratch, scratch_folder
@@ -98,18 +100,19 @@ class Judge:
         thorough: bool = False,
         report: Report | None = None,
         enough: Callable[[], bool] = lambda: False,
+        started: StartedAnswer | None = None,
     ) -> Judgement:
         """Judge one answer.
 
         `thorough`: as an instructor grades, a program that passes on robot time is kept running until eight real
         seconds after it was matched, unless `enough` cuts that short. `report` receives a provisional judgement as
-        soon as there is one.
+        soon as there is one. `started`: this answer, if it runs already on the observer's domain.
         """
-        folder = scratch_folder("answer")
-        program = folder / f"{exercise.stem}.py"
+        folder = scratch_folder("answer") if started is None else started.folder
+        process = None if started is None else started.process
         try:
-            program.write_text(answer.text, encoding="utf-8")
-            judgement = self._on_both_clocks(exercise, answer, program, thorough, report, enough)
+            program = write_program(folder, exercise.stem, answer) if process is None else process.program
+            judgement = self._on_both_clocks(exercise, answer, program, process, thorough, report, enough)
             if any(result.garbled for result in judgement.criteria):
                 return self._with_field_checks(exercise, answer, program, judgement)
             return judgement
@@ -121,13 +124,16 @@ class Judge:
         exercise: Exercise,
         answer: Answer,
         program: Path,
+        process: NodeProcess | None,
         thorough: bool,
         report: Report | None,
         enough: Callable[[], bool],
     ) -> Judgement:
         """Judge on robot time where the exercise allows it, and on the wall clock where that is not enough."""
         if exercise.source.clock == "simulated":
-            with self._observer.watch(program, exercise.plan, "simulated", limits=self._limits) as watch:
+            with self._observer.watch(
+                program, exercise.plan, "simulated", limits=self._limits, process=process
+            ) as watch:
                 judgement = self._judge(exercise, answer, watch)
                 on_robot_time = not _needs_wall_clock(exercise, answer, judgement)
                 if on_robot_time:
@@ -140,7 +146,10 @@ class Judge:
                 return self._second_life(exercise, answer, program, judgement, enough)
             if report is not None:
                 report(judgement_as_provisional(judgement))
-        with self._observer.watch(program, exercise.plan, "wall", limits=self._limits) as watch:
+            process = None
+        with self._observer.watch(
+            program, exercise.plan, "wall", limits=self._limits, process=process
+        ) as watch:
             judgement = self._judge(exercise, answer, watch)
             return self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
 

@@ -74,12 +74,12 @@ class Observer:
     another domain, because the ghost of the dead would stay on the graph for a while.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, lease: DomainLease | None = None) -> None:
         self._lease: DomainLease | None = None
-        self._stand()
+        self._stand(lease)
 
-    def _stand(self) -> None:
-        self._lease = lease_domain()
+    def _stand(self, lease: DomainLease | None = None) -> None:
+        self._lease = lease or lease_domain()
         if not is_prepared():
             prepare(domain_id=self._lease.domain_id)
 
@@ -114,13 +114,21 @@ class Observer:
         parameters: Mapping[str, object] | None = None,
         check_fields: bool = False,
         limits: dict[str, int] | None = None,
+        process: NodeProcess | None = None,
     ) -> "Watch":
         """Start `program` and return the running watch; use it as a context manager.
 
-        `parameters`: ROS parameters for its nodes, by name.
+        `parameters`: ROS parameters for its nodes, by name. `process`: the program, if it runs on this domain already.
         """
         return Watch(
-            self, program, plan, clock, parameters=parameters or {}, check_fields=check_fields, limits=limits
+            self,
+            program,
+            plan,
+            clock,
+            parameters=parameters or {},
+            check_fields=check_fields,
+            limits=limits,
+            process=process,
         )
 
 
@@ -140,6 +148,7 @@ class Watch:
         parameters: Mapping[str, object],
         check_fields: bool,
         limits: dict[str, int] | None,
+        process: NodeProcess | None,
     ) -> None:
         self._observer = observer
         self._plan = plan
@@ -162,7 +171,7 @@ class Watch:
         sim_time = {"use_sim_time": True} if clock == "simulated" else {}
         arguments = ros_arguments({**sim_time, **parameters})
         try:
-            self._process = NodeProcess(
+            self._process = process or NodeProcess(
                 program, observer.domain_id, arguments, check_fields=check_fields, limits=limits
             )
         except OSError:
