@@ -141,6 +141,8 @@ def read_answer(path: Path, stem: str) -> Answer:
 
     Raises Ungradable with a sentence for the student when the file cannot be an answer, OSError when unreadable.
     """
+    if not path.exists() and not path.is_symlink():
+        raise Ungradable(f"there is no file {path}")
     if path.is_symlink() or not path.is_file():
         raise Ungradable("this is not a regular file")
     largest = LARGEST_NOTEBOOK_BYTES if path.suffix == ".ipynb" else LARGEST_ANSWER_BYTES
