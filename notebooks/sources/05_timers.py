@@ -307,7 +307,7 @@ predict("...", about="the long beep")
 
 # %%
 long_beep = {"blink_period_s": 0.2, "beep_period_s": 2.0, "beep_takes_s": 1.1}
-slow = record(blink_and_beep, {BLINK: 0.2, BEEP: 2.0}, clock="wall", **long_beep)
+slow = record(blink_and_beep, {BLINK: 0.2, BEEP: 2.0}, seconds=8.5, clock="wall", **long_beep)
 
 blinks, beeps = arrivals(slow, BLINK), arrivals(slow, BEEP)
 show(

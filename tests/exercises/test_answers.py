@@ -158,7 +158,7 @@ def test_links_pipes_and_folders_are_no_answers(tmp_path: Path, program: Path) -
     folder = tmp_path / "folder.py"
     folder.mkdir()
     assert "not a regular file" in refused(folder)
-    assert "not a regular file" in refused(tmp_path / "missing.py")
+    assert "there is no file" in refused(tmp_path / "missing.py")
 
 
 @pytest.mark.parametrize("name", ["answer.txt", "answer", "answer.py.zip"])
