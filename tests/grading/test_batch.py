@@ -392,7 +392,7 @@ def test_check_says_not_yet_with_exit_code_1(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("check", STEM, "/no/such/answer.py"), "not a regular file"),
+        (("check", STEM, "/no/such/answer.py"), "there is no file"),
         (("check", "levitation"), "levitation"),
         (("grade", "/no/such/folder", "--exercise", STEM, "--out", "{out}"), "/no/such/folder"),
         (("grade", ".", "--exercise", "levitation", "--out", "{out}"), "levitation"),

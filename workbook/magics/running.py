@@ -48,7 +48,9 @@ def wait_for_nodes(process: NodeProcess, known: Counter[str]) -> list[str]:
     """
     deadline = time.monotonic() + SETTLE_S
     while time.monotonic() < deadline:
-        new = sorted(node_names() - known)
+        now = node_names()
+        new = sorted(now - known)
+        known = known & now  # one that has gone since is no longer known: its name may come again
         if new or not process.is_running():
             return new
         time.sleep(0.02)

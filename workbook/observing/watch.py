@@ -30,6 +30,7 @@ FIRST_SIGN_S = 12.0
 ELSEWHERE_S = 2.0
 SETTLE_S = 0.6
 MATCH_S = 3.0
+NO_PUBLISHER_S = 8.0
 FOLLOW_S = 1.0
 POLL_S = 0.01
 HELD_STEPS = 5
@@ -208,7 +209,7 @@ class Watch:
                 return True
             if not self._process.is_running():
                 return False
-            if node_since is not None and time.monotonic() - node_since > MATCH_S:
+            if node_since is not None and time.monotonic() - node_since > NO_PUBLISHER_S:
                 return False
             self._pause(POLL_S)
         return False
