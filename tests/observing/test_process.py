@@ -2,6 +2,7 @@
 
 import os
 import sys
+import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -26,9 +27,8 @@ SHARED_MEMORY = Path("/dev/shm")
 
 
 def scratch_folders() -> set[Path]:
-    root = scratch._root()
-    mine = f"{os.getpid()}-run-"
-    return {folder for folder in root.iterdir() if folder.name.startswith(mine)} if root.is_dir() else set()
+    """Folders that this very process has made and not removed."""
+    return set(Path(tempfile.gettempdir()).glob(f"rclpy-workbook-{os.getuid()}-{os.getpid()}-run-*"))
 
 
 def shared_memory() -> set[str]:
@@ -244,7 +244,8 @@ def test_a_program_that_ends_by_itself(start: Start) -> None:
 def test_a_program_that_ends_on_ctrl_c(start: Start) -> None:
     program = start(
         """
-        import time
+        import tempfile
+import time
         try:
             print("ready", flush=True)
             time.sleep(600)
@@ -397,7 +398,7 @@ def test_the_port_that_a_node_sends_from_is_no_domain() -> None:
 def test_folders_of_the_dead_are_swept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
     mine = scratch.scratch_folder("test")
-    dead = mine.parent / "999999999-run-abcdef"
+    dead = mine.parent / f"rclpy-workbook-{os.getuid()}-999999999-run-abcdef"
     dead.mkdir()
     (dead / "log.txt").write_text("left behind")
     odd = mine.parent / "someone-elses"
@@ -408,4 +409,4 @@ def test_folders_of_the_dead_are_swept(tmp_path: Path, monkeypatch: pytest.Monke
     assert not dead.exists()
     odd.rmdir()
     scratch.remove_scratch(mine)
-    assert not mine.parent.exists()
+    assert not mine.exists()
