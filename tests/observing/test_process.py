@@ -244,8 +244,7 @@ def test_a_program_that_ends_by_itself(start: Start) -> None:
 def test_a_program_that_ends_on_ctrl_c(start: Start) -> None:
     program = start(
         """
-        import tempfile
-import time
+        import time
         try:
             print("ready", flush=True)
             time.sleep(600)
