@@ -14,7 +14,7 @@ from workbook.exercise.answers import Answer, syntax_mistake
 from workbook.exercise.definition import Exercise
 from workbook.exercise.starting import StartedAnswer, write_program
 from workbook.observing.process import NodeProcess
-from workbook.observing.recording import Clock, Recording
+from workbook.observing.recording import Recording
 from workbook.observing.watch import PATIENCE_WITH_THE_END_S, SPEEDS, Observer, Watch, speeds_agree
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
@@ -230,16 +230,4 @@ class Judge:
 
 def judgement_as_provisional(judgement: Judgement) -> Judgement:
     """The same judgement, marked as not final."""
-    return Judgement(
-        judgement.stem,
-        judgement.answer_sha256,
-        judgement.status,
-        judgement.reason,
-        judgement.criteria,
-        judgement.recording,
-        provisional=True,
-    )
-
-
-def clock_of(judgement: Judgement) -> Clock | None:
-    return None if judgement.recording is None else judgement.recording.clock
+    return replace(judgement, provisional=True)

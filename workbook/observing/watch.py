@@ -7,7 +7,6 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Literal
 
 import rclpy
 from rclpy.context import Context
@@ -395,9 +394,6 @@ class Watch:
     def __exit__(self, *_: object) -> None:
         self._end_process()
         self._shut()
-
-
-Agreement = Literal["agree", "disagree"]
 
 
 def speeds_agree(recording: Recording, topics: Sequence[str]) -> bool:
