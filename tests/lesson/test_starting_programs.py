@@ -79,3 +79,11 @@ def test_a_program_without_a_node_is_told(tmp_path: Path) -> None:
     file.write_text("print('nothing to do')\n")
     with pytest.raises(RuntimeError, match=r"(?s)empty\.py ended at once.*nothing to do"):
         start(file)
+
+
+def test_a_kernel_that_has_moved_to_another_domain_still_sees_its_programs(tmp_path: Path) -> None:
+    assert node_names()["/gripper"] == 0
+    with lease_domain() as elsewhere:
+        prepare(domain_id=elsewhere.domain_id)
+        assert start(program(tmp_path, WORKS)) == "/gripper"
+        stop()

@@ -12,14 +12,20 @@ _node: Node | None = None
 
 
 def standing_node() -> Node:
-    """The hidden node of this kernel, made at first use, in a context of its own. It needs no spinning."""
+    """The hidden node of this kernel, made at first use, in a context of its own. It needs no spinning.
+
+    It is made anew when the kernel has moved to another domain since.
+    """
     global _node
+    domain_id = int(os.environ["ROS_DOMAIN_ID"])
+    if _node is not None and _node.context.get_domain_id() != domain_id:
+        close_standing_node()
     if _node is None:
         context = Context()
         rclpy.init(
             context=context,
             args=[],
-            domain_id=int(os.environ["ROS_DOMAIN_ID"]),
+            domain_id=domain_id,
             signal_handler_options=SignalHandlerOptions.NO,
         )
         _node = Node(
