@@ -108,7 +108,8 @@ def misplaced(tree: Tree) -> Iterator[Problem]:
     rules: list[tuple[Path, str, tuple[str, ...], tuple[str, ...]]] = [
         (tree.notebooks, ".ipynb", lessons, ("sources",)),
         (tree.sources, ".py", lessons, ()),
-        (tree.exercises, ".ipynb", exercises, ("criteria",)),
+        (tree.exercises, ".ipynb", exercises, ("criteria", "drivers")),
+        (tree.drivers, ".py", exercises, ()),
         (tree.criteria, ".py", exercises, ("__init__.py", "conftest.py")),
         (tree.solutions, ".py", exercises, ("__init__.py",)),
         (tree.right_answers, "", exercises, ()),

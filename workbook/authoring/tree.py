@@ -37,6 +37,10 @@ class Tree:
         return self.exercises / "criteria"
 
     @property
+    def drivers(self) -> Path:
+        return self.exercises / "drivers"
+
+    @property
     def solutions(self) -> Path:
         return self.root / "solutions"
 

@@ -2,8 +2,18 @@
 
 from workbook.criteria.criterion import Criterion, Topic, criterion, topic, watching
 from workbook.criteria.verdict import Verdict, all_of, failed, partial, passed
+from workbook.criteria.words_of_nodes import nodes_gone_at_end, on_the_graph
 from workbook.criteria.words_of_programs import alive_at_end, exits_cleanly, program_runs
 from workbook.criteria.words_of_rates import counts, keeps_period, rate, topic_pace
+from workbook.criteria.words_of_talk import (
+    answered_calls,
+    calls_of,
+    latencies,
+    listens,
+    offers,
+    processor_share,
+    said,
+)
 from workbook.criteria.words_of_topics import no_message, publishes
 from workbook.criteria.words_of_values import (
     finite,
@@ -16,30 +26,44 @@ from workbook.criteria.words_of_values import (
     within,
 )
 from workbook.observing.recording import Recording
+from workbook.observing.script import BEFORE_START, calls, says, serves
 
 __all__ = [
+    "BEFORE_START",
     "Criterion",
     "Recording",
     "Topic",
     "Verdict",
     "alive_at_end",
     "all_of",
+    "answered_calls",
+    "calls",
+    "calls_of",
     "counts",
     "criterion",
     "exits_cleanly",
     "failed",
     "finite",
     "keeps_period",
+    "latencies",
     "length",
+    "listens",
     "never_rises",
     "no_message",
+    "nodes_gone_at_end",
+    "offers",
+    "on_the_graph",
     "one_of",
     "partial",
     "passed",
+    "processor_share",
     "program_runs",
     "publishes",
     "rate",
     "really_arrives",
+    "said",
+    "says",
+    "serves",
     "topic",
     "topic_pace",
     "values",

@@ -7,6 +7,7 @@ from typing import Any
 
 from workbook.criteria.verdict import Verdict
 from workbook.observing.recording import Recording
+from workbook.observing.script import NOTHING_SAID, Part, Script
 from workbook.observing.values import type_name
 from workbook.observing.watch import SPEEDS, Plan
 
@@ -77,16 +78,26 @@ class Watching:
     """How the recording of an exercise is made, where it differs from the usual."""
 
     robot_seconds: float | None = None
+    wall_seconds: float | None = None
     to_the_end: bool = False
+    script: Script = NOTHING_SAID
 
 
-def watching(*, robot_seconds: float | None = None, to_the_end: bool = False) -> Watching:
+def watching(
+    *,
+    robot_seconds: float | None = None,
+    wall_seconds: float | None = None,
+    to_the_end: bool = False,
+    script: Sequence[Part] = (),
+) -> Watching:
     """Declare how to watch, once per criteria file.
 
-    `robot_seconds`: robot time to watch in all, instead of seven of the longest period. `to_the_end`: the program is
-    sent Ctrl-C (SIGINT) before it is judged, so that criteria see how it ends.
+    `robot_seconds`: robot time to watch in all, instead of seven of the longest period. `wall_seconds`: real time to
+    watch on the wall clock, instead of four of the longest period. `to_the_end`: the program is sent Ctrl-C (SIGINT)
+    before it is judged, so that criteria see how it ends, and which of its nodes stay on the graph. `script`: what is
+    said to the program meanwhile, made with `says`, `serves` and `calls`.
     """
-    return Watching(robot_seconds, to_the_end)
+    return Watching(robot_seconds, wall_seconds, to_the_end, Script(tuple(script)))
 
 
 def watching_in(module: ModuleType) -> Watching:
@@ -109,4 +120,11 @@ def plan_for(topics: Iterable[Topic], how: Watching) -> Plan:
     declared = tuple(topics)
     per_speed = None if how.robot_seconds is None else how.robot_seconds / len(SPEEDS)
     periods = [one.period for one in declared if one.hz is not None] or [1.0]
-    return Plan(tuple(one.name for one in declared), min(periods), max(periods), per_speed)
+    return Plan(
+        tuple(one.name for one in declared),
+        min(periods),
+        max(periods),
+        per_speed,
+        how.wall_seconds,
+        how.script,
+    )

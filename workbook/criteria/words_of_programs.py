@@ -61,6 +61,8 @@ def _got_going(recording: Recording) -> bool:
     topics = recording.topics.values()
     if any(topic.arrivals or topic.undecodable or topic.not_kept for topic in topics):
         return True
+    if recording.said or recording.calls:
+        return bool(recording.nodes)  # one that was spoken to may have nothing to publish yet
     if recording.process.ended_by == "itself":
         return False
     return any(publisher.last_seen is None for topic in topics for publisher in topic.publishers)

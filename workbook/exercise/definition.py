@@ -11,7 +11,7 @@ from types import ModuleType
 
 from workbook.criteria.criterion import Criterion, criteria_in, plan_for, topics_in, watching_in
 from workbook.exercise.course import course_folder
-from workbook.exercise.source import ExerciseSource, find, load
+from workbook.exercise.source import ExerciseSource, driver_of, find, load
 from workbook.observing.watch import Plan
 
 
@@ -36,7 +36,7 @@ def _import(path: Path) -> ModuleType:
 @dataclass(frozen=True)
 class Exercise:
     """One exercise: its stem, the criteria in order, the watch that they need, the judged periods (s) by topic,
-    and whether its end is judged too."""
+    and whether its end is judged too. `driver`: what calls the functions of an answer that is no program."""
 
     stem: str
     criteria: tuple[Criterion, ...]
@@ -45,6 +45,7 @@ class Exercise:
     to_the_end: bool
     criteria_sha256: str
     solution_path: Path
+    driver: Path | None = None
 
     @cached_property
     def source(self) -> ExerciseSource:
@@ -70,12 +71,22 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
     criteria = criteria_in(module)
     if not criteria:
         raise BrokenCriteria(f"{path} defines no criterion")
+    driver = driver_of(solution)
     return Exercise(
         stem=solution.stem,
         criteria=criteria,
         plan=plan_for(topics_in(module), watching_in(module)),
         to_the_end=watching_in(module).to_the_end,
         periods={one.name: one.period for one in topics_in(module) if one.hz is not None},
-        criteria_sha256=hashlib.sha256(path.read_bytes()).hexdigest(),
+        criteria_sha256=_sum_of(path, driver),
         solution_path=solution,
+        driver=driver,
     )
+
+
+def _sum_of(criteria: Path, driver: Path | None) -> str:
+    """What the judgement depends on: another driver is another exercise."""
+    digest = hashlib.sha256(criteria.read_bytes())
+    if driver is not None:
+        digest.update(driver.read_bytes())
+    return digest.hexdigest()

@@ -80,7 +80,7 @@ def _needs_wall_clock(exercise: Exercise, answer: Answer, judgement: Judgement) 
         return syntax_mistake(answer.text) is None
     if recording.follows_clock is None:
         return False
-    if not recording.follows_clock or not speeds_agree(recording, exercise.plan.topics):
+    if not recording.follows_clock or not speeds_agree(recording, tuple(exercise.periods)):
         return True
     return any(result.about_time for result in judgement.criteria)
 
@@ -132,7 +132,12 @@ class Judge:
         """Judge on robot time where the exercise allows it, and on the wall clock where that is not enough."""
         if exercise.source.clock == "simulated":
             with self._observer.watch(
-                program, exercise.plan, "simulated", limits=self._limits, process=process
+                program,
+                exercise.plan,
+                "simulated",
+                limits=self._limits,
+                process=process,
+                driver=exercise.driver,
             ) as watch:
                 judgement = self._judge(exercise, answer, watch)
                 on_robot_time = not _needs_wall_clock(exercise, answer, judgement)
@@ -148,7 +153,7 @@ class Judge:
                 report(judgement_as_provisional(judgement))
             process = None
         with self._observer.watch(
-            program, exercise.plan, "wall", limits=self._limits, process=process
+            program, exercise.plan, "wall", limits=self._limits, process=process, driver=exercise.driver
         ) as watch:
             judgement = self._judge(exercise, answer, watch)
             return self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
@@ -161,7 +166,12 @@ class Judge:
         assert recording is not None
         plan = exercise.plan
         with self._observer.watch(
-            program, plan, recording.clock, check_fields=True, limits=self._limits
+            program,
+            plan,
+            recording.clock,
+            check_fields=True,
+            limits=self._limits,
+            driver=exercise.driver,
         ) as watch:
             watch.wait_until_seen()
             watch.keep_watching(
@@ -176,7 +186,7 @@ class Judge:
     def _judge(self, exercise: Exercise, answer: Answer, watch: Watch) -> Judgement:
         recording = watch.observe()
         if exercise.to_the_end:
-            recording = watch.finish(recording, PATIENCE_WITH_THE_END_S)
+            recording = watch.finish(recording, PATIENCE_WITH_THE_END_S, look_who_stays=True)
         real_life = exercise.to_the_end and recording.clock == "wall"
         return judge_recording(exercise, answer.sha256, recording, real_life=real_life)
 

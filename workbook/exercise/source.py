@@ -155,6 +155,12 @@ def load(path: Path | str) -> ExerciseSource:
     )
 
 
+def driver_of(solution: Path) -> Path | None:
+    """The program that calls the functions of an answer to this exercise; None where the answer is a program itself."""
+    driver = solution.parent.parent / "exercises" / "drivers" / solution.name
+    return driver if driver.is_file() else None
+
+
 def stems(solutions: Path | str) -> tuple[str, ...]:
     """The stems of all exercises in the folder, in order of their numbers."""
     return tuple(sorted(path.stem for path in Path(solutions).glob("*.py") if STEM.fullmatch(path.stem)))

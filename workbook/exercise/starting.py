@@ -6,7 +6,7 @@ Imports nothing that needs ROS, so that it can run first.
 from pathlib import Path
 
 from workbook.exercise.answers import Answer
-from workbook.exercise.source import ExerciseSource
+from workbook.exercise.source import ExerciseSource, driver_of
 from workbook.observing.process import NodeProcess, ros_arguments
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
@@ -21,23 +21,29 @@ def write_program(folder: Path, stem: str, answer: Answer) -> Path:
 
 
 class StartedAnswer:
-    """An answer that runs on a leased domain and waits to be watched, on the clock that its exercise starts with.
+    """An answer that runs on a leased domain and waits to be watched, on robot time.
 
-    Leaving the block ends what nobody has taken over.
+    Where an exercise is judged on the wall clock from the start, the program is not started yet (`process` is None):
+    its first moments belong to the judge. Leaving the block ends what nobody has taken over.
     """
 
     def __init__(self, source: ExerciseSource, answer: Answer) -> None:
         self.lease = lease_domain()
         prepare(domain_id=self.lease.domain_id)
         self.folder = scratch_folder("answer")
-        program = write_program(self.folder, source.stem, answer)
-        parameters = {"use_sim_time": True} if source.clock == "simulated" else {}
-        self.process = NodeProcess(program, self.lease.domain_id, ros_arguments(parameters))
+        self.process: NodeProcess | None = None
+        if source.clock == "simulated":
+            program = write_program(self.folder, source.stem, answer)
+            arguments = ros_arguments({"use_sim_time": True})
+            self.process = NodeProcess(
+                program, self.lease.domain_id, arguments, driver=driver_of(source.path)
+            )
 
     def __enter__(self) -> "StartedAnswer":
         return self
 
     def __exit__(self, *_: object) -> None:
-        self.process.stop()
+        if self.process is not None:
+            self.process.stop()
         remove_scratch(self.folder)
         self.lease.release()

@@ -10,6 +10,7 @@ from types import ModuleType
 from workbook.magics.readiness import wait_until_it_serves
 from workbook.magics.running import node_names, wait_for_nodes
 from workbook.observing.process import NodeProcess, ros_arguments
+from workbook.observing.process import processor_seconds as processor_time_of
 from workbook.observing.recording import Clock, ProcessRecord, Recording
 from workbook.observing.watch import SPEEDS, Observer, Plan
 from workbook.ros.scratch import remove_scratch, scratch_folder
@@ -97,8 +98,8 @@ def processor_seconds(program: Program, seconds: float = 4.0, **parameters: obje
         with NodeProcess(program_file(program), observer.domain_id, ros_arguments(parameters)) as process:
             if process.wait(seconds):
                 raise RuntimeError(f"the program ended early:\n{process.record().log}")
-            fields = Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+            used = processor_time_of([process.pid])
+    return used or 0.0
 
 
 def arrivals(recording: Recording, topic: str) -> list[float]:

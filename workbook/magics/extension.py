@@ -132,7 +132,7 @@ class ExerciseMagics(Magics):
             )
         self._running.stop(exercise.stem)
         known = node_names()
-        process = self._running.start(exercise.stem, file)
+        process = self._running.start(exercise.stem, file, exercise.driver)
         nodes = wait_for_nodes(process, known)
         if nodes:
             wait_until_it_serves(process, nodes[0])

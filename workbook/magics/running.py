@@ -18,10 +18,10 @@ class Running:
         self._programs: dict[str, NodeProcess] = {}
         atexit.register(self.stop_all)
 
-    def start(self, stem: str, program: Path) -> NodeProcess:
+    def start(self, stem: str, program: Path, driver: Path | None = None) -> NodeProcess:
         """Start `program`, ending an earlier run of the same exercise first."""
         self.stop(stem)
-        process = NodeProcess(program, int(os.environ["ROS_DOMAIN_ID"]))
+        process = NodeProcess(program, int(os.environ["ROS_DOMAIN_ID"]), driver=driver)
         self._programs[stem] = process
         return process
 

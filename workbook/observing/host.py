@@ -1,10 +1,12 @@
 """Runs one answer as the main program. It needs nothing of the workbook, only rclpy.
 
-    python host.py [--parent PID] [--limit NAME=VALUE]... ANSWER.py [--ros-args ...]
+    python host.py [--parent PID] [--limit NAME=VALUE]... [--driver DRIVER.py] ANSWER.py [--ros-args ...]
 
 Whatever reasonable shape an answer has is accepted. The file runs as `__main__`. Only if it ends normally and no
 context was ever initialized does the host help: it calls an argument-less `main()`, or else spins the one leaf
 Node subclass that the file defines.
+
+With a driver, the file is loaded as the module `answer`, and the driver, which imports it, runs as `__main__`.
 """
 
 import asyncio
@@ -116,24 +118,38 @@ def print_student_traceback(error: BaseException) -> None:
     traceback.print_exception(type(error), error, frames)
 
 
-def run(path: str) -> None:
+def execute(path: str, name: str) -> types.ModuleType:
+    """Run the file as the module `name`."""
     with open(path, "rb") as file:
         source = file.read()
-    module = types.ModuleType("__main__")
+    module = types.ModuleType(name)
     module.__file__ = path
     module.__dict__["__builtins__"] = __builtins__
     code = compile(source, path, "exec", dont_inherit=True)
-    started = watch_contexts()
-    sys.modules["__main__"] = module
+    sys.modules[name] = module
     exec(code, module.__dict__)
+    return module
+
+
+def run(path: str) -> None:
+    started = watch_contexts()
+    module = execute(path, "__main__")
     if not started:
         help_along(module)
 
 
+def run_with_driver(path: str, driver: str) -> None:
+    execute(path, "answer")
+    execute(driver, "__main__")
+
+
 def start(arguments: list[str]) -> None:
-    while arguments and arguments[0] in ("--parent", "--limit"):
+    driver = None
+    while arguments and arguments[0] in ("--parent", "--limit", "--driver"):
         if arguments[0] == "--parent":
             die_with_parent(int(arguments[1]))
+        elif arguments[0] == "--driver":
+            driver = arguments[1]
         else:
             apply_limit(arguments[1])
         arguments = arguments[2:]
@@ -142,7 +158,10 @@ def start(arguments: list[str]) -> None:
     # Whoever started us may ignore Ctrl-C (a slot does), and a program inherits that. In a terminal it would not.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
-        run(path)
+        if driver is None:
+            run(path)
+        else:
+            run_with_driver(path, driver)
     except SystemExit:
         raise
     except BaseException as error:

@@ -142,6 +142,23 @@ def process_tree(pid: int) -> list[int]:
     return tree
 
 
+def processor_seconds(pids: Sequence[int]) -> float | None:
+    """Processor time (s) that these processes have used; None when none of them is there any more."""
+    used = [
+        sum(int(field) for field in stat.rsplit(")", 1)[1].split()[11:13])
+        for stat in (_stat(pid) for pid in pids)
+        if stat is not None
+    ]
+    return sum(used) / os.sysconf("SC_CLK_TCK") if used else None
+
+
+def _stat(pid: int) -> str | None:
+    try:
+        return Path(f"/proc/{pid}/stat").read_text()
+    except OSError:
+        return None
+
+
 def domains_of(pids: Sequence[int]) -> tuple[int, ...]:
     """ROS domains on which these processes have DDS ports open."""
     inodes: set[str] = set()
@@ -176,7 +193,8 @@ def domains_of_ports(ports: Collection[int]) -> tuple[int, ...]:
 class NodeProcess:
     """A program that runs as its own process, in its own session, and whose whole tree ends with `stop`.
 
-    `program` is a Python file; it runs as `__main__` with `arguments`. Use as a context manager, or call `stop`.
+    `program` is a Python file; it runs as `__main__` with `arguments`. With a `driver`, that one runs as `__main__` and
+    can import the program as the module `answer`. Use as a context manager, or call `stop`.
     """
 
     def __init__(
@@ -187,6 +205,7 @@ class NodeProcess:
         *,
         check_fields: bool = False,
         limits: Mapping[str, int] | None = None,
+        driver: Path | None = None,
     ) -> None:
         if not program.is_file():
             raise FileNotFoundError(f"there is no program {program}")
@@ -199,10 +218,13 @@ class NodeProcess:
         self._ended_by_bench = False
         self._log_before_end: str | None = None
         self._domains_used: tuple[int, ...] = ()
+        self._processor: list[tuple[float, float]] = []
         self.killed = False
         command = [sys.executable, "-P", str(HOST), "--parent", str(os.getpid())]
         for name, value in (limits or {}).items():
             command += ["--limit", f"{name}={value}"]
+        if driver is not None:
+            command += ["--driver", str(driver.resolve())]
         environ = child_environment(domain_id, check_fields=check_fields, log_folder=self._folder)
         environ[RUN_MARK] = self._mark
         read_fd, write_fd = os.pipe()
@@ -259,6 +281,12 @@ class NodeProcess:
             used = domains_of(process_tree(self.pid))
             self._domains_used = tuple(sorted({*self._domains_used, *used}))
         return self._domains_used
+
+    def note_processor_time(self) -> None:
+        """Note for the record how much processor time the program has used up to now."""
+        used = processor_seconds(process_tree(self.pid)) if self.is_running() else None
+        if used is not None:
+            self._processor.append((round(time.monotonic() - self.started_at, 4), round(used, 3)))
 
     def _kill_tree(self) -> None:
         for _ in range(20):
@@ -323,6 +351,7 @@ class NodeProcess:
             end_log=end_log,
             log_truncated=self.log.truncated,
             domains_used=self._domains_used,
+            processor=tuple(self._processor),
         )
 
     def __enter__(self) -> "NodeProcess":

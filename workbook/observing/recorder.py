@@ -1,21 +1,31 @@
 """Subscribes by itself to whatever others publish, and keeps what arrives."""
 
 import time
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rclpy.node import Node
+from rclpy.node import Node, NodeNameNonExistentError
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message
 
-from workbook.observing.recording import Arrival, NodeSeen, PublisherSeen, SubscriberSeen, TopicRecording
+from workbook.observing.recording import (
+    Arrival,
+    NodeSeen,
+    PublisherSeen,
+    ServiceSeen,
+    SubscriberSeen,
+    TopicRecording,
+)
 from workbook.observing.values import known_class, plain
 
 INFRASTRUCTURE = ("/rosout", "/parameter_events", "/clock")
 KEPT_PER_TOPIC = 20_000
 TOPICS_WATCHED = 64
 LARGEST_MESSAGE_BYTES = 4_000_000
+PARAMETER_SERVICES = ("rcl_interfaces/srv/", "type_description_interfaces/srv/")
+_LOOK_AGAIN_S = 0.02
 _NODE_UNKNOWN = "_NODE_NAME_UNKNOWN_"
 
 
@@ -64,6 +74,7 @@ class Recorder:
         self._own = {node.get_fully_qualified_name(), *ignore}
         self._topics: dict[str, _Watched] = {}
         self._nodes: dict[str, NodeSeen] = {}
+        self._services: dict[str, ServiceSeen] = {}
 
     def _robot_now(self) -> float:
         return self._robot_time(time.monotonic())
@@ -74,15 +85,43 @@ class Recorder:
     def look(self) -> bool:
         """Take in the graph as it is now. Returns whether anything is new."""
         new = False
-        for name, namespace in self._node.get_node_names_and_namespaces():
-            full = _full_name(namespace, name)
-            if full not in self._own and full not in self._nodes and name != _NODE_UNKNOWN:
-                self._nodes[full] = NodeSeen(full, self._wall_now())
+        for full, how_many in self._present().items():
+            known = self._nodes.get(full)
+            if known is None:
+                self._nodes[full] = NodeSeen(full, self._wall_now(), how_many)
+                new = True
+            elif known.most < how_many:
+                self._nodes[full] = replace(known, most=how_many)
                 new = True
         for topic, _ in self._node.get_topic_names_and_types(no_demangle=False):
             if topic not in INFRASTRUCTURE:
                 new |= self._look_at(topic)
         return new
+
+    def _present(self) -> Counter[str]:
+        """Full names of the nodes of others that are on the graph now. Twins count."""
+        names = self._node.get_node_names_and_namespaces()
+        full = (_full_name(namespace, name) for name, namespace in names if name != _NODE_UNKNOWN)
+        return Counter(name for name in full if name not in self._own)
+
+    def look_at_services(self) -> None:
+        """Take in the services that the nodes of others offer now, those of every node's parameters left out."""
+        for full in self._present():
+            namespace, _, name = full.rpartition("/")
+            try:
+                offered = self._node.get_service_names_and_types_by_node(name, namespace or "/")
+            except NodeNameNonExistentError:  # it has gone in this moment
+                continue
+            for service, types in offered:
+                if types and not types[0].startswith(PARAMETER_SERVICES):
+                    self._services[service] = ServiceSeen(service, types[0])
+
+    def look_who_stays(self, patience_s: float) -> None:
+        """After the program has ended: note which of its nodes are still on the graph when `patience_s` is over."""
+        deadline = time.monotonic() + patience_s
+        while (left := self._present()) and time.monotonic() < deadline:
+            time.sleep(_LOOK_AGAIN_S)
+        self._nodes = {name: replace(node, stayed=name in left) for name, node in self._nodes.items()}
 
     def _look_at(self, topic: str) -> bool:
         watched = self._topics.get(topic)
@@ -206,6 +245,9 @@ class Recorder:
 
     def nodes(self) -> tuple[NodeSeen, ...]:
         return tuple(self._nodes[name] for name in sorted(self._nodes))
+
+    def services(self) -> tuple[ServiceSeen, ...]:
+        return tuple(self._services[name] for name in sorted(self._services))
 
     def start_windows(self, t: float) -> None:
         """Begin the watch at robot time `t`: what was matched or seen before counts from then.

@@ -67,10 +67,51 @@ class TopicRecording:
 
 @dataclass(frozen=True)
 class NodeSeen:
-    """A node on the graph by its full name, and when (wall time, s) it appeared."""
+    """A node on the graph by its full name, and when (wall time, s) it appeared.
+
+    `most`: how many nodes of this name there were at once. `stayed`: still on the graph after the program had ended
+    (None where the end was not watched).
+    """
 
     name: str
     first_seen: float
+    most: int = 1
+    stayed: bool | None = None
+
+
+@dataclass(frozen=True)
+class Said:
+    """One message that the bench published, as its script wanted it."""
+
+    topic: str
+    t: float
+    wall: float
+    value: Any
+
+
+@dataclass(frozen=True)
+class CallSeen:
+    """One call of a service: made `by` the program to the bench's service, or by the bench to the program's.
+
+    `response` and the moments of the answer are None when there was none.
+    """
+
+    service: str
+    by: Literal["program", "bench"]
+    t: float
+    wall: float
+    request: Any
+    response: Any = None
+    answered_t: float | None = None
+    answered_wall: float | None = None
+
+
+@dataclass(frozen=True)
+class ServiceSeen:
+    """A service that the program offers, by its full name and type."""
+
+    name: str
+    type: str
 
 
 @dataclass(frozen=True)
@@ -78,6 +119,7 @@ class ProcessRecord:
     """How the program ran and ended. `ended_by` is "itself", "bench", or None while it runs.
 
     `log` is what it printed of its own accord, `end_log` what it printed after the bench had sent Ctrl-C.
+    `processor`: on the wall clock, pairs of wall time (s) and processor time (s) that it had used by then.
     """
 
     program: str = ""
@@ -91,6 +133,7 @@ class ProcessRecord:
     end_log: str = ""
     log_truncated: bool = False
     domains_used: tuple[int, ...] = ()
+    processor: tuple[tuple[float, float], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -117,6 +160,9 @@ class Recording:
     follows_clock: bool | None = None
     step_s: float | None = None
     notes: tuple[str, ...] = ()
+    said: tuple[Said, ...] = ()
+    calls: tuple[CallSeen, ...] = ()
+    services: tuple[ServiceSeen, ...] = ()
 
     def topic(self, name: str) -> TopicRecording:
         """The recording of a topic; an empty one if nothing of that name was seen."""
@@ -196,6 +242,7 @@ def _recording(data: Mapping[str, Any]) -> Recording:
     process = dict(data["process"])
     process["limits_hit"] = tuple(process["limits_hit"])
     process["domains_used"] = tuple(process["domains_used"])
+    process["processor"] = tuple((wall, used) for wall, used in process.get("processor", ()))
     return Recording(
         clock=data["clock"],
         domain_id=data["domain_id"],
@@ -208,4 +255,13 @@ def _recording(data: Mapping[str, Any]) -> Recording:
         follows_clock=data["follows_clock"],
         step_s=data["step_s"],
         notes=tuple(data["notes"]),
+        said=tuple(
+            Said(item["topic"], item["t"], item["wall"], _decode(item["value"]))
+            for item in data.get("said", ())
+        ),
+        calls=tuple(
+            CallSeen(**{**item, "request": _decode(item["request"]), "response": _decode(item["response"])})
+            for item in data.get("calls", ())
+        ),
+        services=tuple(ServiceSeen(**item) for item in data.get("services", ())),
     )

@@ -17,6 +17,8 @@ from workbook.observing.process import NodeProcess, ros_arguments
 from workbook.observing.recorder import Recorder
 from workbook.observing.recording import Clock, Phase, ProcessRecord, Recording
 from workbook.observing.rest import Rest
+from workbook.observing.script import NOTHING_SAID, Script
+from workbook.observing.speaker import Speaker
 from workbook.ros.domains import DomainLease, lease_domain
 from workbook.ros.environment import is_prepared, prepare
 
@@ -32,6 +34,8 @@ MATCH_S = 3.0
 NO_PUBLISHER_S = 8.0
 FOLLOW_S = 1.0
 POLL_S = 0.01
+TALK_POLL_S = 0.002
+GONE_S = 1.5
 HELD_STEPS = 5
 LOOK_EVERY_S = 0.1
 PATIENCE_S = 0.7
@@ -45,6 +49,7 @@ class Plan:
     `topics`: judged topic names. `shortest_period` and `longest_period`: of the judged rates, in seconds.
     `robot_seconds`: robot time to watch at each speed; None: three and a half of the longest period.
     `wall_seconds`: real time to watch on the wall clock; None: a little more than four of the longest period.
+    `script`: what the bench says meanwhile. A program that only listens is then seen by its node.
     """
 
     topics: tuple[str, ...]
@@ -52,6 +57,12 @@ class Plan:
     longest_period: float
     robot_seconds: float | None = None
     wall_seconds: float | None = None
+    script: Script = NOTHING_SAID
+
+    @property
+    def node_suffices(self) -> bool:
+        """Whether a node alone is a sign of life: where nothing has to be published before something was said."""
+        return bool(self.script) or not self.topics
 
     @property
     def step_s(self) -> float:
@@ -115,10 +126,12 @@ class Observer:
         check_fields: bool = False,
         limits: dict[str, int] | None = None,
         process: NodeProcess | None = None,
+        driver: Path | None = None,
     ) -> "Watch":
         """Start `program` and return the running watch; use it as a context manager.
 
         `parameters`: ROS parameters for its nodes, by name. `process`: the program, if it runs on this domain already.
+        `driver`: a program that imports `program` as the module `answer` and is run in its place.
         """
         return Watch(
             self,
@@ -129,6 +142,7 @@ class Observer:
             check_fields=check_fields,
             limits=limits,
             process=process,
+            driver=driver,
         )
 
 
@@ -149,6 +163,7 @@ class Watch:
         check_fields: bool,
         limits: dict[str, int] | None,
         process: NodeProcess | None,
+        driver: Path | None,
     ) -> None:
         self._observer = observer
         self._plan = plan
@@ -170,15 +185,22 @@ class Watch:
         self._clock = SimulatedClock(self._node, plan.step_s) if clock == "simulated" else None
         sim_time = {"use_sim_time": True} if clock == "simulated" else {}
         arguments = ros_arguments({**sim_time, **parameters})
+        self._began = time.monotonic()
+        self._speaker = Speaker(self._node, plan.script, self._robot_time)
         try:
             self._process = process or NodeProcess(
-                program, observer.domain_id, arguments, check_fields=check_fields, limits=limits
+                program,
+                observer.domain_id,
+                arguments,
+                check_fields=check_fields,
+                limits=limits,
+                driver=driver,
             )
         except OSError:
             self._shut()
             raise
         self._rest = Rest(self._process.pid)
-        self._began = self._process.started_at
+        self._began = self._speaker.started_at = self._process.started_at
         self._recorder = Recorder(self._node, self._process.started_at, self._robot_time)
         self._notes: list[str] = []
         self._phases: list[Phase] = []
@@ -204,7 +226,7 @@ class Watch:
                 look_elsewhere += 1.0
             if self._recorder.look() and node_since is None and self._recorder.nodes():
                 node_since = time.monotonic()
-            if self._recorder.any_publisher():
+            if self._recorder.any_publisher() or (self._plan.node_suffices and self._recorder.nodes()):
                 return True
             if not self._process.is_running():
                 return False
@@ -221,7 +243,8 @@ class Watch:
             if self._recorder.look():
                 quiet_since = time.monotonic()
             following = self._clock is None or self._clock.followers() > 0
-            if following and all(self._recorder.matched(topic) for topic in self._plan.topics):
+            matched = self._plan.topics and all(map(self._recorder.matched, self._plan.topics))
+            if following and matched and self._speaker.ready():
                 return
             if time.monotonic() - quiet_since > SETTLE_S and following:
                 return
@@ -245,6 +268,7 @@ class Watch:
                 self._rest.wait()
                 self._recorder.take()
                 self._clock.advance()
+                self._speaker.play(self._clock.now)
                 if time.monotonic() > next_look:
                     self._recorder.look()
                     next_look = time.monotonic() + LOOK_EVERY_S
@@ -262,10 +286,12 @@ class Watch:
         end = time.monotonic() + seconds
         next_look = 0.0
         while (left := end - time.monotonic()) > 0 and self._process.is_running():
-            self._pause(min(POLL_S, left))
+            self._pause(min(TALK_POLL_S if self._plan.script else POLL_S, left))
+            self._speaker.play(self._robot_time(time.monotonic()))
             self._recorder.take()
             if time.monotonic() > next_look:
                 self._recorder.look()
+                self._process.note_processor_time()
                 next_look = time.monotonic() + LOOK_EVERY_S
         self._recorder.take()
 
@@ -349,6 +375,8 @@ class Watch:
         end = self._clock.now if self._clock is not None else self._robot_time(time.monotonic())
         if self._matched_wall is None:
             end = 0.0
+        if self._process.is_running():
+            self._recorder.look_at_services()
         return Recording(
             clock=self._clock_kind,
             domain_id=self._observer.domain_id,
@@ -361,12 +389,27 @@ class Watch:
             follows_clock=self._follows,
             step_s=self._plan.step_s if self._clock is not None else None,
             notes=tuple(self._notes),
+            said=self._speaker.said(),
+            calls=self._speaker.calls(),
+            services=self._recorder.services(),
         )
 
-    def finish(self, recording: Recording, patience_s: float = PATIENCE_S) -> Recording:
-        """End the program with SIGINT and return `recording` with how it ended; after `patience_s` it is killed."""
+    def finish(
+        self, recording: Recording, patience_s: float = PATIENCE_S, *, look_who_stays: bool = False
+    ) -> Recording:
+        """End the program with SIGINT and return `recording` with how it ended; after `patience_s` it is killed.
+
+        With `look_who_stays` the graph is watched afterwards: a program that ends well takes its nodes along.
+        """
         self._end_process(patience_s)
-        return replace(recording, process=self._process.record())
+        if not look_who_stays:
+            return replace(recording, process=self._process.record())
+        if self._context.ok():
+            self._recorder.look_who_stays(GONE_S)
+            nodes = self._recorder.nodes()
+        else:
+            nodes = tuple(replace(node, stayed=True) for node in recording.nodes)
+        return replace(recording, process=self._process.record(), nodes=nodes)
 
     def _end_process(self, patience_s: float = PATIENCE_S) -> None:
         self._rest.close()

@@ -1,4 +1,4 @@
-"""Message classes by name."""
+"""Message and service classes by name."""
 
 import importlib
 from typing import Any
@@ -9,10 +9,20 @@ def message_class(type_name: str) -> Any:
 
     Raises ValueError for a name of another form, LookupError when the type is not installed.
     """
+    return _interface(type_name, "msg", "a message type; one looks like std_msgs/msg/String")
+
+
+def service_class(type_name: str) -> Any:
+    """The class of a service type such as "std_srvs/srv/Trigger". Raises as `message_class` does."""
+    return _interface(type_name, "srv", "a service type; one looks like std_srvs/srv/Trigger")
+
+
+def _interface(type_name: str, kind: str, what: str) -> Any:
     parts = type_name.split("/")
-    if len(parts) != 3 or not all(part.isidentifier() for part in parts) or parts[1] != "msg":
-        raise ValueError(f"{type_name!r} is not a message type; one looks like std_msgs/msg/String")
+    if len(parts) != 3 or not all(part.isidentifier() for part in parts) or parts[1] != kind:
+        raise ValueError(f"{type_name!r} is not {what}")
     try:
-        return getattr(importlib.import_module(f"{parts[0]}.msg"), parts[2])
+        return getattr(importlib.import_module(f"{parts[0]}.{kind}"), parts[2])
     except (ImportError, AttributeError):
-        raise LookupError(f"the message type {type_name} is not installed here") from None
+        words = {"msg": "message", "srv": "service"}[kind]
+        raise LookupError(f"the {words} type {type_name} is not installed here") from None

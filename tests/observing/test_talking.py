@@ -1,0 +1,253 @@
+"""The bench speaks to a program: messages, services offered, services called, functions, and what stays behind."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from std_msgs.msg import Float32, String
+from std_srvs.srv import SetBool, Trigger
+
+from workbook.observing.recording import Clock, Recording
+from workbook.observing.script import BEFORE_START, Part, Script, calls, says, serves
+from workbook.observing.watch import Observer, Plan
+
+HEAD = """
+import rclpy
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile
+from std_msgs.msg import Float32, String
+from std_srvs.srv import SetBool, Trigger
+"""
+SPIN = """
+rclpy.init()
+try:
+    rclpy.spin(Robot())
+except KeyboardInterrupt:
+    pass
+rclpy.try_shutdown()
+"""
+ECHO = (
+    HEAD
+    + """
+class Robot(Node):
+    def __init__(self):
+        super().__init__("robot")
+        self.echo = self.create_publisher(Float32, "/robot/echo", 100)
+        self.create_subscription(Float32, "/robot/level", self.echo.publish, 100)
+"""
+    + SPIN
+)
+LEVELS = tuple(float(number) for number in range(20))
+
+
+@pytest.fixture(scope="module")
+def observer() -> Iterator[Observer]:
+    with Observer() as one:
+        yield one
+
+
+def watch(
+    observer: Observer,
+    folder: Path,
+    code: str,
+    *parts: Part,
+    topics: tuple[str, ...] = (),
+    clock: Clock = "wall",
+    seconds: float = 1.5,
+    driver: str | None = None,
+) -> Recording:
+    program = folder / "program.py"
+    program.write_text(code)
+    plan = Plan(topics, 0.1, 1.0, robot_seconds=seconds / 2, wall_seconds=seconds, script=Script(parts))
+    file = None
+    if driver is not None:
+        file = folder / "driver.py"
+        file.write_text(driver)
+    with observer.watch(program, plan, clock, driver=file) as one:
+        return one.finish(one.observe(), 4.0, look_who_stays=True)
+
+
+@pytest.mark.parametrize("clock", ["wall", "simulated"])
+def test_what_is_said_comes_back_in_order(observer: Observer, tmp_path: Path, clock: Clock) -> None:
+    lines = [(0.05 * number, level) for number, level in enumerate(LEVELS)]
+    recording = watch(
+        observer, tmp_path, ECHO, says("/robot/level", Float32, lines), topics=("/robot/echo",), clock=clock
+    )
+    assert [one.value["data"] for one in recording.said] == list(LEVELS)
+    assert [one.value["data"] for one in recording.topic("/robot/echo").arrivals] == list(LEVELS)
+    assert [round(one.t, 2) for one in recording.said[:3]] == pytest.approx([0.0, 0.05, 0.1], abs=0.1)
+
+
+LATE = (
+    HEAD
+    + """
+class Robot(Node):
+    def __init__(self):
+        super().__init__("dashboard")
+        self.shown = self.create_publisher(String, "/dashboard/line", 10)
+        self.last = "nothing"
+        keep = QoSProfile(depth=1, durability=DurabilityPolicy.%s)
+        self.create_subscription(String, "/robot/status", self.hear, keep)
+        self.create_timer(0.1, lambda: self.shown.publish(String(data=self.last)))
+
+    def hear(self, message):
+        self.last = message.data
+"""
+    + SPIN
+)
+
+
+@pytest.mark.parametrize(("durability", "shown"), [("TRANSIENT_LOCAL", "standing"), ("VOLATILE", "nothing")])
+def test_what_was_said_before_the_start_reaches_those_who_ask_for_it(
+    observer: Observer, tmp_path: Path, durability: str, shown: str
+) -> None:
+    status = says("/robot/status", String, [(BEFORE_START, "standing")], qos="latched")
+    recording = watch(observer, tmp_path, LATE % durability, status, topics=("/dashboard/line",), seconds=0.6)
+    lines = {one.value["data"] for one in recording.topic("/dashboard/line").arrivals}
+    assert lines == {shown}
+    assert recording.said[0].t == BEFORE_START
+
+
+CLIENT = (
+    HEAD
+    + """
+class Robot(Node):
+    def __init__(self):
+        super().__init__("robot")
+        self.heard = self.create_publisher(String, "/robot/heard", 10)
+        self.self_test = self.create_client(Trigger, "/robot/self_test")
+        self.create_timer(0.2, self.ask)
+
+    def ask(self):
+        future = self.self_test.call_async(Trigger.Request())
+        future.add_done_callback(lambda done: self.heard.publish(String(data=done.result().message)))
+"""
+    + SPIN
+)
+
+
+def test_a_service_is_offered_late_and_never(observer: Observer, tmp_path: Path) -> None:
+    replies = [({"success": True, "message": "fine"}, 0.0), ({"message": "slow"}, 0.3), ({}, None)]
+    recording = watch(observer, tmp_path, CLIENT, serves("/robot/self_test", Trigger, replies))
+    taken = [
+        None if call.answered_wall is None else call.answered_wall - call.wall for call in recording.calls
+    ]
+    assert len(taken) >= 3
+    assert taken[0] is not None and taken[1] is not None
+    assert taken[1] - taken[0] > 0.2
+    assert set(taken[2:]) == {None}
+    heard = {one.value["data"] for one in recording.topic("/robot/heard").arrivals}
+    assert "slow" in heard
+    assert recording.calls[0].by == "program"
+    assert recording.calls[0].response == {"success": True, "message": "fine"}
+
+
+SERVER = (
+    HEAD
+    + """
+class Robot(Node):
+    def __init__(self):
+        super().__init__("robot")
+        self.create_service(SetBool, "/robot/power", self.switch)
+
+    def switch(self, request, response):
+        response.message = "on" if request.data else "off"
+        return response
+"""
+    + SPIN
+)
+
+
+def test_a_service_of_the_program_is_called(observer: Observer, tmp_path: Path) -> None:
+    script = calls("/robot/power", SetBool, [(0.1, {"data": True}), (0.2, {"data": False})])
+    recording = watch(observer, tmp_path, SERVER, script, seconds=0.8)
+    assert [call.response["message"] for call in recording.calls if call.response] == ["on", "off"]
+    assert [(one.name, one.type) for one in recording.services] == [("/robot/power", "std_srvs/srv/SetBool")]
+
+
+FUNCTION = """
+def double(level):
+    return 2.0 * level
+"""
+DRIVER = (
+    HEAD
+    + """
+import answer
+rclpy.init()
+node = Node("driver")
+results = node.create_publisher(Float32, "/driver/result", 100)
+node.create_subscription(Float32, "/driver/level", lambda m: results.publish(Float32(data=answer.double(m.data))), 100)
+try:
+    rclpy.spin(node)
+except KeyboardInterrupt:
+    pass
+rclpy.try_shutdown()
+"""
+)
+
+
+def test_a_driver_calls_a_function_in_the_process_of_the_answer(observer: Observer, tmp_path: Path) -> None:
+    lines = [(0.1, 1.5), (0.2, 4.0)]
+    recording = watch(
+        observer,
+        tmp_path,
+        FUNCTION,
+        says("/driver/level", Float32, lines),
+        topics=("/driver/result",),
+        seconds=0.6,
+        driver=DRIVER,
+    )
+    assert [one.value["data"] for one in recording.topic("/driver/result").arrivals] == [3.0, 8.0]
+
+
+def test_an_error_in_the_answer_is_told_although_a_driver_imports_it(
+    observer: Observer, tmp_path: Path
+) -> None:
+    recording = watch(observer, tmp_path, "level = 1 / 0\n", topics=("/driver/result",), driver=DRIVER)
+    assert recording.process.ended_by == "itself"
+    assert "ZeroDivisionError" in recording.process.log
+    assert 'program.py", line 1' in recording.process.log
+
+
+TWINS = (
+    HEAD
+    + """
+import os, signal
+rclpy.init()
+nodes = [Node("arm"), Node("arm"), Node("head", namespace="/robot")]
+%s
+try:
+    while True:
+        rclpy.spin_once(nodes[2], timeout_sec=0.1)
+except KeyboardInterrupt:
+    pass
+rclpy.try_shutdown()
+"""
+)
+
+
+def test_twins_are_counted_and_a_clean_end_leaves_no_node(observer: Observer, tmp_path: Path) -> None:
+    recording = watch(observer, tmp_path, TWINS % "", seconds=0.5)
+    assert {node.name: node.most for node in recording.nodes} == {"/arm": 2, "/robot/head": 1}
+    assert {node.stayed for node in recording.nodes} == {False}
+    assert recording.process.exit == 0
+
+
+def test_a_program_that_cuts_itself_off_leaves_a_ghost(observer: Observer, tmp_path: Path) -> None:
+    cut_off = "signal.signal(signal.SIGINT, lambda *_: os._exit(0))"
+    recording = watch(observer, tmp_path, TWINS % cut_off, seconds=0.5)
+    assert {node.stayed for node in recording.nodes} == {True}
+    assert recording.process.exit == 0
+    observer.move()
+
+
+def test_processor_time_is_sampled_and_everything_survives_storage(
+    observer: Observer, tmp_path: Path
+) -> None:
+    lines = [(0.1, 1.0)]
+    recording = watch(observer, tmp_path, ECHO, says("/robot/level", Float32, lines), topics=("/robot/echo",))
+    samples = recording.process.processor
+    assert len(samples) >= 5
+    assert all(a[0] < b[0] and a[1] <= b[1] for a, b in zip(samples, samples[1:], strict=False))
+    recording.save(tmp_path / "recording.json")
+    assert Recording.load(tmp_path / "recording.json") == recording
