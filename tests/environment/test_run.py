@@ -54,7 +54,7 @@ def test_pytest_is_the_last_step_and_every_group_can_be_chosen(proof: ModuleType
     assert plan[-1].name == "pytest"
     assert {step.group for step in proof.chosen(plan, "lint")} == {"style", "types"}
     assert proof.chosen(plan, None) == plan
-    for group in ("style", "types", "notebooks", "compare", "pytest"):
+    for group in ("style", "types", "notebooks", "pytest"):
         assert proof.chosen(plan, group)
 
 
