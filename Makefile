@@ -16,7 +16,7 @@ BOOTSTRAP = "$(PYTHON)" -I workbook/lab/bootstrap.py $(CHOSEN)
 HAVE_PYTHON = command -v "$(PYTHON)" >/dev/null || { \
 	echo "make: $(PYTHON) was not found. Python 3.11 to 3.14 is needed; see 'A suitable Python' in environment.md." >&2; exit 1; }
 
-.PHONY: help env lab test bench notebooks notebooks-check lint lock clean
+.PHONY: help env lab progress test bench notebooks notebooks-check lint lock clean
 
 help:  ## list the commands
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | while IFS="$$(printf '\t')" read -r name what; do \
@@ -28,6 +28,9 @@ env:  ## create the environment in .venv, or bring it up to date (EXTRAS=ai adds
 
 lab: env  ## open the lessons in JupyterLab, creating the environment first (ARGS='--port=8899' goes to JupyterLab)
 	@$(VENV)/workbook lab $(ARGS)
+
+progress: env  ## show what you have read, predicted and solved so far
+	@$(VENV)/workbook progress
 
 test:  ## prove everything: what CI runs (ARGS='--only pytest' for a part)
 	@$(HAVE_PYTHON)

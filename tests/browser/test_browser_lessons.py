@@ -35,6 +35,12 @@ def unexpected_errors(notebook: dict[str, list[dict[str, object]]]) -> list[str]
     return found
 
 
+def load_cells(lab: StudentLab, stem: str) -> list[str]:
+    kept = json.loads((lab.work / "answers" / ".progress.json").read_text(encoding="utf-8"))
+    cells: list[str] = kept[stem]["cells"]
+    return cells
+
+
 def test_the_first_start_shows_the_first_lesson_and_asks_nothing(
     page: LabPage, lab: StudentLab, artifacts: Path
 ) -> None:
@@ -49,7 +55,7 @@ def test_the_first_start_shows_the_first_lesson_and_asks_nothing(
 
 
 @pytest.mark.parametrize("stem", LESSONS)
-def test_a_lesson_runs_from_top_to_bottom(stem: str, page: LabPage, artifacts: Path) -> None:
+def test_a_lesson_runs_from_top_to_bottom(stem: str, page: LabPage, lab: StudentLab, artifacts: Path) -> None:
     path = f"notebooks/{stem}.ipynb"
     page.open(path)
     page.run_all(path)
@@ -61,6 +67,8 @@ def test_a_lesson_runs_from_top_to_bottom(stem: str, page: LabPage, artifacts: P
         if cell["cell_type"] == "code" and "".join(cell["source"]).strip() and cell["execution_count"] is None
     ]
     assert not unrun, "cells that did not run"
+    code = {cell["id"] for cell in notebook["cells"] if cell["cell_type"] == "code"}
+    assert set(load_cells(lab, stem)) == code, "what %progress knows of this lesson"
     for number, picture in enumerate(page.panel.locator(".jp-OutputArea img").all()):
         assert picture.evaluate("image => image.complete && image.naturalWidth > 0"), (
             f"picture {number} is broken"

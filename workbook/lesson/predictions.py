@@ -1,5 +1,7 @@
 """Predictions: say what will happen before you run it, and see afterwards whether it did."""
 
+from workbook.magics.following import note_prediction
+
 _predictions: dict[str, str] = {}
 _latest = ""
 
@@ -14,6 +16,7 @@ def predict(choice: str, about: str = "this run") -> None:
         print(f"No prediction for {about} yet. Put your choice between the quotes: predict('b')")
         return
     _predictions[about] = text
+    note_prediction(about, text)
     print(f"Noted for {about}: {text}")
 
 

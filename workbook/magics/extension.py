@@ -1,4 +1,4 @@
-"""The magics of an exercise: %%answer, %start, %stop, %check, %hint, %solution, %reset."""
+"""The magics of an exercise: %%answer, %start, %stop, %check, %hint, %solution, %reset, %progress."""
 
 import os
 import threading
@@ -16,6 +16,7 @@ from workbook.exercise.source import STEM, SourceError, UnknownExercise
 from workbook.feedback import wording
 from workbook.magics import checking
 from workbook.magics.answers import answer_file, answers_folder, restore_starter, save_answer
+from workbook.magics.overview import overview
 from workbook.magics.progress import TRIES_BEFORE_SOLUTION, load_progress, save_progress
 from workbook.magics.running import Running, node_names, wait_for_nodes
 
@@ -266,6 +267,11 @@ class ExerciseMagics(Magics):
             )
         source = exercise.source
         display(Markdown(f"```python\n{source.solution_code.rstrip()}\n```\n\n{source.alternatives}"))
+
+    @line_magic
+    def progress(self, line: str) -> None:
+        """What you have read, predicted and solved so far."""
+        self._tell(lambda: display(overview()))
 
     # --- shared -----------------------------------------------------------------------------------------------
 

@@ -1,8 +1,12 @@
-"""What a student has done so far, in a small file of their work folder: tries, hints seen, solved."""
+"""What a student has done so far, in a small file of their work folder: cells run, predictions, tries, points."""
 
+import fcntl
 import json
-from dataclasses import asdict, dataclass
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
+from typing import Any
 
 from workbook.magics.answers import answers_folder
 
@@ -10,41 +14,93 @@ TRIES_BEFORE_SOLUTION = 5
 
 
 @dataclass
-class ExerciseProgress:
-    """One exercise: judged tries, hints shown, and whether it ever got full marks."""
+class Progress:
+    """One lesson and its exercise. `cells`: ids of the lesson's code cells that were run. `predictions`: by experiment.
+
+    The rest is the exercise: judged tries, hints shown, whether it ever got full marks, and the most points.
+    """
 
     tries: int = 0
     hints: int = 0
     solved: bool = False
     best: float = 0.0
+    cells: list[str] = field(default_factory=list)
+    predictions: dict[str, str] = field(default_factory=dict)
 
     @property
     def may_see_solution(self) -> bool:
         return self.solved or self.tries >= TRIES_BEFORE_SOLUTION
 
 
-def _file() -> Path:
-    return answers_folder() / ".progress.json"
+_KNOWN = {
+    one.name: type(one.default_factory() if callable(one.default_factory) else one.default)
+    for one in fields(Progress)
+}
 
 
-def load_progress(stem: str) -> ExerciseProgress:
-    try:
-        data = json.loads(_file().read_text())[stem]
-        return ExerciseProgress(**data)
-    except (OSError, ValueError, KeyError, TypeError):
-        return ExerciseProgress()
+def progress_file(folder: Path | None = None) -> Path:
+    return (folder or answers_folder()) / ".progress.json"
 
 
-def save_progress(stem: str, progress: ExerciseProgress) -> None:
-    path = _file()
+def all_progress(folder: Path | None = None) -> dict[str, Progress]:
+    """Everything that is kept in a folder of answers, by stem. What is damaged counts as nothing done."""
+    return {stem: _read(entry) for stem, entry in _stored(folder).items()}
+
+
+def load_progress(stem: str) -> Progress:
+    return _read(_stored().get(stem))
+
+
+def save_progress(stem: str, progress: Progress) -> None:
+    with _locked():
+        _write(stem, progress)
+
+
+@contextmanager
+def changed_progress(stem: str) -> Iterator[Progress]:
+    """Change what is kept of a lesson; two notebooks may do so at once."""
+    with _locked():
+        progress = load_progress(stem)
+        before = asdict(progress)
+        yield progress
+        if asdict(progress) != before:
+            _write(stem, progress)
+
+
+@contextmanager
+def _locked() -> Iterator[None]:
+    path = progress_file()
     path.parent.mkdir(parents=True, exist_ok=True)
+    with path.with_name(".progress.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def _stored(folder: Path | None = None) -> dict[str, Any]:
     try:
-        data = json.loads(path.read_text())
+        data = json.loads(progress_file(folder).read_text(encoding="utf-8"))
     except (OSError, ValueError):
-        data = {}
-    if not isinstance(data, dict):
-        data = {}
-    data[stem] = asdict(progress)
+        return {}
+    return data if isinstance(data, dict) else {}
+
+
+def _read(entry: object) -> Progress:
+    """Keep what a version before or after this one wrote, as far as it is known here."""
+    if not isinstance(entry, dict):
+        return Progress()
+    known = {
+        name: entry[name]
+        for name, kind in _KNOWN.items()
+        if isinstance(entry.get(name), (int, float) if kind is float else kind)
+    }
+    return Progress(**known)
+
+
+def _write(stem: str, progress: Progress) -> None:
+    data = _stored()
+    entry = data.get(stem)
+    data[stem] = {**(entry if isinstance(entry, dict) else {}), **asdict(progress)}
+    path = progress_file()
     partial = path.with_suffix(".part")
-    partial.write_text(json.dumps(data, indent=1, sort_keys=True))
+    partial.write_text(json.dumps(data, indent=1, sort_keys=True, ensure_ascii=False), encoding="utf-8")
     partial.replace(path)
