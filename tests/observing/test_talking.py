@@ -140,6 +140,10 @@ def test_a_service_is_offered_late_and_never(observer: Observer, tmp_path: Path)
     assert "slow" in heard
     assert recording.calls[0].by == "program"
     assert recording.calls[0].response == {"success": True, "message": "fine"}
+    assert [(one.name, one.type) for one in recording.clients] == [
+        ("/robot/self_test", "std_srvs/srv/Trigger")
+    ]
+    assert recording.services == ()
 
 
 SERVER = (

@@ -5,6 +5,7 @@ from workbook.criteria.verdict import Verdict, all_of, failed, partial, passed
 from workbook.criteria.words_of_nodes import nodes_gone_at_end, on_the_graph
 from workbook.criteria.words_of_programs import alive_at_end, exits_cleanly, program_runs
 from workbook.criteria.words_of_rates import counts, keeps_period, rate, topic_pace
+from workbook.criteria.words_of_services import calls_service
 from workbook.criteria.words_of_talk import (
     answered_calls,
     calls_of,
@@ -39,6 +40,7 @@ __all__ = [
     "answered_calls",
     "calls",
     "calls_of",
+    "calls_service",
     "counts",
     "criterion",
     "exits_cleanly",

@@ -74,7 +74,8 @@ class Recorder:
         self._own = {node.get_fully_qualified_name(), *ignore}
         self._topics: dict[str, _Watched] = {}
         self._nodes: dict[str, NodeSeen] = {}
-        self._services: dict[str, ServiceSeen] = {}
+        self._services: dict[tuple[str, str], ServiceSeen] = {}
+        self._clients: dict[tuple[str, str], ServiceSeen] = {}
 
     def _robot_now(self) -> float:
         return self._robot_time(time.monotonic())
@@ -105,16 +106,16 @@ class Recorder:
         return Counter(name for name in full if name not in self._own)
 
     def look_at_services(self) -> None:
-        """Take in the services that the nodes of others offer now, those of every node's parameters left out."""
+        """Take in the services that others offer or call now, those of every node's parameters left out."""
         for full in self._present():
             namespace, _, name = full.rpartition("/")
             try:
                 offered = self._node.get_service_names_and_types_by_node(name, namespace or "/")
+                called = self._node.get_client_names_and_types_by_node(name, namespace or "/")
             except NodeNameNonExistentError:  # it has gone in this moment
                 continue
-            for service, types in offered:
-                if types and not types[0].startswith(PARAMETER_SERVICES):
-                    self._services[service] = ServiceSeen(service, types[0])
+            self._services |= _own_services(offered)
+            self._clients |= _own_services(called)
 
     def look_who_stays(self, patience_s: float) -> None:
         """After the program has ended: note which of its nodes are still on the graph when `patience_s` is over."""
@@ -247,7 +248,10 @@ class Recorder:
         return tuple(self._nodes[name] for name in sorted(self._nodes))
 
     def services(self) -> tuple[ServiceSeen, ...]:
-        return tuple(self._services[name] for name in sorted(self._services))
+        return tuple(self._services[key] for key in sorted(self._services))
+
+    def clients(self) -> tuple[ServiceSeen, ...]:
+        return tuple(self._clients[key] for key in sorted(self._clients))
 
     def start_windows(self, t: float) -> None:
         """Begin the watch at robot time `t`: what was matched or seen before counts from then.
@@ -264,6 +268,16 @@ class Recorder:
     def topics(self, end: float) -> dict[str, TopicRecording]:
         """What was recorded, with every window closed at robot time `end`."""
         return {name: _finish(watched, end) for name, watched in sorted(self._topics.items())}
+
+
+def _own_services(found: list[tuple[str, list[str]]]) -> dict[tuple[str, str], ServiceSeen]:
+    """Services by name and type, without those that every node has."""
+    return {
+        (service, kind): ServiceSeen(service, kind)
+        for service, types in found
+        for kind in types
+        if not kind.startswith(PARAMETER_SERVICES)
+    }
 
 
 def _finish(watched: _Watched, end: float) -> TopicRecording:

@@ -108,7 +108,7 @@ class CallSeen:
 
 @dataclass(frozen=True)
 class ServiceSeen:
-    """A service that the program offers, by its full name and type."""
+    """A service that the program offers, or has a client for, by its full name and type."""
 
     name: str
     type: str
@@ -163,6 +163,7 @@ class Recording:
     said: tuple[Said, ...] = ()
     calls: tuple[CallSeen, ...] = ()
     services: tuple[ServiceSeen, ...] = ()
+    clients: tuple[ServiceSeen, ...] = ()
 
     def topic(self, name: str) -> TopicRecording:
         """The recording of a topic; an empty one if nothing of that name was seen."""
@@ -264,4 +265,5 @@ def _recording(data: Mapping[str, Any]) -> Recording:
             for item in data.get("calls", ())
         ),
         services=tuple(ServiceSeen(**item) for item in data.get("services", ())),
+        clients=tuple(ServiceSeen(**item) for item in data.get("clients", ())),
     )

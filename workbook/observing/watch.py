@@ -392,6 +392,7 @@ class Watch:
             said=self._speaker.said(),
             calls=self._speaker.calls(),
             services=self._recorder.services(),
+            clients=self._recorder.clients(),
         )
 
     def finish(
