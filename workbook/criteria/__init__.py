@@ -26,11 +26,12 @@ from workbook.criteria.words_of_values import (
     varies,
     within,
 )
-from workbook.observing.recording import Recording
+from workbook.observing.recording import CallSeen, Recording
 from workbook.observing.script import BEFORE_START, calls, says, serves
 
 __all__ = [
     "BEFORE_START",
+    "CallSeen",
     "Criterion",
     "Recording",
     "Topic",
