@@ -4,6 +4,7 @@ from workbook.criteria.criterion import Criterion, Topic, criterion, topic, watc
 from workbook.criteria.verdict import Verdict, all_of, failed, partial, passed
 from workbook.criteria.words_of_nodes import nodes_gone_at_end, on_the_graph
 from workbook.criteria.words_of_programs import alive_at_end, exits_cleanly, program_runs
+from workbook.criteria.words_of_qos import hears, kept_for_latecomers
 from workbook.criteria.words_of_rates import counts, keeps_period, rate, topic_pace
 from workbook.criteria.words_of_services import calls_service
 from workbook.criteria.words_of_talk import (
@@ -16,6 +17,7 @@ from workbook.criteria.words_of_talk import (
     said,
 )
 from workbook.criteria.words_of_topics import no_message, publishes
+from workbook.criteria.words_of_types import Probe, findings, mypy_accepts, mypy_clean, mypy_objects, probe
 from workbook.criteria.words_of_values import (
     finite,
     length,
@@ -33,6 +35,7 @@ __all__ = [
     "BEFORE_START",
     "CallSeen",
     "Criterion",
+    "Probe",
     "Recording",
     "Topic",
     "Verdict",
@@ -46,11 +49,17 @@ __all__ = [
     "criterion",
     "exits_cleanly",
     "failed",
+    "findings",
     "finite",
+    "hears",
     "keeps_period",
+    "kept_for_latecomers",
     "latencies",
     "length",
     "listens",
+    "mypy_accepts",
+    "mypy_clean",
+    "mypy_objects",
     "never_rises",
     "no_message",
     "nodes_gone_at_end",
@@ -59,6 +68,7 @@ __all__ = [
     "one_of",
     "partial",
     "passed",
+    "probe",
     "processor_share",
     "program_runs",
     "publishes",

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from rclpy.duration import Infinite
 from rclpy.node import Node, NodeNameNonExistentError
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message
@@ -50,6 +51,12 @@ def _full_name(namespace: str, name: str) -> str:
 
 def _gid(info: Any) -> bytes:
     return bytes(info.endpoint_gid)
+
+
+def _deadline(info: Any) -> float | None:
+    """The deadline of an endpoint (s); None if it has none."""
+    deadline = info.qos_profile.deadline
+    return None if deadline.nanoseconds >= Infinite.nanoseconds else deadline.nanoseconds / 1e9
 
 
 class Recorder:
@@ -158,17 +165,11 @@ class Recorder:
                     reliability=info.qos_profile.reliability.name.lower(),
                     durability=info.qos_profile.durability.name.lower(),
                     first_seen=now if known is None else known.first_seen,
+                    deadline=_deadline(info),
                 )
         for gid, publisher in watched.publishers.items():
             if gid not in present and publisher.last_seen is None:
-                watched.publishers[gid] = PublisherSeen(
-                    publisher.node,
-                    publisher.type,
-                    publisher.reliability,
-                    publisher.durability,
-                    publisher.first_seen,
-                    now,
-                )
+                watched.publishers[gid] = replace(publisher, last_seen=now)
         return new
 
     def _update_subscribers(self, watched: _Watched) -> None:
@@ -180,6 +181,7 @@ class Recorder:
                     type=info.topic_type,
                     reliability=info.qos_profile.reliability.name.lower(),
                     durability=info.qos_profile.durability.name.lower(),
+                    deadline=_deadline(info),
                 )
 
     def _subscribe(self, watched: _Watched) -> None:

@@ -28,7 +28,7 @@ class Arrival:
 
 @dataclass(frozen=True)
 class PublisherSeen:
-    """A publisher on the graph: full node name, message type and the QoS that it offers."""
+    """A publisher on the graph: full node name, message type and the QoS that it offers (`deadline` in s)."""
 
     node: str
     type: str
@@ -36,16 +36,18 @@ class PublisherSeen:
     durability: str
     first_seen: float
     last_seen: float | None = None
+    deadline: float | None = None
 
 
 @dataclass(frozen=True)
 class SubscriberSeen:
-    """A subscription on the graph: full node name, message type and the QoS that it requests."""
+    """A subscription on the graph: full node name, message type and the QoS that it requests (`deadline` in s)."""
 
     node: str
     type: str
     reliability: str
     durability: str
+    deadline: float | None = None
 
 
 @dataclass(frozen=True)

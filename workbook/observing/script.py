@@ -24,13 +24,17 @@ class Line:
 
 @dataclass(frozen=True)
 class Says:
-    """Messages that the bench publishes on a topic. "latched": reliable, and the last one is kept for late joiners."""
+    """Messages that the bench publishes on a topic. "latched": reliable, and the last one is kept for late joiners.
+
+    `deadline`: the longest time (s) from one message to the next that the publisher offers; None offers none.
+    """
 
     topic: str
     type: str
     lines: tuple[Line, ...]
     qos: Qos = "reliable"
     depth: int = 100
+    deadline: float | None = None
 
 
 @dataclass(frozen=True)
@@ -87,9 +91,16 @@ def says(
     lines: Sequence[tuple[float, Any]],
     qos: Qos = "reliable",
     depth: int = 100,
+    deadline: float | None = None,
 ) -> Says:
-    """Messages for `topic` as pairs of a time (s) and a value: the fields, or only that of `data`."""
-    return Says(topic, type_name(message_class), _lines(lines), qos, depth)
+    """Messages for `topic` as pairs of a time (s) and a value: the fields, or only that of `data`.
+
+    A subscription that requests a deadline is matched only where one as short is offered: offer it with `deadline`
+    (s). Raises ValueError for a deadline that is not above zero.
+    """
+    if deadline is not None and not deadline > 0.0:
+        raise ValueError(f"a deadline is above zero, not {deadline}")
+    return Says(topic, type_name(message_class), _lines(lines), qos, depth, deadline)
 
 
 def serves(

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
+from rclpy.duration import Duration
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 
@@ -27,7 +28,9 @@ def fill(message: Any, value: Mapping[str, Any]) -> Any:
 def _qos(part: Says) -> QoSProfile:
     best_effort = part.qos == "best_effort"
     latched = part.qos == "latched"
+    deadline = {} if part.deadline is None else {"deadline": Duration(seconds=part.deadline)}
     return QoSProfile(
+        **deadline,
         history=HistoryPolicy.KEEP_LAST,
         depth=1 if latched else part.depth,
         reliability=ReliabilityPolicy.BEST_EFFORT if best_effort else ReliabilityPolicy.RELIABLE,
