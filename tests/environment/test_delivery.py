@@ -150,3 +150,14 @@ def test_an_exercise_has_several_names(course: Path, name: str) -> None:
 def test_an_unknown_exercise_lists_those_there_are(course: Path) -> None:
     with pytest.raises(delivery.NoSuchExercise, match="09_joint_positions"):
         delivery.find_exercise(course, "walking")
+
+
+def test_pages_to_read_are_always_the_newest(course: Path, work: Path) -> None:
+    page = course / "notebooks" / "error_museum.md"
+    page.write_text("old\n")
+    deliver(course, work)
+    assert (work / "notebooks" / "error_museum.md").read_text() == "old\n"
+    page.write_text("new\n")
+    deliver(course, work)
+    assert (work / "notebooks" / "error_museum.md").read_text() == "new\n"
+    assert delivery.first_lesson(course) == "notebooks/00_start_here.ipynb"

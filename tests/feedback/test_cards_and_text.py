@@ -10,6 +10,7 @@ import pytest
 from workbook.criteria.runner import CriterionResult
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judging import Judgement, judge_recording, judgement_as_provisional
+from workbook.exercise.museum import Exhibit
 from workbook.feedback.card import Card, Extras, as_html
 from workbook.feedback.review import review_prompt
 from workbook.feedback.text import as_text
@@ -325,3 +326,15 @@ def test_the_review_prompt_holds_task_answer_and_what_was_seen() -> None:
     seen: list[CriterionResult] = [one for one in judgement.criteria if not one.hidden]
     assert all(one.saw in prompt for one in seen)
     assert "secret" not in prompt.lower()
+
+
+def test_a_known_error_leads_to_the_museum_and_the_lesson() -> None:
+    exhibit = Exhibit(
+        "01_the_context", (21,), "init <twice>", "must only be called once", "init-twice", "x", "y"
+    )
+    judgement = judged("eleven_values")
+    page = as_html(judgement, Extras(exhibit=exhibit))
+    assert 'href="../notebooks/error_museum.md"' in page
+    assert 'href="../notebooks/01_the_context.ipynb"' in page
+    assert "init &lt;twice&gt;" in page
+    assert "error_museum.md, lesson 01_the_context" in " ".join(as_text(judgement, exhibit=exhibit).split())

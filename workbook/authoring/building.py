@@ -1,5 +1,6 @@
 """Builds notebooks from their texts."""
 
+import time
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -7,8 +8,11 @@ from pathlib import Path
 from workbook.authoring import document
 from workbook.authoring.exercise import read_exercise, solved_notebook, starter_document
 from workbook.authoring.lesson import read_lesson
+from workbook.authoring.pages import note_run_times, write_pages
 from workbook.authoring.running import run
 from workbook.authoring.tree import AuthoringError, Tree
+from workbook.exercise.museum import BrokenMuseum
+from workbook.exercise.source import SourceError
 
 Say = Callable[[str], None]
 
@@ -41,6 +45,12 @@ def build(
     for good, words in map(attempt(build_exercise), exercises):
         failed += not good
         say(words)
+    try:
+        for path in write_pages(tree):
+            say(f"built      {tree.name(path)}")
+    except (BrokenMuseum, SourceError) as error:
+        failed += 1
+        say(f"FAILED  {error}")
     return failed
 
 
@@ -75,7 +85,9 @@ def build_lesson(tree: Tree, stem: str, *, again: bool = False) -> str:
     wanted = document.as_notebook(read_lesson(tree, stem))
     if not again and is_current(target, wanted):
         return f"as it was  {tree.name(target)}"
+    began = time.monotonic()
     run(tree, stem, wanted)
+    note_run_times(tree, {stem: time.monotonic() - began})
     document.write(target, document.to_text(wanted))
     return f"built      {tree.name(target)}"
 

@@ -10,9 +10,11 @@ from workbook.authoring import document, template
 from workbook.authoring.exercise import read_exercise, starter_document
 from workbook.authoring.lesson import read_lesson
 from workbook.authoring.outputs import texts
+from workbook.authoring.pages import PAGES, RUN_TIMES, museum_problems, pages
 from workbook.authoring.tree import AuthoringError, Tree, entries
 from workbook.exercise.definition import Exercise
-from workbook.exercise.source import STEM
+from workbook.exercise.museum import BrokenMuseum, load_museum
+from workbook.exercise.source import STEM, SourceError
 from workbook.feedback.wording import points
 
 IGNORE_OUTPUT = "nbval-ignore-output"
@@ -47,7 +49,22 @@ def check(tree: Tree) -> list[Problem]:
         found += check_lesson(tree, stem)
     for stem in tree.exercise_stems():
         found += check_exercise(tree, stem)
+    found += check_pages(tree)
     return found
+
+
+def check_pages(tree: Tree) -> Iterator[Problem]:
+    """The museum and the pages that are made from the lessons."""
+    try:
+        museum = load_museum(tree.root)
+        yield from (
+            Problem(tree.name(tree.museum / name), words) for name, words in museum_problems(tree, museum)
+        )
+        for path, text in pages(tree).items():
+            if not path.is_file() or path.read_text(encoding="utf-8") != text:
+                yield Problem(tree.name(path), "is not what the lessons say: run `make notebooks`")
+    except (BrokenMuseum, SourceError) as error:
+        yield Problem(tree.name(tree.museum), str(error))
 
 
 def check_lesson(tree: Tree, stem: str) -> Iterator[Problem]:
@@ -106,8 +123,9 @@ def misplaced(tree: Tree) -> Iterator[Problem]:
     """Files that fit nowhere, and notebooks without a text."""
     lessons, exercises = tree.lesson_stems(), tree.exercise_stems()
     rules: list[tuple[Path, str, tuple[str, ...], tuple[str, ...]]] = [
-        (tree.notebooks, ".ipynb", lessons, ("sources",)),
-        (tree.sources, ".py", lessons, ()),
+        (tree.notebooks, ".ipynb", lessons, ("sources", *PAGES)),
+        (tree.sources, ".py", lessons, ("museum", RUN_TIMES)),
+        (tree.museum, ".toml", lessons, ()),
         (tree.exercises, ".ipynb", exercises, ("criteria", "drivers")),
         (tree.drivers, ".py", exercises, ()),
         (tree.criteria, ".py", exercises, ("__init__.py", "conftest.py")),

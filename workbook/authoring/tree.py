@@ -29,6 +29,10 @@ class Tree:
         return self.notebooks / "sources"
 
     @property
+    def museum(self) -> Path:
+        return self.sources / "museum"
+
+    @property
     def exercises(self) -> Path:
         return self.root / "exercises"
 

@@ -95,7 +95,7 @@ def _judge(
         judgement = Judge(observer).judge(
             exercise, answer, thorough=options.as_graded, report=report, started=started
         )
-    print(as_text(judgement, sys.stdout.isatty()))
+    print(as_text(judgement, sys.stdout.isatty(), exhibit=wording.exhibit_of(judgement)))
     if judgement.status != "graded":
         return NOT_JUDGED
     if wording.all_shown_hold(judgement):

@@ -6,6 +6,7 @@ from html import escape
 
 from workbook.criteria.runner import CriterionResult
 from workbook.exercise.judging import Judgement
+from workbook.exercise.museum import Exhibit
 from workbook.feedback import wording
 
 COLORS = {"passed": "#208a3c", "failed": "#dc3b3b", "partial": "#b06a00", "skipped": "#787878"}
@@ -25,6 +26,7 @@ class Extras:
     timeline: bytes | None = None
     timeline_text: str = ""
     hints_left: int = 0
+    exhibit: Exhibit | None = None
 
 
 def _status(result: CriterionResult) -> str:
@@ -112,6 +114,8 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
         parts.append(
             f'<p style="margin:0 0 4px 0"><b>First to mend: {escape(first.title)}</b></p>{_advice(first)}'
         )
+        if extras.exhibit is not None:
+            parts.append(_exhibit(extras.exhibit))
     if extras.timeline is not None:
         data = base64.b64encode(extras.timeline).decode()
         parts.append(
@@ -137,6 +141,16 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
         f'<p style="color:{COLORS["skipped"]};margin:4px 0 0 0"><small>{escape(small)}</small></p></div>'
     )
     return "".join(parts)
+
+
+def _exhibit(exhibit: Exhibit) -> str:
+    """The way to the error museum and to the lesson that shows this live."""
+    lesson = f"../notebooks/{exhibit.lesson}.ipynb"
+    return (
+        f'<p style="margin:0 0 8px 0">Seen before: <code>{escape(exhibit.symptom)}</code> hangs in the '
+        f'<a href="../notebooks/error_museum.md">error museum</a>, and lesson '
+        f'<a href="{lesson}">{exhibit.lesson[:2]}</a> shows it live.</p>'
+    )
 
 
 def _table(judgement: Judgement) -> str:

@@ -4,6 +4,7 @@ import textwrap
 
 from workbook.criteria.runner import CriterionResult
 from workbook.exercise.judging import Judgement
+from workbook.exercise.museum import Exhibit
 from workbook.feedback import wording
 
 WIDTH = 100
@@ -36,12 +37,19 @@ def _criterion(result: CriterionResult, color: bool, in_full: bool) -> list[str]
     return lines
 
 
-def as_text(judgement: Judgement, color: bool = False, log_lines: int = 12) -> str:
-    """The judgement for a terminal: the headline, every criterion, the first one to mend in full."""
+def as_text(
+    judgement: Judgement, color: bool = False, log_lines: int = 12, exhibit: Exhibit | None = None
+) -> str:
+    """The judgement for a terminal: the headline, every criterion, the first one to mend in full.
+
+    `exhibit`: what the error museum has on it.
+    """
     lines = [f"{judgement.stem}: {wording.headline(judgement)}"]
     first = wording.first_to_mend(judgement)
     for result in wording.visible(judgement):
         lines += _criterion(result, color, in_full=result is first)
+        if result is first and exhibit is not None:
+            lines += _block("more", f"{exhibit.symptom} (notebooks/error_museum.md, lesson {exhibit.lesson})")
     for line in (
         wording.provisional_line(judgement),
         wording.hidden_line(judgement),

@@ -1,7 +1,9 @@
 """The words of feedback, the same on a card, in a terminal and on a page."""
 
 from workbook.criteria.runner import CriterionResult
+from workbook.exercise.course import NoCourse, course_folder
 from workbook.exercise.judging import Judgement
+from workbook.exercise.museum import BrokenMuseum, Exhibit, load_museum
 
 SIGNS = {"passed": "✓", "failed": "✗", "partial": "◐", "skipped": "–"}
 WORDS = {"passed": "holds", "failed": "not yet", "partial": "in part", "skipped": "waits"}
@@ -28,6 +30,18 @@ def hidden_count(judgement: Judgement) -> int:
 def first_to_mend(judgement: Judgement) -> CriterionResult | None:
     """The criterion to begin with: the first that does not hold."""
     return next((one for one in visible(judgement) if one.status in ("failed", "partial")), None)
+
+
+def exhibit_of(judgement: Judgement) -> Exhibit | None:
+    """What the error museum has on the first thing to mend; None when there is nothing, or no museum."""
+    first = first_to_mend(judgement)
+    if first is None:
+        return None
+    try:
+        museum = load_museum(course_folder())
+    except (BrokenMuseum, NoCourse, OSError):
+        return None
+    return museum.exhibit_for(f"{first.saw}\n{first.because}")
 
 
 def also_to_mend(judgement: Judgement) -> list[CriterionResult]:

@@ -27,7 +27,10 @@ LAB_SETTINGS = {
         "checkForUpdates": False,
         "doNotDisturbMode": False,
     },
-    "@jupyterlab/docmanager-extension:plugin": {"autosaveInterval": 30},
+    "@jupyterlab/docmanager-extension:plugin": {
+        "autosaveInterval": 30,
+        "defaultViewers": {"markdown": "Markdown Preview"},
+    },
     "@jupyterlab/extensionmanager-extension:plugin": {"enabled": False},
     "@jupyterlab/notebook-extension:tracker": {"windowingMode": "defer"},
 }

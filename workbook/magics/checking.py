@@ -84,5 +84,6 @@ def card_for(exercise: Exercise, answer: Answer, file: Path, judgement: Judgemen
             timeline=timeline,
             timeline_text=timeline_text,
             hints_left=hints_left,
+            exhibit=wording.exhibit_of(judgement),
         ),
     )
