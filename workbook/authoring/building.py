@@ -12,7 +12,6 @@ from workbook.authoring.pages import note_run_times, write_pages
 from workbook.authoring.running import run
 from workbook.authoring.tree import AuthoringError, Tree
 from workbook.exercise.museum import BrokenMuseum
-from workbook.exercise.source import SourceError
 
 Say = Callable[[str], None]
 
@@ -48,7 +47,7 @@ def build(
     try:
         for path in write_pages(tree):
             say(f"built      {tree.name(path)}")
-    except (BrokenMuseum, SourceError) as error:
+    except BrokenMuseum as error:
         failed += 1
         say(f"FAILED  {error}")
     return failed

@@ -14,7 +14,7 @@ from workbook.authoring.pages import PAGES, RUN_TIMES, museum_problems, pages
 from workbook.authoring.tree import AuthoringError, Tree, entries
 from workbook.exercise.definition import Exercise
 from workbook.exercise.museum import BrokenMuseum, load_museum
-from workbook.exercise.source import STEM, SourceError
+from workbook.exercise.source import STEM
 from workbook.feedback.wording import points
 
 IGNORE_OUTPUT = "nbval-ignore-output"
@@ -63,7 +63,7 @@ def check_pages(tree: Tree) -> Iterator[Problem]:
         for path, text in pages(tree).items():
             if not path.is_file() or path.read_text(encoding="utf-8") != text:
                 yield Problem(tree.name(path), "is not what the lessons say: run `make notebooks`")
-    except (BrokenMuseum, SourceError) as error:
+    except BrokenMuseum as error:
         yield Problem(tree.name(tree.museum), str(error))
 
 

@@ -3,11 +3,12 @@
 import json
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 
 from workbook.authoring.tree import Tree
 from workbook.exercise.museum import Exhibit, Museum, load_museum
-from workbook.exercise.source import load
+from workbook.exercise.source import SourceError, load
 
 MUSEUM, GLOSSARY, LIST = "error_museum.md", "glossary.md", "README.md"
 PAGES = (MUSEUM, GLOSSARY, LIST)
@@ -104,7 +105,10 @@ def list_page(tree: Tree) -> str:
         "| lesson | you | cells | exercise |",
         "|---|---:|---:|---|",
     ]
-    exercises = {stem: load(tree.solutions / f"{stem}.py") for stem in tree.exercise_stems()}
+    exercises = {}
+    for stem in tree.exercise_stems():
+        with suppress(SourceError):  # told when the exercise itself is built
+            exercises[stem] = load(tree.solutions / f"{stem}.py")
     for stem in tree.lesson_stems():
         found = _MINUTES.search((tree.sources / f"{stem}.py").read_text(encoding="utf-8"))
         minutes = f"{found[1]} min" if found else ""

@@ -36,6 +36,7 @@ def run(options: argparse.Namespace) -> int:
         print(f"written    {tree.name(path)}")
     try:
         from workbook.authoring.building import build_exercise, build_lesson
+        from workbook.authoring.pages import write_pages
     except ImportError as missing:
         print(
             f"The notebook is not built: {missing}. `make notebooks` installs what authors need and builds it."
@@ -46,6 +47,8 @@ def run(options: argparse.Namespace) -> int:
             print(build_lesson(tree, files[0].stem))
         for stem in tree.exercise_stems():  # their links to lessons may have changed
             print(build_exercise(tree, stem))
+        for page in write_pages(tree):
+            print(f"built      {tree.name(page)}")
     except AuthoringError as problem:
         print(f"workbook new: the notebook could not be built: {problem}", file=sys.stderr)
         return 1
