@@ -90,6 +90,13 @@ Humanoid()
         "TypeError",
         "Make a message of the right class",
     ),
+    in_node("no_message_class", "self.create_publisher(str, '/s', 10)", "AttributeError", "the class itself"),
+    in_node(
+        "other_type",
+        "[self.create_publisher(kind, '/s', 10) for kind in (String, Float32)]",
+        "RCLError",
+        "message type per topic name",
+    ),
     in_node("name_taken", "self.publishers = []", "AttributeError", "joint_pub"),
     in_node(
         "topic_name",

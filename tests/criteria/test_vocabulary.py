@@ -143,8 +143,9 @@ def other(name: str, node: str = "/humanoid", kind: str = ARRAY) -> TopicRecordi
         (other("/robot/joint_angles"), ("/robot/joint_angles", "letter by letter")),
         (other("/robot/jointpositions"), ("/robot/jointpositions", "'/robot/joint_positions'")),
         (other("/temperature", kind=FLOAT), ("nothing on /robot/joint_positions", "publishes /temperature")),
+        (other("/driver/joint_positions"), ("your program publishes nothing",)),
     ],
-    ids=["case", "no namespace", "more namespace", "private", "other word", "near", "none like it"],
+    ids=["case", "no namespace", "more namespace", "private", "other word", "near", "none like it", "driver"],
 )
 def test_publishes_says_what_was_published_instead(seen: TopicRecording, words: tuple[str, ...]) -> None:
     refuses(see.publishes(recorded(seen), JOINTS), *words)

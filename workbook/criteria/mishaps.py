@@ -67,6 +67,17 @@ _KNOWN = (
         "Make a message of the right class, fill its fields, and publish that.",
     ),
     _Known(
+        r"has no attribute '_TYPE_SUPPORT'",
+        "What was given as the message type is no message class. (The words about ROS 1 are a guess, mostly a wrong "
+        "one.)",
+        "Give the class itself, for example Float32 from std_msgs.msg: no Python type, and no name in quotes.",
+    ),
+    _Known(
+        r"existing topic name \S+ with incompatible type",
+        "In this program the topic is there already, with another message type.",
+        "Use one message type per topic name, or give the other one a name of its own.",
+    ),
+    _Known(
         r"property '(\w+)' of '\w+' object has no setter",
         "The attribute name is taken: Node already has a property of that name.",
         "Give your attribute another name, for example joint_pub instead of publishers.",

@@ -8,6 +8,9 @@ from workbook.criteria.phrasing import count, listing, seconds
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.observing.recording import Recording, TopicRecording
 
+OF_THE_DRIVER = "/driver/"
+"""Topics of the program that calls a student's functions. They are not the student's."""
+
 
 def publishes(recording: Recording, topic: Topic) -> Verdict:
     """Somebody publishes `topic` with the right type."""
@@ -35,10 +38,9 @@ def publishes(recording: Recording, topic: Topic) -> Verdict:
 
 
 def _not_published(recording: Recording, topic: Topic, expected: str) -> Verdict:
-    names = [other.name for other in recording.published()]
-    same_type = [
-        other for other in recording.published() if topic.type in other.types and other.name != topic.name
-    ]
+    own = [other for other in recording.published() if not other.name.startswith(OF_THE_DRIVER)]
+    names = [other.name for other in own]
+    same_type = [other for other in own if topic.type in other.types and other.name != topic.name]
     near = difflib.get_close_matches(topic.name, names, 1, 0.75)
     base = topic.name.rsplit("/", 1)[-1]
     suspect = next((name for name in names if name.rsplit("/", 1)[-1] == base), near[0] if near else None)
