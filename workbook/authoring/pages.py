@@ -31,6 +31,7 @@ def write_pages(tree: Tree) -> list[Path]:
     changed = []
     for path, text in pages(tree).items():
         if not path.is_file() or path.read_text(encoding="utf-8") != text:
+            path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
             changed.append(path)
     return changed
