@@ -79,6 +79,55 @@ def test_what_is_said_comes_back_in_order(observer: Observer, tmp_path: Path, cl
     assert [round(one.t, 2) for one in recording.said[:3]] == pytest.approx([0.0, 0.05, 0.1], abs=0.1)
 
 
+SLOW_STARTER = (
+    HEAD
+    + """
+import time
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__("robot")
+        busy_until = time.monotonic() + 1.2
+        while time.monotonic() < busy_until:
+            pass
+        self.echo = self.create_publisher(Float32, "/robot/echo", 100)
+        self.create_subscription(Float32, "/robot/level", self.echo.publish, 100)
+"""
+    + SPIN
+)
+
+
+def test_a_program_that_is_still_at_work_is_waited_for(observer: Observer, tmp_path: Path) -> None:
+    lines = [(0.05 * number, level) for number, level in enumerate(LEVELS)]
+    recording = watch(
+        observer,
+        tmp_path,
+        SLOW_STARTER,
+        says("/robot/level", Float32, lines),
+        says("/other_robot/level", Float32, [(0.0, 1.0)], awaited=False),
+        topics=("/robot/echo",),
+    )
+    assert [one.value["data"] for one in recording.topic("/robot/echo").arrivals] == list(LEVELS)
+
+
+def test_what_is_not_awaited_holds_nothing_up(observer: Observer, tmp_path: Path) -> None:
+    one_by_one = [
+        watch(
+            observer,
+            tmp_path,
+            ECHO,
+            says("/robot/level", Float32, [(0.0, 1.0)]),
+            says("/other_robot/level", Float32, [(0.0, 2.0)], awaited=awaited),
+            topics=("/robot/echo",),
+            seconds=0.2,
+        )
+        for awaited in (True, False)
+    ]
+    begins = [recording.said[0].wall for recording in one_by_one]
+    assert [len(recording.said) for recording in one_by_one] == [2, 2]
+    assert begins[0] - begins[1] > 0.3  # the first one waits until it is quiet
+
+
 LATE = (
     HEAD
     + """

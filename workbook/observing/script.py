@@ -27,6 +27,7 @@ class Says:
     """Messages that the bench publishes on a topic. "latched": reliable, and the last one is kept for late joiners.
 
     `deadline`: the longest time (s) from one message to the next that the publisher offers; None offers none.
+    `awaited`: whether the watch begins only when the program listens.
     """
 
     topic: str
@@ -35,6 +36,7 @@ class Says:
     qos: Qos = "reliable"
     depth: int = 100
     deadline: float | None = None
+    awaited: bool = True
 
 
 @dataclass(frozen=True)
@@ -92,15 +94,19 @@ def says(
     qos: Qos = "reliable",
     depth: int = 100,
     deadline: float | None = None,
+    awaited: bool = True,
 ) -> Says:
     """Messages for `topic` as pairs of a time (s) and a value: the fields, or only that of `data`.
+
+    The watch begins when the program listens to `topic`. With `awaited=False` it does not wait for that: for a topic
+    that a program should leave alone.
 
     A subscription that requests a deadline is matched only where one as short is offered: offer it with `deadline`
     (s). Raises ValueError for a deadline that is not above zero.
     """
     if deadline is not None and not deadline > 0.0:
         raise ValueError(f"a deadline is above zero, not {deadline}")
-    return Says(topic, type_name(message_class), _lines(lines), qos, depth, deadline)
+    return Says(topic, type_name(message_class), _lines(lines), qos, depth, deadline, awaited)
 
 
 def serves(

@@ -84,8 +84,10 @@ class Speaker:
         self._say(BEFORE_START)
 
     def ready(self) -> bool:
-        """Whether the program listens to all that is said, and offers all services that are called."""
-        heard = all(publisher.get_subscription_count() > 0 for _, publisher, _ in self._publishers)
+        """Whether the program listens to all that awaits it, and offers all services that are called."""
+        heard = all(
+            publisher.get_subscription_count() > 0 for part, publisher, _ in self._publishers if part.awaited
+        )
         return heard and all(called.client.service_is_ready() for called in self._clients)
 
     def play(self, t: float) -> None:

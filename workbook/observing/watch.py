@@ -237,18 +237,25 @@ class Watch:
 
     def _wait_for_matches(self) -> None:
         """Wait until every judged topic is matched, or nothing new has come for a while."""
-        deadline = time.monotonic() + MATCH_S
-        quiet_since = time.monotonic()
-        while time.monotonic() < deadline:
+        looked = time.monotonic()
+        deadline = looked + MATCH_S
+        quiet_s = (
+            0.0  # a program that stands in line for a core is not quiet, nor are we while we stand in line
+        )
+        while (now := time.monotonic()) < deadline:
             if self._recorder.look():
-                quiet_since = time.monotonic()
+                quiet_s = 0.0
+            elif self._rest.now():
+                quiet_s += min(now - looked, POLL_S)
+            looked = now
             following = self._clock is None or self._clock.followers() > 0
             matched = self._plan.topics and all(map(self._recorder.matched, self._plan.topics))
             if following and matched and self._speaker.ready():
                 return
-            if time.monotonic() - quiet_since > SETTLE_S and following:
-                return
-            if time.monotonic() - quiet_since > max(SETTLE_S, FOLLOW_S) or not self._process.is_running():
+            if (
+                quiet_s > (SETTLE_S if following else max(SETTLE_S, FOLLOW_S))
+                or not self._process.is_running()
+            ):
                 return
             self._pause(POLL_S / 2)
 
