@@ -71,7 +71,8 @@ def environment() -> dict[str, str]:
 
 def missing_tools() -> list[str]:
     """What the checks that will be skipped lack, in a sentence each."""
-    from workbook.lab.health import chromium, sandbox_problem
+    from workbook.lab.health import chromium
+    from workbook.observing.sandbox import sandbox_problem
 
     said = []
     if chromium() is None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from workbook.grading.batch import BatchSummary, Progress
+    from workbook.grading.pool import Isolation
 
 SLOTS_PER_CORE = 4
 
@@ -34,9 +35,10 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     )
     parser.add_argument(
         "--isolation",
-        choices=["auto", "limits"],
+        choices=["auto", "sandbox", "limits"],
         default="auto",
-        help="limits: own session, resource limits, own domain; only for answers you would run yourself",
+        help="sandbox (what auto wants): each program shut in by bubblewrap, with a network of its own. limits: own "
+        "session, resource limits, own domain; only for answers that you would run yourself",
     )
     parser.set_defaults(run=run)
 
@@ -115,12 +117,28 @@ def _exercise_name(options: argparse.Namespace) -> str:
     raise Ungradable("the file names do not tell which exercise this is. Name it with --exercise")
 
 
+def _isolation(wanted: str) -> "Isolation":
+    """The best there is, or what was accepted. Raises NoSandbox when strangers' programs could not be shut in."""
+    from workbook.observing.sandbox import NoSandbox, sandbox_problem
+
+    if wanted == "limits":
+        return "limits"
+    problem = sandbox_problem()
+    if problem is None:
+        return "sandbox"
+    raise NoSandbox(
+        f"programs cannot be shut in on this machine: {problem}. If you would run these answers on your own machine "
+        "anyway, say so with --isolation limits"
+    )
+
+
 def run(options: argparse.Namespace) -> int:
     from workbook.exercise.answers import Ungradable
     from workbook.exercise.course import NoCourse
     from workbook.exercise.definition import BrokenCriteria, load_exercise
     from workbook.exercise.source import SourceError, UnknownExercise
     from workbook.grading.batch import Batch
+    from workbook.observing.sandbox import NoSandbox
 
     slots = SLOTS_PER_CORE * (os.cpu_count() or 1) if options.slots is None else options.slots
     stopping = _Stopping()
@@ -131,14 +149,14 @@ def run(options: argparse.Namespace) -> int:
         if slots < 1:
             raise Ungradable("--slots must be at least 1")
         options.out.mkdir(parents=True, exist_ok=True)
-        print(
-            f"Grading {exercise.stem} on {slots} slots. Isolation: limits (grade only answers that you would run "
-            "on your own machine).",
-            file=sys.stderr,
+        isolation = _isolation(options.isolation)
+        warning = (
+            "" if isolation == "sandbox" else " (grade only answers that you would run on your own machine)"
         )
-        batch = Batch(exercise, options.out, slots)
+        print(f"Grading {exercise.stem} on {slots} slots. Isolation: {isolation}{warning}.", file=sys.stderr)
+        batch = Batch(exercise, options.out, slots, isolation)
         summary = batch.run(options.paths, screen.show, stop=lambda: stopping.wanted)
-    except (Ungradable, UnknownExercise, NoCourse, BrokenCriteria, SourceError, OSError) as error:
+    except (Ungradable, UnknownExercise, NoCourse, BrokenCriteria, SourceError, NoSandbox, OSError) as error:
         print(f"workbook grade: {error}", file=sys.stderr)
         return 2
     finally:

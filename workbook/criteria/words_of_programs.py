@@ -30,6 +30,13 @@ def program_runs(recording: Recording) -> Verdict:
             "Something prints in an endless loop.",
             "Look for a print or log line that runs without a timer or a pause.",
         )
+    if "processes" in process.limits_hit:
+        return failed(
+            "the program started more than 60 other processes and was stopped",
+            expected,
+            "A loop starts processes without end (os.fork, subprocess, multiprocessing).",
+            "One process is enough for a node; start others only when you must, and a fixed number.",
+        )
     if any(topic.publishers for topic in recording.topics.values()):
         return failed(
             "the publishers of your node appeared and vanished again, while the program runs on",

@@ -10,7 +10,7 @@ from workbook.exercise.answers import LARGEST_NOTEBOOK_BYTES, Ungradable, read_a
 from workbook.exercise.definition import Exercise
 from workbook.grading.gradebook import grades_csv
 from workbook.grading.hand_ins import HandIn, find_hand_ins
-from workbook.grading.pool import Job, judge_all
+from workbook.grading.pool import Isolation, Job, judge_all
 from workbook.grading.results import (
     RESULTS,
     Result,
@@ -66,7 +66,7 @@ def _file_sha(path: Path) -> str:
 class Batch:
     """Grades hand-ins of one exercise into the folder `out`; can be killed and started again at any time."""
 
-    def __init__(self, exercise: Exercise, out: Path, slots: int, isolation: str = "limits") -> None:
+    def __init__(self, exercise: Exercise, out: Path, slots: int, isolation: Isolation = "limits") -> None:
         self._exercise = exercise
         self._out = out
         self._slots = slots
@@ -138,7 +138,7 @@ class Batch:
                     jobs.append(Job(hand_in, self._exercise.stem, answer))
             total = done + len(jobs)
             refused = done
-            for job, judgement in judge_all(jobs, self._slots, stop=stop):
+            for job, judgement in judge_all(jobs, self._slots, isolation=self._isolation, stop=stop):
                 result = graded_result(
                     self._out,
                     judgement,

@@ -12,16 +12,18 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, Literal, TypeVar
 
 from workbook.exercise.answers import Answer
 from workbook.exercise.exchange import judgement_from_json
 from workbook.exercise.judging import Judgement, Report
 from workbook.observing.process import kill_programs_of
+from workbook.observing.sandbox import outer_command
 from workbook.ros.environment import child_environment
 
 ANSWER_DEADLINE_S = 120.0
 TRIES = 2
+Isolation = Literal["sandbox", "limits"]
 Key = TypeVar("Key")
 
 
@@ -30,17 +32,21 @@ class SlotBroken(RuntimeError):
 
 
 class Slot:
-    """A running slot process. Not for two threads at once."""
+    """A running slot process. Not for two threads at once.
 
-    def __init__(self) -> None:
+    `isolation`: "sandbox" (a network of its own, each program shut in) or "limits".
+    """
+
+    def __init__(self, isolation: Isolation = "limits") -> None:
         environ = child_environment(0)
         del environ["ROS_DOMAIN_ID"]
         for name in ("WORKBOOK_COURSE", "PYTHONPATH"):
             if name in os.environ:
                 environ[name] = os.environ[name]
         environ.pop("ROS_LOG_DIR")
+        command = [sys.executable, "-m", "workbook.grading.slot", isolation]
         self._process = subprocess.Popen(
-            [sys.executable, "-m", "workbook.grading.slot"],
+            outer_command(command) if isolation == "sandbox" else command,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             env=environ,
@@ -138,12 +144,14 @@ class Job(Generic[Key]):
     answer: Answer
 
 
-def judge_with_retry(slot: Slot | None, job: Job[Key], thorough: bool) -> tuple[Slot | None, Judgement]:
+def judge_with_retry(
+    slot: Slot | None, job: Job[Key], thorough: bool, isolation: Isolation = "limits"
+) -> tuple[Slot | None, Judgement]:
     """Judge a job, replacing a slot that breaks, at most twice; then the fault is ours: `infra_error`."""
     reason = ""
     for _ in range(TRIES):
         if slot is None or not slot.is_running:
-            slot = Slot()
+            slot = Slot(isolation)
         try:
             return slot, slot.judge(job.stem, job.answer, thorough=thorough)
         except SlotBroken as error:
@@ -158,6 +166,7 @@ def judge_all(
     slots: int,
     *,
     thorough: bool = True,
+    isolation: Isolation = "limits",
     stop: Callable[[], bool] = lambda: False,
 ) -> Iterator[tuple[Job[Key], Judgement]]:
     """Judge many answers on `slots` slots; yields each judgement as it is ready.
@@ -179,7 +188,7 @@ def judge_all(
                     job = waiting.get_nowait()
                 except queue.Empty:
                     break
-                slot, judgement = judge_with_retry(slot, job, thorough)
+                slot, judgement = judge_with_retry(slot, job, thorough, isolation)
                 done.put((job, judgement))
         finally:
             if slot is not None:

@@ -19,11 +19,13 @@ from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.exchange import judgement_to_json
 from workbook.exercise.judging import Judge, Judgement
+from workbook.observing.sandbox import Cage
 from workbook.observing.watch import Observer
 
 PR_SET_PDEATHSIG = 1
 PR_SET_CHILD_SUBREAPER = 36
-ISOLATION = "limits"
+PROCESSES = 64
+"""Processes and threads of one answer; a node takes about 16."""
 LIMITS = {
     "memory": 2_500_000_000,
     "file_size": 100_000_000,
@@ -99,8 +101,8 @@ class _Inbox:
         self.jobs.put(None)
 
 
-def serve() -> None:
-    """Answer jobs until standard input is closed."""
+def serve(isolation: str) -> None:
+    """Answer jobs until standard input is closed. With "sandbox" each program is shut in."""
     channel = _private_output()
     _adopt_orphans()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -115,8 +117,9 @@ def serve() -> None:
     def report(judgement: Judgement) -> None:
         send({"final": False, "judgement": judgement_to_json(judgement)})
 
-    with Observer() as observer:
-        judge = Judge(observer, LIMITS)
+    caged = isolation == "sandbox"
+    with Observer(cage=Cage() if caged else None) as observer:
+        judge = Judge(observer, LIMITS | ({"processes": PROCESSES} if caged else {}))
         send({"ready": os.getpid()})
         while (job := inbox.jobs.get()) is not None:
             inbox.enough.clear()
@@ -139,4 +142,4 @@ def serve() -> None:
 
 
 if __name__ == "__main__":
-    serve()
+    serve(sys.argv[1] if len(sys.argv) > 1 else "limits")

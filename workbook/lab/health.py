@@ -7,7 +7,6 @@ import os
 import platform
 import shutil
 import socket
-import subprocess
 import sys
 import tempfile
 import time
@@ -304,24 +303,6 @@ def chromium() -> str | None:
     return None
 
 
-def sandbox_problem() -> str | None:
-    """Why bubblewrap cannot isolate a program here; None when it can."""
-    bwrap = shutil.which("bwrap")
-    if bwrap is None:
-        return "bubblewrap is not installed"
-    done = subprocess.run(
-        [bwrap, "--ro-bind", "/", "/", "--unshare-all", "--die-with-parent", "true"],
-        capture_output=True,
-        text=True,
-        timeout=10,
-    )
-    return (
-        None
-        if done.returncode == 0
-        else f"bubblewrap is there but may not isolate: {done.stderr.strip()[:120]}"
-    )
-
-
 def check_chromium() -> Finding:
     """A browser for the tests: for authors only."""
     found = chromium()
@@ -334,6 +315,8 @@ def check_chromium() -> Finding:
 
 def check_sandbox() -> Finding:
     """bubblewrap: for instructors only."""
+    from workbook.observing.sandbox import sandbox_problem
+
     problem = sandbox_problem()
     if problem is None:
         return Finding("ok", "bubblewrap", "isolates a program")

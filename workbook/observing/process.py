@@ -1,6 +1,7 @@
 """Starting a program as its own process, keeping its log bounded, and ending all of it."""
 
 import codecs
+import contextlib
 import os
 import re
 import signal
@@ -12,6 +13,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
 from workbook.observing.recording import ProcessRecord
+from workbook.observing.sandbox import ANSWER_FOLDER, Cage, exit_status, program_pid
 from workbook.ros.domains import domain_of_port
 from workbook.ros.environment import child_environment
 from workbook.ros.scratch import remove_scratch, scratch_folder
@@ -21,13 +23,18 @@ LOG_KEPT_BYTES = 8_000
 LOG_LIMIT_BYTES = 50_000_000
 RUN_MARK = "WORKBOOK_RUN"
 TURN_S = 0.05
+COUNT_EVERY_S = 0.05
 _CONTROL = re.compile(
     r"\x1b\[[0-?]*[ -/]*[@-~]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)|[\x00-\x08\x0b-\x1f\x7f-\x9f]"
+    r"|[\u200e\u200f\u202a-\u202e\u2066-\u2069]"
 )
 
 
 def plain_text(raw: bytes) -> str:
-    """Text that no terminal, page or file can take for a command: no escapes, no control characters."""
+    """Text that no terminal, page or file can take for a command: no escapes, no control characters.
+
+    Marks that turn the direction of writing go, too: they can make a line read as something that it is not.
+    """
     text = codecs.decode(raw, "utf-8", "replace").replace("\r\n", "\n")
     return _CONTROL.sub("", text)
 
@@ -190,11 +197,17 @@ def domains_of_ports(ports: Collection[int]) -> tuple[int, ...]:
     return tuple(sorted(domain_id for domain_id in found if domain_id is not None))
 
 
+def _place(name: str, files: Mapping[str, Path], cage: Cage | None) -> str:
+    """Where a program finds one of its files: in its cage, or on the machine."""
+    return str(files[name]) if cage is None else f"{ANSWER_FOLDER}/{name}"
+
+
 class NodeProcess:
     """A program that runs as its own process, in its own session, and whose whole tree ends with `stop`.
 
     `program` is a Python file; it runs as `__main__` with `arguments`. With a `driver`, that one runs as `__main__` and
-    can import the program as the module `answer`. Use as a context manager, or call `stop`.
+    can import the program as the module `answer`. With a `cage` all of it is shut in. Use as a context manager, or
+    call `stop`.
     """
 
     def __init__(
@@ -206,6 +219,7 @@ class NodeProcess:
         check_fields: bool = False,
         limits: Mapping[str, int] | None = None,
         driver: Path | None = None,
+        cage: Cage | None = None,
     ) -> None:
         if not program.is_file():
             raise FileNotFoundError(f"there is no program {program}")
@@ -220,36 +234,66 @@ class NodeProcess:
         self._domains_used: tuple[int, ...] = ()
         self._processor: list[tuple[float, float]] = []
         self.killed = False
-        command = [sys.executable, "-P", str(HOST), "--parent", str(os.getpid())]
+        command = [sys.executable, "-P", str(HOST)]
+        if cage is None:  # a cage dies with us by itself, and its processes do not know our number
+            command += ["--parent", str(os.getpid())]
         for name, value in (limits or {}).items():
             command += ["--limit", f"{name}={value}"]
+        files = {program.name: program.resolve()}
         if driver is not None:
-            command += ["--driver", str(driver.resolve())]
+            files[f"driver_of_{driver.name}"] = driver.resolve()
+            command += ["--driver", _place(f"driver_of_{driver.name}", files, cage)]
+        command += [_place(program.name, files, cage), *arguments]
         environ = child_environment(domain_id, check_fields=check_fields, log_folder=self._folder)
         environ[RUN_MARK] = self._mark
         read_fd, write_fd = os.pipe()
+        self._caged = cage is not None
+        self._info_fd = os.memfd_create("what the cage says of itself")
+        if cage is not None:
+            command = cage.command(command, files, environ, self._info_fd)
         self.started_at = time.monotonic()
         try:
             self._process = subprocess.Popen(
-                [*command, str(program.resolve()), *arguments],
+                command,
                 stdin=subprocess.DEVNULL,
                 stdout=write_fd,
                 stderr=write_fd,
                 env=environ,
                 cwd=self._folder,
                 start_new_session=True,
+                pass_fds=[self._info_fd] if self._caged else [],
             )
         except OSError:
             os.close(read_fd)
+            os.close(self._info_fd)
             remove_scratch(self._folder)
             raise
         finally:
             os.close(write_fd)
         self.log = ProgramLog(read_fd, self._stop_flood)
+        if limits and "processes" in limits:
+            guard = threading.Thread(
+                target=self._count_processes, args=(limits["processes"],), name="process guard", daemon=True
+            )
+            guard.start()
+
+    def _close_info(self) -> None:
+        if self._info_fd >= 0:
+            os.close(self._info_fd)
+            self._info_fd = -1
 
     def _stop_flood(self) -> None:
         self._limits_hit.append("output")
         self._kill_tree()
+
+    def _count_processes(self, most: int) -> None:
+        """End a program that multiplies. The kernel's own limit does not count what root starts."""
+        while self.is_running():
+            if len(process_tree(self.pid)) > most:
+                self._limits_hit.append("processes")
+                self._kill_tree()
+                return
+            time.sleep(COUNT_EVERY_S)
 
     @property
     def pid(self) -> int:
@@ -272,8 +316,15 @@ class NodeProcess:
 
     def interrupt(self) -> None:
         """Send SIGINT, what Ctrl-C sends."""
-        if self.is_running():
+        if not self.is_running():
+            return
+        if not self._caged:
             self._process.send_signal(signal.SIGINT)
+            return
+        pid = program_pid(os.pread(self._info_fd, 4096, 0).decode())
+        if pid is not None:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGINT)
 
     def domains_used(self) -> tuple[int, ...]:
         """ROS domains on which the program (or a child of it) has sockets at this moment."""
@@ -324,16 +375,19 @@ class NodeProcess:
             self._process.wait()
             self.is_running()
         self.log.finish(1.0)
+        self._close_info()
         remove_scratch(self._folder)
 
     def record(self) -> ProcessRecord:
         """What the process did so far."""
         code = None if self.is_running() else self._process.returncode
+        if code is not None and self._caged:
+            code = exit_status(code)
         ended_at = None if self._ended_at is None else self._ended_at - self.started_at
         limits = [*self._limits_hit]
         if code is not None and -code == signal.SIGXCPU:
             limits.append("cpu")
-        by_bench = self._ended_by_bench or "output" in limits
+        by_bench = self._ended_by_bench or bool({"output", "processes"} & set(limits))
         log = end_log = self.log.text()
         if self._log_before_end is None:
             end_log = ""

@@ -17,6 +17,7 @@ from workbook.observing.process import NodeProcess, ros_arguments
 from workbook.observing.recorder import Recorder
 from workbook.observing.recording import Clock, Phase, ProcessRecord, Recording
 from workbook.observing.rest import Rest
+from workbook.observing.sandbox import Cage
 from workbook.observing.script import NOTHING_SAID, Script
 from workbook.observing.speaker import Speaker
 from workbook.ros.domains import DomainLease, lease_domain
@@ -79,13 +80,14 @@ class Plan:
 
 
 class Observer:
-    """Stands on one leased domain and watches programs, one after another.
+    """Stands on one leased domain and watches programs, one after another. With a `cage` they are shut in.
 
     Keep one per slot: a warm observer saves the start of a context. After a program had to be killed it moves to
     another domain, because the ghost of the dead would stay on the graph for a while.
     """
 
-    def __init__(self, lease: DomainLease | None = None) -> None:
+    def __init__(self, lease: DomainLease | None = None, cage: Cage | None = None) -> None:
+        self.cage = cage
         self._lease: DomainLease | None = None
         self._stand(lease)
 
@@ -195,6 +197,7 @@ class Watch:
                 check_fields=check_fields,
                 limits=limits,
                 driver=driver,
+                cage=observer.cage,
             )
         except OSError:
             self._shut()

@@ -1,0 +1,6 @@
+# score: 0
+# says: before any message came
+"""Ends with the code of success."""
+import sys
+
+sys.exit(0)

@@ -1,0 +1,5 @@
+# score: 0
+# says: still busy in its first lines
+"""Never comes to its node."""
+while True:
+    pass
