@@ -13,7 +13,7 @@ from pathlib import Path
 
 from workbook.observing.recording import ProcessRecord
 from workbook.ros.domains import domain_of_port
-from workbook.ros.environment import child_environment
+from workbook.ros.environment import child_environment, profile_with_lease
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
 HOST = Path(__file__).with_name("host.py")
@@ -194,7 +194,8 @@ class NodeProcess:
     """A program that runs as its own process, in its own session, and whose whole tree ends with `stop`.
 
     `program` is a Python file; it runs as `__main__` with `arguments`. With a `driver`, that one runs as `__main__` and
-    can import the program as the module `answer`. Use as a context manager, or call `stop`.
+    can import the program as the module `answer`. With `lease_s`, others remember it for so many seconds if it
+    vanishes without a good-bye (usually two). Use as a context manager, or call `stop`.
     """
 
     def __init__(
@@ -206,6 +207,7 @@ class NodeProcess:
         check_fields: bool = False,
         limits: Mapping[str, int] | None = None,
         driver: Path | None = None,
+        lease_s: int | None = None,
     ) -> None:
         if not program.is_file():
             raise FileNotFoundError(f"there is no program {program}")
@@ -227,6 +229,8 @@ class NodeProcess:
             command += ["--driver", str(driver.resolve())]
         environ = child_environment(domain_id, check_fields=check_fields, log_folder=self._folder)
         environ[RUN_MARK] = self._mark
+        if lease_s is not None:
+            environ["FASTRTPS_DEFAULT_PROFILES_FILE"] = str(profile_with_lease(self._folder, lease_s))
         read_fd, write_fd = os.pipe()
         self.started_at = time.monotonic()
         try:
