@@ -90,6 +90,18 @@ Humanoid()
         "TypeError",
         "Make a message of the right class",
     ),
+    in_node(
+        "callback_without_a_message",
+        "self.create_subscription(String, '/s', self.tick, 10)",
+        "RuntimeError",
+        "one argument besides self",
+    ),
+    in_node(
+        "message_callback_called",
+        "self.create_subscription(String, '/s', Humanoid.tick(), 10)",
+        "TypeError",
+        "Hand callbacks over without parentheses",
+    ),
     in_node("no_message_class", "self.create_publisher(str, '/s', 10)", "AttributeError", "the class itself"),
     in_node(
         "other_type",

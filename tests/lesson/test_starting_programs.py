@@ -5,6 +5,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from rclpy.context import Context
+from rclpy.node import Node
 
 from workbook.lesson import start, stop
 from workbook.magics.running import node_names
@@ -62,6 +64,17 @@ def program(folder: Path, text: str, services: bool = True) -> Path:
 def test_a_program_that_works_is_named_by_its_node(tmp_path: Path) -> None:
     assert start(program(tmp_path, WORKS)) == "/gripper"
     assert node_names()["/gripper"] == 1
+
+
+def test_a_node_of_the_notebook_is_not_taken_for_one_of_the_program(tmp_path: Path) -> None:
+    context = Context()
+    context.init(domain_id=int(os.environ["ROS_DOMAIN_ID"]))
+    voice = Node("voice", context=context)
+    try:
+        assert start(program(tmp_path, WORKS)) == "/gripper"
+    finally:
+        voice.destroy_node()
+        context.try_shutdown()
 
 
 def test_a_node_that_answers_no_questions_is_taken_as_it_is(tmp_path: Path) -> None:

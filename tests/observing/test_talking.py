@@ -10,6 +10,7 @@ from std_srvs.srv import SetBool, Trigger
 from workbook.observing.recording import Clock, Recording
 from workbook.observing.script import BEFORE_START, Part, Script, calls, says, serves
 from workbook.observing.watch import Observer, Plan
+from workbook.ros.environment import LOOPBACK_PROFILE, profile_with_lease
 
 HEAD = """
 import rclpy
@@ -59,7 +60,7 @@ def watch(
 ) -> Recording:
     program = folder / "program.py"
     program.write_text(code)
-    plan = Plan(topics, 0.1, 1.0, robot_seconds=seconds / 2, wall_seconds=seconds, script=Script(parts))
+    plan = Plan(topics, 0.1, 1.0, seconds / 2, seconds, Script(parts), to_the_end=True)
     file = None
     if driver is not None:
         file = folder / "driver.py"
@@ -289,10 +290,19 @@ def test_twins_are_counted_and_a_clean_end_leaves_no_node(observer: Observer, tm
 
 def test_a_program_that_cuts_itself_off_leaves_a_ghost(observer: Observer, tmp_path: Path) -> None:
     cut_off = "signal.signal(signal.SIGINT, lambda *_: os._exit(0))"
+    haunted = observer.domain_id
     recording = watch(observer, tmp_path, TWINS % cut_off, seconds=0.5)
     assert {node.stayed for node in recording.nodes} == {True}
     assert recording.process.exit == 0
-    observer.move()
+    assert observer.domain_id != haunted
+    after = watch(observer, tmp_path, TWINS % "", seconds=0.5)
+    assert {node.name: node.most for node in after.nodes} == {"/arm": 2, "/robot/head": 1}
+
+
+def test_a_profile_with_another_lease_differs_in_the_lease_alone(tmp_path: Path) -> None:
+    usual, lingering = LOOPBACK_PROFILE.read_text(), profile_with_lease(tmp_path, 20).read_text()
+    assert "<leaseDuration><sec>20</sec></leaseDuration>" in lingering
+    assert lingering.replace("<sec>20</sec>", "<sec>2</sec>") == usual
 
 
 def test_processor_time_is_sampled_and_everything_survives_storage(

@@ -1,4 +1,4 @@
-"""`python -m workbook.authoring build|check|compare`: what `make notebooks` and `make notebooks-check` run."""
+"""`python -m workbook.authoring build|check|compare|typings`: what `make notebooks` and `make notebooks-check` run."""
 
 import argparse
 import sys
@@ -30,6 +30,7 @@ def parser() -> argparse.ArgumentParser:
     commands.add_parser(
         "check", help="fail when a notebook differs from its text, or a file is missing or misplaced"
     )
+    commands.add_parser("typings", help="make the stubs of the message packages anew (workbook/typings)")
     comparing = commands.add_parser("compare", help="run notebooks under nbval and compare their outputs")
     comparing.add_argument("names", nargs="*", metavar="STEM", help="lessons and exercises; all if none")
     comparing.add_argument("--jobs", type=int, default=1, help="notebooks that run at once")
@@ -53,6 +54,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except AuthoringError as error:
         print(error, file=sys.stderr)
         return 1
+    if options.command == "typings":
+        from workbook.authoring.typings import write
+
+        print(f"{write()} stubs written")
+        return 0
     found = check(tree)
     if found:
         print(report(found))

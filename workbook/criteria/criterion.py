@@ -127,4 +127,5 @@ def plan_for(topics: Iterable[Topic], how: Watching) -> Plan:
         per_speed,
         how.wall_seconds,
         how.script,
+        how.to_the_end,
     )

@@ -57,6 +57,18 @@ _KNOWN = (
         "Add a depth, for example 10: create_publisher(String, '/robot/status', 10).",
     ),
     _Known(
+        r"callback should be either be callable with one argument",
+        "The callback of a subscription takes the message, or the message and what is known about it. This one takes "
+        "neither.",
+        "Give it one argument besides self: def on_battery(self, message: Float32).",
+    ),
+    _Known(
+        r"missing 1 required positional argument: '\w+'",
+        "A function was called without an argument that it needs. If it is a callback, it was called where it should "
+        "be handed over.",
+        "Hand callbacks over without parentheses: create_subscription(Float32, '/robot/battery', self.on_battery, 10).",
+    ),
+    _Known(
         r"'NoneType' object is not callable",
         "A callback was called instead of handed over, so the timer got its result, None.",
         "Pass the function without parentheses: create_timer(2.0, self.publish_joints).",

@@ -4,12 +4,13 @@ import hashlib
 import importlib.util
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from types import ModuleType
 
 from workbook.criteria.criterion import Criterion, criteria_in, plan_for, topics_in, watching_in
+from workbook.criteria.words_of_types import probes_in
 from workbook.exercise.course import course_folder
 from workbook.exercise.source import ExerciseSource, driver_of, find, load
 from workbook.observing.watch import Plan
@@ -36,7 +37,8 @@ def _import(path: Path) -> ModuleType:
 @dataclass(frozen=True)
 class Exercise:
     """One exercise: its stem, the criteria in order, the watch that they need, the judged periods (s) by topic,
-    and whether its end is judged too. `driver`: what calls the functions of an answer that is no program."""
+    and whether its end is judged too. `driver`: what calls the functions of an answer that is no program. `probes`: by
+    name, code that uses an answer and is read by the type checker together with it."""
 
     stem: str
     criteria: tuple[Criterion, ...]
@@ -46,6 +48,7 @@ class Exercise:
     criteria_sha256: str
     solution_path: Path
     driver: Path | None = None
+    probes: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
     def source(self) -> ExerciseSource:
@@ -71,6 +74,10 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
     criteria = criteria_in(module)
     if not criteria:
         raise BrokenCriteria(f"{path} defines no criterion")
+    try:
+        probes = probes_in(module)
+    except ValueError as error:
+        raise BrokenCriteria(f"{path}: {error}") from error
     driver = driver_of(solution)
     return Exercise(
         stem=solution.stem,
@@ -81,6 +88,7 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
         criteria_sha256=_sum_of(path, driver),
         solution_path=solution,
         driver=driver,
+        probes=probes,
     )
 
 

@@ -14,7 +14,8 @@ from workbook.exercise.answers import Answer, syntax_mistake
 from workbook.exercise.definition import Exercise
 from workbook.exercise.starting import StartedAnswer, write_program
 from workbook.observing.process import NodeProcess
-from workbook.observing.recording import Recording
+from workbook.observing.recording import Finding, Recording
+from workbook.observing.typecheck import TypeCheckFailed, type_check
 from workbook.observing.watch import PATIENCE_WITH_THE_END_S, SPEEDS, Observer, Watch, speeds_agree
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
@@ -112,7 +113,15 @@ class Judge:
         process = None if started is None else started.process
         try:
             program = write_program(folder, exercise.stem, answer) if process is None else process.program
-            judgement = self._on_both_clocks(exercise, answer, program, process, thorough, report, enough)
+            findings = None
+            if exercise.source.kind == "static":
+                try:
+                    findings = type_check(answer.text, exercise.probes)
+                except TypeCheckFailed as error:
+                    return Judgement(exercise.stem, answer.sha256, "infra_error", str(error), (), None)
+            judgement = self._on_both_clocks(
+                exercise, answer, program, process, findings, thorough, report, enough
+            )
             if any(result.garbled for result in judgement.criteria):
                 return self._with_field_checks(exercise, answer, program, judgement)
             return judgement
@@ -125,6 +134,7 @@ class Judge:
         answer: Answer,
         program: Path,
         process: NodeProcess | None,
+        findings: tuple[Finding, ...] | None,
         thorough: bool,
         report: Report | None,
         enough: Callable[[], bool],
@@ -139,7 +149,7 @@ class Judge:
                 process=process,
                 driver=exercise.driver,
             ) as watch:
-                judgement = self._judge(exercise, answer, watch)
+                judgement = self._judge(exercise, answer, watch, findings)
                 on_robot_time = not _needs_wall_clock(exercise, answer, judgement)
                 if on_robot_time:
                     judgement = self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
@@ -155,7 +165,7 @@ class Judge:
         with self._observer.watch(
             program, exercise.plan, "wall", limits=self._limits, process=process, driver=exercise.driver
         ) as watch:
-            judgement = self._judge(exercise, answer, watch)
+            judgement = self._judge(exercise, answer, watch, findings)
             return self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
 
     def _with_field_checks(
@@ -183,8 +193,10 @@ class Judge:
         recording = replace(recording, notes=(*recording.notes, field_check_note(process)))
         return judge_recording(exercise, answer.sha256, recording, real_life=judgement.watched_real_life)
 
-    def _judge(self, exercise: Exercise, answer: Answer, watch: Watch) -> Judgement:
-        recording = watch.observe()
+    def _judge(
+        self, exercise: Exercise, answer: Answer, watch: Watch, findings: tuple[Finding, ...] | None
+    ) -> Judgement:
+        recording = replace(watch.observe(), findings=findings)
         if exercise.to_the_end:
             recording = watch.finish(recording, PATIENCE_WITH_THE_END_S, look_who_stays=True)
         real_life = exercise.to_the_end and recording.clock == "wall"

@@ -8,12 +8,14 @@ if TYPE_CHECKING:
     from workbook.lesson.machine import doctor
     from workbook.lesson.predictions import predict, predicted, recall
     from workbook.lesson.programs import arrivals, processor_seconds, record, run_program, start, stop, values
+    from workbook.lesson.type_reports import check_types
     from workbook.lesson.views import robot, watch_robot, watch_status
     from workbook.ros.session import init, run, spin_for
     from workbook.ros.twins import fresh
 
 _HOME = {
     "arrivals": "workbook.lesson.programs",
+    "check_types": "workbook.lesson.type_reports",
     "doctor": "workbook.lesson.machine",
     "fresh": "workbook.ros.twins",
     "graph_picture": "workbook.lesson.graphs",
@@ -36,6 +38,7 @@ _HOME = {
 
 __all__ = [
     "arrivals",
+    "check_types",
     "doctor",
     "fresh",
     "graph_picture",

@@ -15,13 +15,14 @@ from pathlib import Path
 from workbook.observing.recording import ProcessRecord
 from workbook.observing.sandbox import ANSWER_FOLDER, Cage, exit_status, program_pid
 from workbook.ros.domains import domain_of_port
-from workbook.ros.environment import child_environment
+from workbook.ros.environment import child_environment, profile_with_lease
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
 HOST = Path(__file__).with_name("host.py")
 LOG_KEPT_BYTES = 8_000
 LOG_LIMIT_BYTES = 50_000_000
 RUN_MARK = "WORKBOOK_RUN"
+PROFILE = "profile.xml"
 TURN_S = 0.05
 COUNT_EVERY_S = 0.05
 _CONTROL = re.compile(
@@ -206,8 +207,9 @@ class NodeProcess:
     """A program that runs as its own process, in its own session, and whose whole tree ends with `stop`.
 
     `program` is a Python file; it runs as `__main__` with `arguments`. With a `driver`, that one runs as `__main__` and
-    can import the program as the module `answer`. With a `cage` all of it is shut in. Use as a context manager, or
-    call `stop`.
+    can import the program as the module `answer`. With `lease_s`, others remember it for so many seconds if it
+    vanishes without a good-bye (usually two). With a `cage` all of it is shut in. Use as a context manager, or call
+    `stop`.
     """
 
     def __init__(
@@ -219,6 +221,7 @@ class NodeProcess:
         check_fields: bool = False,
         limits: Mapping[str, int] | None = None,
         driver: Path | None = None,
+        lease_s: int | None = None,
         cage: Cage | None = None,
     ) -> None:
         if not program.is_file():
@@ -246,6 +249,9 @@ class NodeProcess:
         command += [_place(program.name, files, cage), *arguments]
         environ = child_environment(domain_id, check_fields=check_fields, log_folder=self._folder)
         environ[RUN_MARK] = self._mark
+        if lease_s is not None:
+            files[PROFILE] = profile_with_lease(self._folder, lease_s)
+            environ["FASTRTPS_DEFAULT_PROFILES_FILE"] = _place(PROFILE, files, cage)
         read_fd, write_fd = os.pipe()
         self._caged = cage is not None
         self._info_fd = os.memfd_create("what the cage says of itself")

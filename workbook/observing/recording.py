@@ -117,6 +117,19 @@ class ServiceSeen:
 
 
 @dataclass(frozen=True)
+class Finding:
+    """One thing that the type checker said of the program, or of a `probe`: code that uses it ("" for the program).
+
+    `line` counts from 1; it is 0 where no line is to blame.
+    """
+
+    probe: str
+    line: int
+    code: str
+    message: str
+
+
+@dataclass(frozen=True)
 class ProcessRecord:
     """How the program ran and ended. `ended_by` is "itself", "bench", or None while it runs.
 
@@ -149,7 +162,7 @@ class Phase:
 
 @dataclass(frozen=True)
 class Recording:
-    """One watch of one program."""
+    """One watch of one program. `findings`: what the type checker said; None if it was not asked."""
 
     clock: Clock
     domain_id: int
@@ -165,6 +178,7 @@ class Recording:
     said: tuple[Said, ...] = ()
     calls: tuple[CallSeen, ...] = ()
     services: tuple[ServiceSeen, ...] = ()
+    findings: tuple[Finding, ...] | None = None
     clients: tuple[ServiceSeen, ...] = ()
 
     def topic(self, name: str) -> TopicRecording:
@@ -241,6 +255,10 @@ def _topic(data: Mapping[str, Any]) -> TopicRecording:
     )
 
 
+def _findings(data: Any) -> tuple[Finding, ...] | None:
+    return None if data is None else tuple(Finding(**item) for item in data)
+
+
 def _recording(data: Mapping[str, Any]) -> Recording:
     process = dict(data["process"])
     process["limits_hit"] = tuple(process["limits_hit"])
@@ -267,5 +285,6 @@ def _recording(data: Mapping[str, Any]) -> Recording:
             for item in data.get("calls", ())
         ),
         services=tuple(ServiceSeen(**item) for item in data.get("services", ())),
+        findings=_findings(data.get("findings")),
         clients=tuple(ServiceSeen(**item) for item in data.get("clients", ())),
     )

@@ -36,7 +36,8 @@ NO_PUBLISHER_S = 8.0
 FOLLOW_S = 1.0
 POLL_S = 0.01
 TALK_POLL_S = 0.002
-GONE_S = 1.5
+GONE_S = 6.0
+GHOST_S = 20
 HELD_STEPS = 5
 LOOK_EVERY_S = 0.1
 PATIENCE_S = 0.7
@@ -51,6 +52,8 @@ class Plan:
     `robot_seconds`: robot time to watch at each speed; None: three and a half of the longest period.
     `wall_seconds`: real time to watch on the wall clock; None: a little more than four of the longest period.
     `script`: what the bench says meanwhile. A program that only listens is then seen by its node.
+    `to_the_end`: it is watched whether nodes stay on the graph. One that vanishes without a good-bye is then remembered
+    for much longer than a good-bye takes on the busiest machine.
     """
 
     topics: tuple[str, ...]
@@ -59,6 +62,7 @@ class Plan:
     robot_seconds: float | None = None
     wall_seconds: float | None = None
     script: Script = NOTHING_SAID
+    to_the_end: bool = False
 
     @property
     def node_suffices(self) -> bool:
@@ -197,6 +201,7 @@ class Watch:
                 check_fields=check_fields,
                 limits=limits,
                 driver=driver,
+                lease_s=GHOST_S if plan.to_the_end else None,
                 cage=observer.cage,
             )
         except OSError:
@@ -418,6 +423,9 @@ class Watch:
         if self._context.ok():
             self._recorder.look_who_stays(GONE_S)
             nodes = self._recorder.nodes()
+            if any(node.stayed for node in nodes):  # the next program must not meet the ghosts of this one
+                self._shut()
+                self._observer.move()
         else:
             nodes = tuple(replace(node, stayed=True) for node in recording.nodes)
         return replace(recording, process=self._process.record(), nodes=nodes)

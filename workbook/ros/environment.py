@@ -15,6 +15,8 @@ from workbook.ros.domains import DomainLease, lease_domain
 from workbook.ros.scratch import scratch_folder
 
 LOOPBACK_PROFILE = Path(__file__).with_name("loopback.xml")
+LEASE_S = 2
+"""How long (s) others remember a process that vanished without a good-bye, as the profile has it."""
 LOG_FORMAT = "[{severity}] [{name}]: {message}"
 
 _BOOTSTRAP_DONE = "_ROS_WHEELS_BOOTSTRAP_COMPLETE"
@@ -103,6 +105,17 @@ def own_log_folder() -> Path:
     if _log_folder is None or not _log_folder.is_dir():
         _log_folder = scratch_folder("log")
     return _log_folder
+
+
+def profile_with_lease(folder: Path, lease_s: int) -> Path:
+    """Write a loopback profile into `folder` with which others remember a process for `lease_s` when it vanishes."""
+    usual, wanted = (f"<leaseDuration><sec>{seconds}</sec>" for seconds in (LEASE_S, lease_s))
+    text = LOOPBACK_PROFILE.read_text(encoding="utf-8")
+    if usual not in text:
+        raise ValueError(f"{LOOPBACK_PROFILE.name} has no {usual}")
+    profile = folder / "profile.xml"
+    profile.write_text(text.replace(usual, wanted), encoding="utf-8")
+    return profile
 
 
 def child_environment(

@@ -8,13 +8,15 @@ from rclpy.context import Context
 from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
+from workbook.ros.probe import wait_for_graph
+
 _node: Node | None = None
 
 
 def standing_node() -> Node:
     """The hidden node of this kernel, made at first use, in a context of its own. It needs no spinning.
 
-    It is made anew when the kernel has moved to another domain since.
+    It is made anew when the kernel has moved to another domain since. When it is returned first, it has met everybody.
     """
     global _node
     domain_id = int(os.environ["ROS_DOMAIN_ID"])
@@ -36,6 +38,7 @@ def standing_node() -> Node:
             use_global_arguments=False,
         )
         atexit.register(close_standing_node)
+        wait_for_graph(_node)
     return _node
 
 

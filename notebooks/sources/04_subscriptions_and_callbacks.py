@@ -1,0 +1,707 @@
+# %% [markdown]
+# # 04 · Subscriptions and callbacks
+#
+# A robot that only speaks walks into walls. To hear its own sensors, it subscribes, and says what is to be done with
+# each message that comes.
+#
+# - **Minutes:** 40
+# - **You need:** lessons [00](00_start_here.ipynb) to 03: a node, a publisher, a message
+# - **You will be able to:** subscribe to a topic, write the callback that handles its messages, say when it is called
+#   and when it is not, choose how many messages may wait, and tell how old a message is
+# - **Left out:** repeating work (lesson 05), what `spin` does step by step (06), long work in a callback (10), other
+#   qualities of a connection than its depth (13)
+
+# %% [markdown]
+# Watch the robot. It walks up to a wall and away from it, again and again. One program measures how far the wall is,
+# twenty times a second. The other one listens, and raises the robot's arms when the wall comes close.
+
+# %%
+from lesson_nodes import careful_robot, distance_sensor
+from workbook.lesson import start, stop, watch_robot
+
+print("started", start(distance_sensor), "and", start(careful_robot, close_m=1.2))
+await watch_robot(seconds=8, ease=0.1)
+stop()
+
+# %% [markdown]
+# The second program has no timer and no loop. All it does, it does because a message came:
+#
+# ```python
+# self.create_subscription(Float32, "/robot/distance", self.on_distance, 10)
+#
+# def on_distance(self, message: Float32) -> None:
+#     self.joint_publisher.publish(Float32MultiArray(data=posture(message.data, self.close_m)))
+# ```
+#
+# The first line is the **subscription**: which type, which topic, what to call, and how many messages may wait. The
+# method is the **callback**: you write it, and rclpy calls it, once for each message. Set `close_m` to `2.5` above and
+# run the cell again. Is this robot careful, or afraid?
+
+# %% [markdown]
+# ## Predict
+#
+# Now you take the sensor's place. Two nodes in this notebook: `sensor` has a publisher, `guard` has a subscription. A
+# third node, the black box, is a program of its own. It listens, too, and counts.
+#
+# ```python
+# for distance in (2.0, 1.6, 1.2, 0.8, 0.4):
+#     sensor.publisher.publish(Float32(data=distance))
+# time.sleep(1.0)
+# ```
+#
+# You have seen that programs call `rclpy.spin(node)`, and that notebooks use `run(node)`. Here, nobody spins `sensor`,
+# and nobody spins `guard`. The black box spins, as a program should. After that second, who has handled the five
+# messages?
+#
+# - **a** Nobody: publishing needs spin, so nothing was sent.
+# - **b** Both: a callback is called as soon as its message arrives.
+# - **c** Only the black box. When `guard` is spun later, it handles its five, too.
+# - **d** Only the black box. What came while `guard` did not spin is lost.
+
+# %%
+from workbook.lesson import predict
+
+predict("...", about="five distances")
+
+# %% [markdown]
+# ## Run it
+#
+# First the two nodes. The callback of `guard` keeps what it gets in a list, so that we can look.
+
+# %%
+import time
+
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+from workbook.lesson import fresh, init
+
+init()  # rclpy.init(), made so that a cell can be run again
+
+
+class Sensor(Node):
+    """Measures the distance to the wall. This one says what you tell it to."""
+
+    def __init__(self) -> None:
+        super().__init__("sensor")
+        self.publisher = self.create_publisher(Float32, "/robot/distance", 100)
+
+
+class Guard(Node):
+    """Remembers every distance that it is told."""
+
+    def __init__(self) -> None:
+        super().__init__("guard")
+        self.heard: list[float] = []
+        self.create_subscription(Float32, "/robot/distance", self.on_distance, 10)
+
+    def on_distance(self, message: Float32) -> None:
+        self.heard.append(round(message.data, 1))
+
+
+sensor, guard = fresh(Sensor), fresh(Guard)
+print("the list of the guard:", guard.heard)
+
+# %% [markdown]
+# Then the black box. It takes a moment until two programs have found each other, so we wait until the publisher
+# knows of two subscriptions: that of `guard`, and that of the black box.
+
+# %% id="nobody-spins"
+from lesson_nodes import black_box
+from workbook.ros import topic_echo
+
+print("started", start(black_box))
+while sensor.publisher.get_subscription_count() < 2:
+    time.sleep(0.01)
+
+for distance in (2.0, 1.6, 1.2, 0.8, 0.4):
+    sensor.publisher.publish(Float32(data=distance))
+time.sleep(1.0)
+
+kept = topic_echo("/black_box/kept", count=1, nodes=[]).messages[0].data  # nodes=[]: none of ours is spun
+print("kept by the black box:   ", kept)
+print("callbacks of the guard:  ", len(guard.heard))
+
+# %% [markdown]
+# The guard has done nothing at all. Now somebody spins it:
+
+# %%
+from workbook.lesson import recall, run
+
+await run(guard, seconds=5, until=lambda: len(guard.heard) == 5)
+print("callbacks of the guard:  ", len(guard.heard), guard.heard)
+recall("c", about="five distances")
+stop()
+
+# %% [markdown]
+# ## Look inside
+#
+# Two things happened that look like one. Messages **arrive**: DDS, the layer below, has threads of its own that send,
+# receive, and find other programs. Python is not asked. And messages are **handled**: your callback runs, in your
+# thread, at a moment when that thread is inside `spin`. Between the two there is a **queue**.
+#
+# We can see both. A callback may take a second argument: what rclpy knows *about* the message, such as when it was
+# sent and when it was received. This guard notes when each message was received, and when its callback was called. We
+# publish ten distances in two seconds, and spin only after that.
+
+
+# %%
+class TimedGuard(Node):
+    """Notes when each message was received, and when it was handled (s, by the clock on the wall)."""
+
+    def __init__(self) -> None:
+        super().__init__("timed_guard")
+        self.received: list[float] = []
+        self.handled: list[float] = []
+        self.create_subscription(Float32, "/robot/distance", self.on_distance, 10)
+
+    def on_distance(self, message: Float32, info: dict) -> None:
+        self.received.append(info["received_timestamp"] / 1e9)
+        self.handled.append(time.time())
+
+
+timed = fresh(TimedGuard)
+published = []
+began = time.time()
+for number in range(10):
+    published.append(time.time())
+    sensor.publisher.publish(Float32(data=2.0 - 0.2 * number))
+    time.sleep(0.2)
+spun_at = time.time()
+await run(timed, seconds=5, until=lambda: len(timed.handled) == 10)
+
+print("received before anybody spun:", sum(moment < spun_at for moment in timed.received))
+print("handled before anybody spun: ", sum(moment < spun_at for moment in timed.handled))
+
+# %%
+from workbook.pictures.figures import figure, show
+
+rows = {"handled": timed.handled, "received": timed.received, "published": published}
+fig, axes = figure(6.4, 2.0)
+for row, (label, moments) in enumerate(rows.items()):
+    times = [moment - began for moment in moments]
+    axes.plot(times, [row] * len(times), "|", markersize=16, markeredgewidth=3, label=label)
+axes.axvline(spun_at - began, color="#787878", linestyle="--")
+axes.text(spun_at - began + 0.04, 1.5, "spin begins", va="center")
+axes.set(xlabel="seconds", yticks=range(3), xlim=(-0.1, 2.6), ylim=(-0.6, 2.6))
+axes.set_yticklabels(rows)
+axes.grid(axis="y", visible=False)
+show(fig, "ten messages: each is received when it is published, and all ten are handled when spin begins, at 2 s")
+
+# %% [markdown]
+# The upper two rows are the same: sending and receiving go on without spin. In the lowest row, all ten stand in one
+# place, at two seconds, when `run` began. **Publish needs no spin. Receiving needs no spin. Your callback does.** You
+# will read that a node must spin before it can publish; you have just seen it publish without.
+#
+# `rclpy.spin(node)` is a loop: is a message waiting? Take it out of the queue, call the callback with it, look again.
+# One callback after the other, never two at once, and each in the order in which the messages came. That is why you
+# need no locks in a node like this, and why a slow callback holds up all others.
+#
+# So you never call a callback yourself, and you never ask for the next message. You say once what is to be done, and
+# then you let the node work.
+
+# %% [markdown]
+# ### A myth, tested
+#
+# In many examples you find `self.subscription = self.create_subscription(...)`, and below it a line which says that
+# this is to be kept, or the garbage collector will take the subscription away. The guards above have kept nothing. Let
+# us ask the collector:
+
+# %% id="nothing-kept"
+import gc
+
+gc.collect()
+sensor.publisher.publish(Float32(data=0.3))
+await run(guard, seconds=5, until=lambda: 0.3 in guard.heard)
+print("the guard still hears:", guard.heard[-1], "m")
+print("subscriptions that its node keeps:", len(list(guard.subscriptions)))
+
+# %% [markdown]
+# All survive: the node keeps its subscriptions, as it keeps its publishers and timers. Keep one yourself if you want to
+# end it later, with `self.destroy_subscription(self.subscription)`.
+
+# %% [markdown]
+# ## Change it
+#
+# ### Experiment 1: how many may wait
+#
+# The last argument of `create_subscription` is the **depth** of the queue. A camera publishes 60 pictures, numbered
+# from 1 to 60, while three readers are busy elsewhere. One has a depth of 1, one of 10, one of 100. Then they
+# read. What do they get?
+#
+# - **a** All 60, each of them: a message that was received is never lost.
+# - **b** Number 1, numbers 1 to 10, and all 60: what comes when the queue is full is turned away.
+# - **c** Number 60, numbers 51 to 60, and all 60: what is new pushes out what is old.
+# - **d** Numbers 51 to 60, for all three: the rest is gone after a moment.
+
+# %%
+predict("...", about="how many may wait")
+
+# %% id="depth"
+from std_msgs.msg import Int32
+
+
+class Camera(Node):
+    """Says which picture it has just taken."""
+
+    def __init__(self) -> None:
+        super().__init__("camera")
+        self.publisher = self.create_publisher(Int32, "/camera/picture_number", 100)
+
+
+class Reader(Node):
+    """Reads the numbers of pictures, from a queue of some depth."""
+
+    def __init__(self, depth: int) -> None:
+        super().__init__(f"reader_{depth}")
+        self.depth = depth
+        self.numbers: list[int] = []
+        self.create_subscription(Int32, "/camera/picture_number", self.on_picture, depth)
+
+    def on_picture(self, message: Int32) -> None:
+        self.numbers.append(message.data)
+
+
+camera = fresh(Camera)
+readers = [fresh(Reader, depth) for depth in (1, 10, 100)]
+while camera.publisher.get_subscription_count() < len(readers):
+    time.sleep(0.01)
+
+for number in range(1, 61):
+    camera.publisher.publish(Int32(data=number))
+await run(readers, seconds=10, until=lambda: all(reader.numbers[-1:] == [60] for reader in readers))
+
+for reader in readers:
+    span = f"{reader.numbers[0]} to {reader.numbers[-1]}"
+    print(f"depth {reader.depth:>3}: {len(reader.numbers):>2} of 60, from number {span}")
+recall("c", about="how many may wait")
+
+# %%
+fig, axes = figure(6.4, 1.9)
+for row, reader in enumerate(readers):
+    lost = sorted(set(range(1, 61)) - set(reader.numbers))
+    axes.plot(lost, [row] * len(lost), "x", color="#787878", alpha=0.6, markersize=4)
+    axes.plot(reader.numbers, [row] * len(reader.numbers), "o", color="#208a3c", markersize=5)
+axes.set(xlabel="number of the picture", yticks=range(3), xlim=(0, 61), ylim=(-0.6, 2.6))
+axes.set_yticklabels([f"depth {reader.depth}" for reader in readers])
+axes.grid(axis="y", visible=False)
+show(
+    fig,
+    "60 pictures: with depth 1 only the last is read, with depth 10 the last ten, with depth 100 all; x is lost",
+)
+
+# %% [markdown]
+# Nothing warns you. A queue that is full drops its *oldest* message, and the newest is always in it. Both beliefs are
+# wrong: that messages are lost when nobody looks (all 60 were there for the reader with depth 100), and that they are
+# all kept (they are kept up to the depth).
+#
+# The sender has a depth as well, the last argument of `create_publisher`: so many messages may wait there until they
+# are delivered. That is why the camera got 100, too.
+
+# %% [markdown]
+# ### Experiment 2: how old is a message
+#
+# So, always a large depth? The distance sensor is back: a message every 0.05 s. Handling one takes this guard 0.2 s, so
+# it can only do every fourth. It gets a depth of 50, and works for four seconds. How old is the distance that it
+# handles last?
+#
+# - **a** Less than 0.1 s: messages travel fast.
+# - **b** About 0.2 s, the time that one takes.
+# - **c** More than a second, and it gets worse.
+
+# %%
+predict("...", about="the age of a message")
+
+# %% [markdown]
+# `info` tells when the message was sent, in nanoseconds. So its age is the time now, minus that.
+
+
+# %%
+class SlowGuard(Node):
+    """Takes 0.2 s to think about each distance, and notes how old the distance was when it began."""
+
+    def __init__(self, depth: int) -> None:
+        super().__init__(f"slow_guard_{depth}")
+        self.ages_s: list[float] = []
+        self.travels_s: list[float] = []
+        self.create_subscription(Float32, "/robot/distance", self.on_distance, depth)
+
+    def on_distance(self, message: Float32, info: dict) -> None:
+        self.ages_s.append((time.time_ns() - info["source_timestamp"]) / 1e9)
+        self.travels_s.append((info["received_timestamp"] - info["source_timestamp"]) / 1e9)
+        time.sleep(0.2)
+
+
+start(distance_sensor)
+guards = {}
+for depth in (50, 1):  # one after the other, so that they do not hold each other up
+    guards[depth] = fresh(SlowGuard, depth)
+    await run(guards[depth], seconds=4)
+stop()
+
+# %%
+fig, axes = figure(6.4, 2.6)
+for depth, marker, line in ((50, "s", "--"), (1, "o", "-")):
+    axes.plot(guards[depth].ages_s, label=f"depth {depth}", marker=marker, markersize=4, linestyle=line)
+axes.set(xlabel="callback", ylabel="age of its message (s)", xticks=range(0, 21, 5))
+axes.legend(loc="upper left")
+show(
+    fig, "with depth 50 each message is older than the one before, up to seconds; with depth 1 all are fresh"
+)
+
+# %% id="message-age"
+from statistics import median
+
+deep, shallow = guards[50], guards[1]
+print("depth 50: the last distance was older than a second:", deep.ages_s[-1] > 1.0)
+print("depth  1: half of them were younger than 0.2 s:     ", median(shallow.ages_s) < 0.2)
+print("of that, time on the way was less than 0.1 s:       ", median(deep.travels_s) < 0.1)
+recall("c", about="the age of a message")
+
+# %% [markdown]
+# The way from one program to the other takes about a millisecond. The rest is waiting in the queue: each callback takes
+# out one message, while four new ones come in. It gets worse until the queue is full. Then the age stays at 50 messages
+# times 0.05 s, which is 2.5 s.
+#
+# A robot that walks one meter in a second believes that the wall is more than two meters further away than it is. With
+# a depth of 1 it skips three of four distances, and knows where it is. Which is right depends on the message:
+#
+# | the message | depth | because |
+# |---|---|---|
+# | a state: distance, battery, camera picture | small, 1 to 10 | only the newest one is of use |
+# | an event: a button, an order, a fault | large enough for the longest burst | each one counts |
+#
+# No depth makes a slow callback fast. What to do about that is lesson 10.
+
+# %% [markdown]
+# ### Experiment 3: what the type hint does
+#
+# In `on_distance(self, message: Float32)` the hint says what will come. Somebody copies the callback of another
+# node, and its hint says `String`. The subscription still says `Float32`. What will the callback get?
+#
+# - **a** Nothing: `create_subscription` raises an error, because the two do not fit.
+# - **b** A `String` with the number as its text.
+# - **c** A `Float32`, as if the hint were not there.
+
+# %%
+predict("...", about="the wrong hint")
+
+# %% id="wrong-hint"
+from std_msgs.msg import String
+
+
+class MixedUp(Node):
+    """Its callback expects a text. The topic carries numbers."""
+
+    def __init__(self) -> None:
+        super().__init__("mixed_up")
+        self.got: list[str] = []
+        self.create_subscription(Float32, "/robot/distance", self.on_status, 10)
+
+    def on_status(self, message: String) -> None:
+        self.got.append(f"a {type(message).__name__} with a {type(message.data).__name__}")
+
+
+mixed_up = fresh(MixedUp)
+sensor.publisher.publish(Float32(data=0.7))
+await run(mixed_up, seconds=5, until=lambda: mixed_up.got)
+print("the callback got", mixed_up.got[0])
+recall("c", about="the wrong hint")
+
+# %% [markdown]
+# What comes is decided by the first argument of `create_subscription`, and by nothing else. The hint is not looked at
+# when the program runs. It is for those who read: you, your editor (type `message.` and it lists the fields), and mypy,
+# in lesson 07. A hint that lies is worse than none. Had the callback called `message.data.upper()`, the editor would
+# have agreed, and the robot would have ended with `'float' object has no attribute 'upper'`.
+
+# %% [markdown]
+# ## When it goes wrong
+#
+# **A callback that takes nothing.** This one only wants to count.
+
+
+# %% tags=["raises-exception"] id="no-argument"
+class Counter(Node):
+    """Counts distances."""
+
+    def __init__(self) -> None:
+        super().__init__("counter")
+        self.count = 0
+        self.create_subscription(Float32, "/robot/distance", self.on_distance, 10)
+
+    def on_distance(self) -> None:
+        self.count += 1
+
+
+counter = fresh(Counter)
+
+# %% [markdown]
+# A clear error, and at the right place: a callback has one argument, the message, or two, the message and what is
+# known about it. (`self` is not counted.) Take the message, even if you do not look at it:
+# `def on_distance(self, message: Float32)`.
+#
+# **Parentheses, and things forgotten.** Three more calls that do not work. What does each of them say?
+
+
+# %% id="three-calls"
+def on_distance(message: Float32) -> None:
+    """A callback as it should be."""
+
+
+attempts = {
+    "on_distance()": lambda: guard.create_subscription(Float32, "/robot/distance", on_distance(), 10),
+    "no depth": lambda: guard.create_subscription(Float32, "/robot/distance", on_distance),
+    "float": lambda: guard.create_subscription(float, "/robot/distance", on_distance, 10),
+}
+for label, attempt in attempts.items():
+    try:
+        attempt()
+    except (TypeError, AttributeError) as error:
+        print(f"{label}\n    {type(error).__name__}: {str(error).split('This')[0].strip()}")
+
+# %% [markdown]
+# - `on_distance()` *calls* the function, now, without a message. Python complains before rclpy hears of it. Without the
+#   parentheses you hand over the function itself.
+# - `qos_profile` is the depth: say how many may wait, mostly `10`.
+# - `float` is a type of Python. A topic carries messages: `Float32`. (The error goes on about ROS 1 and sourcing a
+#   workspace. Do not follow it there.)
+#
+# **Silence.** The names are right, the robot sends, the node is spun, and nothing comes.
+
+# %% id="other-type"
+from std_msgs.msg import Float32MultiArray
+
+from lesson_nodes import joint_position_publisher
+
+
+class ArmWatcher(Node):
+    """Counts the messages with joint angles."""
+
+    def __init__(self, message_type: type) -> None:
+        super().__init__("arm_watcher")
+        self.heard = 0
+        self.create_subscription(message_type, "/robot/joint_positions", self.on_angles, 10)
+
+    def on_angles(self, message: object) -> None:
+        self.heard += 1
+
+
+start(joint_position_publisher)
+watcher = fresh(ArmWatcher, Float32)
+await run(watcher, seconds=2)
+print("callbacks in two seconds:", watcher.heard)
+
+# %% [markdown]
+# Twenty messages a second, and not one callback. Neither side gets an error or a warning. What do the tools say?
+
+# %%
+from workbook.ros import topic_info
+
+topic_info("/robot/joint_positions")
+
+# %% [markdown]
+# The robot sends arrays, and this node wants single numbers. Two programs are connected only if name **and** type are
+# the same. So when nothing comes, ask three things: is my node spun? Is the name right, letter by letter? Is the type
+# right? `topic_info` answers the last two.
+
+# %%
+watcher = fresh(ArmWatcher, Float32MultiArray)
+await run(watcher, seconds=5, until=lambda: watcher.heard == 20)
+print("callbacks with the right type:", watcher.heard)
+stop()
+
+# %% [markdown]
+# Within *one* program rclpy refuses a second type on a topic. The error is an `RCLError` that speaks of an `invalid
+# allocator`; the true reason, `existing topic name ... with incompatible type`, is in the lines before it.
+
+# %% [markdown]
+# ## From a worked example to your own
+#
+# **Worked.** A callback often listens on one topic and speaks on another. This one brakes. It says `stop` when the
+# wall is closer than half a meter, and `go` when the way is free again, and each of them once. For that it has to
+# remember what it said last. What a node remembers is an attribute.
+
+# %%
+STOP_BELOW_M = 0.5
+
+
+class Brake(Node):
+    """Says stop when the wall is close, and go when the way is free again."""
+
+    def __init__(self) -> None:
+        super().__init__("brake")
+        self.last_word = "go"
+        self.said: list[str] = []
+        self.word_publisher = self.create_publisher(String, "/robot/walk", 10)
+        self.create_subscription(Float32, "/robot/distance", self.on_distance, 10)
+
+    def on_distance(self, message: Float32) -> None:
+        word = "stop" if message.data < STOP_BELOW_M else "go"
+        if word == self.last_word:
+            return
+        self.last_word = word
+        self.said.append(word)
+        self.word_publisher.publish(String(data=word))
+
+
+brake = fresh(Brake)
+distances = (1.5, 0.8, 0.4, 0.3, 0.4, 0.9, 1.6)
+for distance in distances:
+    sensor.publisher.publish(Float32(data=distance))
+await run(brake, seconds=5, until=lambda: len(brake.said) == 2)
+print(len(distances), "distances, and it said", brake.said)
+
+# %% [markdown]
+# **Faded.** A motor has a temperature sensor on `/motor/temperature` (`Float32`, in °C). The node below shall keep the
+# highest temperature so far. Fill in what is `...`. Until then the cell runs, and says what is missing.
+
+# %%
+TOPIC = ...  # TODO: on which topic do the temperatures come?
+
+
+class Thermometer(Node):
+    """Remembers the highest temperature of the motor (°C)."""
+
+    def __init__(self) -> None:
+        super().__init__("thermometer")
+        self.heard = 0
+        self.highest = -273.15
+        if TOPIC is not ...:
+            ...  # TODO: a subscription to TOPIC that calls self.on_temperature
+
+    def on_temperature(self, message: Float32) -> None:
+        self.heard += 1
+        # TODO: keep it in self.highest, if it is higher than all before
+
+
+if TOPIC is ...:
+    print("Fill in the topic, the subscription and the callback, then run this cell again.")
+else:
+    thermometer = fresh(Thermometer)
+    motor = sensor.create_publisher(Float32, "/motor/temperature", 10)
+    for celsius in (41.5, 63.0, 58.5):
+        motor.publish(Float32(data=celsius))
+    await run(thermometer, seconds=1)
+    print(thermometer.heard, "of 3 messages, the highest was", thermometer.highest, "and should be 63.0")
+
+# %% [markdown]
+# **Your own.** In the [exercise](../exercises/04_subscriptions_and_callbacks.ipynb) you write a battery monitor. The
+# judge sends it twenty readings, one of which cannot be, and looks at what your node makes of them.
+
+# %% [markdown]
+# ## Check yourself
+#
+# **1. A program makes a node, calls a method of it that publishes, and sleeps. It never spins. What works?**
+#
+# <details><summary>a) Nothing: without spin the node is not connected</summary>
+#
+# ✗ Connecting is the work of DDS, in threads of its own. You have seen the black box get all five.
+#
+# </details>
+# <details><summary>b) Publishing works, callbacks do not run</summary>
+#
+# ✓ Yes. What comes for the node waits in its queue, up to the depth.
+#
+# </details>
+# <details><summary>c) Both work, only more slowly</summary>
+#
+# ✗ Callbacks run in your thread, inside `spin`. A thread that sleeps runs none.
+#
+# </details>
+#
+# **2. A subscription has depth 10. While its node is busy for a second, 25 messages come. What then?**
+#
+# <details><summary>a) The callback gets the last 10, the oldest of them first</summary>
+#
+# ✓ The new ones have pushed out the old ones. What is left comes in the order in which it was sent.
+#
+# </details>
+# <details><summary>b) The callback gets the first 10; the others found the queue full</summary>
+#
+# ✗ The other way round: the newest message always gets in.
+#
+# </details>
+# <details><summary>c) All 25 come, only late</summary>
+#
+# ✗ That takes a depth of 25 or more.
+#
+# </details>
+# <details><summary>d) rclpy raises an error: the queue has run over</summary>
+#
+# ✗ It drops the oldest and says nothing. If each message counts, the depth is your affair.
+#
+# </details>
+#
+# **3. `self.create_subscription(Float32, "/robot/distance", self.on_distance(), 10)`: what is wrong?**
+#
+# <details><summary>a) The 10 should be a QoSProfile</summary>
+#
+# ✗ A number is fine: it is the depth, and everything else is as usual.
+#
+# </details>
+# <details><summary>b) It calls the method, where it should hand it over</summary>
+#
+# ✓ Leave the parentheses out. With them, Python calls it at once, and the message is missing.
+#
+# </details>
+# <details><summary>c) The result has to be kept in an attribute</summary>
+#
+# ✗ The node keeps it. You asked the garbage collector yourself.
+#
+# </details>
+#
+# **4. A node subscribes to `/robot/battery` as `String`. Another program publishes `Float32` there. What happens?**
+#
+# <details><summary>a) The callback gets the number as a text</summary>
+#
+# ✗ ROS converts nothing. A message is of one type.
+#
+# </details>
+# <details><summary>b) An error when the first message comes</summary>
+#
+# ✗ No message comes. The two are not connected, because their types differ.
+#
+# </details>
+# <details><summary>c) Nothing, without a word; `topic_info` tells why</summary>
+#
+# ✓ Silence is the usual sign of a wrong name or a wrong type.
+#
+# </details>
+
+# %% [markdown]
+# ## Talk it through
+#
+# Discuss this with a colleague or an AI assistant:
+#
+# > My robot has one node that subscribes to a camera (30 pictures a second, my callback takes 80 ms), to an emergency
+# > button (one message when it is pressed), and to its battery (one message every 2 s). All three have a depth of 10.
+# > What will go wrong, and which depths would you choose?
+#
+# <details><summary>What a good answer contains</summary>
+#
+# The node handles 12 pictures a second and gets 30, so the camera's queue is always full: the picture that is handled
+# is the oldest of the last ten, a third of a second old. A depth of 1 makes it as fresh as can be; pictures are
+# skipped, which is what one wants of a state. The button is an event and must not be pushed out: a depth of 10 is
+# fine, as it is its own queue, and pictures cannot fill it. But its callback has to wait for its turn: all callbacks
+# run one after the other, so it comes 80 ms late or more, and that is no question of depth. Battery: 1 is enough. Good
+# answers see that the button should not share a thread with the camera at all (lesson 10), or should have a node of
+# its own, and that a button which must stop the robot is not left to a topic alone.
+#
+# </details>
+
+# %% [markdown]
+# ## Take away
+#
+# - `create_subscription(type, topic, callback, depth)`: rclpy calls the callback for each message, in their order.
+# - Publishing and receiving need no spin. Callbacks do: no spin, no callback, and no error either.
+# - Up to `depth` messages wait; each further one pushes out the oldest. Small for a state, large for an event.
+# - The first argument decides which type comes, not the hint. Another type or name: silence. Ask `topic_info`.
+# - Hand over the callback without parentheses. The node keeps the subscription; you need not.
+#
+# **Next:** [05 · Timers](05_timers.ipynb), for what a robot does again and again without being told.
+#
+# **More:** [Writing a simple publisher and
+# subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html),
+# step by step, and [quality of
+# service](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html), of which the
+# depth is one.

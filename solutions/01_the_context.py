@@ -1,0 +1,145 @@
+# ---
+# exercise: 01_the_context
+# title: A guard that goes home well
+# minutes: 20
+# difficulty: 2
+# kind: program
+# clock: wall
+# objectives:
+#   - start ROS once and keep a node at work until it is told to end
+#   - clean up after Ctrl-C, although the context is down by then
+#   - end a program with exit code 0 and without a traceback
+#   - leave the graph in order, with no ghost of your node on it
+# out_of_scope:
+#   - SIGTERM and other signals than the one of Ctrl-C (this rclpy loses some of them)
+#   - topics, and what the guard does on its rounds
+#   - a last message on a topic, which needs other signal handlers
+# ---
+# %% [markdown]
+# # Exercise 01 · A guard that goes home well
+#
+# The night guard of the museum is done, but for its `main()`. At six in the morning somebody presses Ctrl-C. Last week
+# the robot then froze in the middle of a step, both arms in the air, and a crash report was on the screen of the
+# day shift. And on Tuesday the graph still showed a guard that was long gone. Write a `main()` after which
+# everybody sleeps well.
+#
+# **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
+# [01](../notebooks/01_the_context.ipynb).
+#
+# ## What to build
+#
+# | when | what is wanted |
+# |---|---|
+# | at the start | one node, `/night_guard`, is on the graph |
+# | all night | it walks its rounds, for as long as nobody stops it |
+# | on Ctrl-C | `park()` is called, which says `arms parked` |
+# | then | the program ends by itself: exit code 0, no traceback, no node left |
+#
+# The class `NightGuard` is there. `park()` needs no ROS; it may be called at any time. Do not call it before the night
+# is over: a guard with folded arms is no guard.
+#
+# ## What is judged
+#
+# Your program runs as a process of its own for some two seconds. Then it gets the signal that Ctrl-C sends.
+#
+# | points | criterion |
+# |---:|---|
+# | 2 | the program runs until it is told to end |
+# | 1 | `/night_guard` is on the graph, once |
+# | 2 | the arms are parked after Ctrl-C, and not before |
+# | 3 | Ctrl-C ends it with exit code 0 and no traceback |
+# | 2 | its node is gone from the graph |
+#
+# **Not part of it:** SIGTERM, topics, and how the guard walks.
+# %% [answer]
+"""A guard that walks through the museum at night, and parks its arms when the night is over."""
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+ROUND_S = 0.5
+
+
+class NightGuard(Node):
+    """Logs each round that it has walked."""
+
+    def __init__(self) -> None:
+        super().__init__("night_guard")
+        self.rounds = 0
+        self.create_timer(ROUND_S, self.walk_round)
+        self.get_logger().info("on duty")
+
+    def walk_round(self) -> None:
+        """Walk one round."""
+        self.rounds += 1
+        self.get_logger().info(f"round {self.rounds}: all quiet")
+
+    def park(self) -> None:
+        """Fold the arms, so that the motors may lose their power. Needs no ROS."""
+        print("arms parked", flush=True)
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the guard until Ctrl-C, park its arms, and leave with exit code 0."""
+    rclpy.init(args=args)
+    guard = NightGuard()
+    # [solution]
+    try:
+        rclpy.spin(guard)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass  # this is how a night ends
+    finally:
+        guard.park()
+        guard.destroy_node()
+        rclpy.try_shutdown()
+    # [starter]
+    # | # TODO 1: Ctrl-C makes spin raise KeyboardInterrupt, SIGTERM ExternalShutdownException. Catch both.
+    # | rclpy.spin(guard)
+    # | # TODO 2: park the arms, however the spin ended
+    # | # TODO 3: take the node off the graph, and shut the context down if it is still up
+    # [end]
+
+
+if __name__ == "__main__":
+    main()
+# %% [hint]
+# Run the starter with `%start`, then `%stop`, and read what it prints from the bottom up. Which line of `main()` was the
+# last one that Python reached? A line that must run in any case needs a place that Python visits in any case.
+#
+# [The chapter on errors of the Python tutorial](https://docs.python.org/3/tutorial/errors.html#defining-clean-up-actions)
+# has that place.
+# %% [hint]
+# - `rclpy.spin(guard)` does not return on Ctrl-C. It raises `KeyboardInterrupt`. If somebody else shuts the context
+#   down, it raises `ExternalShutdownException`, from `rclpy.executors`. One `except` takes both: `except (A, B):`.
+# - What stands in `finally` runs after the `except`, and also when another error comes.
+# - When the exception arrives, rclpy has shut the context down already. `rclpy.shutdown()` would raise then;
+#   `rclpy.try_shutdown()` does not.
+# - Let `main()` come to its end. `os._exit()` and a second Ctrl-C leave a ghost of the node on the graph.
+# %% [hint]
+# ```python
+# rclpy.init(args=args)
+# guard = NightGuard()
+# try:
+#     rclpy.spin(guard)
+# except (___, ___):
+#     pass
+# finally:
+#     guard.___()
+#     guard.destroy_node()
+#     rclpy.___()
+# ```
+# %% [alternatives]
+# ## Other good ways
+#
+# - **`if rclpy.ok(): rclpy.shutdown()`** instead of `rclpy.try_shutdown()`. It says more plainly what is meant. Between
+#   the question and the call something else could shut the context down; in a program with one thread nothing does.
+# - **`contextlib.suppress(KeyboardInterrupt, ExternalShutdownException)`** around the spin. Shorter by two lines, and good if
+#   there is nothing to do in the `except`. The cleaning up then simply follows, so other errors skip it.
+# - **Parking in `destroy_node`.** Override it in the class, park there and call `super().destroy_node()`. Whoever uses
+#   your class cannot forget it. But then nobody who reads `main()` sees that arms will move.
+# - **`SignalHandlerOptions.NO`.** The context stays up after Ctrl-C, so the guard could still publish "parked". Needed
+#   when the last deed needs ROS. Then something, such as this timer, must wake up the spin, and SIGTERM ends the program
+#   on the spot.
+# - **Only `except KeyboardInterrupt`.** Full marks here. On SIGTERM the program would end with a traceback, after its
+#   arms were parked. The second exception costs half a line.

@@ -1,0 +1,72 @@
+"""The nodes of lesson 01: a guard that parks its arms at the end, and robots that hear only their own domain."""
+
+import time
+
+import pytest
+import rclpy
+from rclpy.context import Context
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.signals import SignalHandlerOptions
+
+from lesson_nodes import night_guard, radio_robot
+from lesson_nodes.radio_robot import RadioRobot
+from workbook.lesson import arrivals, record, run_program, start, stop
+from workbook.lesson.programs import program_file
+from workbook.ros.domains import lease_domain
+
+HELLO = "/building/hello"
+
+
+def test_the_guard_walks_parks_its_arms_and_leaves_with_zero() -> None:
+    code = program_file(night_guard).read_text()
+    end = run_program(code, interrupt_at="round 2")
+    assert end.exit == 0, end.log
+    assert "Traceback" not in end.log
+    assert end.log.strip().endswith("arms parked")
+    assert end.log.index("round 1") < end.log.index("round 2") < end.log.index("arms parked")
+
+
+def test_a_round_that_takes_no_time_is_refused_in_words() -> None:
+    with pytest.raises(RuntimeError, match=r"not 0\.0"):
+        start(night_guard, round_s=0.0)
+
+
+def test_the_guard_is_on_the_graph_by_its_name() -> None:
+    assert start(night_guard) == "/night_guard"
+    stop(night_guard)
+
+
+def test_the_radio_speaks_four_times_a_second() -> None:
+    recording = record(radio_robot, {HELLO: radio_robot.PERIOD_S}, seconds=10)
+    assert recording.process.exit == 0
+    assert 38 <= len(arrivals(recording, HELLO)) <= 41
+
+
+def test_robots_hear_their_own_domain_only() -> None:
+    contexts, robots, executors = [], {}, []
+    with lease_domain() as inside, lease_domain() as outside:
+        for name, lease in (("kitchen", inside), ("hall", inside), ("garden", outside)):
+            context = Context()
+            rclpy.init(
+                context=context,
+                domain_id=lease.domain_id,
+                signal_handler_options=SignalHandlerOptions.NO,
+            )
+            robot = RadioRobot(name, context=context)
+            executor = SingleThreadedExecutor(context=context)
+            executor.add_node(robot)
+            contexts.append(context)
+            executors.append(executor)
+            robots[name] = robot
+        deadline = time.monotonic() + 20.0
+        while time.monotonic() < deadline and not (robots["kitchen"].others() and robots["hall"].others()):
+            for executor in executors:
+                executor.spin_once(timeout_sec=0.01)
+        for robot, executor, context in zip(robots.values(), executors, contexts, strict=True):
+            executor.shutdown()
+            robot.destroy_node()
+            rclpy.shutdown(context=context)
+    assert robots["kitchen"].others() == ["hall"]
+    assert robots["hall"].others() == ["kitchen"]
+    assert robots["garden"].others() == []
+    assert robots["garden"].moments("garden")

@@ -1,0 +1,48 @@
+"""A guard that walks through the museum at night, and parks its arms when the night is over."""
+
+import rclpy
+from rclpy.context import Context
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+
+ROUND_S = 0.5
+
+
+class NightGuard(Node):
+    """Logs each round that it has walked."""
+
+    def __init__(self, context: Context) -> None:
+        super().__init__("night_guard", context=context)
+        self.rounds = 0
+        self.create_timer(ROUND_S, self.walk_round)
+        self.get_logger().info("on duty")
+
+    def walk_round(self) -> None:
+        """Walk one round."""
+        self.rounds += 1
+        self.get_logger().info(f"round {self.rounds}: all quiet")
+
+    def park(self) -> None:
+        """Fold the arms, so that the motors may lose their power. Needs no ROS."""
+        print("arms parked", flush=True)
+
+
+def main() -> None:
+    context = Context()
+    rclpy.init(context=context)
+    guard = NightGuard(context)
+    executor = SingleThreadedExecutor(context=context)
+    executor.add_node(guard)
+    try:
+        while context.ok():
+            executor.spin_once(timeout_sec=0.2)
+    except KeyboardInterrupt:
+        pass
+    finally:
+        guard.park()
+        guard.destroy_node()
+        context.try_shutdown()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,65 @@
+"""mypy from a notebook: what it says of a program, line by line, without running it."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+
+from workbook.exercise.source import STEM
+from workbook.magics.answers import answer_file
+from workbook.observing.recording import Finding
+from workbook.observing.typecheck import BARE, SETTINGS, type_check
+
+_STRICT = ("--strict", "--allow-untyped-calls")
+
+
+@dataclass(frozen=True)
+class TypeReport:
+    """What mypy found, as a cell shows it."""
+
+    program: str
+    findings: tuple[Finding, ...]
+
+    @property
+    def lines(self) -> tuple[int, ...]:
+        """The lines that mypy says something about, each once."""
+        return tuple(sorted({finding.line for finding in self.findings}))
+
+    def __len__(self) -> int:
+        return len(self.findings)
+
+    def __repr__(self) -> str:
+        if not self.findings:
+            return "mypy: nothing found"
+        text = self.program.splitlines()
+        shown = [f"mypy: {len(self)} finding{'s' if len(self) > 1 else ''}"]
+        last = -1
+        for finding in self.findings:
+            if finding.line != last:
+                source = text[finding.line - 1].strip() if 0 < finding.line <= len(text) else ""
+                shown.append(f"line {finding.line}: {source}".rstrip(": "))
+            last = finding.line
+            shown.append(f"    {finding.message} [{finding.code}]")
+        return "\n".join(shown)
+
+
+def check_types(
+    program: str | Path | ModuleType, *, stubs: bool = True, strict: bool = True, notes: bool = False
+) -> TypeReport:
+    """Let mypy read a program: its text, its file, a module, or your answer to an exercise by the name of that.
+
+    `stubs`: with the stubs of the course for message packages (`workbook/typings`); without, as ROS installs them.
+    `strict`: every function has to be annotated, and Any may not be written. `notes`: show what `reveal_type` says, too.
+    """
+    text = _text_of(program)
+    settings = (f"--config-file={SETTINGS}",) if stubs and strict else (*BARE, *(_STRICT if strict else ()))
+    return TypeReport(text, type_check(text, settings=settings, stubs=stubs, notes=notes))
+
+
+def _text_of(program: str | Path | ModuleType) -> str:
+    if isinstance(program, ModuleType):
+        if program.__file__ is None:
+            raise ValueError(f"{program.__name__} has no file that could be read")
+        program = Path(program.__file__)
+    elif isinstance(program, str) and STEM.fullmatch(program):
+        program = answer_file(program)
+    return program.read_text(encoding="utf-8") if isinstance(program, Path) else program

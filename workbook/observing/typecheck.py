@@ -1,0 +1,203 @@
+"""What a type checker says of a program, without running it.
+
+mypy runs in a child process behind a watchdog and under the settings of the bench alone. A program brings no settings
+of its own: comments that silence mypy are taken out before it looks, and are reported, as is code that it would not
+look at.
+"""
+
+import ast
+import hashlib
+import io
+import json
+import re
+import resource
+import subprocess
+import sys
+import tokenize
+from collections.abc import Iterator, Mapping, Sequence
+from importlib.util import find_spec
+from pathlib import Path
+
+from workbook.observing.recording import Finding
+from workbook.ros.environment import child_environment
+from workbook.ros.scratch import remove_scratch, scratch_folder
+
+TYPINGS = Path(__file__).resolve().parents[1] / "typings"
+SETTINGS = TYPINGS / "mypy.ini"
+# Without stubs: what mypy knows of rclpy and its messages as they are installed.
+BARE = ("--config-file=", "--disable-error-code=import-untyped")
+PROGRAM = "answer"
+SILENCED, UNCHECKED, UNFINISHED = "silenced", "unchecked", "unfinished"
+PATIENCE_S = 30.0
+MEMORY_BYTES = 2_500_000_000
+PROCESSOR_S = 60
+
+_IGNORE = re.compile(r"\btype:\s*ignore\b")
+_INLINE = re.compile(r"^# mypy: .*$", re.MULTILINE)
+_HIDING = ("TYPE_CHECKING", "MYPY")
+
+_cache: Path | None = None
+
+
+class TypeCheckFailed(RuntimeError):
+    """mypy could not do its work, and not because of the program. The message says why."""
+
+
+def type_check(
+    program: str,
+    probes: Mapping[str, str] | None = None,
+    *,
+    settings: Sequence[str] = (f"--config-file={SETTINGS}",),
+    stubs: bool = True,
+    notes: bool = False,
+    patience_s: float = PATIENCE_S,
+) -> tuple[Finding, ...]:
+    """What mypy says of `program`, by line, and of each of the `probes`: short programs that import it as `answer`.
+
+    `settings`: arguments of mypy. `stubs`: whether it finds those of the course. With `notes`, its notes are there as
+    well (code "note"), such as those of `reveal_type`. Raises TypeCheckFailed when mypy is not installed or fails over
+    something that is not the program's.
+    """
+    if find_spec("mypy") is None:
+        raise TypeCheckFailed("mypy is not installed in this environment: `make env` brings it up to date")
+    texts = {PROGRAM: without_silencers(program)}
+    names = {PROGRAM: ""}
+    for number, (name, text) in enumerate((probes or {}).items()):
+        texts[f"probe_{number}"] = text
+        names[f"probe_{number}"] = name
+    folder = scratch_folder("types")
+    try:
+        for module, text in texts.items():
+            (folder / f"{module}.py").write_text(text, encoding="utf-8")
+        found = _run_mypy(folder, [f"{module}.py" for module in texts], settings, stubs, notes, patience_s)
+    finally:
+        remove_scratch(folder)
+    of_mypy = [Finding(names[module], line, code, message) for module, line, code, message in found]
+    of_mypy.sort(key=lambda finding: (list(names.values()).index(finding.probe), finding.line))
+    return (*sorted(evasions(program), key=lambda finding: finding.line), *of_mypy)
+
+
+def _run_mypy(
+    folder: Path, files: Sequence[str], settings: Sequence[str], stubs: bool, notes: bool, patience_s: float
+) -> list[tuple[str, int, str, str]]:
+    """Run mypy over files of a folder: module, line, code and message of all that it says."""
+    command = [
+        sys.executable, "-P", "-m", "mypy", *settings, "--output=json", "--no-error-summary", "--show-error-codes",
+        "--explicit-package-bases", f"--cache-dir={_own_cache(settings, stubs)}", *files,
+    ]  # fmt: skip
+    environ = child_environment(0, log_folder=folder)
+    environ = {name: value for name, value in environ.items() if not name.startswith("MYPY")}
+    if stubs:
+        environ["MYPYPATH"] = str(TYPINGS)
+    child = subprocess.Popen(
+        command,
+        cwd=folder,
+        env=environ,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        encoding="utf-8",
+        errors="replace",
+        start_new_session=True,
+    )
+    with child:
+        try:
+            resource.prlimit(child.pid, resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
+            resource.prlimit(child.pid, resource.RLIMIT_CPU, (PROCESSOR_S, PROCESSOR_S))
+            said, complaint = child.communicate(timeout=patience_s)
+        except ProcessLookupError:
+            said, complaint = child.communicate()
+        except subprocess.TimeoutExpired:
+            return [(PROGRAM, 0, UNFINISHED, f"mypy had not finished after {patience_s:.0f} s")]
+        finally:
+            child.kill()
+    found = list(_read(said, notes))
+    strangers = [module for module, *_ in found if f"{module}.py" not in files]
+    if strangers:
+        raise TypeCheckFailed(f"mypy stumbled over {strangers[0]}, not over the program: {said.strip()}")
+    if child.returncode not in (0, 1) and not found:
+        if "INTERNAL ERROR" in complaint or child.returncode < 0:
+            return [(PROGRAM, 0, UNFINISHED, "mypy itself broke down over this program")]
+        raise TypeCheckFailed(f"mypy ended with code {child.returncode}: {(complaint or said).strip()}")
+    return found
+
+
+def _read(said: str, notes: bool) -> Iterator[tuple[str, int, str, str]]:
+    for line in said.splitlines():
+        if not line.startswith("{"):
+            continue
+        item = json.loads(line)
+        is_note = item["severity"] == "note"
+        if is_note and not notes:
+            continue
+        file = item["file"]
+        module = file.removesuffix(".py") if "/" not in file else file
+        yield module, max(0, item["line"]), "note" if is_note else item["code"] or "misc", item["message"]
+
+
+def _own_cache(settings: Sequence[str], stubs: bool) -> Path:
+    """mypy's cache of this process for these settings: the first check reads rclpy, the later ones are quick."""
+    global _cache
+    if _cache is None or not _cache.is_dir():
+        _cache = scratch_folder("mypy")
+    return _cache / hashlib.sha256("\n".join((*settings, str(stubs))).encode()).hexdigest()[:12]
+
+
+# --- what keeps mypy from looking -----------------------------------------------------------------------------
+
+
+def _comments(program: str) -> Iterator[tokenize.TokenInfo]:
+    try:
+        for token in tokenize.generate_tokens(io.StringIO(program).readline):
+            if token.type == tokenize.COMMENT:
+                yield token
+    except (tokenize.TokenError, SyntaxError):
+        return  # mypy will say that it cannot read the file
+
+
+def without_silencers(program: str) -> str:
+    """The program with every comment taken out that would silence mypy. Lines keep their numbers."""
+    lines = program.splitlines(keepends=True)
+    for token in _comments(program):
+        if _IGNORE.search(token.string):
+            row, column = token.start
+            end = "\n" if lines[row - 1].endswith("\n") else ""
+            lines[row - 1] = lines[row - 1][:column].rstrip() + end
+    return _INLINE.sub("#", "".join(lines))
+
+
+def evasions(program: str) -> Iterator[Finding]:
+    """Everything in a program that keeps mypy from looking, as findings of the codes "silenced" and "unchecked"."""
+    for token in _comments(program):
+        if _IGNORE.search(token.string):
+            yield Finding("", token.start[0], SILENCED, token.string.strip())
+    for found in _INLINE.finditer(program):
+        yield Finding("", program.count("\n", 0, found.start()) + 1, SILENCED, found[0].strip())
+    try:
+        tree = ast.parse(program)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return  # mypy will say that it cannot read the file
+    for node in ast.walk(tree):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            for decorator in node.decorator_list:
+                if _last_name(decorator) == "no_type_check":
+                    yield Finding("", decorator.lineno, UNCHECKED, "@no_type_check")
+        elif isinstance(node, ast.If) and (hidden := _hidden_code(node)) is not None:
+            yield Finding("", hidden.lineno, UNCHECKED, "code that runs, and that mypy is told to skip")
+
+
+def _last_name(node: ast.expr) -> str:
+    if isinstance(node, ast.Attribute):
+        return node.attr
+    return node.id if isinstance(node, ast.Name) else ""
+
+
+def _hidden_code(node: ast.If) -> ast.stmt | None:
+    """The first statement of the branch that runs, but is not for the eyes of a type checker. Imports may be there."""
+    names = {_last_name(part) for part in ast.walk(node.test) if isinstance(part, ast.expr)}
+    if names.isdisjoint(_HIDING):
+        return None
+    turned = isinstance(node.test, ast.UnaryOp) and isinstance(node.test.op, ast.Not)
+    runs = node.body if turned else node.orelse
+    return next((one for one in runs if not isinstance(one, (ast.Import, ast.ImportFrom, ast.Pass))), None)
