@@ -49,7 +49,12 @@ class Judges:
         self.judgement = judge_recording(exercise, "", recording)
 
     def __call__(
-        self, jobs: Iterable[Job[Any]], slots: int, *, stop: Callable[[], bool] = lambda: False
+        self,
+        jobs: Iterable[Job[Any]],
+        slots: int,
+        *,
+        isolation: str = "limits",
+        stop: Callable[[], bool] = lambda: False,
     ) -> Iterator[tuple[Job[Any], Judgement]]:
         for job in jobs:
             if stop():
