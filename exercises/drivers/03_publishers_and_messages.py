@@ -1,0 +1,129 @@
+"""Calls `publish_level` of the answer's BatteryPublisher with one value after another, and says what became of each.
+
+Topics:
+    /driver/calls (std_msgs/String), heard: the arguments, one Python expression a line. The driver begins with it.
+    /driver/report (std_msgs/String), published once the arguments are there: "made" or "not made: ...", then for each
+        call "call 3: publish_level(64)", and "call 3 returned" or "call 3 raised TypeError: ...", at last "done".
+"""
+
+import time
+import traceback
+from typing import Any
+
+import answer  # type: ignore[import-not-found]  # the student's file
+import numpy as np
+import rclpy
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile
+from std_msgs.msg import String
+
+PACE_S = 0.06
+BREATH_S = 0.01
+PATIENCE_S = 1.0
+LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+NAMES = {"np": np, "nan": float("nan"), "inf": float("inf")}
+LONGEST_ERROR = 300
+
+
+def make_battery() -> tuple[Any, str]:
+    """The answer's node, and in words what keeps it from being used ("" if nothing does)."""
+    make = getattr(answer, "BatteryPublisher", None)
+    if make is None:
+        return None, "no class BatteryPublisher"
+    try:
+        battery = make()
+    except Exception as error:
+        traceback.print_exc()
+        return None, f"BatteryPublisher() raised {in_words(error)}"
+    if not callable(getattr(battery, "publish_level", None)):
+        return battery, "no method publish_level"
+    return battery, ""
+
+
+def in_words(error: Exception) -> str:
+    """An error on one line, as Python prints it."""
+    text = " ".join(str(error).split())[:LONGEST_ERROR]
+    return f"{type(error).__name__}: {text}" if text else type(error).__name__
+
+
+class Driver(Node):
+    """Makes one call at each tick, once somebody listens to what it says and to what the answer says."""
+
+    def __init__(self, battery: Any, trouble: str) -> None:
+        super().__init__("driver")
+        self.battery = battery
+        self.to_say = f"not made: {trouble}" if trouble else "made"
+        self.usable = not trouble
+        self.expressions: list[str] = []
+        self.called = 0
+        self.not_before = 0.0
+        self.report_publisher = self.create_publisher(String, "/driver/report", 200)
+        self.create_subscription(String, "/driver/calls", self.on_calls, LATCHED)
+        self.create_timer(PACE_S, self.on_tick)
+
+    def say(self, text: str) -> None:
+        """Say something on /driver/report."""
+        self.report_publisher.publish(String(data=text))
+
+    def on_calls(self, message: String) -> None:
+        """Take the arguments; begin when the battery's topic is connected, or after a while without."""
+        if not self.expressions:
+            self.expressions = message.data.splitlines()
+            self.not_before = time.monotonic() + PATIENCE_S
+
+    def on_tick(self) -> None:
+        """Say how the making went, then make one call."""
+        if not self.expressions or self.report_publisher.get_subscription_count() == 0:
+            return
+        if self.to_say:
+            self.say(self.to_say)
+            self.to_say = ""
+        elif self.usable and self.is_heard():
+            self.call(self.expressions[self.called])
+            self.called += 1
+            if self.called == len(self.expressions):
+                self.to_say = "done"
+                self.usable = False
+
+    def is_heard(self) -> bool:
+        """Whether everything that the answer publishes has a listener, or there was time enough for one."""
+        if self.called or time.monotonic() > self.not_before:
+            return True
+        publishers = [
+            one for one in getattr(self.battery, "publishers", ()) if one.topic_name.startswith("/robot/")
+        ]
+        return bool(publishers) and all(one.get_subscription_count() > 0 for one in publishers)
+
+    def call(self, expression: str) -> None:
+        """Call the answer with one value."""
+        number = self.called + 1
+        self.say(f"call {number}: publish_level({expression})")
+        time.sleep(BREATH_S)
+        try:
+            self.battery.publish_level(eval(expression, dict(NAMES)))
+        except Exception as error:
+            traceback.print_exc()
+            self.say(f"call {number} raised {in_words(error)}")
+        else:
+            self.say(f"call {number} returned")
+
+
+def main() -> None:
+    """Make the answer's node and run it together with the driver, until Ctrl-C."""
+    if not rclpy.ok():
+        rclpy.init()
+    battery, trouble = make_battery()
+    executor = SingleThreadedExecutor()
+    executor.add_node(Driver(battery, trouble))
+    if isinstance(battery, Node):
+        executor.add_node(battery)
+    try:
+        executor.spin()
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+main()

@@ -1,0 +1,20 @@
+# loses: numbers_arrive, not_finite_refused
+# says: publish_level(64), an int, raised AssertionError: The 'data' field must be of type 'float'
+# says: refuses more than it must
+"""Leaves all to the field checks of ROS, switched on in time."""
+
+import os
+
+os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"
+
+from rclpy.node import Node
+from std_msgs.msg import Float32
+
+
+class BatteryPublisher(Node):
+    def __init__(self) -> None:
+        super().__init__("battery_publisher")
+        self.battery_publisher = self.create_publisher(Float32, "/robot/battery", 10)
+
+    def publish_level(self, level) -> None:
+        self.battery_publisher.publish(Float32(data=level))
