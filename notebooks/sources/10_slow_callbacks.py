@@ -1,0 +1,675 @@
+# %% [markdown]
+# # 10 · Slow callbacks
+#
+# A robot that feels nothing while it thinks falls over in the middle of a good idea.
+#
+# - **Minutes:** 40
+# - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb), and what a thread is:
+#   a second line of execution in the same program
+# - **You will be able to:** say what a slow callback does to the rest of a node, give slow work a place of its own,
+#   choose between threads, callback groups and a queue, and protect what two callbacks share
+# - **Left out:** services and the ways they block (lesson 12), real-time scheduling
+
+# %% [markdown]
+# Watch the robot wave. Every three seconds it stops to think of what to do next. A thought takes one second.
+
+# %%
+from lesson_nodes import thinking_robot
+from workbook.lesson import start, stop, watch_robot
+
+print("started", start(thinking_robot, heartbeat_period_s=0.05))
+await watch_robot(seconds=8, ease=0.0)
+stop()
+
+# %% [markdown]
+# Nobody told the arm to stop. It stops because the robot thinks. By the end of this lesson it will do both.
+
+# %% [markdown]
+# ## Predict
+#
+# This is the heart of that robot, with a thought every 1.1 s:
+#
+# ```python
+# class ThinkingRobot(Node):
+#     def __init__(self) -> None:
+#         super().__init__("thinking_robot")
+#         self.heartbeat_publisher = self.create_publisher(String, "/robot/heartbeat", 10)
+#         self.create_timer(0.1, self.beat)     # 10 Hz
+#         self.create_timer(1.1, self.think)
+#
+#     def beat(self) -> None:
+#         self.heartbeat_publisher.publish(String(data="alive"))
+#
+#     def think(self) -> None:
+#         time.sleep(1.0)                       # a planner that takes a second
+#
+# rclpy.spin(ThinkingRobot())
+# ```
+#
+# In five seconds, 50 heartbeats are due. How many arrive?
+#
+# - **a** All 50, on time: timers run in the background.
+# - **b** All 50: those that were due during a thought come in a burst when it is over.
+# - **c** Fewer than half. The others never come.
+# - **d** None, after the first thought has begun.
+
+# %%
+from workbook.lesson import predict
+
+predict("...", about="the heartbeat")
+
+# %% [markdown]
+# ## Run it
+#
+# `record` starts the program as a process of its own and notes when each message arrives. This time on the wall clock,
+# because a thought takes real time.
+
+# %%
+from workbook.lesson import arrivals, record
+
+HEARTBEAT, THOUGHT = "/robot/heartbeat", "/robot/thought"
+SECONDS, DUE = 5.0, 50
+
+
+def watch(**parameters):
+    """Five seconds of a robot that thinks for 1 s, every 1.1 s."""
+    periods = {HEARTBEAT: 0.1, THOUGHT: 1.1}
+    return record(thinking_robot, periods, seconds=SECONDS, clock="wall", think_period_s=1.1, **parameters)
+
+
+plain = watch()
+beats, thoughts = arrivals(plain, HEARTBEAT), arrivals(plain, THOUGHT)
+print("heartbeats due:", DUE)
+
+# %% tags=["nbval-ignore-output"]
+print("heartbeats that came:", len(beats))
+
+# %% id="flat-line"
+from itertools import pairwise
+
+from workbook.lesson import recall
+
+silences = [b - a for a, b in pairwise(beats)]
+print("fewer than half of the heartbeats came:", len(beats) < DUE / 2)
+print(
+    "silences of 0.9 s and more:",
+    "several" if sum(silence > 0.9 for silence in silences) >= 2 else "hardly any",
+)
+recall("c", about="the heartbeat")
+
+# %% [markdown]
+# ## Look inside
+
+# %%
+from workbook.pictures.figures import show
+from workbook.pictures.timeline import strip
+
+show(
+    strip({HEARTBEAT: beats, THOUGHT: thoughts}, periods={HEARTBEAT: 0.1}, end=SECONDS),
+    "heartbeats: a regular row at first, then a flat line of a second during each thought",
+)
+
+# %% [markdown]
+# If this were the monitor of a patient, somebody would come running.
+#
+# `rclpy.spin` is a loop in **one thread**. In short it does this:
+#
+# ```python
+# while rclpy.ok():
+#     callback = wait_until_one_is_due()
+#     callback()                            # nothing else happens until this returns
+# ```
+#
+# A timer does not *run*. It is a note in a list: "due at 3.2 s". While `think` has the thread, nobody reads the list.
+# The same goes for messages: a subscription has nobody to call its callback either.
+#
+# After the thought the loop looks at the list again. What does it do with the ten heartbeats that it missed?
+
+# %% id="no-burst"
+bursts = sum(beats[n + 2] - beats[n] < 0.05 for n in range(len(beats) - 2))
+print("bursts, three heartbeats or more within 0.05 s:", bursts)
+
+# %% [markdown]
+# Nothing. The timer is late, so it ticks once, and then goes back to its plan. Missed **ticks** are dropped. Missed
+# **messages** are different: they wait in the queue of the subscription, as many as its depth allows, and are then
+# handled late, one by one.
+#
+# So the first advice is the oldest one: *keep callbacks short*. Store something, publish something, return. But some
+# work is long, whatever you do: planning a path, asking a neural network, waiting for a gripper. The rest of this
+# lesson is about where to put it.
+
+# %% [markdown]
+# ## Change it
+#
+# ### Experiment 1: more threads
+#
+# The loop has one thread? Then give it four. rclpy brings an executor that spins with several threads:
+#
+# ```python
+# executor = MultiThreadedExecutor(num_threads=4)
+# executor.add_node(ThinkingRobot())
+# executor.spin()
+# ```
+#
+# The node stays as it is. How many of the 50 heartbeats arrive now?
+#
+# - **a** Nearly all of them: one thread thinks, three are free.
+# - **b** Twice as many as before.
+# - **c** As few as before.
+
+# %%
+predict("...", about="four threads")
+
+# %% id="more-threads"
+counted = {"1 thread": len(beats)}
+counted["4 threads"] = len(arrivals(watch(threads=4), HEARTBEAT))
+
+print("with four threads, fewer than half came:", counted["4 threads"] < DUE / 2)
+recall("c", about="four threads")
+
+# %% [markdown]
+# Four threads, and three of them idle. Why?
+#
+# Each callback belongs to a **callback group**. If you name none, it is the node's default group, the same for all of
+# them. And this group is *mutually exclusive*: of its callbacks one may run at a time, however many threads there are.
+# That is a safe default. Your callbacks never meet, so you need no locks.
+#
+# You have to *say* which callbacks may meet.
+
+# %% [markdown]
+# ### Experiment 2: a group of its own
+#
+# ```python
+# from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
+#
+#         thinking = MutuallyExclusiveCallbackGroup()
+#         self.create_timer(0.1, self.beat)
+#         self.create_timer(1.1, self.think, callback_group=thinking)
+# ```
+#
+# Now `beat` is in the default group, and `think` is alone in another one. Which program keeps its heartbeat?
+#
+# - **a** With this line, any: one thread is enough, since the groups are separate.
+# - **b** Only the one with this line **and** several threads.
+# - **c** None: thinking still takes a second.
+
+# %%
+predict("...", about="own group")
+
+# %%
+counted["1 thread, own group"] = len(arrivals(watch(own_group=True), HEARTBEAT))
+rescued = watch(threads=4, own_group=True)
+counted["4 threads, own group"] = len(arrivals(rescued, HEARTBEAT))
+
+for name, count in counted.items():
+    print(
+        f"{name + ':':<22}",
+        "nearly all" if count >= 0.9 * DUE else "fewer than half" if count < DUE / 2 else count,
+    )
+recall("b", about="own group")
+
+# %%
+from workbook.pictures.figures import figure
+from workbook.pictures.palette import GREEN, GREY, RED
+
+fig, axes = figure(6.4, 2.2)
+colors = [GREEN if count >= 0.9 * DUE else RED for count in counted.values()]
+bars = axes.barh(list(counted), list(counted.values()), color=colors, height=0.6)
+axes.bar_label(
+    bars, [f"{'✓' if count >= 0.9 * DUE else '✗'} {count}" for count in counted.values()], padding=4
+)
+axes.axvline(DUE, linestyle="--", color=GREY)
+axes.set(xlabel="heartbeats that came, of 50 that were due", xlim=(0, 58))
+axes.grid(visible=False)
+axes.invert_yaxis()
+show(fig, "four bars: only four threads together with a group of its own bring nearly all heartbeats")
+
+# %% [markdown]
+# Threads give the *possibility* to run two callbacks at once, groups give the *permission*. You need both. Here is the
+# rescued robot:
+
+# %%
+show(
+    strip(
+        {HEARTBEAT: arrivals(rescued, HEARTBEAT), THOUGHT: arrivals(rescued, THOUGHT)},
+        periods={HEARTBEAT: 0.1},
+        end=SECONDS,
+    ),
+    "heartbeats without a gap, while the thoughts go on",
+)
+
+# %%
+print("started", start(thinking_robot, heartbeat_period_s=0.05, threads=4, own_group=True))
+await watch_robot(seconds=5, ease=0.0)
+stop()
+
+# %% [markdown]
+# ### Experiment 3: two threads, one number
+#
+# There is a second kind of group. In a **reentrant** group everything may meet: each callback with each other, and even
+# with itself. So why not always use that one?
+#
+# A robot counts its steps. Each foot has a timer, and both feet add to the same number:
+
+# %%
+import time
+
+from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from rclpy.node import Node
+
+from workbook.lesson import fresh, init
+
+init()
+
+
+class StepCounter(Node):
+    """Counts the steps of two feet in one number."""
+
+    def __init__(self, name, group) -> None:
+        super().__init__(name)
+        self.called: list[str] = []
+        self.steps = 0
+        self.create_timer(0.010, lambda: self.on_step("left"), callback_group=group)
+        self.create_timer(0.010, lambda: self.on_step("right"), callback_group=group)
+
+    def on_step(self, foot) -> None:
+        self.called.append(foot)
+        steps = self.steps  # read,
+        time.sleep(0.002)  # look up the length of the step,
+        self.steps = steps + 1  # and write
+
+
+def spin_with(executor, node, seconds):
+    """Let an executor serve a node for some seconds."""
+    executor.add_node(node)
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        executor.spin_once(timeout_sec=0.1)
+    executor.remove_node(node)
+    time.sleep(0.2)  # let what has begun come to its end
+    executor.shutdown()
+
+
+# %% [markdown]
+# In two seconds `on_step` is called about 400 times. With four threads and a reentrant group, what will `steps` be?
+#
+# - **a** The number of calls: Python has a lock of its own, the GIL, so nothing can go wrong.
+# - **b** Much less than the number of calls.
+# - **c** More than the number of calls.
+
+# %%
+predict("...", about="the steps")
+
+# %%
+lively = fresh(StepCounter, "lively_counter", ReentrantCallbackGroup())
+spin_with(MultiThreadedExecutor(num_threads=4), lively, 2.0)
+
+orderly = fresh(StepCounter, "orderly_counter", MutuallyExclusiveCallbackGroup())
+spin_with(MultiThreadedExecutor(num_threads=4), orderly, 2.0)
+
+# %% tags=["nbval-ignore-output"]
+print(f"reentrant:          {len(lively.called)} calls, {lively.steps} steps")
+print(f"mutually exclusive: {len(orderly.called)} calls, {orderly.steps} steps")
+
+# %% id="race"
+print("reentrant: steps were lost:", lively.steps < 0.9 * len(lively.called))
+print("mutually exclusive: steps were lost:", orderly.steps < len(orderly.called))
+recall("b", about="the steps")
+
+# %% [markdown]
+# Both feet read 41, both add one, both write 42. One step is lost. This is a **race**: the result depends on who comes
+# first. No error, no warning, and in a quick test on your desk it may never show.
+#
+# Python's own lock, the GIL, protects Python. It does not protect *your* three lines: a thread may lose its turn between
+# any two of them.
+#
+# - What shares data goes into **one** mutually exclusive group.
+# - If two groups have to share something, guard it with a lock (`with self.lock:`), or hand it over in a `queue.Queue`.
+# - A reentrant group is for callbacks that share nothing.
+
+# %% [markdown]
+# ## When it goes wrong
+#
+# **More threads, and not faster.** A planner that *waits* (for a sensor, for another program) leaves the processor free.
+# One that *computes* does not. Four callbacks in four threads, once with waiting and once with computing in Python:
+
+
+# %%
+class Planner(Node):
+    """Plans in four callbacks at once, if the executor has the threads."""
+
+    def __init__(self, name, job) -> None:
+        super().__init__(name)
+        self.plans: list[int] = []
+        self.job = job
+        for leg in range(4):
+            self.create_timer(
+                0.001, lambda leg=leg: self.plan(leg), callback_group=MutuallyExclusiveCallbackGroup()
+            )
+
+    def plan(self, leg) -> None:
+        self.job()
+        self.plans.append(leg)
+
+
+def wait() -> None:
+    time.sleep(0.050)
+
+
+def compute() -> None:
+    sum(n * n for n in range(100_000))
+
+
+done, used = {}, {}
+for job in (wait, compute):
+    for threads in (1, 4):
+        planner = fresh(Planner, f"{job.__name__}_{threads}", job)
+        clock, processor = time.monotonic(), time.process_time()
+        if threads == 1:
+            spin_with(SingleThreadedExecutor(), planner, 2.0)
+        else:
+            spin_with(MultiThreadedExecutor(num_threads=threads), planner, 2.0)
+        used[job.__name__, threads] = (time.process_time() - processor) / (time.monotonic() - clock)
+        done[job.__name__, threads] = len(planner.plans)
+
+# %% tags=["nbval-ignore-output"]
+for (name, threads), plans in done.items():
+    print(f"{name:<8} {threads} thread{'s' if threads > 1 else ' '}: {plans:>4} plans in 2 s")
+
+# %% id="computing"
+print("waiting: at least twice as many plans with four threads:", done["wait", 4] > 2 * done["wait", 1])
+for threads in (1, 4):
+    busy = "one" if 0.1 < used["compute", threads] < 1.3 else "several"
+    print(f"computing: processors kept busy by {threads} thread{'s' if threads > 1 else ''}: {busy}")
+
+# %% [markdown]
+# Only one thread at a time may run Python code: the GIL again. Waiting overlaps, computing does not, and four threads
+# that take turns are a little slower than one that works. Computing that must not disturb the heartbeat belongs into
+# **another process**: a node of its own. That is what nodes are for. (NumPy, and most AI libraries, let go of the GIL while
+# they compute. Measure before you choose.)
+#
+# **The heart beats, the brain is dead.** There is a second place for slow work: a thread of your own, or a pool of them,
+# with the callback only handing the work over. Watch what happens when a plan fails. This runs as a program of its own:
+
+# %%
+from workbook.lesson import run_program
+
+POOL = """
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import rclpy
+from rclpy.node import Node
+
+
+class Robot(Node):
+    def __init__(self) -> None:
+        super().__init__("robot")
+        self.beats = 0
+        self.asked = 0
+        self.planned = 0
+        self.pool = ThreadPoolExecutor(max_workers=1)
+        self.create_timer(0.1, self.beat)
+        self.create_timer(0.5, self.on_request)
+
+    def beat(self) -> None:
+        self.beats += 1
+
+    def on_request(self) -> None:
+        self.asked += 1
+        self.pool.submit(self.plan)  # hand it over, return at once
+
+    def plan(self) -> None:
+        time.sleep(0.05)
+        raise RuntimeError("there is no path to the door")
+        self.planned += 1
+
+
+rclpy.init()
+robot = Robot()
+end = time.monotonic() + 3.0
+while time.monotonic() < end:
+    rclpy.spin_once(robot, timeout_sec=0.1)
+print("the heart beats:", robot.beats > 10)
+print("plans asked for:", "several" if robot.asked > 2 else robot.asked)
+print("plans made:", robot.planned)
+rclpy.try_shutdown()
+"""
+
+# %% id="dead-brain"
+outcome = run_program(POOL, seconds=20)
+print(outcome.log.strip())
+print("errors in the log:", outcome.log.count("RuntimeError"))
+
+# %% [markdown]
+# No plan, no error, no traceback, and a perfect heartbeat. An exception in a pool is stored in the *future* that
+# `submit` returns, and nobody looked at it. In a `threading.Thread` you get a traceback, but the thread is dead all the
+# same, as the deaf node was in [lesson 08](08_humanoid_status_publisher.ipynb).
+#
+# Whoever moves work into a thread takes care of its errors there:
+
+# %%
+MENDED = POOL.replace(
+    "    def plan(self) -> None:",
+    """    def plan(self) -> None:
+        try:
+            self.find_path()
+        except Exception as error:
+            self.get_logger().error(f"planning failed: {error}")
+
+    def find_path(self) -> None:""",
+)
+outcome = run_program(MENDED, seconds=20)
+failures = [line for line in outcome.log.splitlines() if "planning failed" in line]
+print(failures[0])
+print("failures told:", "several" if len(failures) > 2 else len(failures))
+
+# %% [markdown]
+# And let the heartbeat say what it knows: publish `alive` only while the planner answers. A heartbeat proves that the
+# *heart* beats, nothing more.
+
+# %% [markdown]
+# ## From a worked example to your own
+#
+# **Worked.** A guide robot looks for a path whenever somebody asks. Three steps: a group for the slow callback, an
+# executor with two threads, and nothing shared but a list that only one side writes to.
+
+# %%
+from std_msgs.msg import String
+
+from workbook.lesson import run
+
+
+class Guide(Node):
+    """Beats ten times a second, and plans a path when asked."""
+
+    def __init__(self) -> None:
+        super().__init__("guide")
+        self.beats = 0
+        self.paths: list[str] = []
+        planning = MutuallyExclusiveCallbackGroup()
+        self.create_timer(0.1, self.beat)
+        self.create_subscription(String, "/guide/goal", self.on_goal, 10, callback_group=planning)
+
+    def beat(self) -> None:
+        self.beats += 1
+
+    def on_goal(self, message: String) -> None:
+        time.sleep(0.8)  # the planner
+        self.paths.append(message.data)
+
+
+guide = fresh(Guide)
+visitor = fresh(Node, "visitor")
+asking = visitor.create_publisher(String, "/guide/goal", 10)
+await run(visitor, until=lambda: asking.get_subscription_count() == 1)
+for goal in ("door", "lift", "stairs"):
+    asking.publish(String(data=goal))
+
+spin_with(MultiThreadedExecutor(num_threads=2), guide, 4.0)
+print("paths:", guide.paths)
+print("nearly all of 40 heartbeats:", guide.beats >= 36)
+
+# %% [markdown]
+# Three requests came at once. Two of them waited in the queue of the subscription, which holds ten, and were planned one
+# after the other, in order. That is what *mutually exclusive* is good for.
+#
+# **Faded.** The same with a queue and a thread of your own. The node now gets by with *one* thread for its callbacks, so
+# a plain `run` will do. Fill in what is `...`.
+
+# %%
+import queue
+import threading
+
+
+class QueueGuide(Node):
+    """Beats ten times a second; a worker thread plans what is in the queue."""
+
+    def __init__(self) -> None:
+        super().__init__("queue_guide")
+        self.beats = 0
+        self.paths: list[str] = []
+        self.goals: queue.Queue[str] = queue.Queue()
+        self.create_timer(0.1, self.beat)
+        self.create_subscription(String, "/guide/goal", self.on_goal, 10)
+        threading.Thread(target=self.work, daemon=True).start()
+
+    def beat(self) -> None:
+        self.beats += 1
+
+    def on_goal(self, message: String) -> None: ...  # TODO: put the goal into the queue, and return at once
+
+    def work(self) -> None:
+        while True:
+            goal = ...  # TODO: wait for the next goal in the queue
+            if goal is ...:
+                return
+            time.sleep(0.8)  # the planner
+            self.paths.append(goal)
+
+
+queue_guide = fresh(QueueGuide)
+await run(visitor, until=lambda: asking.get_subscription_count() == 2)  # the guide from above listens, too
+for goal in ("door", "lift", "stairs"):
+    asking.publish(String(data=goal))
+await run(queue_guide, seconds=4.0)
+print("paths:", queue_guide.paths or "none yet: fill in the two places, then run this cell again")
+
+# %% [markdown]
+# **Your own.** In the [exercise](../exercises/10_slow_callbacks.ipynb) the heartbeat of a humanoid stops whenever its arm
+# is planned. Both are watched from outside: the beats, and whether each plan is right.
+
+# %% [markdown]
+# ## Check yourself
+#
+# In one thread, a timer with the period 0.1 s sits beside a callback that takes 1 s.
+#
+# **1. The slow callback has just ended. What does the timer do now?**
+#
+# <details><summary>a) Ten ticks at once</summary>
+#
+# ✗ You counted: no burst. A timer does not keep a list of what it owes.
+#
+# </details>
+# <details><summary>b) One late tick, then the usual rhythm</summary>
+#
+# ✓ Yes. The others are dropped.
+#
+# </details>
+# <details><summary>c) Nothing: the timer has given up</summary>
+#
+# ✗ It goes on with its old plan.
+#
+# </details>
+#
+# **2. Instead of `rclpy.spin` you use a MultiThreadedExecutor with eight threads. What changes for the callbacks?**
+#
+# <details><summary>a) Nothing: they still run one at a time</summary>
+#
+# ✓ They are all in the default group, which is mutually exclusive.
+#
+# </details>
+# <details><summary>b) They run at once, up to eight of them</summary>
+#
+# ✗ They would need permission: groups of their own, or a reentrant one.
+#
+# </details>
+# <details><summary>c) Timers run at once, subscriptions do not</summary>
+#
+# ✗ Groups do not care about the kind of callback.
+#
+# </details>
+#
+# **3. Two callbacks in two groups both do `self.steps += 1`. Four threads spin. Is that safe?**
+#
+# <details><summary>a) Yes, the GIL lets only one thread run Python</summary>
+#
+# ✗ One at a time, but it may change between the reading and the writing.
+#
+# </details>
+# <details><summary>b) Yes, because both groups are mutually exclusive</summary>
+#
+# ✗ Each group excludes its own members. The two callbacks are not in the same one.
+#
+# </details>
+# <details><summary>c) No: put both into one group, or guard the line with a lock</summary>
+#
+# ✓ Either will do. The group is simpler if the callbacks are short.
+#
+# </details>
+#
+# **4. Code in pure Python computes for 0.5 s per picture. The heartbeat must be perfect. Where does this code go?**
+#
+# <details><summary>a) Into a callback group of its own, with eight threads</summary>
+#
+# ✗ It holds the GIL nearly all the time, and the heartbeat has to beg for its turns. It may do for 10 Hz, but it does
+# not get faster, and the beats tremble.
+#
+# </details>
+# <details><summary>b) Into a node in a process of its own</summary>
+#
+# ✓ Another process has another GIL, and may crash without taking the heart along.
+#
+# </details>
+# <details><summary>c) Into the heartbeat's callback, so that they cannot disturb each other</summary>
+#
+# ✗ Then each beat waits for a picture.
+#
+# </details>
+
+# %% [markdown]
+# ## Talk it through
+#
+# Discuss this with a colleague or an AI assistant:
+#
+# > My robot publishes a heartbeat at 10 Hz and listens for goals. Planning takes 0.8 s and sometimes raises an exception.
+# > Goals may come faster than I can plan. Compare three designs: a callback group with a MultiThreadedExecutor, a worker
+# > thread with a queue, and a second process. What happens in each to the order of goals, to an exception, and to the
+# > goals that wait?
+#
+# <details><summary>What a good answer contains</summary>
+#
+# *Group and threads:* goals wait in the subscription's queue; when more come than its depth, the oldest are lost; the
+# order is kept as long as the group is mutually exclusive; an exception comes out of `spin`, perhaps late, and ends the
+# program. *Queue and worker:* the queue can be as long as you like, which is a danger too, since the robot may work off
+# goals of a minute ago; an exception must be caught in the worker, or nobody will plan any more. *Process:* the heart
+# survives even a crash of the planner, but somebody has to notice and restart it. All three keep the heartbeat. Good
+# answers ask whether an old goal is worth planning at all: often only the newest one counts, and a depth of 1 is right.
+# They do not propose a reentrant group here, since planning shares a planner with itself.
+#
+# </details>
+
+# %% [markdown]
+# ## Take away
+#
+# - While a callback runs, its thread does nothing else. Timers that fall due meanwhile are dropped, not caught up.
+# - A MultiThreadedExecutor alone changes nothing. Slow work needs a callback group of its own **and** a second thread.
+# - What shares data belongs into one mutually exclusive group, or behind a lock, or into a queue.
+# - Python threads overlap waiting, not computing. Heavy computing belongs into a process of its own.
+# - Whoever moves work into a thread must look after its errors there.
+#
+# **Next:** lesson 11, polling against callbacks: what if you used a loop that looks?
+#
+# **More:** [Using callback groups](https://docs.ros.org/en/jazzy/How-To-Guides/Using-callback-groups.html) and
+# [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html).
