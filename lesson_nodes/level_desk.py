@@ -82,7 +82,7 @@ class LevelDesk(Node):
             return f"No call could be made: {self.trouble}"
         rows = [("given", "arrived", "the call")]
         for call in self.calls():
-            arrived = " ".join(f"{level:g}" for level in call.levels) or "nothing"
+            arrived = " ".join(str(round(level, 5)) for level in call.levels) or "nothing"
             rows.append((call.value, arrived, call.how))
         widths = [max(len(row[column]) for row in rows) for column in range(2)]
         return "\n".join(f"{row[0]:<{widths[0]}}   {row[1]:<{widths[1]}}   {row[2]}" for row in rows)

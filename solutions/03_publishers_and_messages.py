@@ -111,13 +111,17 @@ class BatteryPublisher(Node):
         # [end]
 # %% [live]
 # from lesson_nodes.level_desk import LevelDesk
-# from workbook.lesson import fresh, run
+# from workbook.lesson import fresh, init, run
 #
 # VALUES = ["87.25", "64", "np.float32(12.5)", "0.0", "None", "True", "nan"]  # try your own
 #
 # %start
-# desk = fresh(LevelDesk, VALUES)
-# await run(desk, seconds=20, until=lambda: desk.done)
+# init()
+# desk = fresh(LevelDesk, VALUES)  # asks for one call after the other, and writes down what arrives
+# try:
+#     await run(desk, seconds=10, until=lambda: desk.done)
+# except TimeoutError:
+#     print("Not all of the calls came back.")
 # print(desk.table())
 # %% [hint]
 # Write the shortest method that could work: make a `Float32`, publish it. Then start it and look at the table. Which

@@ -120,7 +120,7 @@ rclpy.shutdown()
 def test_the_desk_reaches_a_driver_that_comes_later() -> None:
     outcome = run_program(DESK_AND_DRIVER, seconds=20)
     assert outcome.exit == 0, outcome.log
-    assert "64      64        returned" in outcome.log
+    assert "64      64.0      returned" in outcome.log
 
 
 WAITING_DESK = """
