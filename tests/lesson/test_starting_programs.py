@@ -1,6 +1,7 @@
 """Programs beside a notebook: one that fails in its first lines is reported, not left on the graph as a ghost."""
 
 import os
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -8,10 +9,11 @@ import pytest
 from rclpy.context import Context
 from rclpy.node import Node
 
-from workbook.lesson import start, stop
+from workbook.lesson import programs, start, stop
 from workbook.magics.running import node_names
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
+from workbook.ros.session import fresh, init, shutdown
 from workbook.ros.standing import close_standing_node
 
 HEAD = """
@@ -100,3 +102,19 @@ def test_a_kernel_that_has_moved_to_another_domain_still_sees_its_programs(tmp_p
         prepare(domain_id=elsewhere.domain_id)
         assert start(program(tmp_path, WORKS)) == "/gripper"
         stop()
+
+
+def test_a_node_of_the_notebook_that_is_seen_late_is_not_taken_for_the_programs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    init()
+    try:
+        guard = fresh(Node, "guard")
+        graph = node_names  # the notebook's own node is on the graph only when the program is asked for
+        monkeypatch.setattr(
+            programs, "node_names", lambda: Counter(name for name in graph() if name != "/guard")
+        )
+        assert start(program(tmp_path, WORKS)) == "/gripper"
+        assert guard.get_name() == "guard"
+    finally:
+        shutdown()

@@ -44,17 +44,28 @@ class Running:
 def wait_for_nodes(process: NodeProcess, known: Counter[str]) -> list[str]:
     """Names of nodes that appeared on the graph since `known`, as soon as there is one. Twins count.
 
-    Gives up when the program ends or after ten seconds.
+    Gives up when the program ends or after ten seconds. Nodes that this notebook has just made with `fresh` may come
+    onto the graph meanwhile; they are not the program's.
     """
+    own = own_names()
     deadline = time.monotonic() + SETTLE_S
     while time.monotonic() < deadline:
         now = node_names()
-        new = sorted(now - known)
+        new = sorted(now - (known | own))
         known = known & now  # one that has gone since is no longer known: its name may come again
         if new or not process.is_running():
             return new
         time.sleep(0.02)
     return []
+
+
+def own_names() -> Counter[str]:
+    """Full names of the nodes that this notebook made with `fresh`."""
+    from rclpy.utilities import get_default_context
+
+    from workbook.ros.twins import nodes_in
+
+    return Counter(node.get_fully_qualified_name() for node in nodes_in(get_default_context()))
 
 
 def node_names() -> Counter[str]:
