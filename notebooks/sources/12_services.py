@@ -308,7 +308,7 @@ show(
 #
 # ### Experiment 1: other groups, other threads
 #
-# A *reentrant* group lets in as many callbacks as there are threads. Three more cases, in which it is again the client
+# A *reentrant* group lets in any number of callbacks at a time. Three more cases, in which it is again the client
 # (and for "reentrant" also the question) that changes its group:
 #
 # - `call`, own group, 1 thread
@@ -329,7 +329,7 @@ predict("...", about="other groups")
 OTHERS = [("call", "own", 1), ("call", "reentrant", 4), ("await", "reentrant", 1)]  # turn these knobs
 
 for case, seen in zip(OTHERS, try_all(OTHERS), strict=True):
-    print(f"{case[0]:<8} {case[1]:<10} {case[2]} threads: answers {answers(seen)}, the heart {heart(seen)}")
+    print(f"{case[0]:<8} {case[1]:<10} threads={case[2]}: answers {answers(seen)}, the heart {heart(seen)}")
 recall("b", about="other groups")
 
 # %% [markdown]
