@@ -4,11 +4,14 @@ import argparse
 import os
 import signal
 import sys
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from workbook.grading.batch import BatchSummary, Progress
+    from workbook.exercise.definition import Exercise
+    from workbook.grading.batch import Batch, BatchSummary, Progress
+    from workbook.grading.books import Lateness
     from workbook.grading.pool import Isolation
 
 SLOTS_PER_CORE = 4
@@ -24,7 +27,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument(
         "paths",
         metavar="PATH",
-        nargs="+",
+        nargs="*",
         type=Path,
         help="answers: s1042.py, s1042/any/where.py, .ipynb, or submitted/STUDENT/…",
     )
@@ -39,6 +42,47 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         default="auto",
         help="sandbox (what auto wants): each program shut in by bubblewrap, with a network of its own. limits: own "
         "session, resource limits, own domain; only for answers that you would run yourself",
+    )
+    parser.add_argument(
+        "--format",
+        metavar="LIST",
+        default="",
+        help="further forms of the gradebook, separated by commas: html (a page for each student, and one for the "
+        "class), gradescope, canvas, moodle, nbgrader",
+    )
+    parser.add_argument(
+        "--column", metavar="NAME", help='what Canvas or Moodle call the exercise: "Exercise 09 (12345)"'
+    )
+    parser.add_argument(
+        "--regrade",
+        action="store_true",
+        help="run nothing: judge the stored recordings again under the criteria as they are now",
+    )
+    parser.add_argument(
+        "--criteria",
+        metavar="FOLDER",
+        type=Path,
+        help="your own hidden criteria, NN_slug.py, in a folder outside of the course",
+    )
+    parser.add_argument(
+        "--aliases",
+        metavar="CSV",
+        type=Path,
+        help="lines of `file or folder,student`: who a hand-in belongs to",
+    )
+    parser.add_argument("--deadline", metavar="DATE", help="when it was due: 2026-05-31T23:59+02:00")
+    parser.add_argument(
+        "--late-per-day",
+        metavar="SHARE",
+        type=float,
+        default=0.0,
+        help="share of the points that each day, begun or whole, after the deadline costs: 0.1",
+    )
+    parser.add_argument(
+        "--repeat",
+        metavar="N",
+        type=int,
+        help="judge each answer N times and name those whose verdict changes; the gradebook is left alone",
     )
     parser.set_defaults(run=run)
 
@@ -132,40 +176,157 @@ def _isolation(wanted: str) -> "Isolation":
     )
 
 
+@dataclass(frozen=True)
+class _Books:
+    """What to make of the results besides grades.csv."""
+
+    formats: tuple[str, ...]
+    lateness: "Lateness | None"
+    column: str | None
+
+
+def _books(options: argparse.Namespace) -> _Books:
+    """Raises BadOption."""
+    from workbook.grading.books import BadOption, Lateness, parse_moment
+    from workbook.grading.exports import FORMATS
+
+    formats = tuple(filter(None, (name.strip().lower() for name in options.format.split(","))))
+    for name in formats:
+        if name not in FORMATS:
+            raise BadOption(f"--format {name}: there are {', '.join(FORMATS)}")
+    lateness = None
+    if options.deadline is not None:
+        deadline = parse_moment(options.deadline)
+        if deadline is None:
+            raise BadOption(f"--deadline {options.deadline}: write it as 2026-05-31T23:59+02:00")
+        if not 0.0 < options.late_per_day <= 1.0:
+            raise BadOption("--deadline needs --late-per-day with a share above 0 and at most 1, such as 0.1")
+        lateness = Lateness(deadline, options.late_per_day)
+    elif options.late_per_day:
+        raise BadOption("--late-per-day needs --deadline")
+    return _Books(formats, lateness, options.column)
+
+
 def run(options: argparse.Namespace) -> int:
     from workbook.exercise.answers import Ungradable
     from workbook.exercise.course import NoCourse
-    from workbook.exercise.definition import BrokenCriteria, load_exercise
+    from workbook.exercise.definition import OWN_CRITERIA, BrokenCriteria, load_exercise
     from workbook.exercise.source import SourceError, UnknownExercise
-    from workbook.grading.batch import Batch
+    from workbook.grading.books import BadOption
     from workbook.observing.sandbox import NoSandbox
 
+    try:
+        books = _books(options)
+        if options.criteria is not None:
+            if not options.criteria.is_dir():
+                raise BadOption(f"--criteria {options.criteria}: there is no such folder")
+            os.environ[OWN_CRITERIA] = str(options.criteria.resolve())
+        if options.regrade and not options.exercise:
+            raise BadOption("--regrade needs --exercise: it looks at results, not at files")
+        if not options.regrade and not options.paths:
+            raise BadOption("name a folder or files with answers")
+        exercise = load_exercise(_exercise_name(options))
+        if options.regrade:
+            return _regrade(options, exercise, books)
+        return _grade(options, exercise, books)
+    except (
+        BadOption,
+        Ungradable,
+        UnknownExercise,
+        NoCourse,
+        BrokenCriteria,
+        SourceError,
+        NoSandbox,
+        OSError,
+    ) as error:
+        print(f"workbook grade: {error}", file=sys.stderr)
+        return 2
+
+
+def _grade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -> int:
+    from workbook.grading.batch import Batch
+    from workbook.grading.books import BadOption, read_aliases
+
     slots = SLOTS_PER_CORE * (os.cpu_count() or 1) if options.slots is None else options.slots
+    if slots < 1:
+        raise BadOption("--slots must be at least 1")
+    aliases = read_aliases(options.aliases) if options.aliases else None
+    isolation = _isolation(options.isolation)
+    options.out.mkdir(parents=True, exist_ok=True)
+    warning = "" if isolation == "sandbox" else " (grade only answers that you would run on your own machine)"
+    print(f"Grading {exercise.stem} on {slots} slots. Isolation: {isolation}{warning}.", file=sys.stderr)
+    batch = Batch(exercise, options.out, slots, isolation, aliases)
+    if options.repeat is not None:
+        return _repeat(options, exercise, batch, slots, isolation)
     stopping = _Stopping()
     screen = _Screen()
     before = signal.signal(signal.SIGINT, stopping)
     try:
-        exercise = load_exercise(_exercise_name(options))
-        if slots < 1:
-            raise Ungradable("--slots must be at least 1")
-        options.out.mkdir(parents=True, exist_ok=True)
-        isolation = _isolation(options.isolation)
-        warning = (
-            "" if isolation == "sandbox" else " (grade only answers that you would run on your own machine)"
-        )
-        print(f"Grading {exercise.stem} on {slots} slots. Isolation: {isolation}{warning}.", file=sys.stderr)
-        batch = Batch(exercise, options.out, slots, isolation)
         summary = batch.run(options.paths, screen.show, stop=lambda: stopping.wanted)
-    except (Ungradable, UnknownExercise, NoCourse, BrokenCriteria, SourceError, NoSandbox, OSError) as error:
-        print(f"workbook grade: {error}", file=sys.stderr)
-        return 2
     finally:
         signal.signal(signal.SIGINT, before)
         screen.finish()
-    return _conclude(summary, options.out)
+    written = _write(options.out, exercise, books)
+    return _conclude(summary, options.out, written)
 
 
-def _conclude(summary: "BatchSummary", out: Path) -> int:
+def _write(out: Path, exercise: "Exercise", books: _Books) -> "list[Path]":
+    from workbook.grading.books import write_books
+    from workbook.grading.results import RESULTS, last_results
+
+    results = last_results(out / RESULTS)
+    return write_books(out, exercise, results, books.formats, lateness=books.lateness, column=books.column)
+
+
+def _regrade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -> int:
+    """Judge stored recordings again and tell whose marks changed."""
+    from workbook.grading.again import regrade
+    from workbook.grading.books import BadOption
+    from workbook.grading.results import RESULTS
+
+    if not (options.out / RESULTS).is_file():
+        raise BadOption(f"{options.out} holds no {RESULTS}: grade first")
+    found = regrade(options.out, exercise)
+    changed = [one for one in found if one.changed]
+    troubled = [one for one in found if one.problem]
+    print(f"{len(found)} recordings of {exercise.stem} judged again; the marks of {len(changed)} changed.")
+    for one in changed:
+        print(f"  {_printable(one.student)}: {one.before:g} → {one.after:g}")
+    for one in troubled:
+        print(f"  {_printable(one.student)}: not judged again: {_printable(one.problem)}")
+    for path in _write(options.out, exercise, books):
+        print(f"Written: {path}")
+    return 1 if troubled else 0
+
+
+def _repeat(
+    options: argparse.Namespace, exercise: "Exercise", batch: "Batch", slots: int, isolation: "Isolation"
+) -> int:
+    """Judge everything several times and name the answers whose verdict changes."""
+    from workbook.exercise.answers import Ungradable, read_answer
+    from workbook.grading.again import unsteady
+    from workbook.grading.books import BadOption
+    from workbook.grading.pool import Job
+
+    if options.repeat < 2:
+        raise BadOption("--repeat must be at least 2")
+    jobs = []
+    for hand_in in batch.hand_ins(options.paths):
+        try:
+            if hand_in.problem is None:
+                jobs.append(Job(hand_in.student, exercise.stem, read_answer(hand_in.path, exercise.stem)))
+        except Ungradable:
+            continue
+    found = list(unsteady(jobs, options.repeat, slots, isolation))
+    print(f"{len(jobs)} answers, each judged {options.repeat} times: {len(found)} with changing verdicts.")
+    for one in found:
+        print(f"  {_printable(one.student)}:")
+        for verdict, times in one.verdicts:
+            print(f"    {times} × {_printable(verdict)}")
+    return 1 if found else 0
+
+
+def _conclude(summary: "BatchSummary", out: Path, written: "list[Path]") -> int:
     counts = {"graded": 0, "ungradable": 0, "infra_error": 0}
     full = 0
     for result in summary.results:
@@ -179,7 +340,7 @@ def _conclude(summary: "BatchSummary", out: Path) -> int:
         if result["status"] != "graded":
             print(f"  {_printable(result['student'])}: {_printable(_outcome(result))}")
     print(f"{summary.judged} judged in {_minutes(summary.seconds)}, {summary.kept} kept from an earlier run.")
-    print(f"Grades: {out / 'grades.csv'}   Everything: {out / 'results.jsonl'}")
+    print(f"Everything: {out / 'results.jsonl'}   Made from it: {', '.join(map(str, written))}")
     if summary.stopped:
         print("Stopped early. Run the same command again to go on.")
         return 130

@@ -2,9 +2,10 @@
 
 import hashlib
 import importlib.util
+import os
 import sys
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from types import ModuleType
@@ -14,6 +15,9 @@ from workbook.criteria.words_of_types import probes_in
 from workbook.exercise.course import course_folder
 from workbook.exercise.source import ExerciseSource, driver_of, find, load
 from workbook.observing.watch import Plan
+
+OWN_CRITERIA = "WORKBOOK_CRITERIA"
+"""Variable that names a folder with an instructor's own criteria, `NN_slug.py`, outside of the course."""
 
 
 class BrokenCriteria(RuntimeError):
@@ -79,22 +83,37 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
     except ValueError as error:
         raise BrokenCriteria(f"{path}: {error}") from error
     driver = driver_of(solution)
+    files = [path] if driver is None else [path, driver]
+    topics = topics_in(module)
+    own = _own_criteria(solution.stem)
+    if own is not None:
+        more = _import(own)
+        criteria += tuple(replace(one, hidden=True) for one in criteria_in(more))
+        topics += tuple(one for one in topics_in(more) if one.name not in {known.name for known in topics})
+        files.append(own)
     return Exercise(
         stem=solution.stem,
         criteria=criteria,
-        plan=plan_for(topics_in(module), watching_in(module)),
+        plan=plan_for(topics, watching_in(module)),
         to_the_end=watching_in(module).to_the_end,
-        periods={one.name: one.period for one in topics_in(module) if one.hz is not None},
-        criteria_sha256=_sum_of(path, driver),
+        periods={one.name: one.period for one in topics if one.hz is not None},
+        criteria_sha256=_sum_of(files),
         solution_path=solution,
         driver=driver,
         probes=probes,
     )
 
 
-def _sum_of(criteria: Path, driver: Path | None) -> str:
+def _own_criteria(stem: str) -> Path | None:
+    """The instructor's own criteria for this exercise, kept outside of the course. They are always hidden."""
+    folder = os.environ.get(OWN_CRITERIA)
+    path = Path(folder) / f"{stem}.py" if folder else None
+    return path if path is not None and path.is_file() else None
+
+
+def _sum_of(files: Sequence[Path]) -> str:
     """What the judgement depends on: another driver is another exercise."""
-    digest = hashlib.sha256(criteria.read_bytes())
-    if driver is not None:
-        digest.update(driver.read_bytes())
+    digest = hashlib.sha256()
+    for path in files:
+        digest.update(path.read_bytes())
     return digest.hexdigest()

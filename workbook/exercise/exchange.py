@@ -1,6 +1,6 @@
 """Judgements as JSON, so that a slot can hand them to whoever asked."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from workbook.criteria.runner import CriterionResult
@@ -12,6 +12,11 @@ def _criterion(data: Mapping[str, Any]) -> CriterionResult:
     fields = dict(data)
     fields["try_this"] = fields.pop("try")
     return CriterionResult(**fields)
+
+
+def criteria_from_json(items: Sequence[Mapping[str, Any]]) -> tuple[CriterionResult, ...]:
+    """The judged criteria of a result or a judgement."""
+    return tuple(map(_criterion, items))
 
 
 def judgement_to_json(judgement: Judgement) -> dict[str, Any]:
@@ -39,7 +44,7 @@ def judgement_from_json(data: Mapping[str, Any]) -> Judgement:
         answer_sha256=data["answer_sha256"],
         status=data["status"],
         reason=data["reason"],
-        criteria=tuple(_criterion(item) for item in data["criteria"]),
+        criteria=criteria_from_json(data["criteria"]),
         recording=None if recording is None else Recording.from_json(recording),
         provisional=data["provisional"],
         watched_real_life=data["watched_real_life"],

@@ -2,13 +2,13 @@
 
 import hashlib
 import time
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from workbook.exercise.answers import LARGEST_NOTEBOOK_BYTES, Ungradable, read_answer
 from workbook.exercise.definition import Exercise
-from workbook.grading.gradebook import grades_csv
+from workbook.grading.books import write_books
 from workbook.grading.hand_ins import HandIn, find_hand_ins
 from workbook.grading.pool import Isolation, Job, judge_all
 from workbook.grading.results import (
@@ -19,8 +19,6 @@ from workbook.grading.results import (
     last_results,
     ungradable_result,
 )
-
-GRADES = "grades.csv"
 
 
 @dataclass(frozen=True)
@@ -66,7 +64,15 @@ def _file_sha(path: Path) -> str:
 class Batch:
     """Grades hand-ins of one exercise into the folder `out`; can be killed and started again at any time."""
 
-    def __init__(self, exercise: Exercise, out: Path, slots: int, isolation: Isolation = "limits") -> None:
+    def __init__(
+        self,
+        exercise: Exercise,
+        out: Path,
+        slots: int,
+        isolation: Isolation = "limits",
+        aliases: Mapping[str, str] | None = None,
+    ) -> None:
+        self._aliases = dict(aliases or {})
         self._exercise = exercise
         self._out = out
         self._slots = slots
@@ -100,6 +106,17 @@ class Batch:
             max_score=self._exercise.max_points,
         )
 
+    def hand_ins(self, paths: Sequence[Path]) -> list[HandIn]:
+        """What is handed in below `paths`, under the names that the alias file gives."""
+        found = find_hand_ins(paths, self._exercise.stem)
+        return [replace(one, student=self._name_of(one)) for one in found]
+
+    def _name_of(self, hand_in: HandIn) -> str:
+        for name in (hand_in.label, Path(hand_in.label).name, hand_in.student):
+            if name in self._aliases:
+                return self._aliases[name]
+        return hand_in.student
+
     def run(
         self,
         paths: Sequence[Path],
@@ -112,7 +129,7 @@ class Batch:
         path that is not there.
         """
         began = time.monotonic()
-        hand_ins = find_hand_ins(paths, self._exercise.stem)
+        hand_ins = self.hand_ins(paths)
         book = ResultsFile(self._out / RESULTS)
         jobs: list[Job[HandIn]] = []
         kept = done = 0
@@ -156,7 +173,7 @@ class Batch:
         finally:
             book.close()
             everything = last_results(self._out / RESULTS)
-            (self._out / GRADES).write_text(grades_csv(everything.values()), encoding="utf-8")
+            write_books(self._out, self._exercise, everything)
         mine = {(hand_in.student, self._exercise.stem) for hand_in in hand_ins}
         return BatchSummary(
             results=tuple(result for key, result in sorted(everything.items()) if key in mine),

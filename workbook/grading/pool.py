@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import Any, Generic, Literal, TypeVar
 
 from workbook.exercise.answers import Answer
+from workbook.exercise.definition import OWN_CRITERIA
 from workbook.exercise.exchange import judgement_from_json
 from workbook.exercise.judging import Judgement, Report
 from workbook.observing.process import kill_programs_of
@@ -40,7 +41,7 @@ class Slot:
     def __init__(self, isolation: Isolation = "limits") -> None:
         environ = child_environment(0)
         del environ["ROS_DOMAIN_ID"]
-        for name in ("WORKBOOK_COURSE", "PYTHONPATH"):
+        for name in ("WORKBOOK_COURSE", OWN_CRITERIA, "PYTHONPATH"):
             if name in os.environ:
                 environ[name] = os.environ[name]
         environ.pop("ROS_LOG_DIR")

@@ -1,0 +1,308 @@
+"""The gradebook in other systems' forms: each keeps that system's rules, whatever the students are called."""
+
+import csv
+import io
+import json
+import re
+from datetime import datetime
+from html.parser import HTMLParser
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from workbook.exercise.definition import OWN_CRITERIA, load_exercise
+from workbook.exercise.judging import judge_recording
+from workbook.grading.again import regrade
+from workbook.grading.books import BadOption, Lateness, parse_moment, read_aliases, with_lateness, write_books
+from workbook.grading.exports import NBGRADER, canvas, gradescope, moodle, nbgrader
+from workbook.grading.pages import CLASS, page_name, student_page
+from workbook.grading.results import (
+    RESULTS,
+    Result,
+    ResultsFile,
+    graded_result,
+    last_results,
+    ungradable_result,
+)
+from workbook.observing.recording import Recording
+
+ROOT = Path(__file__).resolve().parents[2]
+STEM = "09_joint_positions"
+EXERCISE = load_exercise(STEM, ROOT)
+ODD_NAMES = [
+    'Lovelace, Ada "Al"',
+    "=HYPERLINK(1)",
+    "🤖 Marvin",
+    "\u202eevil",
+    "نور",
+    "<b>x</b>",
+    "a\nb",
+    "-1+2",
+    "@all",
+]
+
+
+def result(out: Path, student: str, recording: str = "solution", submitted_at: str | None = None) -> Result:
+    stored = Recording.load(ROOT / "tests" / "recordings" / STEM / f"{recording}.json")
+    return graded_result(
+        out,
+        judge_recording(EXERCISE, "a" * 64, stored),
+        student=student,
+        answer=f"{student}.py",
+        submitted_at=submitted_at,
+        attempt=1,
+        isolation="sandbox",
+        criteria_sha256=EXERCISE.criteria_sha256,
+        max_score=EXERCISE.max_points,
+    )
+
+
+def refused(student: str) -> Result:
+    return ungradable_result(
+        student=student,
+        answer="x.py",
+        answer_sha256="",
+        submitted_at=None,
+        exercise=STEM,
+        attempt=1,
+        reason="the file is empty",
+        isolation="sandbox",
+        criteria_sha256=EXERCISE.criteria_sha256,
+        max_score=10.0,
+    )
+
+
+@pytest.fixture(scope="module")
+def plain(tmp_path_factory: pytest.TempPathFactory) -> Result:
+    return result(tmp_path_factory.mktemp("out"), "ada", "eleven_values")
+
+
+def rows(text: str) -> list[list[str]]:
+    return list(csv.reader(io.StringIO(text)))
+
+
+# --- each system's rules ------------------------------------------------------------------------------------------
+
+
+def test_gradescope_gets_tests_whose_points_add_up(plain: Result) -> None:
+    data = json.loads(gradescope(plain))
+    assert data["score"] == sum(test["score"] for test in data["tests"]) == 9.0
+    assert sum(test["max_score"] for test in data["tests"]) == 10.0
+    allowed = {"hidden", "after_due_date", "after_published", "visible"}
+    for test in data["tests"]:
+        assert test["visibility"] in allowed
+        assert test["status"] in ("passed", "failed")
+        assert (test["status"] == "passed") == (test["score"] == test["max_score"])
+    failed = next(test for test in data["tests"] if test["status"] == "failed")
+    assert "11 values" in failed["output"]
+
+
+def test_gradescope_gets_no_zero_for_what_could_not_be_graded() -> None:
+    data = json.loads(gradescope(refused("bob")))
+    assert "score" not in data
+    assert data["tests"] == []
+    assert "the file is empty" in data["output"]
+
+
+def test_a_hidden_criterion_is_hidden_in_gradescope(plain: Result) -> None:
+    hidden = {
+        **plain,
+        "criteria": [{**one, "hidden": one["id"] == "twelve_values"} for one in plain["criteria"]],
+    }
+    data = json.loads(gradescope(hidden))
+    assert [test["visibility"] for test in data["tests"]].count("hidden") == 1
+    assert "11 values" not in data["output"]
+
+
+def test_canvas_finds_its_columns(plain: Result) -> None:
+    head, possible, first = rows(canvas([plain], "Exercise 09 (12345)", 10.0))
+    assert "Student" in head[0] and "ID" in head[1]
+    assert head[4] == "Section"
+    assert re.fullmatch(r"(.*)\s\((\d+)\)", head[5])
+    assert "Points Possible" in possible[0]
+    assert first == ["ada", "", "", "ada", "", "9"]
+
+
+def test_moodle_gets_only_those_with_a_grade(plain: Result) -> None:
+    head, *found = rows(moodle([plain, refused("bob")], "Exercise 09"))
+    assert head == ["ID number", "Exercise 09", "Exercise 09 (feedback)"]
+    assert [row[:2] for row in found] == [["ada", "9"]]
+    assert "11 values" in found[0][2]
+
+
+def test_nbgrader_gets_its_own_columns(plain: Result) -> None:
+    late = {**plain, "score": 7.0, "late_points": 2.0, "submitted_at": "2026-05-01T10:00:00+00:00"}
+    head, first, second = rows(nbgrader([late, refused("bob")]))
+    assert tuple(head) == NBGRADER
+    entry = dict(zip(head, first, strict=True))
+    assert (entry["raw_score"], entry["late_submission_penalty"], entry["score"]) == ("9", "2", "7")
+    assert dict(zip(head, second, strict=True))["score"] == ""
+
+
+@given(st.one_of(st.text(min_size=1, max_size=60), st.sampled_from(ODD_NAMES)))
+@settings(deadline=None, derandomize=True, max_examples=150)
+def test_no_name_breaks_a_table_or_becomes_a_formula(name: str) -> None:
+    odd = {**refused(name), "status": "graded", "score": 3.0}
+    for text in (canvas([odd], "X (1)", 10.0), moodle([odd], "X"), nbgrader([odd])):
+        found = rows(text)
+        assert len({len(row) for row in found}) == 1
+        for row in found:
+            for cell in row:
+                assert not cell.startswith(("=", "+", "-", "@"))
+                assert not re.search(r"[\x00-\x08\x0b-\x1f\x7f]", cell)
+
+
+# --- pages --------------------------------------------------------------------------------------------------------
+
+
+class Tags(HTMLParser):
+    def __init__(self) -> None:
+        super().__init__()
+        self.found: list[tuple[str, dict[str, str | None]]] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.found.append((tag, dict(attrs)))
+
+
+def tags(page: str) -> Tags:
+    parser = Tags()
+    parser.feed(page)
+    return parser
+
+
+@pytest.mark.parametrize("name", [*ODD_NAMES, "<script>alert(1)</script>", "../../etc/passwd", "x" * 300])
+def test_a_page_shows_any_name_and_runs_nothing(tmp_path: Path, name: str) -> None:
+    one = result(tmp_path, name, "eleven_values")
+    page = student_page(one, EXERCISE, tmp_path)
+    found = tags(page).found
+    assert not {tag for tag, _ in found} & {"script", "iframe", "object", "b x"}
+    assert not [attrs for _, attrs in found if any(key.startswith("on") for key in attrs)]
+    for _, attrs in found:
+        assert (attrs.get("src") or "data:").startswith("data:")
+    assert any(tag == "img" and attrs.get("alt") for tag, attrs in found), "the timeline"
+    assert re.fullmatch(r"[a-z0-9_-]+\.html", page_name(name, STEM))
+
+
+def test_names_that_look_alike_have_pages_of_their_own() -> None:
+    names = ["Ada B", "ada-b", "ada b", "ADA_B", "ädä"]
+    assert len({page_name(name, STEM) for name in names}) == len(names)
+
+
+def test_the_books_are_written_and_the_class_page_leads_to_everybody(tmp_path: Path) -> None:
+    everything = {
+        (one["student"], STEM): one
+        for one in (
+            result(tmp_path, "ada"),
+            result(tmp_path, "bob", "eleven_values"),
+            result(tmp_path, "eve", "eleven_values"),
+            refused("mallory"),
+        )
+    }
+    formats = ("html", "gradescope", "canvas", "moodle", "nbgrader")
+    written = write_books(tmp_path, EXERCISE, everything, formats)
+    assert all(path.exists() for path in written)
+    page = (tmp_path / "pages" / CLASS).read_text(encoding="utf-8")
+    for student in ("ada", "bob", "eve", "mallory"):
+        link = page_name(student, STEM)
+        assert link in page
+        assert (tmp_path / "pages" / link).is_file()
+    assert "every message has 11 values</td><td>2 ×" in page
+    assert "the file is empty" in page
+    assert len(list((tmp_path / "gradescope").glob("*.json"))) == 4
+
+
+# --- options ------------------------------------------------------------------------------------------------------
+
+
+def test_lateness_counts_days_begun_and_never_goes_below_zero(tmp_path: Path) -> None:
+    deadline = parse_moment("2026-05-01T12:00:00+00:00")
+    assert deadline is not None
+    late = Lateness(deadline, 0.1)
+    moments = {
+        None: 10.0,
+        "2026-05-01T11:59:59+00:00": 10.0,
+        "2026-05-01T12:00:01": 9.0,
+        "2026-05-02T14:00:00+02:00": 9.0,
+        "2026-05-02T12:00:01Z": 8.0,
+        "2026-07-01T00:00:00Z": 0.0,
+        "yesterday": 10.0,
+    }
+    raw = [result(tmp_path, "ada", submitted_at=moment) for moment in moments]
+    assert [one["score"] for one in with_lateness(raw, late)] == list(moments.values())
+    assert {one["score"] for one in raw} == {10.0}
+    assert with_lateness([refused("bob")], late)[0]["score"] is None
+
+
+def test_a_moment_without_a_zone_is_utc() -> None:
+    moment = parse_moment("2026-05-01 12:00:00")
+    assert isinstance(moment, datetime)
+    assert moment.utcoffset() is not None
+
+
+def test_aliases_are_read(tmp_path: Path) -> None:
+    file = tmp_path / "aliases.csv"
+    file.write_text('\ufeffs1.py,Ada Lovelace\n\n"folder, odd","=1"\n', encoding="utf-8")
+    assert read_aliases(file) == {"s1.py": "Ada Lovelace", "folder, odd": "=1"}
+
+
+@pytest.mark.parametrize("text", ["s1.py\n", "s1.py,\n", "s1.py,ada\ns1.py,bob\n", "\x00"])
+def test_a_wrong_alias_file_is_refused_with_its_line(tmp_path: Path, text: str) -> None:
+    file = tmp_path / "aliases.csv"
+    file.write_text(text)
+    with pytest.raises(BadOption, match=r"aliases\.csv"):
+        read_aliases(file)
+
+
+# --- judging again ------------------------------------------------------------------------------------------------
+
+STRICTER = """
+import workbook.criteria as see
+from workbook.criteria import Recording, Verdict, criterion
+
+
+@criterion(points=2, title="The joints were seen by the instructor")
+def seen_by_me(recording: Recording) -> Verdict:
+    if recording.topic("/robot/joint_positions").arrivals:
+        return see.passed("seen")
+    return see.failed("nothing", "something", "silence", "speak")
+"""
+
+
+@pytest.fixture
+def own_criteria(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    folder = tmp_path / "own"
+    folder.mkdir()
+    (folder / f"{STEM}.py").write_text(STRICTER)
+    monkeypatch.setenv(OWN_CRITERIA, str(folder))
+    return folder
+
+
+def test_own_criteria_are_hidden_and_change_what_a_result_depends_on(own_criteria: Path) -> None:
+    exercise = load_exercise(STEM, ROOT)
+    assert [one.id for one in exercise.criteria if one.hidden] == ["seen_by_me"]
+    assert exercise.max_points == EXERCISE.max_points + 2
+    assert exercise.criteria_sha256 != EXERCISE.criteria_sha256
+
+
+def test_regrading_runs_nothing_and_tells_whose_marks_changed(tmp_path: Path, own_criteria: Path) -> None:
+    book = ResultsFile(tmp_path / RESULTS)
+    for student, recording in (("ada", "solution"), ("bob", "wrong_name")):
+        book.append(result(tmp_path, student, recording))
+    lost: dict[str, Any] = {**result(tmp_path, "eve"), "recording": "recordings/gone.json"}
+    book.append(lost)
+    book.append(refused("mallory"))
+    book.close()
+    exercise = load_exercise(STEM, ROOT)
+    found = {one.student: one for one in regrade(tmp_path, exercise)}
+    assert (found["ada"].before, found["ada"].after, found["ada"].changed) == (10.0, 12.0, True)
+    assert not found["bob"].changed
+    assert "cannot be read" in found["eve"].problem
+    assert "mallory" not in found
+    now = last_results(tmp_path / RESULTS)
+    assert now["ada", STEM]["attempt"] == 2
+    assert now["ada", STEM]["versions"]["criteria"] == exercise.criteria_sha256
+    assert now["eve", STEM]["score"] == 10.0
+    assert not any(one.changed for one in regrade(tmp_path, exercise))

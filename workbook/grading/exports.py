@@ -1,0 +1,140 @@
+"""The gradebook in the forms of other systems. Every function here is a pure function of results.
+
+Formats: Gradescope's results.json (docs/specs.md of its autograder samples), Canvas's gradebook CSV
+(gradebook_importer.rb), Moodle's grade import (CSV by ID number) and nbgrader's export (plugins/export.py).
+"""
+
+import csv
+import io
+import json
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from workbook.grading.gradebook import safe_cell
+from workbook.grading.results import Result
+
+FORMATS = ("csv", "html", "gradescope", "canvas", "moodle", "nbgrader")
+
+
+def by_student(results: Iterable[Result]) -> list[Result]:
+    """In the order of exercises and students."""
+    return sorted(results, key=lambda result: (result["exercise"], result["student"]))
+
+
+def _rows(rows: Sequence[Sequence[object]]) -> str:
+    out = io.StringIO()
+    csv.writer(out, lineterminator="\n").writerows(rows)
+    return out.getvalue()
+
+
+def _said(result: Result) -> str:
+    """The feedback of one result in a few plain sentences, hidden criteria left out."""
+    if result["status"] != "graded":
+        return f"Not graded: {result['reason']}"
+    first = next(
+        (one for one in result["criteria"] if one["status"] in ("failed", "partial") and not one["hidden"]),
+        None,
+    )
+    if first is None:
+        return "All that is judged holds."
+    return f"{first['title']}: seen {first['saw']}; expected {first['expected']}. {first['because']} {first['try']}"
+
+
+def gradescope(result: Result) -> str:
+    """results.json of one submission. An answer that could not be graded has no score: Gradescope shows it as failed
+    to run, and nobody gets a zero from it."""
+    tests: list[dict[str, Any]] = []
+    for number, one in enumerate(result["criteria"], start=1):
+        if one["max_points"] == 0 and one["status"] == "passed":
+            continue
+        told = [f"saw: {one['saw']}"]
+        told += [f"{word}: {one[key]}" for word, key in _WORDS if one[key]]
+        tests.append(
+            {
+                "name": one["title"],
+                "name_format": "text",
+                "number": str(number),
+                "score": one["points"],
+                "max_score": one["max_points"],
+                "status": "passed" if one["status"] == "passed" else "failed",
+                "output": "\n".join(told),
+                "output_format": "text",
+                "visibility": "hidden" if one["hidden"] else "visible",
+            }
+        )
+    data: dict[str, Any] = {
+        "output": f"{result['exercise']}: {_said(result)}",
+        "output_format": "text",
+        "test_output_format": "text",
+        "test_name_format": "text",
+        "stdout_visibility": "hidden",
+        "extra_data": {
+            "status": result["status"],
+            "clock": result["clock"],
+            "isolation": result["isolation"],
+        },
+        "tests": tests,
+    }
+    if result["score"] is not None:
+        data["score"] = result["score"]
+    if result["wall_s"] is not None:
+        data["execution_time"] = round(result["wall_s"])
+    return json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+_WORDS = (("expected", "expected"), ("because", "because"), ("try", "try"))
+
+
+def canvas(results: Iterable[Result], assignment: str, points: float) -> str:
+    """Canvas's gradebook, to be imported. `assignment` is its column there, such as "Exercise 09 (12345)".
+
+    Students are found by their login. A result without a score leaves the cell empty, which Canvas leaves alone.
+    """
+    head: list[object] = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", assignment]
+    rows: list[list[object]] = [head, ["    Points Possible", "", "", "", "", f"{points:g}"]]
+    for result in by_student(results):
+        student = safe_cell(result["student"])
+        rows.append([student, "", "", student, "", safe_cell(result["score"])])
+    return _rows(rows)
+
+
+def moodle(results: Iterable[Result], item: str) -> str:
+    """A table for Moodle's grade import, where ID number is mapped to the students and `item` to the grade.
+
+    Results without a score are left out: an empty grade would take an earlier one away.
+    """
+    rows: list[list[object]] = [["ID number", item, f"{item} (feedback)"]]
+    for result in by_student(results):
+        if result["score"] is not None:
+            rows.append([safe_cell(result["student"]), safe_cell(result["score"]), safe_cell(_said(result))])
+    return _rows(rows)
+
+
+NBGRADER = (
+    "assignment", "duedate", "timestamp", "student_id", "last_name", "first_name", "email", "raw_score",
+    "late_submission_penalty", "score", "max_score",
+)  # fmt: skip
+
+
+def nbgrader(results: Iterable[Result]) -> str:
+    """The columns of nbgrader's own export."""
+    rows: list[Sequence[object]] = [NBGRADER]
+    for result in by_student(results):
+        late = result.get("late_points", 0.0)
+        raw = None if result["score"] is None else round(result["score"] + late, 6)
+        rows.append(
+            [
+                result["exercise"],
+                "",
+                safe_cell(result["submitted_at"]),
+                safe_cell(result["student"]),
+                "",
+                "",
+                "",
+                safe_cell(raw),
+                safe_cell(late),
+                safe_cell(result["score"]),
+                safe_cell(result["max_score"]),
+            ]
+        )
+    return _rows(rows)
