@@ -126,7 +126,7 @@ def misplaced(tree: Tree) -> Iterator[Problem]:
         (tree.notebooks, ".ipynb", lessons, ("sources", *PAGES)),
         (tree.sources, ".py", lessons, ("museum", RUN_TIMES)),
         (tree.museum, ".toml", lessons, ()),
-        (tree.exercises, ".ipynb", exercises, ("criteria", "drivers")),
+        (tree.exercises, ".ipynb", exercises, ("criteria", "drivers", "README.md")),
         (tree.drivers, ".py", exercises, ()),
         (tree.criteria, ".py", exercises, ("__init__.py", "conftest.py")),
         (tree.solutions, ".py", exercises, ("__init__.py",)),
