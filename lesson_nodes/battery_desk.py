@@ -13,6 +13,7 @@ from std_msgs.msg import Float32, String
 
 READINGS = (64.0, 63.5, -3.0, 63.0, math.nan, 62.5, 6553.5, 62.0)
 PERIOD_S = 0.25
+PATIENCE_TICKS = 12
 OWN, OTHER = "/robot/battery", "/other_robot/battery"
 
 
@@ -34,6 +35,7 @@ class BatteryDesk(Node):
         super().__init__("battery_desk")
         self.rows: list[tuple[str, float, list[str]]] = []
         self.done = False
+        self.ticks = 0
         self.to_say = [(OWN, float(reading)) for reading in readings] + [(OTHER, 41.5), (OTHER, -40.0)]
         self.publishers_of = {topic: self.create_publisher(Float32, topic, 10) for topic in (OWN, OTHER)}
         self.create_subscription(Float32, "/monitor/battery", self.on_battery, 100)
@@ -41,8 +43,10 @@ class BatteryDesk(Node):
         self.create_timer(PERIOD_S, self.say_next)
 
     def say_next(self) -> None:
-        """Say the next reading, once somebody listens."""
+        """Say the next reading, once somebody listens; if nobody does for three seconds, give up."""
+        self.ticks += 1
         if not self.rows and self.publishers_of[OWN].get_subscription_count() == 0:
+            self.done = self.ticks >= PATIENCE_TICKS
             return
         if not self.to_say:
             self.done = True
@@ -67,7 +71,7 @@ class BatteryDesk(Node):
     def table(self) -> str:
         """The readings as lines of text, with what the monitor made of them."""
         if not self.rows:
-            return f"Nobody listens to {OWN} yet."
+            return f"Nobody listens to {OWN}."
         lines = [
             f"{topic:<20} {reading:>7g}   {', '.join(said) or '-'}" for topic, reading, said in self.rows
         ]

@@ -66,7 +66,12 @@ predict("...", about="five distances")
 # %% [markdown]
 # ## Run it
 #
-# First the two nodes. The callback of `guard` keeps what it gets in a list, so that we can look.
+# First the black box, then the two nodes. The callback of `guard` keeps what it gets in a list, so that we can look.
+
+# %%
+from lesson_nodes import black_box
+
+print("started", start(black_box))
 
 # %%
 import time
@@ -103,14 +108,12 @@ sensor, guard = fresh(Sensor), fresh(Guard)
 print("the list of the guard:", guard.heard)
 
 # %% [markdown]
-# Then the black box. It takes a moment until two programs have found each other, so we wait until the publisher
-# knows of two subscriptions: that of `guard`, and that of the black box.
+# It takes a moment until two programs have found each other. So we wait until the publisher knows of two subscriptions:
+# that of `guard`, and that of the black box. Then we say the five distances.
 
 # %% id="nobody-spins"
-from lesson_nodes import black_box
 from workbook.ros import topic_echo
 
-print("started", start(black_box))
 while sensor.publisher.get_subscription_count() < 2:
     time.sleep(0.01)
 
@@ -181,12 +184,16 @@ fig, axes = figure(6.4, 2.0)
 for row, (label, moments) in enumerate(rows.items()):
     times = [moment - began for moment in moments]
     axes.plot(times, [row] * len(times), "|", markersize=16, markeredgewidth=3, label=label)
-axes.axvline(spun_at - began, color="#787878", linestyle="--")
+axes.axvline(spun_at - began, color="#787878", linestyle="--", zorder=0)
 axes.text(spun_at - began + 0.04, 1.5, "spin begins", va="center")
+axes.text(spun_at - began + 0.04, 0, "all ten at once", va="center")
 axes.set(xlabel="seconds", yticks=range(3), xlim=(-0.1, 2.6), ylim=(-0.6, 2.6))
 axes.set_yticklabels(rows)
 axes.grid(axis="y", visible=False)
-show(fig, "ten messages: each is received when it is published, and all ten are handled when spin begins, at 2 s")
+show(
+    fig,
+    "ten messages: each is received when it is published, and all ten are handled when spin begins, at 2 s",
+)
 
 # %% [markdown]
 # The upper two rows are the same: sending and receiving go on without spin. In the lowest row, all ten stand in one
