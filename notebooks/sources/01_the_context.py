@@ -814,7 +814,7 @@ print("box locked: ", "box locked" in end.log)
 # - On Ctrl-C rclpy shuts the context down by itself, then `spin` raises. Clean up in `finally`, with `try_shutdown()`.
 # - How a program ends is seen from outside: its exit code, its log, and whether its node is gone.
 #
-# **Next:** [05 · Timers](05_timers.ipynb)
+# **Next:** [02 · Nodes](02_nodes.ipynb), the things that live in a context
 #
 # **More:** [Domain IDs](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Domain-ID.html), and what
 # [rclpy](https://docs.ros.org/en/jazzy/p/rclpy/) offers.

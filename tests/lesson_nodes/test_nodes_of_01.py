@@ -1,6 +1,7 @@
 """The nodes of lesson 01: a guard that parks its arms at the end, and robots that hear only their own domain."""
 
 import time
+from collections.abc import Iterator
 
 import pytest
 import rclpy
@@ -13,8 +14,16 @@ from lesson_nodes.radio_robot import RadioRobot
 from workbook.lesson import arrivals, record, run_program, start, stop
 from workbook.lesson.programs import program_file
 from workbook.ros.domains import lease_domain
+from workbook.ros.environment import prepare
 
 HELLO = "/building/hello"
+
+
+@pytest.fixture(autouse=True)
+def domain() -> Iterator[None]:
+    prepare()
+    yield
+    stop()
 
 
 def test_the_guard_walks_parks_its_arms_and_leaves_with_zero() -> None:

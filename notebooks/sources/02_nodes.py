@@ -1,0 +1,667 @@
+# %% [markdown]
+# # 02 · Nodes
+#
+# A robot is not one program. It is a crowd of small parts that must find each other, and what they look for is a name.
+#
+# - **Minutes:** 40
+# - **You need:** lesson [01](01_the_context.ipynb)
+# - **You will be able to:** write a node class, give it a name and a namespace, run one class twice under two names, tell
+#   twins when you see them, and read the errors of names and attributes
+# - **Left out:** what nodes say to each other (lessons 03 and 04), parameters, nodes in C++ packages and launch files
+
+# %% [markdown]
+# `roll_call` is a program that looks around five times a second and says which nodes it sees. It runs as a process of its
+# own. *This* notebook is another process. Let us make a node here, and hear what the other one says.
+
+# %%
+from lesson_nodes import roll_call
+from lesson_nodes.roll_call import RollReader
+from rclpy.node import Node
+from workbook.lesson import fresh, init, run, start, stop
+
+init()
+start(roll_call)
+reader = fresh(RollReader)  # listens to the roll call
+
+
+async def until_seen(*names: str) -> None:
+    """Wait until the other process sees exactly these nodes."""
+    await run(reader, seconds=20, until=lambda: reader.latest() == sorted(names))
+
+
+head = fresh(Node, "head")
+await until_seen("/head")
+print("the other process sees", reader.latest())
+
+head.destroy_node()
+await until_seen()
+print("the other process sees", reader.latest())
+
+# %% [markdown]
+# One line made it, `Node("head")`, and nobody was told. Here is the same as a film: a head comes, an arm comes, the head
+# goes. Each mark is a roll call in which that name was called.
+
+# %%
+import time
+
+from workbook.pictures.figures import show
+from workbook.pictures.timeline import strip
+
+began = time.monotonic()
+await run(reader, seconds=1.0)
+head = fresh(Node, "head")
+await until_seen("/head")
+await run(reader, seconds=1.0)
+arm = fresh(Node, "left_arm")
+await until_seen("/head", "/left_arm")
+await run(reader, seconds=1.0)
+head.destroy_node()
+await until_seen("/left_arm")
+await run(reader, seconds=1.0)
+arm.destroy_node()
+
+film = {name: [moment - began for moment in reader.moments(name)] for name in ("/head", "/left_arm")}
+film = {name: [moment for moment in moments if moment > 0] for name, moments in film.items()}
+show(
+    strip(film, end=time.monotonic() - began, noun="calls"),
+    "the roll call of another process: the head is there in the middle, the arm a little later, then only the arm",
+)
+
+# %% [markdown]
+# ## Predict
+#
+# A humanoid has two eyes. Somebody writes one class for both:
+#
+# ```python
+# class Camera(Node):
+#     def __init__(self) -> None:
+#         super().__init__("camera")
+#
+# left = Camera()
+# right = Camera()
+# ```
+#
+# The name `"camera"` is taken when the second one is made. What happens?
+#
+# - **a** An error: a name can be used once.
+# - **b** The second one takes the place of the first.
+# - **c** ROS numbers them: `camera` and `camera_2`.
+# - **d** Both are there, under the same name.
+
+# %%
+from workbook.lesson import predict
+
+predict("...", about="two eyes")
+
+# %% [markdown]
+# ## Run it
+
+# %% tags=["nbval-ignore-output"]
+class Camera(Node):
+    """An eye of the robot."""
+
+    def __init__(self) -> None:
+        super().__init__("camera")
+
+
+left = Camera()
+right = Camera()
+
+# %%
+from workbook.lesson import recall
+from workbook.ros import node_list
+
+await until_seen("/camera", "/camera")
+print("the other process sees", reader.latest())
+print(node_list())
+recall("d", about="two eyes")
+
+# %%
+left.destroy_node()
+right.destroy_node()
+
+# %% [markdown]
+# ## Look inside
+#
+# A **node** is an entry in the **graph**: all the nodes, and who talks to whom. There is no register where names are
+# handed out, and nobody who could say no. Each process tells the others what it has, and believes what it is told. So two
+# nodes may well have one name. They are called **twins**, and they are trouble: a tool that asks for `/camera` reaches one
+# of them, by chance. You saw the answer of rclpy, too: no error, one warning. We come back to it.
+#
+# A node is not a process. Above, this one process had two of them. And a class is not a node: it is a plan, from which
+# you can make as many as you like.
+#
+# What has a node from birth? We ask for everything, also for what tools usually leave out:
+
+# %%
+from workbook.ros import node_info
+
+bare = fresh(Node, "bare")
+found = node_info("/bare", hidden=True)
+print("publishes:", *[name for name, _ in found.publishes])
+print("offers", len(found.serves), "services, for example", found.serves[2][0])
+bare.destroy_node()
+
+# %% [markdown]
+# `/rosout` takes its log lines to all who care. `/parameter_events` and the seven services are for its **parameters**:
+# numbers that can be set from outside, as you did with `start(..., period_s=0.5)`. This is why you call
+# `super().__init__(name)` first in a class of your own. Whatever makes it a node happens there.
+#
+# A node that does something adds a timer, a publisher, a subscription. This is the driver of a camera, as you could buy
+# it. Look at its names, not at its messages; those are for the next lessons.
+
+# %%
+import inspect
+
+from lesson_nodes.camera_driver import CameraDriver
+
+for method in ("__init__", "take_picture", "report_faults"):
+    print(inspect.getsource(getattr(CameraDriver, method)))
+
+# %% [markdown]
+# ## Change it
+#
+# ### Experiment 1: a cell that is run three times
+#
+# In a notebook you run a cell, change a word, run it again. Here is such a cell. It makes a camera and gives it to an
+# **executor**, the thing that lets nodes work (lesson 06). You press Shift+Enter three times. How many cameras are there?
+#
+# - **a** One: `camera` is overwritten each time, so the old one is gone.
+# - **b** Three
+# - **c** None: the second run raises an error, and the third, too.
+
+# %%
+predict("...", about="three runs")
+
+# %% id="three-runs" tags=["nbval-ignore-output"]
+from rclpy.executors import SingleThreadedExecutor
+
+the_cell = """
+camera = CameraDriver()
+executor.add_node(camera)
+"""
+
+executor = SingleThreadedExecutor()
+for _ in range(3):
+    exec(the_cell)  # as if you had pressed Shift+Enter
+
+# %% id="three-cameras"
+from workbook.ros import topic_info
+
+await until_seen("/camera", "/camera", "/camera")
+print(node_list())
+print("publishers on /camera/frame:", len(topic_info("/camera/frame").publishers))
+recall("b", about="three runs")
+
+# %% [markdown]
+# The *name* `camera` was overwritten. The *object* lives as long as somebody holds it, and the executor holds all three.
+# They all publish on one topic, so three times as many pictures come in, and nothing looks wrong. Lists, callbacks and
+# `Out[7]` hold nodes just as well.
+#
+# The line of the warning in the output above is the only sign. To be rid of them you need to get hold of them once more:
+
+# %%
+for twin in executor.get_nodes():
+    executor.remove_node(twin)
+    twin.destroy_node()
+await until_seen()
+print(node_list())
+
+# %% [markdown]
+# In these notebooks `fresh` does it for you: it destroys what an earlier run left under this name, then makes the new one.
+
+# %%
+the_cell = """
+camera = fresh(CameraDriver)
+executor.add_node(camera)
+"""
+for _ in range(3):
+    exec(the_cell)
+
+await until_seen("/camera")
+print(node_list())
+(only,) = executor.get_nodes()
+only.destroy_node()
+
+# %% [markdown]
+# ### Experiment 2: three ways to name a topic
+#
+# A humanoid with two arms has everything twice. So names are in folders, as files are. The folder of a node is its
+# **namespace**. Here is a camera in the namespace `/robot/head`, and it uses three names for topics:
+#
+# ```python
+# camera = Node("camera", namespace="/robot/head")
+# camera.create_publisher(String, "faults", 10)
+# camera.create_publisher(String, "/emergency_stop", 10)
+# camera.create_publisher(String, "~/frame", 10)
+# ```
+#
+# What are the full names?
+#
+# - **a** `/faults`, `/emergency_stop`, `/frame`
+# - **b** `/robot/head/faults`, `/emergency_stop`, `/robot/head/camera/frame`
+# - **c** `/robot/head/camera/faults`, `/robot/head/emergency_stop`, `/robot/head/frame`
+# - **d** `/robot/head/faults`, `/robot/head/emergency_stop`, an error for `~`
+
+# %%
+predict("...", about="names")
+
+# %%
+camera = fresh(Node, "camera", namespace="/robot/head")
+for name in ("faults", "/emergency_stop", "~/frame"):
+    print(f"{name:<16} is {camera.resolve_topic_name(name)}")
+recall("b", about="names")
+print("its own full name:", camera.get_fully_qualified_name())
+camera.destroy_node()
+
+# %% [markdown]
+# | you write | it is called | it becomes | take it for |
+# |---|---|---|---|
+# | `faults` | relative | namespace + name | what the parts of *this* robot share |
+# | `/emergency_stop` | absolute | itself | what all robots share. Rarely right |
+# | `~/frame` | private | namespace + node + name | what belongs to *this* node alone |
+#
+# The slash at the front decides. Somebody who is used to web addresses writes `/faults` and thinks nothing of it. Then a
+# second robot comes into the laboratory, and both send their faults to the same place. Here are two robots, from one
+# class, without a change in it:
+
+# %%
+from workbook.lesson import graph_picture
+
+robots = [fresh(CameraDriver, namespace=robot_name) for robot_name in ("/ada", "/bob")]
+stop(roll_call)
+graph_picture()
+
+# %%
+from workbook.ros import topic_list
+
+print(*topic_list().names, sep="\n")
+
+# %% [markdown]
+# ### Experiment 3: another name from outside
+#
+# A robot with an eye in front and one in the back: two cameras in *one* namespace. The driver has its name built in, and
+# it is not yours to edit. But ROS can **remap** names when a node starts. In a terminal that looks so:
+#
+# ```text
+# python -m lesson_nodes.camera_driver --ros-args -r __ns:=/robot -r __node:=rear_camera
+# ```
+#
+# `-r` (remap) says: instead of the left name take the right one. `__node` and `__ns` are the name and the namespace of the
+# node itself. The driver publishes on `~/frame` and on `faults`. Where will its messages go?
+#
+# - **a** `/robot/rear_camera/frame` and `/robot/faults`
+# - **b** `/robot/camera/frame` and `/robot/faults`: the node has another name, its topics do not
+# - **c** `/robot/rear_camera/frame` and `/robot/rear_camera/faults`
+
+# %%
+predict("...", about="remapping")
+
+# %% id="remapped"
+from workbook.lesson import run_program
+
+DRIVE = """
+import rclpy
+from lesson_nodes.camera_driver import CameraDriver
+
+rclpy.init()  # takes the arguments of the command line
+camera = CameraDriver()
+print(camera.get_fully_qualified_name())
+print(camera.frame_publisher.topic_name)
+print(camera.fault_publisher.topic_name)
+rclpy.shutdown()
+"""
+arguments = ["--ros-args", "-r", "__ns:=/robot", "-r", "__node:=rear_camera"]
+end = run_program(DRIVE, arguments=arguments)
+for printed in end.log.splitlines():
+    if printed.startswith("/"):
+        print(printed)
+recall("a", about="remapping")
+
+# %% [markdown]
+# The driver knows nothing of it, and all that is named relative to it comes along. This is why good drivers use relative
+# and private names, and why you should.
+#
+# But what if both cameras shall live in one process? The arguments of the command line count for *all* nodes of the
+# process, so both would be called `rear_camera`. Twins again. For one node alone there is `cli_args`, the same words as a
+# list:
+
+# %%
+front = fresh(CameraDriver, namespace="/robot")
+rear = fresh(CameraDriver, namespace="/robot", cli_args=["--ros-args", "-r", "__node:=rear_camera"])
+for camera in (front, rear):
+    print(camera.get_fully_qualified_name(), "publishes on", camera.frame_publisher.topic_name)
+
+# %% [markdown]
+# `namespace=` works here because this driver hands its `**settings` on to `Node`. Where a class does not, `cli_args` cannot
+# get in either, and the command line (or a context of its own) is the way.
+
+# %%
+from workbook.ros import shutdown
+
+shutdown()  # destroys what `fresh` has made, and stops ROS
+init()
+
+# %% [markdown]
+# ## When it goes wrong
+#
+# **The warning of twins.** This is what rclpy says of two nodes with one name, and it is long:
+
+# %% id="twin-warning"
+TWINS = """
+import rclpy
+from rclpy.node import Node
+
+rclpy.init()
+left, right = Node("camera"), Node("camera")
+print(right.get_node_names())
+rclpy.shutdown()
+"""
+for printed in run_program(TWINS).log.strip().splitlines():
+    print(printed.replace(". ", ".\n  "))
+
+# %% [markdown]
+# It speaks of logs, which is the least of your troubles. Read it as: *there are twins*. In a terminal,
+# `workbook node list` (with a real ROS 2: `ros2 node list`) shows the name twice. Two terminals with the same program, a cell run twice, a
+# program that was not stopped: these are the usual reasons.
+
+# %% [markdown]
+# **Names that are none.** Which of these can be the name of a node?
+
+# %% id="bad-names"
+from rclpy.exceptions import InvalidNamespaceException, InvalidNodeNameException
+
+for name in ("left_camera", "left-camera", "left camera", "2nd_camera", "/robot/camera", "kamera_größe"):
+    try:
+        Node(name, enable_rosout=False).destroy_node()
+        print(f"✓ {name}")
+    except InvalidNodeNameException as error:
+        print(f"✗ {error}")
+
+# %% [markdown]
+# Letters of English, digits, underscores, and no digit first. The caret points at the culprit. The fifth is the most common:
+# the name of a node has no slash, because the folder goes extra, `Node("camera", namespace="/robot")`. For the namespace
+# itself:
+
+# %% id="bad-namespaces"
+for namespace in ("/robot", "robot", "/robot/head", "/robot/"):
+    try:
+        camera = Node("camera", namespace=namespace, enable_rosout=False)
+        print(f"✓ {namespace:<12} {camera.get_fully_qualified_name()}")
+        camera.destroy_node()
+    except InvalidNamespaceException as error:
+        print(f"✗ {error}")
+
+# %% [markdown]
+# **The forgotten first line.** A class of your own, with a timer, and a message that does not help at all:
+
+# %% id="no-super" tags=["raises-exception"]
+class Blinker(Node):
+    """Blinks with its eyes."""
+
+    def __init__(self) -> None:
+        self.create_timer(1.0, self.blink)
+
+    def blink(self) -> None:
+        print("blink")
+
+
+Blinker()
+
+# %% [markdown]
+# `_default_callback_group` is one of the things that `super().__init__("blinker")` would have made. It must be the first
+# line, before anything else of the node is used.
+
+# %% [markdown]
+# **Names that are taken.** A robot collects its timers in a list. What a good idea, what a bad name:
+
+# %% id="reserved-attribute" tags=["raises-exception"]
+class Collector(Node):
+    """Keeps its timers in a list."""
+
+    def __init__(self) -> None:
+        super().__init__("collector")
+        self.timers = [self.create_timer(1.0, self.look)]
+
+    def look(self) -> None:
+        print("looking")
+
+
+Collector()
+
+# %% [markdown]
+# `Node` has a property of that name already. At least it says so. Here is the whole list:
+
+# %%
+print(*[name for name in dir(Node) if isinstance(getattr(Node, name), property)])
+
+# %% [markdown]
+# Worse are the names with an underscore, because they are *not* protected. `Node` keeps its own things there. This class
+# runs without a word, and its timer never ticks:
+
+# %% id="silent-attribute"
+class Quiet(Node):
+    """Has a timer, and a variable with an unlucky name."""
+
+    def __init__(self) -> None:
+        super().__init__("quiet")
+        self.ticks = 0
+        self.create_timer(0.1, self.tick)
+        self._timers = []  # a list of mine, thinks the author
+
+    def tick(self) -> None:
+        self.ticks += 1
+
+
+quiet = fresh(Quiet)
+await run(quiet, seconds=1.0)
+print("ticks in a second:", quiet.ticks)
+
+# %% [markdown]
+# `self._timers` was the list in which the node had its timer. With `_logger`, `_clock` and `_parameters` something breaks
+# later, far from the cause. Names that say what is inside do not collide: `blink_timer`, `battery_publisher`.
+
+# %% [markdown]
+# **The logger is not Python's.** It looks like the module `logging`, so people write as they are used to:
+
+# %% id="logger-like-logging" tags=["raises-exception"]
+logger = quiet.get_logger()
+logger.info("battery at %d %%", 80)
+
+# %% [markdown]
+# It takes one text: `logger.info(f"battery at {80} %")`. A number alone is no text, and the message about it is a wall; write
+# `logger.info(str(80))`. And then there is this one, a small helper for tidy people:
+
+# %% id="logger-severity" tags=["raises-exception"]
+def say(level: str, text: str) -> None:
+    getattr(logger, level)(text)
+
+
+say("info", "battery fine")
+say("warning", "battery low")
+
+# %% [markdown]
+# rclpy remembers for each *line of code* with which severity it logs, so that `once=True` and the like can work. One line, two
+# severities: error. Write an `if` with two lines. Apart from that the logger is a good friend. It carries the name
+# of the node with its namespace, and every line goes to `/rosout` as well:
+
+# %%
+logger.info("all well")
+logger.warning("battery low")
+logger.debug("this one is not shown: the usual level is INFO")
+for _ in range(3):
+    logger.error("said once, however often it happens", once=True)
+print("its name:", fresh(Node, "camera", namespace="/robot").get_logger().name)
+
+# %% [markdown]
+# ## From a worked example to your own
+#
+# **Worked.** Two arms of one robot, `/robot/left/arm` and `/robot/right/arm`, from one class. The class has a plain name and
+# a private topic. The places are given when the nodes are made.
+
+# %%
+from std_msgs.msg import String
+
+
+class Arm(Node):
+    """Says on a topic of its own how it is."""
+
+    def __init__(self, **settings) -> None:
+        super().__init__("arm", **settings)
+        self.state_publisher = self.create_publisher(String, "~/state", 10)
+
+
+arms = [fresh(Arm, namespace=f"/robot/{side}") for side in ("left", "right")]
+for arm in arms:
+    print(arm.get_fully_qualified_name(), "publishes on", arm.state_publisher.topic_name)
+
+# %% [markdown]
+# **Faded.** Now both arms shall be in the namespace `/robot`, as `/robot/left_arm` and `/robot/right_arm`. Do not touch the
+# class. Fill in what is `...`.
+
+# %%
+shutdown()
+init()
+
+REMAP = {
+    "left": [...],  # TODO: the words that call this node left_arm
+    "right": [...],  # TODO: and this one right_arm
+}
+
+if any(... in words for words in REMAP.values()):
+    print("Fill in the words, then run this cell again.")
+else:
+    arms = [fresh(Arm, namespace="/robot", cli_args=words) for words in REMAP.values()]
+    for arm in arms:
+        print(arm.get_fully_qualified_name(), "publishes on", arm.state_publisher.topic_name)
+    print("as asked:", node_list() == ("/robot/left_arm", "/robot/right_arm"))
+
+# %% [markdown]
+# **Your own.** In the [exercise](../exercises/02_nodes.ipynb) a humanoid gets an eye in the back of its head, with a driver
+# that you may not edit. It is judged by what others see on the graph.
+
+# %% [markdown]
+# ## Check yourself
+#
+# **1. You start the same program in two terminals by mistake. What do you get?**
+#
+# <details><summary>a) An error in the second terminal: the name is taken</summary>
+#
+# ✗ Nobody hands out names, so nobody can refuse one.
+#
+# </details>
+# <details><summary>b) Twins: two nodes with one name, and all that they publish comes twice</summary>
+#
+# ✓ And no line of red. `workbook node list` shows it.
+#
+# </details>
+# <details><summary>c) The first one ends, and the second one takes over</summary>
+#
+# ✗ They do not know of each other. (`fresh` does that, but only inside one notebook.)
+#
+# </details>
+#
+# **2. A node `camera` in the namespace `/ada` publishes on `/faults`. What is the topic called?**
+#
+# <details><summary>a) `/ada/faults`</summary>
+#
+# ✗ It would be, without the slash at the front.
+#
+# </details>
+# <details><summary>b) `/ada/camera/faults`</summary>
+#
+# ✗ That is what `~/faults` becomes.
+#
+# </details>
+# <details><summary>c) `/faults`</summary>
+#
+# ✓ An absolute name stays as it is, wherever the node lives. All robots meet there.
+#
+# </details>
+#
+# **3. `Node("robot/camera")` raises `InvalidNodeNameException`. How do you get `/robot/camera`?**
+#
+# <details><summary>a) `Node("camera", namespace="/robot")`</summary>
+#
+# ✓ Name and namespace are two things, and only the namespace has slashes.
+#
+# </details>
+# <details><summary>b) `Node("/robot/camera")`</summary>
+#
+# ✗ The same error: no slash in the name of a node, at the front neither.
+#
+# </details>
+# <details><summary>c) `Node("robot_camera")`</summary>
+#
+# ✗ It is a valid name, but of another node: `/robot_camera`.
+#
+# </details>
+#
+# **4. A program makes two nodes from one class. You start it with `--ros-args -r __node:=scout`. What are they called?**
+#
+# <details><summary>a) The first one `scout`, the second one as before</summary>
+#
+# ✗ Nothing in these words says which one is meant.
+#
+# </details>
+# <details><summary>b) Both `scout`</summary>
+#
+# ✓ The command line counts for all nodes of the process. Give `cli_args` to one of them instead.
+#
+# </details>
+# <details><summary>c) `scout` and `scout_2`</summary>
+#
+# ✗ ROS never counts for you.
+#
+# </details>
+#
+# **5. Your node has a timer. It raises nothing, and the timer never ticks. You have `self._timers = {}` in your class. Why?**
+#
+# <details><summary>a) A dictionary is not allowed there, it must be a list</summary>
+#
+# ✗ With a list it was just as quiet in this lesson.
+#
+# </details>
+# <details><summary>b) It has replaced the list in which the node keeps its timers</summary>
+#
+# ✓ Names with one underscore belong to the class that you inherit from. Choose another one.
+#
+# </details>
+# <details><summary>c) The node is not spun</summary>
+#
+# ✗ That is worth a look as well, always. But here the name is enough.
+#
+# </details>
+
+# %% [markdown]
+# ## Talk it through
+#
+# Discuss this with a colleague or an AI assistant:
+#
+# > Our warehouse has twenty robots of one kind. Each runs the same fifteen nodes. How should nodes and topics be named, so
+# > that a robot can be added without editing code, and so that a dashboard can show all of them?
+#
+# <details><summary>What a good answer contains</summary>
+#
+# A namespace per robot (`/robot_07`), given from outside when its nodes are started: by a launch file, a remapping or an
+# environment variable, never in the code. Inside, relative names for what the robot's nodes share and private names for what
+# belongs to one node; absolute names only for what all share, such as a common stop or a map. The dashboard finds robots by
+# asking the graph for namespaces or topics, and takes the namespace as the robot's name. A good answer also asks how many
+# nodes may see each other (300 in one domain; a domain per robot and a bridge may be better), what happens when two robots get one
+# number by mistake (twins: check for it at the start), and that names in frames of coordinates need a prefix of their own.
+#
+# </details>
+
+# %% [markdown]
+# ## Take away
+#
+# - A node is an entry in the graph. Nobody hands out names: twins are allowed, and they are trouble.
+# - `super().__init__("name")` first. The name has no slash, hyphen or space; the folder is the namespace.
+# - `faults` follows the namespace, `~/frame` the node, and `/stop` follows nothing.
+# - Remapping renames from outside: `--ros-args -r __node:=rear_camera` for a process, `cli_args` for one node.
+# - Keep off the names that `Node` uses. The logger takes one text, and one severity per line of code.
+#
+# **Next:** [03 · Publishers and messages](03_publishers_and_messages.ipynb)
+#
+# **More:** [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html), and [passing arguments to
+# nodes](https://docs.ros.org/en/jazzy/How-To-Guides/Node-arguments.html).
