@@ -1,0 +1,18 @@
+# loses: again
+# skips: slow_callbacks, quiet_node
+# says: Do not destroy or shut down what you did not make
+"""Cleans up what it did not make."""
+
+import time
+
+from rclpy.executors import SingleThreadedExecutor
+
+
+def pump(node, seconds):
+    executor = SingleThreadedExecutor()
+    executor.add_node(node)
+    end = time.monotonic() + seconds
+    while (left := end - time.monotonic()) > 0:
+        executor.spin_once(timeout_sec=left)
+    executor.shutdown()
+    node.destroy_node()

@@ -1,0 +1,14 @@
+# loses: again, nothing_left_running
+# skips: slow_callbacks, quiet_node
+# says: left a thread behind
+"""A thread does the work. It is a daemon, so nobody has to end it."""
+
+import threading
+import time
+
+import rclpy
+
+
+def pump(node, seconds):
+    threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()
+    time.sleep(seconds)
