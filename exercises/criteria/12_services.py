@@ -35,6 +35,7 @@ UNANSWERED = [after for _, after in REPLIES].index(NEVER) + 1
 WATCH = watching(wall_seconds=8.0, script=[see.serves(SERVICE, Trigger, REPLIES)])
 
 TOLD_WITHIN_S = 0.8
+BELONGS_S = 1.6  # told later than that, it is taken for the report of another answer
 GIVEN_UP_WITHIN_S = 2.0
 SLACK_S = 0.3  # for a busy machine
 MAY_COME_UNTIL_S = 0.85
@@ -229,7 +230,7 @@ def delays(recording: Recording) -> list[tuple[Answer, float]] | None:
         if i == len(answers):
             return [] if all(t > last or t < EARLY_S for t, _ in words[j:]) else None
         answer = answers[i]
-        if j < len(words) and words[j][1] == answer.word and words[j][0] >= answer.at - EARLY_S:
+        if j < len(words) and words[j][1] == answer.word and -EARLY_S <= words[j][0] - answer.at <= BELONGS_S:
             rest = fit(i + 1, j + 1, excused)
             if rest is not None:
                 return [(answer, words[j][0] - answer.at), *rest]
