@@ -99,12 +99,26 @@ def test_nothing_is_found_in_nothing() -> None:
         "# type: ignore",
         "# type: ignore[assignment]",
         "#type:ignore",
-        "# noqa  # type: ignore",
-        "# so. type: ignore",
+        "#  type:  ignore  # why",
+        "# type: ignore, so",
     ],
 )
 def test_a_silenced_mistake_is_found_and_so_is_the_silencer(comment: str) -> None:
     assert codes(f"x: int = 'a'  {comment}\n") == [(1, SILENCED), (1, "assignment")]
+
+
+@pytest.mark.parametrize(
+    "comment",
+    [
+        "# never write type: ignore",
+        "# noqa  # type: ignore",
+        "# type: ignored",
+        "# TYPE: ignore",
+        "# mypy: ignore",
+    ],
+)
+def test_a_comment_that_silences_nothing_is_no_silencer(comment: str) -> None:
+    assert codes(f"x: int = 'a'  {comment}\n") == [(1, "assignment")]
 
 
 def test_a_file_cannot_be_silenced() -> None:

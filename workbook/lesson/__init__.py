@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from workbook.lesson.machine import doctor
     from workbook.lesson.predictions import predict, predicted, recall
     from workbook.lesson.programs import arrivals, processor_seconds, record, run_program, start, stop, values
-    from workbook.lesson.type_reports import check_types
+    from workbook.lesson.type_reports import check_types, stub_of
     from workbook.lesson.views import robot, watch_robot, watch_status
     from workbook.ros.session import init, run, spin_for
     from workbook.ros.twins import fresh
@@ -31,6 +31,7 @@ _HOME = {
     "spin_for": "workbook.ros.session",
     "start": "workbook.lesson.programs",
     "stop": "workbook.lesson.programs",
+    "stub_of": "workbook.lesson.type_reports",
     "values": "workbook.lesson.programs",
     "watch_robot": "workbook.lesson.views",
     "watch_status": "workbook.lesson.views",
@@ -54,6 +55,7 @@ __all__ = [
     "spin_for",
     "start",
     "stop",
+    "stub_of",
     "values",
     "watch_robot",
     "watch_status",

@@ -4,12 +4,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 
+from workbook.criteria.phrasing import count
 from workbook.exercise.source import STEM
 from workbook.magics.answers import answer_file
 from workbook.observing.recording import Finding
-from workbook.observing.typecheck import BARE, SETTINGS, type_check
+from workbook.observing.typecheck import BARE, NOTE, SETTINGS, TYPINGS, type_check
 
-_STRICT = ("--strict", "--allow-untyped-calls")
+_STRICT = ("--strict", "--allow-untyped-calls", "--implicit-reexport")
 
 
 @dataclass(frozen=True)
@@ -21,24 +22,23 @@ class TypeReport:
 
     @property
     def lines(self) -> tuple[int, ...]:
-        """The lines that mypy says something about, each once."""
-        return tuple(sorted({finding.line for finding in self.findings}))
+        """The lines in which mypy finds something wrong, each once."""
+        return tuple(sorted({finding.line for finding in self.findings if finding.code != NOTE}))
 
     def __len__(self) -> int:
-        return len(self.findings)
+        """How many lines that are."""
+        return len(self.lines)
 
     def __repr__(self) -> str:
-        if not self.findings:
-            return "mypy: nothing found"
         text = self.program.splitlines()
-        shown = [f"mypy: {len(self)} finding{'s' if len(self) > 1 else ''}"]
+        shown = [f"mypy: {count(len(self), 'line')} with a mistake" if len(self) else "mypy: nothing found"]
         last = -1
         for finding in self.findings:
             if finding.line != last:
                 source = text[finding.line - 1].strip() if 0 < finding.line <= len(text) else ""
                 shown.append(f"line {finding.line}: {source}".rstrip(": "))
             last = finding.line
-            shown.append(f"    {finding.message} [{finding.code}]")
+            shown.append(f"    {finding.message}" + ("" if finding.code == NOTE else f" [{finding.code}]"))
         return "\n".join(shown)
 
 
@@ -48,7 +48,8 @@ def check_types(
     """Let mypy read a program: its text, its file, a module, or your answer to an exercise by the name of that.
 
     `stubs`: with the stubs of the course for message packages (`workbook/typings`); without, as ROS installs them.
-    `strict`: every function has to be annotated, and Any may not be written. `notes`: show what `reveal_type` says, too.
+    `strict`: every function has to be annotated; with stubs, Any may not be written either. `notes`: show what
+    `reveal_type` says, too.
     """
     text = _text_of(program)
     settings = (f"--config-file={SETTINGS}",) if stubs and strict else (*BARE, *(_STRICT if strict else ()))
@@ -63,3 +64,11 @@ def _text_of(program: str | Path | ModuleType) -> str:
     elif isinstance(program, str) and STEM.fullmatch(program):
         program = answer_file(program)
     return program.read_text(encoding="utf-8") if isinstance(program, Path) else program
+
+
+def stub_of(message_class: type) -> str:
+    """What the stubs of the course say of a message, such as `Float32`."""
+    package, kind = message_class.__module__.split(".")[:2]
+    stub = (TYPINGS / package / kind / "__init__.pyi").read_text(encoding="utf-8")
+    name = message_class.__name__
+    return f"class {name}:\n" + stub.partition(f"\nclass {name}:\n")[2].partition("\nclass ")[0].rstrip()

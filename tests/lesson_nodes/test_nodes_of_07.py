@@ -1,0 +1,35 @@
+"""The nodes of lesson 07: three shapes of one battery report, which nobody can tell apart on the bus."""
+
+from types import ModuleType
+
+import pytest
+import rclpy
+
+from lesson_nodes import battery_class, battery_closure, battery_script
+from workbook.lesson import arrivals, check_types, record, values
+
+BATTERY = "/robot/battery"
+SHAPES = (battery_script, battery_closure, battery_class)
+
+
+def name(module: ModuleType) -> str:
+    return module.__name__.rsplit(".", 1)[1]
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=name)
+def test_each_shape_reports_thirty_times_a_minute_and_ends_well_on_ctrl_c(shape: ModuleType) -> None:
+    recording = record(shape, {BATTERY: 2.0}, seconds=60)
+    assert [node.name for node in recording.nodes] == [f"/{name(shape)}"]
+    assert len(arrivals(recording, BATTERY)) == 30
+    assert values(recording, BATTERY) == [99.5 - 0.5 * number for number in range(30)]
+    assert (recording.process.ended_by, recording.process.exit) == ("bench", 0)
+    assert "Traceback" not in recording.process.log + recording.process.end_log
+
+
+@pytest.mark.parametrize("shape", SHAPES, ids=name)
+def test_each_shape_is_typed(shape: ModuleType) -> None:
+    assert len(check_types(shape)) == 0
+
+
+def test_importing_them_starts_nothing() -> None:
+    assert not rclpy.ok()
