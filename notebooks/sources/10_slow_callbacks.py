@@ -669,7 +669,9 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 # - Python threads overlap waiting, not computing. Heavy computing belongs into a process of its own.
 # - Whoever moves work into a thread must look after its errors there.
 #
-# **Next:** lesson 11, polling against callbacks: what if you used a loop that looks?
+# **Before:** [09 · The joint positions](09_joint_positions.ipynb)
+#
+# **Next:** [11 · Polling against callbacks](11_polling_against_callbacks.ipynb): what if you used a loop that looks?
 #
 # **More:** [Using callback groups](https://docs.ros.org/en/jazzy/How-To-Guides/Using-callback-groups.html) and
 # [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html).

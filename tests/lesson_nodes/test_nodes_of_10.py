@@ -1,15 +1,35 @@
 """The node of lesson 10: thinking stops the heart, unless it has a thread and a callback group of its own."""
 
+import os
+from collections.abc import Iterator
 from itertools import pairwise
 
 import pytest
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 
 from lesson_nodes import thinking_robot
-from workbook.lesson import arrivals, fresh, init, record, start, values
+from workbook.lesson import arrivals, record, start, stop, values
+from workbook.ros.domains import lease_domain
+from workbook.ros.environment import prepare
+from workbook.ros.session import fresh, init, shutdown
+from workbook.ros.standing import close_standing_node
 
 HEARTBEAT, THOUGHT, JOINTS = "/robot/heartbeat", "/robot/thought", "/robot/joint_positions"
 PERIODS = {HEARTBEAT: 0.1, THOUGHT: 1.1}
+
+
+@pytest.fixture(autouse=True)
+def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    for name in list(os.environ):
+        monkeypatch.setenv(name, os.environ[name])  # put back what `prepare` changes
+    with lease_domain() as lease:
+        prepare(domain_id=lease.domain_id)
+        try:
+            yield
+        finally:
+            stop()
+            shutdown()
+            close_standing_node()
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,206 @@
+# ---
+# exercise: 11_polling_against_callbacks
+# title: A monitor that need not look
+# minutes: 20
+# difficulty: 2
+# kind: program
+# clock: wall
+# objectives:
+#   - recognise polling in a program that works, more or less
+#   - let a callback act on each message when it comes
+#   - leave the waiting to spin
+# out_of_scope:
+#   - what happens with a touch after it was reported
+#   - messages that are lost on the way (lesson 13)
+#   - how the program ends, and how the code is written
+# ---
+# %% [markdown]
+# # Exercise 11 · A monitor that need not look
+#
+# The hand of your humanoid has a skin that feels touches and numbers them. A monitor hands each number on to the grip
+# control, which must let go before the egg breaks. But the log shows numbers missing, and the grip control complains that
+# it hears of a touch when the shell is cracked already. You open the program, and find a loop that looks at the last touch
+# five times a second. Turn it into one that is *told*.
+#
+# **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
+# [11](../notebooks/11_polling_against_callbacks.ipynb).
+#
+# ## What to build
+#
+# | topic | direction | type | content |
+# |---|---|---|---|
+# | `/robot/touch` | received | `Int32` | the number of a touch: 1, 2, 3 … |
+# | `/monitor/seen` | published | `Int32` | the same number, for each touch, once, at once |
+#
+# Touches may come alone, or ten in one moment.
+#
+# ## What is judged
+#
+# Your program runs as a process of its own for some seconds. The judge sends 60 touches and notes what comes back, and when.
+#
+# | points | criterion |
+# |---:|---|
+# | 1 | it listens to `/robot/touch` and reports on `/monitor/seen`, both `Int32` |
+# | 3 | no touch is missed |
+# | 2 | none is reported twice, and all in order |
+# | 2 | a report typically comes within a few milliseconds (40 are allowed, for a busy machine) |
+# | 1 | the program leaves the processor alone: less than 5 % of one |
+# | 1 | the program is still running at the end of the watch |
+#
+# **Not part of it:** what the grip control does, lost messages, and how your program ends on Ctrl-C.
+# %% [answer]
+"""A monitor that reports each touch of the hand."""
+
+# [solution]
+import rclpy
+# [starter]
+# | import threading
+# | import time
+# |
+# | import rclpy
+# [end]
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from std_msgs.msg import Int32
+
+
+class TouchMonitor(Node):
+    """Reports each touch of the hand.
+
+    Topics:
+        /monitor/seen (std_msgs/Int32): the number of the touch.
+
+    Subscriptions:
+        /robot/touch (std_msgs/Int32): the number of the touch.
+    """
+
+    def __init__(self) -> None:
+        super().__init__("touch_monitor")
+        self.seen_publisher = self.create_publisher(Int32, "/monitor/seen", 100)
+        # [solution]
+        self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)
+        # [starter]
+        # | self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)
+        # | self.last = 0  # the touch that came last
+        # | self.reported = 0  # the touch that was reported last
+        # [end]
+
+    # [solution]
+    def on_touch(self, touch: Int32) -> None:
+        """Report the touch, as soon as it comes."""
+        self.seen_publisher.publish(Int32(data=touch.data))
+    # [starter]
+    # | def on_touch(self, touch: Int32) -> None:
+    # |     """Keep the touch until somebody looks."""
+    # |     self.last = touch.data
+    # |
+    # | def look(self) -> None:
+    # |     """Report the last touch, if it is a new one."""
+    # |     if self.last != self.reported:
+    # |         self.reported = self.last
+    # |         self.seen_publisher.publish(Int32(data=self.reported))
+    # [end]
+
+
+# [solution]
+def main(args: list[str] | None = None) -> None:
+    """Run the monitor until Ctrl-C or a request to end, then leave with exit code 0."""
+    rclpy.init(args=args)
+    try:
+        rclpy.spin(TouchMonitor())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+# [starter]
+# | def receive(monitor: TouchMonitor) -> None:
+# |     """Let the monitor receive, in a thread beside the loop."""
+# |     try:
+# |         rclpy.spin(monitor)
+# |     except ExternalShutdownException:
+# |         pass
+# |
+# |
+# | def main(args: list[str] | None = None) -> None:
+# |     """Look again and again until Ctrl-C or a request to end, then leave with exit code 0."""
+# |     rclpy.init(args=args)
+# |     monitor = TouchMonitor()
+# |     receiving = threading.Thread(target=receive, args=(monitor,))
+# |     receiving.start()
+# |     try:
+# |         while rclpy.ok():  # TODO: nobody should have to look
+# |             monitor.look()
+# |             time.sleep(0.2)
+# |     except KeyboardInterrupt:
+# |         pass
+# |     finally:
+# |         rclpy.try_shutdown()
+# |         receiving.join()
+# [end]
+
+
+if __name__ == "__main__":
+    main()
+# %% [live]
+# from rclpy.node import Node
+# from std_msgs.msg import Int32
+#
+# from workbook.lesson import fresh, init, run
+#
+# %start
+# init()
+# seen = []
+# hand = fresh(Node, "hand")
+# hand.create_subscription(Int32, "/monitor/seen", lambda report: seen.append(report.data), 100)
+# touching = hand.create_publisher(Int32, "/robot/touch", 100)
+# await run(hand, seconds=5, until=lambda: touching.get_subscription_count() > 0)
+# for number in range(1, 11):
+#     touching.publish(Int32(data=number))
+# await run(hand, seconds=1)
+# print("touches 1 to 10, seen:", seen)
+# %% [hint]
+# Follow one touch through the program. It arrives, and `on_touch` is called, at once, for each touch. So far all is well.
+# What does `on_touch` do with it? Who reports it, and when? Everything that goes wrong here goes wrong between these two.
+#
+# What a subscription does when a message comes: [About
+# topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html)
+# %% [hint]
+# - `on_touch` gets the message. It can publish: `self.seen_publisher.publish(...)` works in any callback.
+# - When it does, `last`, `reported` and `look` have nothing left to do. Neither has the loop in `main`.
+# - Without the loop, the main thread is free to do what the other thread does. Then you need no other thread.
+# - Keep the depth of 100: up to ten touches may wait at the same time.
+#
+# What a node offers: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
+# %% [hint]
+# What is left of the program, with gaps:
+#
+# ```python
+#     def on_touch(self, touch: Int32) -> None:
+#         self.seen_publisher.publish(Int32(data=___))
+#
+#
+# def main(args: list[str] | None = None) -> None:
+#     rclpy.init(args=args)
+#     try:
+#         rclpy.___(TouchMonitor())
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         rclpy.try_shutdown()
+# ```
+#
+# A subscriber, step by step: [Writing a simple publisher and
+# subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)
+# %% [alternatives]
+# ## Other good ways
+#
+# - **`self.create_subscription(Int32, "/robot/touch", self.seen_publisher.publish, 100)`.** The message is handed on as it
+#   is, without a method in between. Short, and right as long as nothing has to be done with it.
+# - **A queue and a worker thread.** `on_touch` puts the number into a `queue.Queue`, and a thread that waits in `get()`
+#   reports it. `get()` is a bell, too: it sleeps until something is there. Right when reporting takes long (lesson 10);
+#   for one `publish` it is a detour.
+# - **A loop around `spin_once(timeout_sec=1.0)`.** It waits inside, and so it is quick and costs nothing. `rclpy.spin` is the
+#   same loop.
+# - **A condition variable.** The loop of the starter can be saved: let it wait in `condition.wait()` in place of `sleep`,
+#   and let the callback notify it. With a list of all touches it misses nothing. Much to get right for little gain.
+# - **A faster loop.** Quicker, and dearer; but it still misses what comes together. No sleep is short enough.

@@ -1,0 +1,25 @@
+"""The publisher itself is the callback."""
+
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Int32
+
+
+class TouchMonitor(Node):
+    def __init__(self):
+        super().__init__("touch_monitor")
+        self.seen = self.create_publisher(Int32, "/monitor/seen", 100)
+        self.create_subscription(Int32, "/robot/touch", self.seen.publish, 100)
+
+
+def main():
+    rclpy.init()
+    try:
+        rclpy.spin(TouchMonitor())
+    except KeyboardInterrupt:
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+main()

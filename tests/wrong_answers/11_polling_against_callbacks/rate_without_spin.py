@@ -1,0 +1,41 @@
+# loses: none_missed, once_in_order, quick
+# says: nobody publishes in it
+"""A rate in the loop of the main thread, and nobody spins."""
+
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Int32
+
+
+class TouchMonitor(Node):
+    def __init__(self):
+        super().__init__("touch_monitor")
+        self.seen = self.create_publisher(Int32, "/monitor/seen", 100)
+        self.last = 0
+        self.reported = 0
+        self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)
+
+    def on_touch(self, touch):
+        self.last = touch.data
+
+    def look(self):
+        if self.last != self.reported:
+            self.reported = self.last
+            self.seen.publish(Int32(data=self.reported))
+
+
+def main():
+    rclpy.init()
+    monitor = TouchMonitor()
+    rate = monitor.create_rate(50)
+    try:
+        while rclpy.ok():
+            monitor.look()
+            rate.sleep()
+    except KeyboardInterrupt:
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+main()
