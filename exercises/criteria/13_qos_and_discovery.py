@@ -97,12 +97,17 @@ def program_runs(recording: Recording) -> Verdict:
     return see.program_runs(recording)
 
 
+@criterion(points=0, title="It runs until the end of the watch", needs=[program_runs])
+def runs_on(recording: Recording) -> Verdict:
+    return see.alive_at_end(recording)
+
+
 @criterion(points=1, title="/dashboard/line carries String", needs=[program_runs])
 def line_topic(recording: Recording) -> Verdict:
     return see.publishes(recording, LINE)
 
 
-@criterion(points=1, title="The line comes at 2 Hz, and never stops", needs=[line_topic])
+@criterion(points=1, title="The line comes at 2 Hz, and never stops", needs=[line_topic, runs_on])
 def line_rate(recording: Recording) -> Verdict:
     nothing = see.no_message(recording, LINE)
     if nothing is not None:
@@ -113,9 +118,7 @@ def line_rate(recording: Recording) -> Verdict:
     return see.rate(recording, LINE)
 
 
-@criterion(
-    points=2, title="It knows at once what was said before it started", needs=[program_runs, line_topic]
-)
+@criterion(points=2, title="It knows at once what was said before it started", needs=[line_topic, runs_on])
 def status_at_once(recording: Recording) -> Verdict:
     hears = see.hears(recording, STATUS)
     if not hears.ok:
@@ -161,7 +164,9 @@ def alarm_kept(recording: Recording) -> Verdict:
     return see.kept_for_latecomers(recording, ALARM)
 
 
-@criterion(points=1, title="The alarm is raised within 3 s of silence", needs=[alarm_topic, hears_heartbeat])
+@criterion(
+    points=1, title="The alarm is raised within 3 s of silence", needs=[alarm_topic, hears_heartbeat, runs_on]
+)
 def alarm_raised(recording: Recording) -> Verdict:
     began, ended = silence(recording)
     raised = [t - began for t, on in alarms(recording, began, ended) if on]
@@ -192,7 +197,7 @@ def alarm_raised(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=1, title="No alarm before it is due", needs=[alarm_topic, hears_heartbeat])
+@criterion(points=1, title="No alarm before it is due", needs=[alarm_topic, hears_heartbeat, runs_on])
 def no_false_alarm(recording: Recording) -> Verdict:
     began, _ = silence(recording)
     early = [t for t, on in alarms(recording, AT_ONCE_S, began + NOT_BEFORE_S) if on]
