@@ -1,0 +1,79 @@
+"""Runs the answer's RobotReport, and on a word from the bench uses it rightly and wrongly, as its callers will.
+
+Topics:
+    /driver/go (std_msgs/String), heard: each one is an order to make all calls once.
+    /driver/report (std_msgs/String), published after them: a line for each call, "send_battery(42)<tab>returned" or
+        "send_battery('full')<tab>TypeError: ...".
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import answer  # type: ignore[import-not-found]  # the student's file
+import rclpy
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.node import Node
+from std_msgs.msg import Float32, String
+
+LONGEST_ERROR = 200
+
+
+def calls(robot: Any) -> dict[str, Callable[[], object]]:
+    """What is called, as one would write it."""
+    return {
+        "send_battery(42)": lambda: robot.send_battery(42),
+        "send_battery(55.25)": lambda: robot.send_battery(55.25),
+        "send_battery('full')": lambda: robot.send_battery("full"),
+        "send_battery('87.5')": lambda: robot.send_battery("87.5"),
+        "send_battery(None)": lambda: robot.send_battery(None),
+        "send_status('error')": lambda: robot.send_status("error"),
+        "send_status('operatoinal')": lambda: robot.send_status("operatoinal"),
+        "send_status(3)": lambda: robot.send_status(3),
+        "battery_publisher.publish(String())": lambda: robot.battery_publisher.publish(String()),
+        "status_publisher.publish(Float32())": lambda: robot.status_publisher.publish(Float32()),
+    }
+
+
+class Driver(Node):
+    """Makes all calls when it is told to, and reports what became of them."""
+
+    def __init__(self, robot: Any) -> None:
+        super().__init__("driver")
+        self.robot = robot
+        self.report_publisher = self.create_publisher(String, "/driver/report", 10)
+        self.create_subscription(String, "/driver/go", self.on_go, 10)
+
+    def on_go(self, _: String) -> None:
+        """Make every call once, whatever the others did."""
+        lines = [f"{text}\t{self.outcome(call)}" for text, call in calls(self.robot).items()]
+        self.report_publisher.publish(String(data="\n".join(lines)))
+
+    @staticmethod
+    def outcome(call: Callable[[], object]) -> str:
+        """What became of a call, on one line."""
+        try:
+            call()
+        except Exception as error:
+            return f"{type(error).__name__}: {' '.join(str(error).split())}"[:LONGEST_ERROR]
+        return "returned"
+
+
+def main() -> None:
+    """Spin the robot and its driver until Ctrl-C."""
+    if not hasattr(answer, "RobotReport"):
+        raise AttributeError("your program has no class RobotReport")
+    rclpy.init()
+    robot = answer.RobotReport()
+    executor = SingleThreadedExecutor()
+    for node in (robot, Driver(robot)):
+        executor.add_node(node)
+    try:
+        executor.spin()
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == "__main__":
+    main()
