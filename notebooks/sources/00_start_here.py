@@ -486,7 +486,7 @@ stop()
 # - How the robot moves and how often it reports are two different numbers.
 # - Predict, run, change. ■ stops a cell, `stop()` stops the robots, `workbook doctor` knows the machine.
 #
-# **Next:** [Timers](05_timers.ipynb): how a node does something again and again. (Lessons 01 to 04 are in preparation.)
+# **Next:** [01 · The context](01_the_context.ipynb): what begins before the first node and ends after the last.
 #
 # **More:** [Nodes](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Nodes.html),
 # [topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html) and

@@ -814,6 +814,8 @@ print("box locked: ", "box locked" in end.log)
 # - On Ctrl-C rclpy shuts the context down by itself, then `spin` raises. Clean up in `finally`, with `try_shutdown()`.
 # - How a program ends is seen from outside: its exit code, its log, and whether its node is gone.
 #
+# **Before:** [00 · Start here](00_start_here.ipynb)
+#
 # **Next:** [02 · Nodes](02_nodes.ipynb), the things that live in a context
 #
 # **More:** [Domain IDs](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Domain-ID.html), and what

@@ -661,6 +661,8 @@ else:
 # - Remapping renames from outside: `--ros-args -r __node:=rear_camera` for a process, `cli_args` for one node.
 # - Keep off the names that `Node` uses. The logger takes one text, and one severity per line of code.
 #
+# **Before:** [01 · The context](01_the_context.ipynb)
+#
 # **Next:** [03 · Publishers and messages](03_publishers_and_messages.ipynb)
 #
 # **More:** [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html), and [passing arguments to

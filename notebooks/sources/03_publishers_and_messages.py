@@ -767,6 +767,8 @@ else:
 # - 32 bits hold about seven digits: never `==`, always "close to".
 # - One topic, one type. In two programs, two types on one topic are silent. For what stays, take messages with meaning.
 #
+# **Before:** [02 · Nodes](02_nodes.ipynb)
+#
 # **Next:** [04 · Subscriptions and callbacks](04_subscriptions_and_callbacks.ipynb): the other end of the topic.
 #
 # **More:** [Interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html), with all field types, and

@@ -705,6 +705,8 @@ else:
 # - The first argument decides which type comes, not the hint. Another type or name: silence. Ask `topic_info`.
 # - Hand over the callback without parentheses. The node keeps the subscription; you need not.
 #
+# **Before:** [03 · Publishers and messages](03_publishers_and_messages.ipynb)
+#
 # **Next:** [05 · Timers](05_timers.ipynb), for what a robot does again and again without being told.
 #
 # **More:** [Writing a simple publisher and

@@ -555,8 +555,9 @@ else:
 # - A slow callback makes others late. Missed ticks are dropped, they do not come in a burst.
 # - Hand over the callback without parentheses, and spin the node.
 #
-# **Next:** [08 · The humanoid status publisher](08_humanoid_status_publisher.ipynb), a node with two timers that earns
-# its living.
+# **Before:** [04 · Subscriptions and callbacks](04_subscriptions_and_callbacks.ipynb)
+#
+# **Next:** [06 · Spinning](06_spinning.ipynb): who calls the callback of a timer, and when.
 #
 # **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html), who look after
 # the timers, and [clock and time](https://design.ros2.org/articles/clock_and_time.html), where robot time comes from.

@@ -776,6 +776,8 @@ print("exit code", outcome.exit)
 # - An exception in a background spin makes a node deaf, not dead: spin in the main thread, and watch for silence.
 # - End with `except (KeyboardInterrupt, ExternalShutdownException)` and `rclpy.try_shutdown()`.
 #
+# **Before:** [07 · Typed nodes](07_typed_nodes.ipynb)
+#
 # **Next:** [09 · The joint positions](09_joint_positions.ipynb), a third topic that moves a whole body.
 #
 # **More:** [Writing a simple publisher and

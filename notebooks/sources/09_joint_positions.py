@@ -505,7 +505,10 @@ else:
 # - A subscriber that publishes needs no timer: messages drive it.
 # - Check length, finiteness and range where you make the angles.
 #
-# **Next:** the exercise, and then slow callbacks (lesson 10, in preparation).
+# **Before:** [08 · The humanoid status publisher](08_humanoid_status_publisher.ipynb)
+#
+# **Next:** the exercise, and then [10 · Slow callbacks](10_slow_callbacks.ipynb): what if the work takes longer than the
+# period?
 #
 # **More:** [Publishing and subscribing in Python](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)
 # and [about interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html).

@@ -754,6 +754,8 @@ else:
 # - `call_async`, `add_done_callback`, return: that never hangs.
 # - An answer that does not come says nothing. Give it up yourself, with a clock and `remove_pending_request`.
 #
+# **Before:** [11 · Polling against callbacks](11_polling_against_callbacks.ipynb)
+#
 # **Next:** [13 · QoS and discovery](13_qos_and_discovery.ipynb), on promises between those who talk and those who listen.
 #
 # **More:** [Synchronous and asynchronous clients](https://docs.ros.org/en/jazzy/How-To-Guides/Sync-Vs-Async.html) and

@@ -871,7 +871,9 @@ stop()
 # - Before the match a message is lost. Wait for `get_subscription_count()` or the matched event, not for a time.
 # - Silence calls nobody. Use a deadline, if it is offered, or a timer that looks at the clock.
 #
-# **Next:** you have reached the last lesson there is at the moment.
+# **Before:** [12 · Services](12_services.ipynb)
+#
+# **Next:** you have reached the last lesson that there is at the moment.
 #
 # **More:** [About quality of service settings](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html),
 # with all policies, and [About discovery](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Discovery.html).

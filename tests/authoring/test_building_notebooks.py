@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workbook.authoring import building
+from workbook.authoring import building, document
 from workbook.authoring.building import build, build_exercise, build_lesson, select
 from workbook.authoring.outputs import normalize, sanitized
 from workbook.authoring.tree import AuthoringError, Tree
@@ -52,6 +52,22 @@ def test_what_did_not_change_is_not_run(course: Tree, monkeypatch: pytest.Monkey
     assert build_exercise(course, "21_beeps").startswith("as it was")
 
 
+def test_new_words_between_the_code_keep_what_it_showed(
+    course: Tree, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = course.notebooks / "21_beeps.ipynb"
+    before = document.read(target)
+    source = course.sources / "21_beeps.py"
+    source.write_text(source.read_text(encoding="utf-8") + "# Some more words.\n", encoding="utf-8")
+    monkeypatch.setattr(building, "run", lambda *_: pytest.fail("ran a lesson whose code had not changed"))
+    assert build_lesson(course, "21_beeps").startswith("new words")
+    after = document.read(target)
+    assert "Some more words." in after.cells[-1].source
+    shown = [[cell.outputs for cell in one.cells if cell.cell_type == "code"] for one in (before, after)]
+    assert shown[0] == shown[1]
+    assert build_lesson(course, "21_beeps").startswith("as it was")
+
+
 @pytest.mark.parametrize(
     "name", ["notebooks/sources/21_beeps.py", "lesson_nodes/beeper.py", "lesson_nodes/sound.py"]
 )
@@ -76,7 +92,8 @@ def test_a_changed_text_or_node_makes_it_run_again(
     assert build_lesson(course, "21_beeps").startswith("built")
     assert build_lesson(course, "21_beeps").startswith("as it was")
     changed = course.root / name
-    changed.write_text(changed.read_text(encoding="utf-8") + "# changed\n", encoding="utf-8")
+    more = "\n# %%\nprint('changed')\n" if changed == source else "# changed\n"
+    changed.write_text(changed.read_text(encoding="utf-8") + more, encoding="utf-8")
     assert build_lesson(course, "21_beeps").startswith("built")
     assert ran == ["21_beeps", "21_beeps"]
 

@@ -3,15 +3,19 @@
 import json
 import re
 import struct
+import subprocess
+import sys
 import tomllib
 from pathlib import Path
 
 import pytest
 
 from workbook.cli.main import build_parser
+from workbook.exercise.definition import load_exercise
+from workbook.observing.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = ("README.md", "environment.md", "CONTRIBUTING.md")
+PAGES = ("README.md", "environment.md", "CONTRIBUTING.md", "exercises/README.md")
 LARGEST_PICTURE = 300_000
 LESSON_COUNT = 19
 _LINK = re.compile(r"(?P<picture>!?)\[(?P<text>[^\]]*)\]\((?P<target>[^)\s]+)\)")
@@ -75,7 +79,8 @@ def test_each_link_leads_somewhere(name: str) -> None:
         target, _, anchor = link["target"].partition("#")
         if target.startswith(("http://", "https://")):
             continue
-        path = ROOT / target if target else ROOT / name
+        here = ROOT / name
+        path = here.parent / target if target else here
         assert path.exists(), f"{link[0]} leads nowhere"
         if anchor:
             assert anchor in anchors(path.read_text(encoding="utf-8")), f"{link[0]}: no such heading"
@@ -88,7 +93,7 @@ def test_the_table_has_every_lesson_once() -> None:
 @pytest.mark.parametrize("folder", ["notebooks", "exercises"])
 def test_ready_means_there_and_planned_means_not_there(folder: str) -> None:
     there = {path.name for path in (ROOT / folder).glob("[0-9]*.ipynb")}
-    promised = set(re.findall(rf"\({folder}/([^)]+)\)", page("README.md")))
+    promised = set(re.findall(rf"\({folder}/([^)]+\.ipynb)\)", page("README.md")))
     assert promised == there
 
 
@@ -132,3 +137,26 @@ def test_it_names_the_versions_of_python_that_the_project_takes() -> None:
     named = {int(minor) for minor in re.findall(r"\b3\.(\d\d)\b", page("README.md"))}
     lowest, highest = map(int, re.fullmatch(r">=3\.(\d+),<3\.(\d+)", project["requires-python"]).groups())  # type: ignore[union-attr]
     assert named == set(range(lowest, highest))
+
+
+def test_the_criterion_that_instructors_are_shown_judges(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    page = (ROOT / "exercises" / "README.md").read_text(encoding="utf-8")
+    code = page.split("```python\n", 1)[1].split("```", 1)[0]
+    (tmp_path / "09_joint_positions.py").write_text(code)
+    monkeypatch.setenv("WORKBOOK_CRITERIA", str(tmp_path))
+    exercise = load_exercise("09_joint_positions", ROOT)
+    own = next(one for one in exercise.criteria if one.id == "careful_neck")
+    assert own.hidden
+    recordings = ROOT / "tests" / "recordings" / "09_joint_positions"
+    assert own(Recording.load(recordings / "solution.json")).status in ("passed", "failed")
+    assert own(Recording.load(recordings / "wrong_name.json")).status == "failed"
+
+
+def test_the_options_that_instructors_are_told_of_exist() -> None:
+    page = (ROOT / "exercises" / "README.md").read_text(encoding="utf-8")
+    command = [str(Path(sys.executable).with_name("workbook")), "grade", "--help"]
+    told = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    for option in set(re.findall(r"`(--[a-z-]+)", page)):
+        assert option in told

@@ -4,6 +4,7 @@ import time
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 from workbook.authoring import document
 from workbook.authoring.exercise import read_exercise, solved_notebook, starter_document
@@ -84,6 +85,9 @@ def build_lesson(tree: Tree, stem: str, *, again: bool = False) -> str:
     wanted = document.as_notebook(read_lesson(tree, stem))
     if not again and is_current(target, wanted):
         return f"as it was  {tree.name(target)}"
+    if not again and carry_outputs(target, wanted):
+        document.write(target, document.to_text(wanted))
+        return f"new words  {tree.name(target)}"
     began = time.monotonic()
     run(tree, stem, wanted)
     note_run_times(tree, {stem: time.monotonic() - began})
@@ -102,6 +106,32 @@ def is_current(target: Path, wanted: document.Notebook) -> bool:
     if not all(cell.execution_count for cell in built.cells if cell.cell_type == "code"):
         return False
     return bool(document.without_outputs(built) == document.without_outputs(wanted))
+
+
+def carry_outputs(target: Path, wanted: document.Notebook) -> bool:
+    """Where only words between the code have changed: give the new notebook what the built one shows.
+
+    Returns whether that could be done; otherwise the lesson has to run.
+    """
+    try:
+        built = document.read(target)
+    except ValueError:
+        return False
+
+    def code(notebook: document.Notebook) -> list[Any]:
+        return [cell for cell in notebook.cells if cell.cell_type == "code"]
+
+    def told(cells: list[Any]) -> list[tuple[str, str, Any]]:
+        return [(cell.id, cell.source, cell.metadata) for cell in cells]
+
+    shown = code(built)
+    if built.metadata != wanted.metadata or told(shown) != told(code(wanted)):
+        return False
+    if not all(cell.execution_count for cell in shown):
+        return False
+    for cell, before in zip(code(wanted), shown, strict=True):
+        cell.outputs, cell.execution_count = before.outputs, before.execution_count
+    return True
 
 
 def build_exercise(tree: Tree, stem: str) -> str:

@@ -286,6 +286,12 @@ def _next_lesson(tree: Tree, stem: str, wanted: document.Document) -> Iterator[s
     last = next((c for c in reversed(wanted.cells) if c.kind == "markdown" and "**Next:**" in c.source), None)
     if later and last is not None and f"({later[0]}.ipynb)" not in last.source:
         yield f"## Take away: **Next:** must link to the next lesson, ({later[0]}.ipynb)"
+    earlier = [other for other in tree.lesson_stems() if other < stem]
+    before = (
+        re.compile(rf"^\*\*Before:\*\* \[.*\]\({earlier[-1]}\.ipynb\)", re.MULTILINE) if earlier else None
+    )
+    if before is not None and last is not None and not before.search(last.source):
+        yield f"## Take away: needs the line '**Before:** [title]({earlier[-1]}.ipynb)' with the lesson before"
 
 
 def _story_tells(exercise: Exercise) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 import hashlib
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -46,7 +47,7 @@ def read_lesson(tree: Tree, stem: str) -> Document:
         named = with_ids(cells)
     except ValueError as error:
         raise AuthoringError(f"{shown}: {error}") from error
-    return Document(named, _metadata(tree, stem, text))
+    return Document(named, _metadata(tree, stem, text, named))
 
 
 def inputs(tree: Tree, text: str) -> tuple[Path, ...]:
@@ -63,19 +64,20 @@ def inputs(tree: Tree, text: str) -> tuple[Path, ...]:
     return tuple(sorted(found))
 
 
-def source_sha256(tree: Tree, text: str) -> str:
-    """One hash over the text of a lesson and the lesson nodes that it runs."""
-    total = hashlib.sha256(f"{FORMAT}\n{text}".encode())
+def source_sha256(tree: Tree, text: str, cells: Sequence[Cell]) -> str:
+    """One hash over all that a lesson runs: its code and the lesson nodes. Words between the code are not in it."""
+    code = "\n".join(f"{cell.id}\n{cell.source}" for cell in cells if cell.kind == "code")
+    total = hashlib.sha256(f"{FORMAT}\n{code}".encode())
     for path in inputs(tree, text):
         total.update(f"\n{tree.name(path)}\n{path.read_text(encoding='utf-8')}".encode())
     return total.hexdigest()
 
 
-def _metadata(tree: Tree, stem: str, text: str) -> dict[str, Any]:
+def _metadata(tree: Tree, stem: str, text: str, cells: Sequence[Cell]) -> dict[str, Any]:
     return {
         "lesson": stem,
         "made_from": f"notebooks/sources/{stem}.py",
-        "source_sha256": source_sha256(tree, text),
+        "source_sha256": source_sha256(tree, text, cells),
     }
 
 

@@ -123,6 +123,8 @@ def _points(row: Result) -> str:
 
 
 def _bar(share: float, color: str) -> str:
+    if not share:
+        return ""
     width = max(0.2, 16 * share)
     return f'<span style="display:inline-block;height:0.8em;width:{width:.1f}em;background:{color}"></span>'
 
@@ -132,11 +134,10 @@ def _distribution(graded: Sequence[Result], exercise: Exercise) -> str:
     bins = Counter(min(most, int(row["score"])) for row in graded)
     largest = max(bins.values(), default=1)
     lines = "".join(
-        f"<tr><td>{points}{'' if points == most else ' and more'}</td>"
-        f"<td>{_bar(bins[points] / largest, COLORS['passed'])} {bins[points]}</td></tr>"
+        f"<tr><td>{points}</td><td>{_bar(bins[points] / largest, COLORS['passed'])} {bins[points]}</td></tr>"
         for points in range(most, -1, -1)
     )
-    return f"<h2>Points</h2><table><tr><th>points</th><th>answers</th></tr>{lines}</table>"
+    return f"<h2>Points</h2><table><tr><th>points, rounded down</th><th>answers</th></tr>{lines}</table>"
 
 
 def _criteria(graded: Sequence[Result]) -> str:
