@@ -68,7 +68,6 @@ class PumpWatcher(Node):
             self.begin = time.monotonic()
         else:
             self.end = time.monotonic()
-            self.get_logger().info(message.data)
         self.note("begin and end")
 
     def note(self, row: str) -> None:
