@@ -51,7 +51,7 @@ def _link(tree: Tree, stem: str) -> str:
 
 def _sign(exhibit: Exhibit) -> str:
     """The symptom as code when it is a text of Python, as words when it is a silence."""
-    looks_printed = re.search(r"(Error|Exception|Warning|Interrupt)\b|[()_:{}']", exhibit.symptom)
+    looks_printed = re.match(r"[\w.]*(Error|Exception|Warning|Interrupt|Handle|Iteration)\b", exhibit.symptom)
     return f"`{exhibit.symptom}`" if looks_printed and "`" not in exhibit.symptom else exhibit.symptom
 
 
