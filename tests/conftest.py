@@ -30,6 +30,7 @@ def _group(item: pytest.Item, number: int) -> str:
     return str(item.path)
 
 
+@pytest.hookimpl(tryfirst=True)  # before xdist looks for groups
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     numbers: dict[PurePath, int] = {}
     for item in items:

@@ -124,7 +124,8 @@ def test_code_out_of_sight_is_named() -> None:
     [
         ("from rclpy.publisher import Publisher\nx: Publisher[int]\n", "Publisher is not generic"),
         (
-            "from rclpy.node import Node\nclass A(Node):\n    def __init__(self) -> None:\n        self.publishers = 1\n",
+            "from rclpy.node import Node\nclass A(Node):\n"
+            "    def __init__(self) -> None:\n        self.publishers = 1\n",
             "The name is taken",
         ),
         ("x: list = []\n", "holds Any"),
@@ -135,9 +136,13 @@ def test_code_out_of_sight_is_named() -> None:
         ("class A: ...\nA().levle\n", "spelling"),
         ("def f(x: int) -> int:\n    return x\nf('a')\n", "something else than the function asks for"),
         ("x = = 1\n", "cannot read the file"),
-        ("class A:\n    def f(self) -> int:\n        return 1\nclass B(A):\n    def f(self) -> str:\n        return ''\n", "fit together"),
+        (
+            "class A:\n    def f(self) -> int:\n        return 1\n"
+            "class B(A):\n    def f(self) -> str:\n        return ''\n",
+            "fit together",
+        ),
     ],
-)  # fmt: skip
+)
 def test_each_kind_of_finding_has_its_reason(program: str, words: str) -> None:
     assert words in whole(mypy_clean(read(program)))
 
