@@ -11,6 +11,7 @@ import io
 import json
 import re
 import resource
+import signal
 import subprocess
 import sys
 import tokenize
@@ -28,14 +29,15 @@ SETTINGS = TYPINGS / "mypy.ini"
 BARE = ("--config-file=", "--disable-error-code=import-untyped")
 PROGRAM = "answer"
 SILENCED, UNCHECKED, UNFINISHED, NOTE = "silenced", "unchecked", "unfinished", "note"
-PATIENCE_S = 30.0
+PROCESSOR_S = 30  # what counts: on a busy machine a minute may pass before mypy has had two seconds of it
+PATIENCE_S = 300.0
 MEMORY_BYTES = 2_500_000_000
-PROCESSOR_S = 60
 
 _IGNORE = re.compile(
     r"#\s*type:\s*ignore\b"
 )  # at the beginning of a comment; elsewhere mypy does not heed it
 _INLINE = re.compile(r"^# mypy: .*$", re.MULTILINE)
+_BROKE_DOWN = ("INTERNAL ERROR", "MemoryError", "RecursionError")
 _HIDING = ("TYPE_CHECKING", "MYPY")
 
 _cache: Path | None = None
@@ -52,7 +54,7 @@ def type_check(
     settings: Sequence[str] = (f"--config-file={SETTINGS}",),
     stubs: bool = True,
     notes: bool = False,
-    patience_s: float = PATIENCE_S,
+    processor_s: int = PROCESSOR_S,
 ) -> tuple[Finding, ...]:
     """What mypy says of `program`, by line, and of each of the `probes`: short programs that import it as `answer`.
 
@@ -71,7 +73,7 @@ def type_check(
     try:
         for module, text in texts.items():
             (folder / f"{module}.py").write_text(text, encoding="utf-8")
-        found = _run_mypy(folder, [f"{module}.py" for module in texts], settings, stubs, notes, patience_s)
+        found = _run_mypy(folder, [f"{module}.py" for module in texts], settings, stubs, notes, processor_s)
     finally:
         remove_scratch(folder)
     of_mypy = [Finding(names[module], line, code, message) for module, line, code, message in found]
@@ -80,7 +82,7 @@ def type_check(
 
 
 def _run_mypy(
-    folder: Path, files: Sequence[str], settings: Sequence[str], stubs: bool, notes: bool, patience_s: float
+    folder: Path, files: Sequence[str], settings: Sequence[str], stubs: bool, notes: bool, processor_s: int
 ) -> list[tuple[str, int, str, str]]:
     """Run mypy over files of a folder: module, line, code and message of all that it says."""
     command = [
@@ -106,20 +108,23 @@ def _run_mypy(
     with child:
         try:
             resource.prlimit(child.pid, resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
-            resource.prlimit(child.pid, resource.RLIMIT_CPU, (PROCESSOR_S, PROCESSOR_S))
-            said, complaint = child.communicate(timeout=patience_s)
+            resource.prlimit(child.pid, resource.RLIMIT_CPU, (processor_s, processor_s + 1))
+            said, complaint = child.communicate(timeout=PATIENCE_S)
         except ProcessLookupError:
             said, complaint = child.communicate()
         except subprocess.TimeoutExpired:
-            return [(PROGRAM, 0, UNFINISHED, f"mypy had not finished after {patience_s:.0f} s")]
+            return [(PROGRAM, 0, UNFINISHED, f"mypy had not finished after {PATIENCE_S:.0f} s")]
         finally:
             child.kill()
+    if -child.returncode in (signal.SIGXCPU, signal.SIGKILL):
+        words = f"mypy had not finished after {processor_s} s of processor time"
+        return [(PROGRAM, 0, UNFINISHED, words)]
     found = list(_read(said, notes))
     strangers = [module for module, *_ in found if f"{module}.py" not in files]
     if strangers:
         raise TypeCheckFailed(f"mypy stumbled over {strangers[0]}, not over the program: {said.strip()}")
     if child.returncode not in (0, 1) and not found:
-        if "INTERNAL ERROR" in complaint or child.returncode < 0:
+        if child.returncode < 0 or any(name in complaint for name in _BROKE_DOWN):
             return [(PROGRAM, 0, UNFINISHED, "mypy itself broke down over this program")]
         raise TypeCheckFailed(f"mypy ended with code {child.returncode}: {(complaint or said).strip()}")
     return found
