@@ -1,6 +1,8 @@
 """How the tests are spread over workers: a file stays together, long ones begin first, lessons go side by side."""
 
+import re
 from pathlib import PurePath
+from typing import Any
 
 import pytest
 
@@ -10,30 +12,41 @@ LONG_FIRST = (
     "test_browser_lessons",
     "test_notebooks_run",
     "test_browser_exercise",
+    "test_hostile",
     "test_nodes_with_timers",
 )
 BROWSERS = 2
+"""How many JupyterLabs, each with a Chromium, share the lessons."""
 
 
-def _rank(item: pytest.Item) -> int:
-    stem = PurePath(item.path).stem
-    return LONG_FIRST.index(stem) if stem in LONG_FIRST else len(LONG_FIRST)
-
-
-def _group(item: pytest.Item, number: int) -> str:
-    """Tests of a group run one after another in one worker. `number`: place of the test in its file."""
-    stem = PurePath(item.path).stem
+def group_of(nodeid: str) -> str:
+    """Tests of a group run one after another in one worker. Usually that is a file."""
+    file, _, rest = nodeid.partition("::")
+    stem = PurePath(file).stem
     if stem == "test_notebooks_run":
-        return item.name
+        return nodeid
     if stem == "test_browser_lessons":
-        return f"{stem}-{number % BROWSERS}"  # each has a JupyterLab and a Chromium of its own
-    return str(item.path)
+        number = re.search(r"\[(\d\d)_", rest)
+        return f"{file}-{int(number[1]) % BROWSERS if number else 0}"
+    return file
 
 
-@pytest.hookimpl(tryfirst=True)  # before xdist looks for groups
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    numbers: dict[PurePath, int] = {}
-    for item in items:
-        number = numbers[item.path] = numbers.get(item.path, -1) + 1
-        item.add_marker(pytest.mark.xdist_group(_group(item, number)))
-    items.sort(key=_rank)
+    def rank(item: pytest.Item) -> int:
+        stem = PurePath(item.path).stem
+        return LONG_FIRST.index(stem) if stem in LONG_FIRST else len(LONG_FIRST)
+
+    items.sort(key=rank)
+
+
+@pytest.hookimpl(optionalhook=True)  # only with pytest-xdist
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    """Spread by group in the order of collection. (xdist's own groups have no effect under this pytest.)"""
+    from xdist.scheduler import LoadScopeScheduling
+
+    class ByGroup(LoadScopeScheduling):
+        def _split_scope(self, nodeid: str) -> str:
+            return group_of(nodeid)
+
+    config.option.loadscopereorder = False
+    return ByGroup(config, log)

@@ -47,7 +47,7 @@ def steps() -> list[Step]:
     authoring = (python, "-m", "workbook.authoring")
     found.append(Step("notebooks match their text", "notebooks", (*authoring, "check")))
     tested = ARTIFACTS / "pytest.xml"
-    spread = ("-n", JOBS, "--dist", "loadgroup", "--no-loadscope-reorder")
+    spread = ("-n", JOBS)
     found.append(Step("pytest", "pytest", (python, "-m", "pytest", *spread, f"--junitxml={tested}"), tested))
     return found
 
