@@ -71,6 +71,10 @@ class StudentLab:
         course, home = folder / "course", folder / "home"
         course.mkdir(parents=True)
         home.mkdir()
+        # Saving by hand while JupyterLab saves by itself makes it ask which version to keep.
+        settings = home / ".jupyter" / "lab" / "user-settings" / "@jupyterlab" / "docmanager-extension"
+        settings.mkdir(parents=True)
+        (settings / "plugin.jupyterlab-settings").write_text('{"autosave": false}')
         for name in COURSE:
             (course / name).symlink_to(ROOT / name)
         self.work = course / "work"

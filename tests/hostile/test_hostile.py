@@ -1,9 +1,14 @@
 """Hostile answers at the best tier: none earns what it should not, none leaves anything behind, none harms another."""
 
+import json
 import os
 import re
 import socket
+import subprocess
+import sys
 import threading
+import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -127,6 +132,40 @@ def aftermath() -> Aftermath:
         listener.close()
     left = list(processes_of_answers().values())
     return Aftermath(judgements, len(callers), left, files_around() - files)
+
+
+def test_a_killed_grader_takes_its_boxes_along_and_goes_on(tmp_path: Path) -> None:
+    problem = sandbox_problem()
+    if problem is not None:
+        pytest.skip(f"programs cannot be shut in: {problem}")
+    folder, out = tmp_path / "class", tmp_path / "out"
+    folder.mkdir()
+    for student in ("s1", "s2", "s3"):
+        (folder / f"{student}.py").write_text(f"# {student}\nimport time\ntime.sleep(600)\n")
+    command = [
+        str(Path(sys.executable).with_name("workbook")), "grade", str(folder), "--exercise", STEM,
+        "--out", str(out), "--slots", "3", "--isolation", "sandbox",
+    ]  # fmt: skip
+    before = set(processes_of_answers())
+    grader = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        wait_until(lambda: len(set(processes_of_answers()) - before) >= 3)
+    finally:
+        grader.kill()
+        grader.wait()
+    wait_until(lambda: not set(processes_of_answers()) - before)
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    results = [json.loads(line) for line in (out / "results.jsonl").read_text().splitlines()]
+    assert sorted(one["student"] for one in results) == ["s1", "s2", "s3"]
+    assert {one["isolation"] for one in results} == {"sandbox"}
+
+
+def wait_until(condition: Callable[[], bool]) -> None:
+    deadline = time.monotonic() + 60.0
+    while not condition():
+        assert time.monotonic() < deadline, "waited a minute in vain"
+        time.sleep(0.05)
 
 
 def explained(judgement: Judgement) -> str:

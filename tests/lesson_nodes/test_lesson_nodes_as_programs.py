@@ -18,6 +18,7 @@ from rclpy.signals import SignalHandlerOptions
 from lesson_nodes import joint_position_publisher
 from workbook.criteria import estimators
 from workbook.observing.recording import TopicRecording
+from workbook.observing.rest import Rest
 from workbook.observing.watch import Observer, Plan
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment, prepare
@@ -76,6 +77,16 @@ def test_the_waves_are_set_from_outside(observer: Observer) -> None:
     assert all(pose == poses[0] for pose in poses)
 
 
+def wait_until_it_rests(pid: int) -> None:
+    """Return once the program waits for something: a Ctrl-C that hits a destructor is swallowed by Python."""
+    rest = Rest(pid)
+    try:
+        while not rest.wait():
+            continue
+    finally:
+        rest.close()
+
+
 def wait_until_it_spins(name: str, domain_id: int) -> None:
     """Return once the node of this name has answered a question, which only a spinning node does."""
     context = Context()
@@ -111,6 +122,7 @@ def test_control_c_ends_it_with_exit_code_zero(name: str, way: str) -> None:
         )
         try:
             wait_until_it_spins(name, lease.domain_id)
+            wait_until_it_rests(program.pid)
             program.send_signal(signal.SIGINT)
             log, _ = program.communicate(timeout=PATIENCE_S)
         finally:

@@ -19,8 +19,8 @@ from typing import Literal
 
 Status = Literal["ok", "note", "mend"]
 HEARTBEAT = Path(__file__).with_name("heartbeat.py")
-TALK_LIMIT_S = 15.0
-KERNEL_LIMIT_S = 40.0
+TALK_LIMIT_S = 40.0
+KERNEL_LIMIT_S = 50.0
 GIB = 2**30
 
 
@@ -151,7 +151,7 @@ def check_loopback() -> Finding:
         socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender,
     ):
         receiver.bind(("127.0.0.1", 0))
-        receiver.settimeout(2.0)
+        receiver.settimeout(10.0)
         sender.sendto(b"ping", receiver.getsockname())
         try:
             receiver.recv(16)

@@ -65,6 +65,7 @@ class Recorder:
     `robot_time` maps a moment of `time.monotonic` (s) to robot time (s); an arrival is stamped with the moment at
     which DDS received it, so it does not matter how late `take` is called. `started_at` is the zero of wall time.
     `look` takes in changes of the graph, `take` the messages; neither waits. `ignore` names nodes to leave out.
+    `judged` topics are recorded even when a program publishes more topics than are watched otherwise.
     """
 
     def __init__(
@@ -73,7 +74,9 @@ class Recorder:
         started_at: float,
         robot_time: Callable[[float], float],
         ignore: tuple[str, ...] = (),
+        judged: tuple[str, ...] = (),
     ) -> None:
+        self._judged = judged
         self._node = node
         self._started_at = started_at
         self._robot_time = robot_time
@@ -134,7 +137,7 @@ class Recorder:
     def _look_at(self, topic: str) -> bool:
         watched = self._topics.get(topic)
         if watched is None:
-            if len(self._topics) >= TOPICS_WATCHED:
+            if len(self._topics) >= TOPICS_WATCHED and topic not in self._judged:
                 return False
             watched = self._topics.setdefault(topic, _Watched(topic))
         new = self._update_publishers(watched)

@@ -209,7 +209,7 @@ class Watch:
             raise
         self._rest = Rest(self._process.pid)
         self._began = self._speaker.started_at = self._process.started_at
-        self._recorder = Recorder(self._node, self._process.started_at, self._robot_time)
+        self._recorder = Recorder(self._node, self._process.started_at, self._robot_time, judged=plan.topics)
         self._notes: list[str] = []
         self._phases: list[Phase] = []
         self._follows: bool | None = None
