@@ -25,7 +25,7 @@ pytestmark = [pytest.mark.sandbox, pytest.mark.slow]
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
 FILES = sorted((Path(__file__).parent / "answers").glob("*.py"))
-SLOTS = 4 * (os.cpu_count() or 1)
+SLOTS = 2 * (os.cpu_count() or 1)
 NEIGHBORS = 4
 _HEADER = re.compile(r"^# (score|loses|says|limits): ?(.*)$")
 
