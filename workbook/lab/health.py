@@ -249,10 +249,9 @@ def check_two_processes() -> Finding:
     )
 
 
-_CELL = """
-import os, rclpy
-loaded = "workbook.magics" in get_ipython().extension_manager.loaded
-print("domain", os.environ.get("ROS_DOMAIN_ID"), "magics", loaded)
+_CELL = "import os, rclpy"
+_SAID = """\
+f"domain {os.environ.get('ROS_DOMAIN_ID')} magics {'workbook.magics' in get_ipython().extension_manager.loaded}"
 """
 
 
@@ -263,18 +262,18 @@ def check_kernel() -> Finding:
     started = time.monotonic()
     manager, client = start_new_kernel(startup_timeout=KERNEL_LIMIT_S, kernel_name="python3")
     try:
-        texts: list[str] = []
-
-        def keep(message: dict[str, dict[str, str]]) -> None:
-            content = message["content"]
-            texts.append(content.get("text") or content.get("evalue") or "")
-
-        client.execute_interactive(_CELL, timeout=KERNEL_LIMIT_S, output_hook=keep)
+        # The reply comes for sure; what a cell prints may be missed by a client that has just connected.
+        reply = client.execute(
+            _CELL, reply=True, timeout=KERNEL_LIMIT_S, user_expressions={"said": _SAID.strip()}
+        )["content"]
         took = time.monotonic() - started
     finally:
         client.stop_channels()
         manager.shutdown_kernel(now=True)
-    said = " ".join("".join(texts).split())
+    told = reply.get("user_expressions", {}).get("said", {})
+    said = str(
+        told.get("data", {}).get("text/plain") or told.get("evalue") or reply.get("evalue") or ""
+    ).strip("'\"")
     if "domain None" in said or "magics True" not in said or "domain" not in said:
         return Finding(
             "mend", "Jupyter kernel", f"started, but is not set up: {said or 'no answer'}", "Run `make env`."
