@@ -5,6 +5,9 @@ from workbook.criteria.phrasing import listing, seconds
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.observing.recording import Recording
 
+AT_ONCE_S = 8.0
+"""How long (s) a program may take to start on a very busy machine."""
+
 
 def program_runs(recording: Recording) -> Verdict:
     """The program starts and its node or a publisher of it is seen on the graph."""
@@ -63,9 +66,12 @@ def program_runs(recording: Recording) -> Verdict:
 def _got_going(recording: Recording) -> bool:
     """A message arrived, or a publisher is there and stays while the program runs.
 
-    A program that fails in its first lines may show publishers for a moment; that is not yet running.
+    A program that fails in its first lines may show publishers for a moment, and say one word on each topic; that is
+    not yet running.
     """
     topics = recording.topics.values()
+    if _failed_at_once(recording):
+        return False
     if any(topic.arrivals or topic.undecodable or topic.not_kept for topic in topics):
         return True
     if recording.said or recording.calls:
@@ -73,6 +79,20 @@ def _got_going(recording: Recording) -> bool:
     if recording.process.ended_by == "itself":
         return False
     return any(publisher.last_seen is None for topic in topics for publisher in topic.publishers)
+
+
+def _failed_at_once(recording: Recording) -> bool:
+    """An error ended the program before any topic had a second message."""
+    process = recording.process
+    if process.ended_by != "itself" or find_mishap(process.log, process.program) is None:
+        return False
+    return (
+        bool(recording.topics)
+        and not recording.said
+        and not recording.calls
+        and all(len(topic.arrivals) <= 1 for topic in recording.topics.values())
+        and (process.ended_at or 0.0) < AT_ONCE_S
+    )
 
 
 def _ended_before_it_was_seen(recording: Recording, expected: str) -> Verdict:
