@@ -3,6 +3,9 @@
 import re
 from dataclasses import dataclass
 
+from workbook.criteria.verdict import Verdict, failed
+from workbook.observing.recording import Recording
+
 
 @dataclass(frozen=True)
 class Mishap:
@@ -188,4 +191,20 @@ def find_mishap(log: str, program_name: str = "") -> Mishap | None:
         line_number,
         "The program raised an exception that nothing caught.",
         "Read the last lines of the log from the bottom up: the error, then the line of your file.",
+    )
+
+
+def failed_by_error(
+    recording: Recording, saw: str, expected: str, *, about_time: bool = False
+) -> Verdict | None:
+    """A failed verdict that blames the last Python error in the program's log; None if there is none.
+
+    `saw` says what is missing because of it; the error is put behind it.
+    """
+    mishap = find_mishap(recording.process.log, recording.process.program)
+    if mishap is None:
+        return None
+    told = f"{mishap.where}{mishap.error}"
+    return failed(
+        f"{saw}: {told}" if saw else told, expected, mishap.because, mishap.try_this, about_time=about_time
     )

@@ -2,7 +2,7 @@
 
 import difflib
 
-from workbook.criteria.mishaps import find_mishap
+from workbook.criteria.mishaps import failed_by_error
 from workbook.criteria.phrasing import count, listing
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.observing.recording import Recording
@@ -21,11 +21,9 @@ def on_the_graph(recording: Recording, name: str) -> Verdict:
             "ROS does not refuse a name that is taken; tools and parameters then meet one of them by chance.",
             "Give each node a name of its own, or make only one of them.",
         )
-    mishap = find_mishap(recording.process.log, recording.process.program)
-    if mishap is not None:
-        return failed(
-            f"no node {name}: {mishap.where}{mishap.error}", expected, mishap.because, mishap.try_this
-        )
+    blamed = failed_by_error(recording, f"no node {name}", expected)
+    if blamed is not None:
+        return blamed
     if not found:
         return failed(
             f"no node {name}, and no other one",

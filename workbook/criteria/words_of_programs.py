@@ -1,6 +1,6 @@
 """Words about the program as a whole: does it run, live on, end well?"""
 
-from workbook.criteria.mishaps import find_mishap
+from workbook.criteria.mishaps import failed_by_error, find_mishap
 from workbook.criteria.phrasing import listing, seconds
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.observing.recording import Recording
@@ -97,9 +97,9 @@ def _failed_at_once(recording: Recording) -> bool:
 
 def _ended_before_it_was_seen(recording: Recording, expected: str) -> Verdict:
     process = recording.process
-    mishap = find_mishap(process.log, process.program)
-    if mishap is not None:
-        return failed(f"{mishap.where}{mishap.error}", expected, mishap.because, mishap.try_this)
+    blamed = failed_by_error(recording, "", expected)
+    if blamed is not None:
+        return blamed
     how = f"signal {process.signal}" if process.signal else f"exit code {process.exit}"
     return failed(
         f"the program ended after {seconds(process.ended_at or 0.0)} ({how}), before any message came",
@@ -116,9 +116,9 @@ def alive_at_end(recording: Recording) -> Verdict:
     if process.ended_by != "itself":
         return passed(f"still running after {seconds(process.watched_for)}")
     ended = f"the program ended by itself after {seconds(process.ended_at or 0.0)}"
-    mishap = find_mishap(process.log, process.program)
-    if mishap is not None:
-        return failed(f"{ended}: {mishap.where}{mishap.error}", expected, mishap.because, mishap.try_this)
+    blamed = failed_by_error(recording, ended, expected)
+    if blamed is not None:
+        return blamed
     how = f"signal {process.signal}" if process.signal else f"exit code {process.exit}"
     return failed(
         f"{ended} ({how})",

@@ -1,13 +1,11 @@
 """Words about the services that a program calls."""
 
-from workbook.criteria.mishaps import find_mishap
+from workbook.criteria.mishaps import failed_by_error
 from workbook.criteria.phrasing import listing
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.words_of_talk import calls_of
-from workbook.criteria.words_of_topics import similar_share
+from workbook.criteria.words_of_topics import misspelled
 from workbook.observing.recording import Recording
-
-ALIKE = 0.6
 
 
 def calls_service(recording: Recording, service: str, service_type: str) -> Verdict:
@@ -27,17 +25,12 @@ def calls_service(recording: Recording, service: str, service_type: str) -> Verd
             "Server and client of different types do not find each other, and nobody says so.",
             f"Import {short} from {service_type.split('/')[0]}.srv and give it to create_client().",
         )
-    mishap = find_mishap(recording.process.log, recording.process.program)
-    if mishap is not None:
-        return failed(
-            f"no client for {service}: {mishap.where}{mishap.error}",
-            expected,
-            mishap.because,
-            mishap.try_this,
-        )
+    blamed = failed_by_error(recording, f"no client for {service}", expected)
+    if blamed is not None:
+        return blamed
     names = sorted(name for name, _ in seen)
-    near = max(names, key=lambda name: similar_share(name, service), default=None)
-    if near is not None and similar_share(near, service) > ALIKE:
+    near = misspelled(service, names)
+    if near is not None:
         return failed(
             f"your node calls {near}, and not {service}",
             expected,
@@ -53,15 +46,8 @@ def calls_service(recording: Recording, service: str, service_type: str) -> Verd
 
 
 def _never_called(recording: Recording, service: str, expected: str) -> Verdict:
-    mishap = find_mishap(recording.process.log, recording.process.program)
-    if mishap is not None:
-        return failed(
-            f"the client for {service} is there, but it never calls: {mishap.where}{mishap.error}",
-            expected,
-            mishap.because,
-            mishap.try_this,
-        )
-    return failed(
+    blamed = failed_by_error(recording, f"the client for {service} is there, but it never calls", expected)
+    return blamed or failed(
         f"the client for {service} is there, but no call arrived",
         expected,
         "No timer calls the method that asks; or the only call was made at once in __init__, before client and "

@@ -5,10 +5,10 @@ from collections.abc import Sequence
 from typing import Any
 
 from workbook.criteria.criterion import Topic
-from workbook.criteria.mishaps import find_mishap
+from workbook.criteria.mishaps import failed_by_error
 from workbook.criteria.phrasing import count, listing
 from workbook.criteria.verdict import Verdict, failed, passed
-from workbook.criteria.words_of_topics import similar_share
+from workbook.criteria.words_of_topics import misspelled
 from workbook.observing.recording import Arrival, CallSeen, Recording, Said
 
 
@@ -37,17 +37,11 @@ def listens(recording: Recording, topic: Topic) -> Verdict:
             "The subscription was created with another message type.",
             f"Import {topic.short_type} from {topic.type.split('/')[0]}.msg and give it to create_subscription().",
         )
-    mishap = find_mishap(recording.process.log, recording.process.program)
-    if mishap is not None:
-        return failed(
-            f"nobody listens to {topic.name}: {mishap.where}{mishap.error}",
-            expected,
-            mishap.because,
-            mishap.try_this,
-        )
-    others = sorted(name for name, other in recording.topics.items() if other.subscribers)
-    near = max(others, key=lambda name: similar_share(name, topic.name), default=None)
-    if near is not None and similar_share(near, topic.name) > 0.6:
+    blamed = failed_by_error(recording, f"nobody listens to {topic.name}", expected)
+    if blamed is not None:
+        return blamed
+    near = misspelled(topic.name, [name for name, other in recording.topics.items() if other.subscribers])
+    if near is not None:
         return failed(
             f"your node listens to {near}, and not to {topic.name}",
             expected,
@@ -99,11 +93,9 @@ def offers(recording: Recording, service: str, service_type: str) -> Verdict:
             "create_service() got another type.",
             f"Import {short} from {service_type.split('/')[0]}.srv.",
         )
-    mishap = find_mishap(recording.process.log, recording.process.program)
-    if mishap is not None:
-        return failed(
-            f"no service {service}: {mishap.where}{mishap.error}", expected, mishap.because, mishap.try_this
-        )
+    blamed = failed_by_error(recording, f"no service {service}", expected)
+    if blamed is not None:
+        return blamed
     return failed(
         f"no service {service}; your program offers {listing(sorted(seen)) or 'none'}",
         expected,

@@ -1,15 +1,19 @@
 """Words about a topic: is it published, under this name and type, and does anything arrive?"""
 
 import difflib
+from collections.abc import Iterable
 
 from workbook.criteria.criterion import Topic
-from workbook.criteria.mishaps import find_mishap
+from workbook.criteria.mishaps import failed_by_error
 from workbook.criteria.phrasing import count, listing, seconds
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.observing.recording import Recording, TopicRecording
 
 OF_THE_DRIVER = "/driver/"
 """Topics of the program that calls a student's functions. They are not the student's."""
+
+ALIKE = 0.6
+"""From this share of common letters on, another name counts as a slip of the pen."""
 
 
 def publishes(recording: Recording, topic: Topic) -> Verdict:
@@ -53,14 +57,9 @@ def _not_published(recording: Recording, topic: Topic, expected: str) -> Verdict
             _why_other_name(recording, suspect, topic.name),
             f"Write the name as {topic.name!r}.",
         )
-    mishap = find_mishap(recording.process.log, recording.process.program)
-    if mishap is not None:
-        return failed(
-            f"nothing on {topic.name}: {mishap.where}{mishap.error}",
-            expected,
-            mishap.because,
-            mishap.try_this,
-        )
+    blamed = failed_by_error(recording, f"nothing on {topic.name}", expected)
+    if blamed is not None:
+        return blamed
     return failed(
         f"nothing on {topic.name}; your program publishes {listing(names) or 'nothing'}",
         expected,
@@ -72,6 +71,12 @@ def _not_published(recording: Recording, topic: Topic, expected: str) -> Verdict
 def similar_share(one: str, other: str) -> float:
     """How alike two names are, 0 to 1."""
     return difflib.SequenceMatcher(None, one, other).ratio()
+
+
+def misspelled(wanted: str, names: Iterable[str]) -> str | None:
+    """The name that was probably meant to be `wanted`; None if none is alike enough."""
+    near = max(sorted(names), key=lambda name: similar_share(name, wanted), default=None)
+    return near if near is not None and similar_share(near, wanted) > ALIKE else None
 
 
 def _why_other_name(recording: Recording, seen: str, wanted: str) -> str:
@@ -101,15 +106,11 @@ def no_message(recording: Recording, topic: Topic) -> Verdict | None:
             "The bytes on the wire are no message of this type.",
             "Publish message objects, not raw bytes.",
         )
-    mishap = find_mishap(recording.process.log, recording.process.program)
-    if mishap is not None:
-        return failed(
-            f"no message on {topic.name} in {lasted}: {mishap.where}{mishap.error}",
-            f"messages on {topic.name}",
-            mishap.because,
-            mishap.try_this,
-            about_time=True,
-        )
+    blamed = failed_by_error(
+        recording, f"no message on {topic.name} in {lasted}", f"messages on {topic.name}", about_time=True
+    )
+    if blamed is not None:
+        return blamed
     return failed(
         f"the publisher on {topic.name} is there, but no message arrived in {lasted}",
         f"messages on {topic.name}",
