@@ -102,12 +102,20 @@ def test_alive_at_end() -> None:
     refuses(see.alive_at_end(silent(ended_by_itself(TRACEBACK))), "2.5 s", "line 7", "NameError")
 
 
+@pytest.mark.parametrize("limit", ["output", "processes"])
+def test_a_program_that_was_stopped_for_a_limit_is_not_alive(limit: str) -> None:
+    stopped = replace(LIVING, exit=None, signal="SIGKILL", limits_hit=(limit,))
+    refuses(see.alive_at_end(silent(stopped)), "stopped after 8.0 s", limit)
+
+
 def test_exits_cleanly() -> None:
     accepts(see.exits_cleanly(silent(LIVING)), "exit code 0")
     refuses(see.exits_cleanly(silent(ended_by_itself("", 0))), "before Ctrl-C", "2.5 s")
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=None, signal="SIGKILL"))), "had to be killed")
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=None, signal="SIGABRT"))), "SIGABRT", "thread")
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=130))), "exit code 130", "KeyboardInterrupt")
+    by_signal = replace(LIVING, exit=None, signal="SIGINT")
+    refuses(see.exits_cleanly(silent(by_signal)), "signal SIGINT after Ctrl-C", "KeyboardInterrupt")
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=TRACEBACK))), "line 7", "NameError")
     with pytest.raises(ValueError, match="to_the_end"):
         see.exits_cleanly(silent(replace(LIVING, exit=None, ended_by=None)))

@@ -113,6 +113,14 @@ def alive_at_end(recording: Recording) -> Verdict:
     """The program still runs when the watch ends."""
     process = recording.process
     expected = "a program that goes on until it is stopped"
+    stopped = [limit for limit in ("output", "processes") if limit in process.limits_hit]
+    if stopped:
+        return failed(
+            f"the program was stopped after {seconds(process.ended_at or 0.0)}: far too much {stopped[0]}",
+            expected,
+            "Something prints, or starts processes, in an endless loop.",
+            "Look for a loop without a timer or a pause.",
+        )
     if process.ended_by != "itself":
         return passed(f"still running after {seconds(process.watched_for)}")
     ended = f"the program ended by itself after {seconds(process.ended_at or 0.0)}"
@@ -168,8 +176,9 @@ def exits_cleanly(recording: Recording) -> Verdict:
             mishap.because,
             mishap.try_this,
         )
+    how = f"ended by signal {process.signal}" if process.signal else f"exit code {process.exit}"
     return failed(
-        f"exit code {process.exit} after Ctrl-C",
+        f"{how} after Ctrl-C",
         expected,
         "KeyboardInterrupt leaves main() without being caught.",
         "Wrap rclpy.spin(node) in try/except (KeyboardInterrupt, ExternalShutdownException), and call "
