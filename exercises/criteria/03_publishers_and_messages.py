@@ -85,9 +85,9 @@ def reports(recording: Recording) -> list[str]:
 
 
 def calls_made(recording: Recording) -> dict[str, Call]:
-    """The calls by their argument. A message belongs to the call that was announced last before it."""
-    heard = [(one.wall, 0, one.value["data"]) for one in recording.topic(REPORT.name).arrivals]
-    heard += [(one.wall, 1, one.value["data"]) for one in recording.topic(BATTERY.name).arrivals]
+    """The calls by their argument. A message belongs to the call that was announced last before it was published."""
+    heard = [(one.published, 0, one.value["data"]) for one in recording.topic(REPORT.name).arrivals]
+    heard += [(one.published, 1, one.value["data"]) for one in recording.topic(BATTERY.name).arrivals]
     latest = Call(NO_CALL)
     made = {NO_CALL: latest}
     for _, is_level, data in sorted(heard, key=lambda one: one[:2]):

@@ -83,7 +83,7 @@ def alarms(recording: Recording) -> Alarms:
     found: dict[str, list[str]] = {"named": [], "unnamed": [], "false": [], "others": []}
     for arrival in recording.topic(ALARM.name).arrivals:
         text = str(arrival.value.get("data"))
-        found[_about(recording, text, arrival.wall)].append(text)
+        found[_about(recording, text, arrival.published)].append(text)
     return Alarms(**{kind: tuple(texts) for kind, texts in found.items()})
 
 

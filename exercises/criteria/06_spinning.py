@@ -83,11 +83,11 @@ def calls(recording: Recording) -> dict[int, Call]:
         number, _, news = rest.partition(" ")
         if word == "missing":
             continue
-        call = found.setdefault(int(number), Call(arrival.wall))
+        call = found.setdefault(int(number), Call(arrival.published))
         if word == "raised":
             found[int(number)] = replace(call, raised=news)
         elif word == "end" and call.end is None:
-            found[int(number)] = finished(call, arrival.wall, float(news))
+            found[int(number)] = finished(call, arrival.published, float(news))
     return found
 
 

@@ -54,7 +54,7 @@ def plans(recording: Recording) -> list[Plan]:
             if isinstance(bend, float) and abs(bend - bend_for(distance)) <= TOLERANCE_RAD
         ]
         distance = fits[0] if fits else None
-        after = math.inf if distance is None else arrival.wall - asked[distance]
+        after = math.inf if distance is None else arrival.published - asked[distance]
         found.append(Plan(bend, distance, after))
     return found
 
@@ -185,7 +185,7 @@ def plans_right(recording: Recording) -> Verdict:
     made = plans(recording)
     expected = "for each request the bend that ElbowPlanner finds for it, once"
     times = [plan.distance for plan in made]
-    first = recording.topic(PLAN.name).arrivals[0].wall - see.said(recording, REQUESTS)[0].wall
+    first = recording.topic(PLAN.name).arrivals[0].published - see.said(recording, REQUESTS)[0].wall
     if first < SOONEST_S:
         return see.failed(
             f"a plan {max(0.0, first):.2f} s after the first request",

@@ -12,7 +12,14 @@ from workbook.exercise.definition import BrokenCriteria, load_exercise
 from workbook.exercise.exchange import judgement_from_json, judgement_to_json
 from workbook.exercise.judging import Judgement, judge_recording, judgement_as_provisional
 from workbook.exercise.source import UnknownExercise
-from workbook.observing.recording import Recording
+from workbook.observing.recording import (
+    Arrival,
+    NodeSeen,
+    ProcessRecord,
+    PublisherSeen,
+    Recording,
+    TopicRecording,
+)
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -98,3 +105,46 @@ def test_broken_criteria_are_named(criteria: str | None, words: str, tmp_path: P
         (tmp_path / "exercises" / "criteria" / f"{STEM}.py").write_text(criteria)
     with pytest.raises(BrokenCriteria, match=words):
         load_exercise(STEM, tmp_path)
+
+
+def calls_of_publish_level(delay: float) -> Recording:
+    """What a right answer of exercise 03 shows; every number arrives `delay` seconds after it was published."""
+    criteria = load_exercise("03_publishers_and_messages", ROOT).criteria[0].judge.__globals__  # type: ignore[attr-defined]
+    levels, now = [], 1.0
+    said = [Arrival(now, now, {"data": "made"}, now)]
+    for number, value in enumerate(criteria["CALLS"], start=1):
+        now += 0.06
+        how = "returned" if value in criteria["MEANT"] else "raised ValueError"
+        for text, moment in (
+            (f"call {number}: publish_level({value})", now),
+            (f"call {number} {how}", now + 0.02),
+        ):
+            said.append(Arrival(moment, moment, {"data": text}, moment))
+        if value in criteria["MEANT"]:
+            sent = now + 0.01
+            levels.append(Arrival(sent + delay, sent + delay, {"data": criteria["MEANT"][value]}, sent))
+    said.append(Arrival(now + 1.0, now + 1.0, {"data": "done"}, now + 1.0))
+
+    def topic(name: str, kind: str, arrivals: list[Arrival]) -> TopicRecording:
+        seen = PublisherSeen("/battery_publisher", f"std_msgs/msg/{kind}", "reliable", "volatile", 0.0)
+        return TopicRecording(name, (seen,), (), tuple(arrivals), (0.0, 4.5))
+
+    return Recording(
+        clock="wall",
+        domain_id=17,
+        robot_s=4.5,
+        wall_s=5.0,
+        topics={
+            "/driver/report": topic("/driver/report", "String", said),
+            "/robot/battery": topic("/robot/battery", "Float32", levels),
+        },
+        nodes=(NodeSeen("/battery_publisher", 0.1),),
+        process=ProcessRecord(program="answer.py", exit=0, ended_at=5.0, ended_by="bench", watched_for=5.0),
+    )
+
+
+@pytest.mark.parametrize("delay", [0.0, 0.2])
+def test_a_number_that_arrives_late_belongs_to_the_call_that_published_it(delay: float) -> None:
+    recording = calls_of_publish_level(delay)
+    judgement = judge_recording(load_exercise("03_publishers_and_messages", ROOT), "0" * 64, recording)
+    assert judgement.full_marks, [result for result in judgement.criteria if result.status != "passed"]

@@ -114,6 +114,13 @@ def test_a_recording_tells_nodes_types_and_qos(watched: Watched) -> None:
     assert process.log == ""
 
 
+def test_an_arrival_tells_when_it_was_published(watched: Watched) -> None:
+    recording = watched(TWO_TIMERS)
+    arrivals = recording.topic("/battery").arrivals
+    assert all(one.sent is not None and one.published < one.wall for one in arrivals)
+    assert [one.published for one in arrivals] == sorted(one.published for one in arrivals)
+
+
 def test_the_wall_clock_gives_real_seconds(watched: Watched) -> None:
     recording = watched(OWN_CLOCK.format(options=""), "wall")
     assert (recording.clock, recording.step_s, recording.follows_clock) == ("wall", None, None)

@@ -59,7 +59,7 @@ def listens(recording: Recording, topic: Topic) -> Verdict:
 def latencies(
     words: Sequence[Said], arrivals: Sequence[Arrival], *, field: str = "data"
 ) -> list[float | None]:
-    """For each message said: seconds until the first arrival with the same value after it; None if none came.
+    """For each message said: seconds until a message with the same value was published; None if none was.
 
     Both are told apart by the value of `field`, so let a script say every value once.
     """
@@ -67,7 +67,9 @@ def latencies(
     for word in words:
         wanted = word.value[field]
         times = [
-            one.wall for one in arrivals if _same(one.value.get(field), wanted) and one.wall >= word.wall
+            one.published
+            for one in arrivals
+            if _same(one.value.get(field), wanted) and one.published >= word.wall
         ]
         found.append(min(times) - word.wall if times else None)
     return found

@@ -37,7 +37,7 @@ class _Watched:
     name: str
     publishers: dict[bytes, PublisherSeen] = field(default_factory=dict)
     subscribers: dict[bytes, SubscriberSeen] = field(default_factory=dict)
-    raw: list[tuple[float, float, bytes]] = field(default_factory=list)
+    raw: list[tuple[float, float, float, bytes]] = field(default_factory=list)
     subscription: Any = None
     subscribed_type: str | None = None
     best_effort: bool = False
@@ -226,7 +226,8 @@ class Recorder:
                     if taken is None:
                         break
                     raw, info = taken
-                    self._keep(watched, raw, info["received_timestamp"] / 1e9 - self._epoch_offset)
+                    received, sent = (info[f"{end}_timestamp"] / 1e9 for end in ("received", "source"))
+                    self._keep(watched, raw, received - self._epoch_offset, sent - self._epoch_offset)
 
     def discard(self) -> None:
         """Drop what has arrived so far: it came before the watch began."""
@@ -235,11 +236,12 @@ class Recorder:
             watched.raw.clear()
             watched.not_kept = 0
 
-    def _keep(self, watched: _Watched, raw: bytes, moment: float) -> None:
+    def _keep(self, watched: _Watched, raw: bytes, moment: float, sent: float) -> None:
         if len(watched.raw) >= KEPT_PER_TOPIC or len(raw) > LARGEST_MESSAGE_BYTES:
             watched.not_kept += 1
             return
-        watched.raw.append((self._robot_time(moment), moment - self._started_at, raw))
+        wall = moment - self._started_at
+        watched.raw.append((self._robot_time(moment), wall, sent - self._started_at, raw))
 
     def matched(self, topic: str) -> bool:
         """Whether the recorder's own subscription to `topic` is connected to a publisher."""
@@ -289,13 +291,13 @@ def _finish(watched: _Watched, end: float) -> TopicRecording:
     arrivals: list[Arrival] = []
     undecodable = 0
     message_type = None if watched.subscribed_type is None else known_class(watched.subscribed_type)
-    for t, wall, raw in watched.raw:
+    for t, wall, sent, raw in watched.raw:
         try:
             value = plain(deserialize_message(raw, message_type))
         except Exception:  # bytes from a stranger: whatever goes wrong, they are no message
             undecodable += 1
             continue
-        arrivals.append(Arrival(round(t, 6), round(wall, 4), value))
+        arrivals.append(Arrival(round(t, 6), round(wall, 4), value, round(sent, 6)))
     return TopicRecording(
         name=watched.name,
         publishers=tuple(watched.publishers.values()),

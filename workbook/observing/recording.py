@@ -19,11 +19,25 @@ Clock = Literal["simulated", "wall"]
 
 @dataclass(frozen=True)
 class Arrival:
-    """One message as it arrived. `value` holds its fields as plain data, e.g. `{"data": 99.5}`."""
+    """One message as it arrived. `value` holds its fields as plain data, e.g. `{"data": 99.5}`.
+
+    `t` and `wall` tell when it arrived. `sent` is the wall time (s) at which the program published it, from the time
+    stamp that DDS puts on every message; None in old recordings.
+    """
 
     t: float
     wall: float
     value: Any
+    sent: float | None = None
+
+    @property
+    def published(self) -> float:
+        """When the program published it (s of wall time).
+
+        A message that gets lost on its way is sent once more, so messages of two topics may arrive in another order
+        than they were published. To tell what came first, or what came from what, compare these.
+        """
+        return self.wall if self.sent is None else self.sent
 
 
 @dataclass(frozen=True)
@@ -248,7 +262,10 @@ def _topic(data: Mapping[str, Any]) -> TopicRecording:
         name=data["name"],
         publishers=tuple(PublisherSeen(**item) for item in data["publishers"]),
         subscribers=tuple(SubscriberSeen(**item) for item in data["subscribers"]),
-        arrivals=tuple(Arrival(item["t"], item["wall"], _decode(item["value"])) for item in data["arrivals"]),
+        arrivals=tuple(
+            Arrival(item["t"], item["wall"], _decode(item["value"]), item.get("sent"))
+            for item in data["arrivals"]
+        ),
         window=None if window is None else (window[0], window[1]),
         undecodable=data["undecodable"],
         not_kept=data["not_kept"],
