@@ -13,7 +13,8 @@ from workbook.exercise.definition import load_exercise
 from workbook.exercise.judging import Judgement
 from workbook.exercise.source import stems
 from workbook.feedback.text import as_text
-from workbook.grading.pool import Job, judge_all
+from workbook.grading.pool import Isolation, Job, judge_all
+from workbook.observing.sandbox import sandbox_problem
 
 ROOT = Path(__file__).resolve().parents[2]
 # WORKBOOK_PROOFS=05_timers proves this exercise alone.
@@ -75,7 +76,8 @@ def _judge_everything() -> Iterator[tuple[Key, Judgement]]:
         for kind in ("right", "wrong"):
             for path in answers(kind, stem):
                 jobs.append(Job((stem, f"{kind}/{path.name}"), stem, read_answer(path, stem)))
-    for job, judgement in judge_all(jobs, SLOTS):
+    isolation: Isolation = "limits" if sandbox_problem() else "sandbox"
+    for job, judgement in judge_all(jobs, SLOTS, isolation=isolation):
         yield job.key, judgement
 
 

@@ -6,6 +6,7 @@ comes in on standard input, judgements go out on standard output, the last one w
 `{"enough": true}` cuts short the real seconds that a passing program is kept running for.
 """
 
+import contextlib
 import ctypes
 import json
 import os
@@ -20,7 +21,9 @@ from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.exchange import judgement_to_json
 from workbook.exercise.judging import Judge, Judgement
 from workbook.observing.sandbox import Cage
+from workbook.observing.warm_start import ForkServer
 from workbook.observing.watch import Observer
+from workbook.ros.environment import child_environment
 
 PR_SET_PDEATHSIG = 1
 PR_SET_CHILD_SUBREAPER = 36
@@ -49,11 +52,11 @@ def _adopt_orphans() -> None:
     libc.prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
 
 
-def sweep_orphans() -> int:
-    """Kill and reap every process that is left below this slot. Returns how many there were."""
+def sweep_orphans(keep: int | None = None) -> int:
+    """Kill and reap every process that is left below this slot, but for `keep`. Returns how many there were."""
     ended = 0
     while True:
-        children = _own_children()
+        children = [pid for pid in _own_children() if pid != keep]
         if not children:
             return ended
         for pid in children:
@@ -118,7 +121,11 @@ def serve(isolation: str) -> None:
         send({"final": False, "judgement": judgement_to_json(judgement)})
 
     caged = isolation == "sandbox"
-    with Observer(cage=Cage() if caged else None) as observer:
+    server = ForkServer()
+    cage = Cage(server=server) if caged else None
+    if cage is not None:
+        server.start(cage.environment(child_environment(0)))
+    with contextlib.closing(server), Observer(cage=cage) as observer:
         judge = Judge(observer, LIMITS | ({"processes": PROCESSES} if caged else {}))
         send({"ready": os.getpid()})
         while (job := inbox.jobs.get()) is not None:
@@ -137,7 +144,7 @@ def serve(isolation: str) -> None:
                 message = {"final": True, "judgement": judgement_to_json(judgement)}
             except Exception as error:
                 message = {"final": True, "error": f"{type(error).__name__}: {error}"}
-            sweep_orphans()
+            sweep_orphans(keep=server.pid)
             send(message)
 
 

@@ -13,7 +13,8 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
 from workbook.observing.recording import ProcessRecord
-from workbook.observing.sandbox import ANSWER_FOLDER, Cage, exit_status, program_pid
+from workbook.observing.sandbox import ANSWER_FOLDER, HOME, Cage, exit_status, first_pid, program_pid
+from workbook.observing.warm_start import ForkServer, NoWarmStart, WarmProgram
 from workbook.ros.domains import domain_of_port
 from workbook.ros.environment import child_environment, profile_with_lease
 from workbook.ros.scratch import remove_scratch, scratch_folder
@@ -25,6 +26,7 @@ RUN_MARK = "WORKBOOK_RUN"
 PROFILE = "profile.xml"
 TURN_S = 0.05
 COUNT_EVERY_S = 0.05
+BOX_GOES_S = 2.0
 _CONTROL = re.compile(
     r"\x1b\[[0-?]*[ -/]*[@-~]|\x1b\][^\x07\x1b]*(?:\x07|\x1b\\)|[\x00-\x08\x0b-\x1f\x7f-\x9f]"
     r"|[\u200e\u200f\u202a-\u202e\u2066-\u2069]"
@@ -237,16 +239,16 @@ class NodeProcess:
         self._domains_used: tuple[int, ...] = ()
         self._processor: list[tuple[float, float]] = []
         self.killed = False
-        command = [sys.executable, "-P", str(HOST)]
+        wanted: list[str] = []
         if cage is None:  # a cage dies with us by itself, and its processes do not know our number
-            command += ["--parent", str(os.getpid())]
+            wanted += ["--parent", str(os.getpid())]
         for name, value in (limits or {}).items():
-            command += ["--limit", f"{name}={value}"]
+            wanted += ["--limit", f"{name}={value}"]
         files = {program.name: program.resolve()}
         if driver is not None:
             files[f"driver_of_{driver.name}"] = driver.resolve()
-            command += ["--driver", _place(f"driver_of_{driver.name}", files, cage)]
-        command += [_place(program.name, files, cage), *arguments]
+            wanted += ["--driver", _place(f"driver_of_{driver.name}", files, cage)]
+        wanted += [_place(program.name, files, cage), *arguments]
         environ = child_environment(domain_id, check_fields=check_fields, log_folder=self._folder)
         environ[RUN_MARK] = self._mark
         if lease_s is not None:
@@ -255,20 +257,13 @@ class NodeProcess:
         read_fd, write_fd = os.pipe()
         self._caged = cage is not None
         self._info_fd = os.memfd_create("what the cage says of itself")
-        if cage is not None:
-            command = cage.command(command, files, environ, self._info_fd)
+        self._box: subprocess.Popen[bytes] | None = None
         self.started_at = time.monotonic()
         try:
-            self._process = subprocess.Popen(
-                command,
-                stdin=subprocess.DEVNULL,
-                stdout=write_fd,
-                stderr=write_fd,
-                env=environ,
-                cwd=self._folder,
-                start_new_session=True,
-                pass_fds=[self._info_fd] if self._caged else [],
-            )
+            warm = None
+            if cage is not None and cage.server is not None and not check_fields:
+                warm = self._start_warm(cage, cage.server, wanted, files, environ, write_fd)
+            self._process = warm or self._start_fresh(cage, wanted, files, environ, write_fd)
         except OSError:
             os.close(read_fd)
             os.close(self._info_fd)
@@ -283,6 +278,72 @@ class NodeProcess:
             )
             guard.start()
 
+    def _start_fresh(
+        self,
+        cage: Cage | None,
+        wanted: Sequence[str],
+        files: Mapping[str, Path],
+        environ: Mapping[str, str],
+        output_fd: int,
+    ) -> subprocess.Popen[bytes]:
+        command = [sys.executable, "-P", str(HOST), *wanted]
+        if cage is not None:
+            command = cage.command(command, files, environ, self._info_fd)
+        return self._popen(command, environ, output_fd, output_fd)
+
+    def _start_warm(
+        self,
+        cage: Cage,
+        server: ForkServer,
+        wanted: Sequence[str],
+        files: Mapping[str, Path],
+        environ: Mapping[str, str],
+        output_fd: int,
+    ) -> WarmProgram | None:
+        """Make an empty box and fork the program into it. None if that does not work here."""
+        server.start(cage.environment(environ))
+        ready_fd, said_fd = os.pipe()
+        try:
+            self._box = self._popen(cage.empty_box(files, self._info_fd), environ, said_fd, output_fd)
+        finally:
+            os.close(said_fd)
+        with os.fdopen(ready_fd, "rb") as ready:
+            ready.readline()
+        first = first_pid(self._info())
+        try:
+            if first is None:
+                raise NoWarmStart("there is no box")
+            return server.spawn(first, wanted, cage.environment(environ), HOME, output_fd)
+        except NoWarmStart:
+            self._box.kill()
+            self._box.wait()
+            self._box = None
+            os.ftruncate(self._info_fd, 0)
+            os.lseek(self._info_fd, 0, os.SEEK_SET)
+            return None
+
+    def _popen(
+        self, command: Sequence[str], environ: Mapping[str, str], output_fd: int, error_fd: int
+    ) -> subprocess.Popen[bytes]:
+        return subprocess.Popen(
+            command,
+            stdin=subprocess.DEVNULL,
+            stdout=output_fd,
+            stderr=error_fd,
+            env=environ,
+            cwd=self._folder,
+            start_new_session=True,
+            pass_fds=[self._info_fd] if self._caged else [],
+        )
+
+    def _info(self) -> str:
+        return os.pread(self._info_fd, 4096, 0).decode()
+
+    def _tree(self) -> list[int]:
+        """The program and all that came of it; for one that is shut in, its box as well."""
+        box = [] if self._box is None else process_tree(self._box.pid)
+        return [*process_tree(self.pid), *box]
+
     def _close_info(self) -> None:
         if self._info_fd >= 0:
             os.close(self._info_fd)
@@ -295,7 +356,7 @@ class NodeProcess:
     def _count_processes(self, most: int) -> None:
         """End a program that multiplies. The kernel's own limit does not count what root starts."""
         while self.is_running():
-            if len(process_tree(self.pid)) > most:
+            if len(self._tree()) > most:
                 self._limits_hit.append("processes")
                 self._kill_tree()
                 return
@@ -324,10 +385,10 @@ class NodeProcess:
         """Send SIGINT, what Ctrl-C sends."""
         if not self.is_running():
             return
-        if not self._caged:
+        if not self._caged or self._box is not None:
             self._process.send_signal(signal.SIGINT)
             return
-        pid = program_pid(os.pread(self._info_fd, 4096, 0).decode())
+        pid = program_pid(self._info())
         if pid is not None:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGINT)
@@ -335,21 +396,23 @@ class NodeProcess:
     def domains_used(self) -> tuple[int, ...]:
         """ROS domains on which the program (or a child of it) has sockets at this moment."""
         if self.is_running():
-            used = domains_of(process_tree(self.pid))
+            used = domains_of(self._tree())
             self._domains_used = tuple(sorted({*self._domains_used, *used}))
         return self._domains_used
 
     def note_processor_time(self) -> None:
         """Note for the record how much processor time the program has used up to now."""
-        used = processor_seconds(process_tree(self.pid)) if self.is_running() else None
+        used = processor_seconds(self._tree()) if self.is_running() else None
         if used is not None:
             self._processor.append((round(time.monotonic() - self.started_at, 4), round(used, 3)))
 
     def _kill_tree(self) -> None:
         for _ in range(20):
-            alive = {*process_tree(self.pid)[1:], *processes_marked(self._mark)}
-            if self._process.poll() is None:
-                alive.add(self.pid)
+            alive = {*self._tree(), *processes_marked(self._mark)}
+            if self._process.poll() is not None:
+                alive.discard(self.pid)
+            if self._box is not None and self._box.poll() is not None:
+                alive.discard(self._box.pid)
             if not alive:
                 return
             for pid in alive:
@@ -375,11 +438,18 @@ class NodeProcess:
                     self.killed = True
                     break
                 meanwhile()
+        if self._box is not None and not self.killed:  # it goes with the program
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self._box.wait(BOX_GOES_S)
         if self.killed or processes_marked(self._mark):
             self.killed = True
             self._kill_tree()
             self._process.wait()
             self.is_running()
+        if self._box is not None:
+            self._box.wait()
+        if isinstance(self._process, WarmProgram):
+            self._process.close()
         self.log.finish(1.0)
         self._close_info()
         remove_scratch(self._folder)
@@ -387,7 +457,7 @@ class NodeProcess:
     def record(self) -> ProcessRecord:
         """What the process did so far."""
         code = None if self.is_running() else self._process.returncode
-        if code is not None and self._caged:
+        if code is not None and self._caged and self._box is None:
             code = exit_status(code)
         ended_at = None if self._ended_at is None else self._ended_at - self.started_at
         limits = [*self._limits_hit]

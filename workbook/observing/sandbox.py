@@ -15,6 +15,8 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 
+from workbook.observing.warm_start import ForkServer
+
 HOME = "/home/student"
 ANSWER_FOLDER = "/answer"
 WRITABLE_BYTES = 64 * 1024 * 1024
@@ -48,14 +50,34 @@ def outer_command(command: Sequence[str]) -> list[str]:
 
 @dataclass(frozen=True)
 class Cage:
-    """The inner box. `readable`: what else a program may read (the interpreter and the host are always there)."""
+    """The inner box. `readable`: what else a program may read (the interpreter and the host are always there).
+
+    With a `server`, programs are forked from it into their boxes, which saves the start of a Python for each.
+    """
 
     readable: tuple[Path, ...] = field(default_factory=lambda: interpreter_folders())
+    server: ForkServer | None = None
+
+    def environment(self, environ: Mapping[str, str]) -> dict[str, str]:
+        """What a program in the box finds in its environment."""
+        inside = {**environ, "HOME": HOME, "PWD": HOME, "PATH": "/usr/bin:/bin"}
+        inside |= {"TMPDIR": "/tmp", "ROS_LOG_DIR": "/tmp"}
+        return {name: value for name, value in inside.items() if name not in NOT_FOR_ANSWERS}
+
+    def empty_box(self, files: Mapping[str, Path], info_fd: int) -> list[str]:
+        """A box without a program. It says "ready" on standard output, and stays until its first process is killed."""
+        waiting = ("/bin/sh", "-c", "echo ready; exec sleep infinity >&-")
+        return self.command(waiting, files, {}, info_fd, ("--as-pid-1",))
 
     def command(
-        self, command: Sequence[str], files: Mapping[str, Path], environ: Mapping[str, str], info_fd: int
+        self,
+        command: Sequence[str],
+        files: Mapping[str, Path],
+        environ: Mapping[str, str],
+        info_fd: int,
+        more: Sequence[str] = (),
     ) -> list[str]:
-        """`command` shut in. `files`: what lies in the answer's folder, by name.
+        """`command` shut in. `files`: what lies in the answer's folder, by name; `more`: further options.
 
         The box writes its child's process number to `info_fd` (see `program_pid`).
         """
@@ -65,6 +87,7 @@ class Cage:
             *("--die-with-parent", "--new-session", "--cap-drop", "ALL", "--clearenv", "--hostname", "robot"),
             "--disable-userns",
             *("--info-fd", str(info_fd)),
+            *more,
         ]
         boxed += ["--proc", "/proc", "--dev", "/dev"]
         for folder in ("/tmp", "/dev/shm", HOME):  # before what is bound below them
@@ -81,10 +104,7 @@ class Cage:
             boxed += ["--ro-bind", str(path), str(path)]
         for name, path in files.items():
             boxed += ["--ro-bind", str(path), f"{ANSWER_FOLDER}/{name}"]
-        inside = {**environ, "HOME": HOME, "TMPDIR": "/tmp", "ROS_LOG_DIR": "/tmp", "PATH": "/usr/bin:/bin"}
-        for name, value in inside.items():
-            if name in NOT_FOR_ANSWERS:
-                continue
+        for name, value in self.environment(environ).items():
             boxed += ["--setenv", name, value]
         return [*boxed, "--chdir", HOME, "--", *command]
 
@@ -101,15 +121,23 @@ def interpreter_folders() -> tuple[Path, ...]:
     return (*wanted, host, profile)
 
 
+def first_pid(info: str) -> int | None:
+    """The first process of the box, from what it wrote; None while it is not there."""
+    try:
+        return int(json.loads(info)["child-pid"])
+    except (ValueError, KeyError, TypeError):
+        return None
+
+
 def program_pid(info: str) -> int | None:
     """The process that runs the program, from what the box wrote; None while it is not there.
 
     The box's child is the first process of the new process space; the program is the child of that.
     """
+    first = first_pid(info)
     try:
-        first = int(json.loads(info)["child-pid"])
         children = Path(f"/proc/{first}/task/{first}/children").read_text().split()
-    except (ValueError, KeyError, TypeError, OSError):
+    except OSError:
         return None
     return int(children[0]) if children else None
 

@@ -1,0 +1,299 @@
+"""Starts answers by forking: Python and rclpy are imported once, and not again for every answer.
+
+    python -P fork_server.py CHANNEL
+
+CHANNEL is the number of an inherited socket. On it comes one request after another (see `Request`), each with two
+descriptors: where the program's output goes, and where to tell what became of it. For each, an usher is forked, which
+joins the box that was made for the program and forks the program into it. The program is shut in before a line of the
+answer is read: in the name spaces of its box, without capabilities, with nothing open but its output.
+
+A program must not notice that something was imported before it. So the modules are put on a shelf (`Shelf`) and come
+out only when the program imports them.
+
+This file runs by itself and needs nothing of the workbook but `host.py` beside it.
+"""
+
+import builtins
+import ctypes
+import gc
+import importlib.util
+import json
+import os
+import signal
+import socket
+import sys
+import types
+import warnings
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from importlib.machinery import ModuleSpec
+from pathlib import Path
+from typing import Any
+
+REQUEST_BYTES = 100_000
+PR_SET_PDEATHSIG = 1
+PR_SET_DUMPABLE = 4
+PR_CAPBSET_READ = 23
+PR_CAPBSET_DROP = 24
+PR_SET_NO_NEW_PRIVS = 38
+PR_CAP_AMBIENT = 47
+PR_CAP_AMBIENT_CLEAR_ALL = 4
+SIGSET_BYTES = 128
+CAPABILITY_VERSION_3 = 0x20080522
+NAMESPACES = 0x10000000 | 0x00020000 | 0x20000000 | 0x08000000 | 0x04000000 | 0x02000000
+"""CLONE_NEWUSER, NEWNS, NEWPID, NEWIPC, NEWUTS, NEWCGROUP. The network is that of the observer, as for any answer."""
+WARMED = (
+    "rclpy.node",
+    "rclpy.executors",
+    "rclpy.qos",
+    "rclpy.time_source",
+    "rosgraph_msgs.msg",
+    "std_msgs.msg",
+)
+TYPES = ("Float32", "Float64", "Float64MultiArray", "Int32", "String")
+
+_libc = ctypes.CDLL(None, use_errno=True)
+
+
+@dataclass(frozen=True)
+class Request:
+    """One program to start: the first process of its box, and what `host.start` and the program are given."""
+
+    box: int
+    arguments: list[str]
+    environ: dict[str, str]
+    folder: str
+
+
+class Shelf:
+    """Modules that are imported and do not show: an import takes them out, as if it had loaded them then.
+
+    What a module imports at its top is taken out with it, so that the same names appear as in a fresh Python.
+    """
+
+    def __init__(self) -> None:
+        self._modules: dict[str, types.ModuleType] = {}
+        self._imports: dict[str, dict[str, None]] = {}
+
+    def fill(self, load: Callable[[], object]) -> None:
+        """Call `load`, and put all modules on the shelf that it imports."""
+        before = set(sys.modules)
+        original = builtins.__import__
+
+        def noted(
+            name: str, globals: Any = None, locals: Any = None, fromlist: Any = None, level: int = 0
+        ) -> types.ModuleType:
+            module = original(name, globals, locals, fromlist, level)
+            self._note(name, globals or {}, fromlist or (), level)
+            return module
+
+        builtins.__import__ = noted
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                load()
+        finally:
+            builtins.__import__ = original
+        for name in sorted(set(sys.modules) - before, reverse=True):
+            module = self._modules[name] = sys.modules.pop(name)
+            parent, _, child = name.rpartition(".")
+            holder = sys.modules.get(parent) or self._modules.get(parent)
+            if holder is not None and getattr(holder, child, None) is module:
+                delattr(holder, child)
+
+    def _note(self, name: str, importer: dict[str, Any], fromlist: Iterable[str], level: int) -> None:
+        who = importer.get("__name__")
+        if not isinstance(who, str):
+            return
+        base = importlib.util.resolve_name("." * level + name, importer["__package__"]) if level else name
+        wanted = [base, *(f"{base}.{item}" for item in fromlist if f"{base}.{item}" in sys.modules)]
+        self._imports.setdefault(who, {}).update(dict.fromkeys(wanted))
+
+    def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
+        """For `sys.meta_path`: a module of the shelf."""
+        module = self._modules.get(name)
+        if module is None:
+            return None
+        spec = ModuleSpec(name, self, is_package=hasattr(module, "__path__"))  # type: ignore[arg-type]
+        spec.loader_state = module.__spec__
+        return spec
+
+    def create_module(self, spec: ModuleSpec) -> types.ModuleType:
+        return self._modules[spec.name]
+
+    def exec_module(self, module: types.ModuleType) -> None:
+        spec = module.__spec__
+        assert spec is not None
+        module.__spec__ = spec.loader_state
+        del self._modules[spec.name]
+        for name in self._imports.get(spec.name, ()):
+            if name not in sys.modules and name in self._modules:
+                importlib.import_module(name)
+
+
+def import_what_answers_need() -> None:
+    """Import rclpy and the messages that most answers use, with the libraries behind them."""
+    import rclpy
+
+    for name in WARMED:
+        importlib.import_module(name)
+    messages = sys.modules["std_msgs.msg"]
+    for name in TYPES:
+        type(getattr(messages, name)).__import_type_support__()
+    rclpy.get_rmw_implementation_identifier()
+
+
+def load_host() -> types.ModuleType:
+    """The module that runs an answer. It does not stay among the modules that a program sees."""
+    spec = importlib.util.spec_from_file_location("host", Path(__file__).with_name("host.py"))
+    assert spec is not None and spec.loader is not None
+    host = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(host)
+    return host
+
+
+class Tracer:
+    """LTTng, which rclpy's wheels load, and the forks of this process.
+
+    It has two threads, which a forked process does not get. Unless it is told so (what `liblttng-ust-fork` is for), at
+    the program's end it cancels whatever threads have their place by then, and the program may hang.
+    """
+
+    def __init__(self) -> None:
+        with open("/proc/self/maps") as maps:
+            paths = {
+                line.split()[-1] for line in maps if "/liblttng-ust-" in line or "/liblttng-ust.so" in line
+            }
+        libraries = [ctypes.CDLL(path) for path in sorted(paths)]
+        self._library = next((one for one in libraries if hasattr(one, "ust_before_fork")), None)
+        self._signals = ctypes.create_string_buffer(SIGSET_BYTES)
+
+    def before_fork(self) -> None:
+        if self._library is not None:
+            self._library.ust_before_fork(self._signals)
+
+    def after_fork_in_parent(self) -> None:
+        if self._library is not None:
+            self._library.ust_after_fork_parent(self._signals)
+
+    def after_fork_in_program(self) -> None:
+        if self._library is not None:
+            self._library.ust_after_fork_child(self._signals)
+
+
+def _checked(result: int, what: str) -> int:
+    if result < 0:
+        number = ctypes.get_errno()
+        raise OSError(number, f"{what}: {os.strerror(number)}")
+    return result
+
+
+def join_box(first: int) -> None:
+    """Enter the name spaces of the process `first`; the process space takes effect for children.
+
+    All at once: a process may enter a box that its own user has made, and afterwards has no power outside.
+    """
+    descriptor = os.pidfd_open(first)
+    try:
+        _checked(_libc.setns(descriptor, NAMESPACES), "setns")
+    finally:
+        os.close(descriptor)
+
+
+def drop_all_powers() -> None:
+    """No capability now, none to be gained, by whatever is executed."""
+    _checked(_libc.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no new privileges")
+    _checked(_libc.prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0), "ambient capabilities")
+    capability = 0
+    while _libc.prctl(PR_CAPBSET_READ, capability, 0, 0, 0) >= 0:
+        _checked(_libc.prctl(PR_CAPBSET_DROP, capability, 0, 0, 0), "bounding set")
+        capability += 1
+    header = (ctypes.c_uint32 * 2)(CAPABILITY_VERSION_3, 0)
+    _checked(_libc.capset(header, (ctypes.c_uint32 * 6)()), "capset")
+    # Changed powers hide a process from others of its user, and from itself. It is one like any other.
+    _checked(_libc.prctl(PR_SET_DUMPABLE, 1, 0, 0, 0), "dumpable")
+
+
+def become_program(request: Request, output: int) -> None:
+    """Turn this forked process into the one that runs the answer."""
+    os.setsid()
+    os.chdir(request.folder)
+    os.dup2(output, 1)
+    os.dup2(output, 2)
+    os.closerange(3, os.sysconf("SC_OPEN_MAX"))
+    drop_all_powers()
+    os.environ.clear()
+    os.environ.update(request.environ)
+
+
+def usher(request: Request, output: int, status: int, tracer: Tracer) -> None:
+    """In a fork: bring the program into its box. Returns in the program; the usher itself ends here.
+
+    It writes the program's process number to `status`, and how it ended (as `os.waitpid` has it) when it has.
+    With the program all that it has started ends: the box goes.
+    """
+    code = 1
+    try:
+        _libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
+        join_box(request.box)
+        program = os.fork()
+        if program == 0:
+            tracer.after_fork_in_program()
+            become_program(request, output)
+            return
+        os.close(output)
+        os.write(status, f"{program}\n".encode())
+        _, ended = os.waitpid(program, 0)
+        os.kill(request.box, signal.SIGKILL)
+        os.write(status, f"{ended}\n".encode())
+        code = 0
+    except BaseException as error:
+        os.write(status, f"failed: {error}\n".encode())
+    os._exit(code)
+
+
+def _reap() -> None:
+    """Take note of ushers that have ended."""
+    try:
+        while os.waitpid(-1, os.WNOHANG)[0]:
+            pass
+    except ChildProcessError:
+        pass
+
+
+def serve(channel: socket.socket, tracer: Tracer) -> list[str] | None:
+    """Fork a program for each request. Returns its arguments in the program, None when the channel is closed."""
+    while True:
+        data, descriptors, _, _ = socket.recv_fds(channel, REQUEST_BYTES, 2)
+        if not data:
+            return None
+        output, status = descriptors
+        request = Request(**json.loads(data))
+        tracer.before_fork()
+        if os.fork() == 0:
+            channel.detach()
+            usher(request, output, status, tracer)
+            return request.arguments
+        tracer.after_fork_in_parent()
+        os.close(output)
+        os.close(status)
+        _reap()
+
+
+def main() -> None:
+    host = load_host()
+    importlib.import_module("rclpy.context")  # as the host does for every answer
+    shelf = Shelf()
+    shelf.fill(import_what_answers_need)
+    sys.meta_path.insert(0, shelf)
+    channel = socket.socket(fileno=int(sys.argv[1]))
+    channel.send(b"ready")
+    gc.collect()
+    gc.freeze()
+    arguments = serve(channel, Tracer())
+    if arguments is not None:
+        host.start(arguments)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,154 @@
+"""Starting shut-in programs by forking, instead of a fresh Python for each: the other side of `fork_server.py`."""
+
+import contextlib
+import json
+import os
+import select
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+SERVER = Path(__file__).with_name("fork_server.py")
+START_S = 30.0
+ANSWER_S = 10.0
+TURN_S = 0.05
+
+
+class NoWarmStart(RuntimeError):
+    """The program was not started. The message says why; start it in a fresh Python."""
+
+
+class WarmProgram:
+    """A program that the server has forked; to its owner much like a `subprocess.Popen`."""
+
+    def __init__(self, pid: int, status_fd: int, rest: bytes) -> None:
+        self.pid = pid
+        self.returncode: int | None = None
+        self._status_fd = status_fd
+        self._told = rest
+        self._reading = threading.Lock()
+
+    def poll(self) -> int | None:
+        """The exit code (negative: the signal that ended it), or None while it runs."""
+        return self._look()
+
+    def wait(self, timeout: float | None = None) -> int:
+        """Wait for the end. Raises subprocess.TimeoutExpired after `timeout` s."""
+        deadline = None if timeout is None else time.monotonic() + timeout
+        while (code := self._look()) is None:
+            left = None if deadline is None else deadline - time.monotonic()
+            if left is not None and left <= 0:
+                raise subprocess.TimeoutExpired("the program", timeout or 0.0)
+            select.select([self._status_fd], [], [], TURN_S if left is None else min(left, TURN_S))
+        return code
+
+    def _look(self) -> int | None:
+        """Take in what the usher has told. More than one thread may ask."""
+        with self._reading:
+            while self.returncode is None and select.select([self._status_fd], [], [], 0.0)[0]:
+                chunk = os.read(self._status_fd, 100)
+                self._told += chunk
+                if b"\n" in self._told:
+                    self.returncode = os.waitstatus_to_exitcode(int(self._told))
+                elif not chunk:  # its usher is gone, and the program with it
+                    self.returncode = -signal.SIGKILL
+            return self.returncode
+
+    def close(self) -> None:
+        """Forget it; call it when the program has ended."""
+        with self._reading:
+            if self.returncode is not None and self._status_fd >= 0:
+                os.close(self._status_fd)
+                self._status_fd = -1
+
+    def send_signal(self, number: int) -> None:
+        if self.poll() is None:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(self.pid, number)
+
+
+class ForkServer:
+    """The process from which programs are forked. It starts with the first of them and ends with its owner.
+
+    Not for two threads at once.
+    """
+
+    def __init__(self) -> None:
+        self._process: subprocess.Popen[bytes] | None = None
+        self._channel: socket.socket | None = None
+        self._ready = False
+
+    @property
+    def pid(self) -> int | None:
+        """Its process number; None while there is none."""
+        return None if self._process is None else self._process.pid
+
+    def start(self, environ: Mapping[str, str]) -> None:
+        """Start the server, if it does not run, without waiting for it. What programs must not see is not for it."""
+        if self._process is not None and self._process.poll() is None:
+            return
+        self.close()
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with theirs:
+            self._process = subprocess.Popen(
+                [sys.executable, "-P", str(SERVER), str(theirs.fileno())],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                env=dict(environ),
+                cwd="/",
+                pass_fds=[theirs.fileno()],
+            )
+        self._channel = ours
+
+    def spawn(
+        self, box: int, arguments: Sequence[str], environ: Mapping[str, str], folder: str, output_fd: int
+    ) -> WarmProgram:
+        """Fork a program into the box whose first process is `box`. Raises NoWarmStart."""
+        request = {"box": box, "arguments": [*arguments], "environ": dict(environ), "folder": folder}
+        read_fd, write_fd = os.pipe()
+        try:
+            self._wait_until_ready()
+            assert self._channel is not None
+            socket.send_fds(self._channel, [json.dumps(request).encode()], [output_fd, write_fd])
+        except OSError as error:
+            os.close(read_fd)
+            self.close()
+            raise NoWarmStart(f"the fork server is gone ({error})") from error
+        finally:
+            os.close(write_fd)
+        told = b""
+        while b"\n" not in told:
+            chunk = os.read(read_fd, 100) if select.select([read_fd], [], [], ANSWER_S)[0] else b""
+            if not chunk:
+                break
+            told += chunk
+        first, _, rest = told.partition(b"\n")
+        if not first.isdigit():
+            os.close(read_fd)
+            raise NoWarmStart(first.decode(errors="replace") or "the fork server does not answer")
+        return WarmProgram(int(first), read_fd, rest)
+
+    def _wait_until_ready(self) -> None:
+        if self._channel is None:
+            raise OSError("it was never started")
+        if not self._ready:
+            self._channel.settimeout(START_S)
+            if self._channel.recv(100) != b"ready":
+                raise OSError("it ended at once")
+            self._ready = True
+
+    def close(self) -> None:
+        """End the server."""
+        self._ready = False
+        if self._channel is not None:
+            self._channel.close()
+            self._channel = None
+        if self._process is not None:
+            self._process.kill()
+            self._process.wait()
+            self._process = None
