@@ -198,7 +198,7 @@ print("the last three waited longer than the first five:", sum(waits[5:]) > sum(
 # ## Change it
 #
 # What follows can get stuck, on purpose. So each piece runs as a program of its own behind a **watchdog**, which ends
-# it when its time is up. `try_out` prints what the program said, and how it ended.
+# it when nothing has come from it for four seconds. `try_out` prints what the program said, and how it ended.
 
 # %%
 from workbook.lesson import run_program
@@ -216,9 +216,9 @@ node = Node("robot")
 """
 
 
-def try_out(code, seconds=4.0, interrupt_at=None):
+def try_out(code, interrupt_at=None):
     """Run a program; print its words (of a traceback only the error), and how it ended."""
-    seen = run_program(HEAD + code, seconds=seconds, interrupt_at=interrupt_at)
+    seen = run_program(HEAD + code, silence=4.0, interrupt_at=interrupt_at)
     for line in seen.log.splitlines():
         if line.strip() and not line.startswith((" ", "Traceback")):
             print("  |", line)
@@ -294,7 +294,7 @@ print(turns, len(ticks), time.process_time() - busy)
 
 meters = {}
 for timeout_s in (0, 0.01, 0.1):
-    seen = run_program(HEAD + METER.replace("TIMEOUT", str(timeout_s)), seconds=10)
+    seen = run_program(HEAD + METER.replace("TIMEOUT", str(timeout_s)))
     turn_count, ticks, busy_s = map(float, seen.log.split()[-3:])
     meters[timeout_s] = (turn_count, ticks, busy_s / 2.0)
 
@@ -352,7 +352,7 @@ print("arm parked", flush=True)
 """
 
 print("nobody presses Ctrl-C:")
-_ = try_out(PARK, seconds=3)
+_ = try_out(PARK)
 print("\nCtrl-C after the first tick:")
 seen = try_out(PARK, interrupt_at="tick")
 print("\nthe arm was parked:", "arm parked" in seen.log)

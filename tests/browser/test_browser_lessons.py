@@ -77,9 +77,12 @@ def test_a_lesson_runs_from_top_to_bottom(stem: str, page: LabPage, lab: Student
             f"picture {number} has no text for those who cannot see it"
         )
     expect(page.pop_ups()).to_have_count(0)
-    if page.panel.locator(".jp-OutputArea img").count():
-        page.panel.locator(".jp-OutputArea img").first.scroll_into_view_if_needed()
-    page.page.screenshot(path=artifacts / f"lesson_{stem}.png")
+    pictures = page.panel.locator(".jp-OutputArea img")
+    for theme in ("dark", "light"):
+        page.choose_theme(theme)
+        if pictures.count():
+            pictures.first.scroll_into_view_if_needed()
+        page.page.screenshot(path=artifacts / f"lesson_{stem}_{theme}.png")
 
 
 def test_the_robot_moves_while_the_lesson_runs(page: LabPage, artifacts: Path) -> None:

@@ -9,7 +9,7 @@ import pytest
 from rclpy.context import Context
 from rclpy.node import Node
 
-from workbook.lesson import programs, start, stop
+from workbook.lesson import programs, run_program, start, stop
 from workbook.magics.running import node_names
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
@@ -118,3 +118,18 @@ def test_a_node_of_the_notebook_that_is_seen_late_is_not_taken_for_the_programs(
         assert guard.get_name() == "guard"
     finally:
         shutdown()
+
+
+def test_a_program_that_falls_silent_is_ended_and_one_that_starts_slowly_is_not() -> None:
+    begin = "import time\ntime.sleep(1.0)\nprint('here', flush=True)\n"
+    silent = run_program(begin + "time.sleep(600)\n", silence=0.5)
+    assert (silent.ended_by, silent.log) == ("bench", "here\n")
+    talking = run_program(
+        begin + "for n in range(6):\n    time.sleep(0.5)\n    print(n, flush=True)\n", silence=2.0
+    )
+    assert (talking.ended_by, talking.log.split()) == ("itself", ["here", *"012345"])
+
+
+def test_ctrl_c_comes_when_the_words_are_there() -> None:
+    end = run_program("import time\nprint('ready', flush=True)\ntime.sleep(600)\n", interrupt_at="ready")
+    assert (end.ended_by, end.exit) == ("itself", 130)

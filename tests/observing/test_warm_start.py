@@ -130,6 +130,19 @@ def test_the_same_modules_appear_as_in_a_fresh_python(start: Start, line: str) -
     assert warm.startswith("rclpy ")
 
 
+@pytest.mark.parametrize(
+    ("name", "value", "text"),
+    [
+        ("ROS_PYTHON_CHECK_FIELDS", "1", "from std_msgs.msg import Float32\nFloat32(data=1)"),
+    ],
+)
+def test_what_a_program_sets_before_it_imports_counts(start: Start, name: str, value: str, text: str) -> None:
+    text = f"import os\nos.environ[{name!r}] = {value!r}\n{text}\n"
+    warm, fresh = (finished(start(text, warm=warm)) for warm in (True, False))
+    assert warm == fresh
+    assert "Error" in warm
+
+
 def test_what_was_not_imported_is_not_there(start: Start) -> None:
     log = finished(start("import rclpy\nrclpy.node.Node"))
     assert "AttributeError: module 'rclpy' has no attribute 'node'" in log

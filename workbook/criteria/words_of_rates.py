@@ -46,7 +46,7 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
         return fail(
             f"{once} in {seconds(window[1] - window[0])}",
             "It is published once, or far too rarely.",
-            f"Publish in a callback and let create_timer({topic.period}, ...) call it.",
+            f"Create a timer for it: publish in a callback, and let create_timer({topic.period}, ...) call it.",
         )
     gap_limit = LONGEST_GAP_PERIODS * topic.period
     hz = seen.hz

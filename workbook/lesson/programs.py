@@ -16,6 +16,9 @@ from workbook.observing.watch import SPEEDS, Observer, Plan
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
 Program = ModuleType | Path | str
+LOOK_S = 0.02
+AT_WORK_WITHIN_S = 30.0
+SETTLE_S = 1.0
 
 _started: dict[str, NodeProcess] = {}
 
@@ -92,14 +95,31 @@ def record(
             return watch.finish(watch.observe())
 
 
-def processor_seconds(program: Program, seconds: float = 4.0, **parameters: object) -> float:
-    """Processor time (s) that a program takes in its first `seconds` of real time on a domain of its own."""
+def processor_seconds(
+    program: Program, seconds: float = 4.0, *, with_start: bool = True, **parameters: object
+) -> float:
+    """Processor time (s) that a program takes in its first `seconds` of real time on a domain of its own.
+
+    Without `with_start`: in `seconds` of real time once it is at work, a second after its node has come up.
+    """
     with Observer() as observer:
         with NodeProcess(program_file(program), observer.domain_id, ros_arguments(parameters)) as process:
+            before = 0.0
+            if not with_start:
+                _wait_until_at_work(process, observer.domain_id)
+                before = processor_time_of([process.pid]) or 0.0
             if process.wait(seconds):
                 raise RuntimeError(f"the program ended early:\n{process.record().log}")
             used = processor_time_of([process.pid])
-    return used or 0.0
+    return (used or 0.0) - before
+
+
+def _wait_until_at_work(process: NodeProcess, domain_id: int) -> None:
+    deadline = time.monotonic() + AT_WORK_WITHIN_S
+    while domain_id not in process.domains_used() and time.monotonic() < deadline:
+        if process.wait(LOOK_S):
+            return
+    process.wait(SETTLE_S)
 
 
 def arrivals(recording: Recording, topic: str) -> list[float]:
@@ -113,12 +133,18 @@ def values(recording: Recording, topic: str, field: str = "data") -> list[object
 
 
 def run_program(
-    code: str, seconds: float = 10.0, arguments: Sequence[str] = (), interrupt_at: str | None = None
+    code: str,
+    seconds: float = 30.0,
+    arguments: Sequence[str] = (),
+    interrupt_at: str | None = None,
+    silence: float | None = None,
 ) -> ProcessRecord:
     """Run a piece of code as its own program behind a watchdog, and return what became of it.
 
-    The program is ended after `seconds` at the latest, so nothing in it can hang the notebook. With `interrupt_at`
-    it gets Ctrl-C (SIGINT) as soon as it has printed that text. It runs on a domain of its own.
+    The program is ended after `seconds` at the latest, so nothing in it can hang the notebook. With `silence` it is
+    ended when it has said nothing for so many seconds after its first words: how long it takes to start does not
+    count. With `interrupt_at` it gets Ctrl-C (SIGINT) as soon as it has printed that text. It runs on a domain of its
+    own.
     """
     folder = scratch_folder("program")
     file = folder / "program.py"
@@ -126,13 +152,15 @@ def run_program(
     deadline = time.monotonic() + seconds
     try:
         with Observer() as observer, NodeProcess(file, observer.domain_id, arguments) as process:
-            while interrupt_at is not None and time.monotonic() < deadline:
-                if interrupt_at in process.log.text():
+            said, said_at = "", time.monotonic()
+            while not process.wait(LOOK_S) and time.monotonic() < deadline:
+                if (log := process.log.text()) != said:
+                    said, said_at = log, time.monotonic()
+                if interrupt_at is not None and interrupt_at in said:
                     process.interrupt()
+                    interrupt_at = None
+                if silence is not None and said and time.monotonic() - said_at > silence:
                     break
-                if process.wait(0.02):
-                    break
-            process.wait(max(0.0, deadline - time.monotonic()))
             process.stop()
             if process.killed:
                 observer.move()

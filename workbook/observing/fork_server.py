@@ -50,6 +50,7 @@ WARMED = (
     "rosgraph_msgs.msg",
     "std_msgs.msg",
 )
+CHECKS = "ros_python_check_fields"
 TYPES = ("Float32", "Float64", "Float64MultiArray", "Int32", "String")
 
 _libc = ctypes.CDLL(None, use_errno=True)
@@ -126,21 +127,23 @@ class Shelf:
         assert spec is not None
         module.__spec__ = spec.loader_state
         del self._modules[spec.name]
+        if hasattr(module, CHECKS):  # a message module asks for this when it is loaded
+            setattr(module, CHECKS, os.environ.get("ROS_PYTHON_CHECK_FIELDS", ""))
         for name in self._imports.get(spec.name, ()):
             if name not in sys.modules and name in self._modules:
                 importlib.import_module(name)
 
 
 def import_what_answers_need() -> None:
-    """Import rclpy and the messages that most answers use, with the libraries behind them."""
-    import rclpy
+    """Import rclpy and the messages that most answers use.
 
+    Not the middleware: which one it is, a program may choose with RMW_IMPLEMENTATION until it makes a context.
+    """
     for name in WARMED:
         importlib.import_module(name)
     messages = sys.modules["std_msgs.msg"]
     for name in TYPES:
         type(getattr(messages, name)).__import_type_support__()
-    rclpy.get_rmw_implementation_identifier()
 
 
 def load_host() -> types.ModuleType:
@@ -264,7 +267,10 @@ def _reap() -> None:
 def serve(channel: socket.socket, tracer: Tracer) -> list[str] | None:
     """Fork a program for each request. Returns its arguments in the program, None when the channel is closed."""
     while True:
-        data, descriptors, _, _ = socket.recv_fds(channel, REQUEST_BYTES, 2)
+        try:
+            data, descriptors, _, _ = socket.recv_fds(channel, REQUEST_BYTES, 2)
+        except ConnectionError:
+            return None
         if not data:
             return None
         output, status = descriptors
