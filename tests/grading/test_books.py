@@ -44,6 +44,8 @@ KEYS = [
     "wall_s",
     "isolation",
     "versions",
+    "doubt",
+    "tries",
 ]
 CRITERION_KEYS = "id title status points max_points hidden saw expected because try".split()
 SHA = "a" * 64

@@ -4,6 +4,7 @@ import argparse
 import os
 import signal
 import sys
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from workbook.grading.batch import Batch, BatchSummary, Progress
     from workbook.grading.books import Lateness
     from workbook.grading.pool import Isolation
+    from workbook.grading.results import Result
 
 SLOTS_PER_CORE = 4
 
@@ -326,6 +328,22 @@ def _repeat(
     return 1 if found else 0
 
 
+def _about_tries(results: "Sequence[Result]") -> list[str]:
+    """How many answers were tried twice, and by name those whose tries differ."""
+    from workbook.grading.results import tried_twice, tries_differ
+
+    twice = [result for result in results if result.get("tries")]
+    if not twice:
+        return []
+    differ = [result for result in twice if tries_differ(result)]
+    what = "answer was" if len(twice) == 1 else "answers were"
+    lines = [
+        f"{len(twice)} {what} tried twice, because the first try was inconclusive; {len(differ)} differ. "
+        "Both tries are kept."
+    ]
+    return lines + [f"  {_printable(one['student'])}: {_printable(tried_twice(one))}" for one in differ]
+
+
 def _conclude(summary: "BatchSummary", out: Path, written: "list[Path]") -> int:
     counts = {"graded": 0, "ungradable": 0, "infra_error": 0}
     full = 0
@@ -339,6 +357,8 @@ def _conclude(summary: "BatchSummary", out: Path, written: "list[Path]") -> int:
     for result in summary.results:
         if result["status"] != "graded":
             print(f"  {_printable(result['student'])}: {_printable(_outcome(result))}")
+    for line in _about_tries(summary.results):
+        print(line)
     print(f"{summary.judged} judged in {_minutes(summary.seconds)}, {summary.kept} kept from an earlier run.")
     print(f"Everything: {out / 'results.jsonl'}   Made from it: {', '.join(map(str, written))}")
     if summary.stopped:

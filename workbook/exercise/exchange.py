@@ -33,6 +33,7 @@ def judgement_to_json(judgement: Judgement) -> dict[str, Any]:
         "recording": None if judgement.recording is None else judgement.recording.to_json(),
         "provisional": judgement.provisional,
         "watched_real_life": judgement.watched_real_life,
+        "doubt": judgement.doubt,
     }
 
 
@@ -48,4 +49,5 @@ def judgement_from_json(data: Mapping[str, Any]) -> Judgement:
         recording=None if recording is None else Recording.from_json(recording),
         provisional=data["provisional"],
         watched_real_life=data["watched_real_life"],
+        doubt=data["doubt"],
     )

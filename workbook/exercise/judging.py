@@ -12,6 +12,7 @@ from workbook.criteria.garbled import field_check_note
 from workbook.criteria.runner import CriterionError, CriterionResult, run_criteria
 from workbook.exercise.answers import Answer, syntax_mistake
 from workbook.exercise.definition import Exercise
+from workbook.exercise.doubt import doubt_about
 from workbook.exercise.starting import StartedAnswer, write_program
 from workbook.observing.process import NodeProcess
 from workbook.observing.recording import Finding, Recording
@@ -28,7 +29,10 @@ JudgementStatus = Literal["graded", "infra_error"]
 
 @dataclass(frozen=True)
 class Judgement:
-    """What came out for one answer. `provisional` is set when the wall clock has not had its word yet."""
+    """What came out for one answer. `provisional` is set when the wall clock has not had its word yet.
+
+    `doubt`: why points that were lost may be lost without the answer's fault; empty for a conclusive judgement.
+    """
 
     stem: str
     answer_sha256: str
@@ -38,6 +42,7 @@ class Judgement:
     recording: Recording | None
     provisional: bool = False
     watched_real_life: bool = False
+    doubt: str = ""
 
     @property
     def score(self) -> float | None:
@@ -84,6 +89,18 @@ def _needs_wall_clock(exercise: Exercise, answer: Answer, judgement: Judgement) 
     if not recording.follows_clock or not speeds_agree(recording, tuple(exercise.periods)):
         return True
     return any(result.about_time for result in judgement.criteria)
+
+
+def _with_doubt(exercise: Exercise, judgement: Judgement, on_robot: Judgement | None = None) -> Judgement:
+    """The judgement, and whether it is conclusive. `on_robot`: what robot time had said of the same program."""
+    recording = judgement.recording
+    if judgement.status != "graded" or recording is None:
+        return judgement
+    before: tuple[CriterionResult, ...] = ()
+    if on_robot is not None and on_robot.recording is not None and on_robot.recording.follows_clock:
+        if speeds_agree(on_robot.recording, tuple(exercise.periods)):
+            before = on_robot.criteria
+    return replace(judgement, doubt=doubt_about(judgement.criteria, recording, exercise.plan, before))
 
 
 class Judge:
@@ -140,6 +157,7 @@ class Judge:
         enough: Callable[[], bool],
     ) -> Judgement:
         """Judge on robot time where the exercise allows it, and on the wall clock where that is not enough."""
+        on_robot: Judgement | None = None
         if exercise.source.clock == "simulated":
             with self._observer.watch(
                 program,
@@ -154,7 +172,7 @@ class Judge:
                 if on_robot_time:
                     judgement = self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
             if on_robot_time and not (exercise.to_the_end and thorough and judgement.full_marks):
-                return judgement
+                return _with_doubt(exercise, judgement)
             if on_robot_time:
                 if report is not None:
                     report(judgement)
@@ -162,11 +180,13 @@ class Judge:
             if report is not None:
                 report(judgement_as_provisional(judgement))
             process = None
+            on_robot = judgement
         with self._observer.watch(
             program, exercise.plan, "wall", limits=self._limits, process=process, driver=exercise.driver
         ) as watch:
             judgement = self._judge(exercise, answer, watch, findings)
-            return self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
+            judgement = self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
+        return _with_doubt(exercise, judgement, on_robot)
 
     def _with_field_checks(
         self, exercise: Exercise, answer: Answer, program: Path, judgement: Judgement
@@ -191,7 +211,8 @@ class Judge:
             if process.ended_by is not None:
                 process = watch.finish(recording).process
         recording = replace(recording, notes=(*recording.notes, field_check_note(process)))
-        return judge_recording(exercise, answer.sha256, recording, real_life=judgement.watched_real_life)
+        again = judge_recording(exercise, answer.sha256, recording, real_life=judgement.watched_real_life)
+        return replace(again, doubt=judgement.doubt)
 
     def _judge(
         self, exercise: Exercise, answer: Answer, watch: Watch, findings: tuple[Finding, ...] | None

@@ -109,6 +109,8 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
         parts.append(
             f'<p style="margin:4px 0;color:{color}">{escape(wording.provisional_line(judgement))}</p>'
         )
+    if doubt := wording.doubt_line(judgement):
+        parts.append(f'<p style="margin:4px 0;color:{COLORS["partial"]}">{escape(doubt)}</p>')
     first = wording.first_to_mend(judgement)
     if first is not None:
         parts.append(

@@ -52,6 +52,7 @@ def as_text(
             lines += _block("more", f"{exhibit.symptom} (notebooks/error_museum.md, lesson {exhibit.lesson})")
     for line in (
         wording.provisional_line(judgement),
+        wording.doubt_line(judgement),
         wording.hidden_line(judgement),
         wording.clock_line(judgement),
     ):

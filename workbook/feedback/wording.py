@@ -91,6 +91,13 @@ def provisional_line(judgement: Judgement) -> str:
     return "Provisional: this was seen on fast robot time. The wall clock has the last word; it takes some seconds."
 
 
+def doubt_line(judgement: Judgement) -> str:
+    """Why the judgement is inconclusive; empty for one that is sound."""
+    if not judgement.doubt or judgement.provisional:
+        return ""
+    return f"Inconclusive: {judgement.doubt}. This may not be the program's fault; another try decides."
+
+
 def hidden_line(judgement: Judgement) -> str:
     count = hidden_count(judgement)
     if not count:

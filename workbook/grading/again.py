@@ -2,13 +2,14 @@
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from workbook.exercise.definition import Exercise
 from workbook.exercise.judging import Judgement, judge_recording
 from workbook.grading.pool import Isolation, Job, judge_all
 from workbook.grading.results import RESULTS, Result, ResultsFile, graded_result, last_results
+from workbook.grading.tries import counting
 from workbook.observing.recording import Recording
 
 
@@ -44,17 +45,24 @@ def _again(out: Path, exercise: Exercise, result: Result, book: ResultsFile) -> 
     student, before = result["student"], result["score"]
     if result["versions"]["criteria"] == exercise.criteria_sha256:
         return Regraded(student, before, before)
-    try:
-        recording = Recording.load(out / result["recording"])
-    except (OSError, ValueError, TypeError) as error:
-        return Regraded(student, before, None, f"its recording cannot be read: {error}")
-    judgement = judge_recording(exercise, result["answer_sha256"], recording)
-    if judgement.status != "graded":
-        return Regraded(student, before, None, judgement.reason or "the criteria failed")
+    tries = []
+    for one in result.get("tries") or [result]:
+        if one["recording"] is None:
+            continue  # a try that the slot did not survive
+        try:
+            recording = Recording.load(out / one["recording"])
+        except (OSError, ValueError, TypeError) as error:
+            return Regraded(student, before, None, f"its recording cannot be read: {error}")
+        judgement = judge_recording(exercise, result["answer_sha256"], recording)
+        if judgement.status != "graded":
+            return Regraded(student, before, None, judgement.reason or "the criteria failed")
+        tries.append(replace(judgement, doubt=one.get("doubt", "")))
+    if not tries:
+        return Regraded(student, before, None, "no recording of it was kept")
     book.append(
         graded_result(
             out,
-            judgement,
+            counting(tries),
             student=student,
             answer=result["answer"],
             submitted_at=result["submitted_at"],
@@ -62,9 +70,10 @@ def _again(out: Path, exercise: Exercise, result: Result, book: ResultsFile) -> 
             isolation=result["isolation"],
             criteria_sha256=exercise.criteria_sha256,
             max_score=exercise.max_points,
+            tries=tries,
         )
     )
-    return Regraded(student, before, judgement.score)
+    return Regraded(student, before, counting(tries).score)
 
 
 @dataclass(frozen=True)

@@ -2,12 +2,13 @@
 
 import hashlib
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from workbook.exercise.answers import LARGEST_NOTEBOOK_BYTES, Ungradable, read_answer
 from workbook.exercise.definition import Exercise
+from workbook.exercise.judging import Judgement
 from workbook.grading.books import write_books
 from workbook.grading.hand_ins import HandIn, find_hand_ins
 from workbook.grading.pool import Isolation, Job, judge_all
@@ -19,6 +20,7 @@ from workbook.grading.results import (
     last_results,
     ungradable_result,
 )
+from workbook.grading.tries import counting, judge_until_sure
 
 
 @dataclass(frozen=True)
@@ -155,10 +157,14 @@ class Batch:
                     jobs.append(Job(hand_in, self._exercise.stem, answer))
             total = done + len(jobs)
             refused = done
-            for job, judgement in judge_all(jobs, self._slots, isolation=self._isolation, stop=stop):
+
+            def judge(some: Sequence[Job[HandIn]]) -> Iterator[tuple[Job[HandIn], Judgement]]:
+                return judge_all(some, self._slots, isolation=self._isolation, stop=stop)
+
+            for job, tries in judge_until_sure(jobs, judge):
                 result = graded_result(
                     self._out,
-                    judgement,
+                    counting(tries),
                     student=job.key.student,
                     answer=job.key.label,
                     submitted_at=_submitted_at(job.key.path),
@@ -166,6 +172,7 @@ class Batch:
                     isolation=self._isolation,
                     criteria_sha256=self._exercise.criteria_sha256,
                     max_score=self._exercise.max_points,
+                    tries=tries,
                 )
                 book.append(result)
                 done += 1

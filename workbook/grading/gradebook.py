@@ -5,7 +5,7 @@ import io
 import re
 from collections.abc import Iterable
 
-from workbook.grading.results import Result
+from workbook.grading.results import Result, tried_twice
 
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+")
 _FORMULA_STARTS = ("=", "+", "-", "@")
@@ -34,9 +34,8 @@ def grades_csv(results: Iterable[Result]) -> str:
                 criteria.append(one["id"])
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(
-        ["student", "exercise", "score", "max_score", "status", "reason", *criteria, "clock", "answer"]
-    )
+    before = ("student", "exercise", "score", "max_score", "status", "reason")
+    writer.writerow([*before, *criteria, "clock", "answer", "tries", "remark"])
     for result in rows:
         earned = {one["id"]: one["points"] for one in result["criteria"]}
         writer.writerow(
@@ -50,6 +49,8 @@ def grades_csv(results: Iterable[Result]) -> str:
                 *(safe_cell(earned.get(name)) for name in criteria),
                 safe_cell(result["clock"]),
                 safe_cell(result["answer"]),
+                safe_cell(max(1, len(result.get("tries") or []))) if result["criteria"] else "",
+                safe_cell(tried_twice(result)),
             ]
         )
     return out.getvalue()

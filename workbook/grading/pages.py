@@ -13,7 +13,7 @@ from workbook.exercise.judging import Judgement
 from workbook.feedback.card import COLORS, Extras, as_html
 from workbook.feedback.timeline import judged_timeline
 from workbook.grading.exports import by_student
-from workbook.grading.results import Result
+from workbook.grading.results import Result, tried_twice, tries_differ
 from workbook.observing.recording import Recording
 
 PAGES = "pages"
@@ -62,6 +62,7 @@ def judgement_of(result: Result, out: Path) -> Judgement:
         reason=result["reason"],
         criteria=criteria_from_json(result["criteria"]),
         recording=recording,
+        doubt=result.get("doubt") or "",
     )
 
 
@@ -76,7 +77,10 @@ def student_page(result: Result, exercise: Exercise, out: Path) -> str:
         facts.append(f"handed in {escape(result['submitted_at'])}")
     if result.get("late_points"):
         facts.append(f"{result['late_points']:g} points taken off for handing in late")
-    body = f"<p>{', '.join(facts)}.</p>" + as_html(judgement, Extras(timeline=timeline, timeline_text=words))
+    body = f"<p>{', '.join(facts)}.</p>"
+    if twice := tried_twice(result):
+        body += f"<p>{escape(twice)}</p>"
+    body += as_html(judgement, Extras(timeline=timeline, timeline_text=words))
     return _page(f"{exercise.source.title}: {result['student']}", body)
 
 
@@ -86,6 +90,7 @@ def class_page(results: Iterable[Result], exercise: Exercise) -> str:
     graded = [row for row in rows if row["score"] is not None]
     parts = [f"<p>{len(rows)} answers, {len(graded)} graded.{_mean(graded)}</p>"]
     parts += [_distribution(graded, exercise), _criteria(graded), _common(graded), _slowest(graded)]
+    parts.append(_twice(rows))
     missing = [row for row in rows if row["score"] is None]
     if missing:
         lines = "".join(
@@ -171,6 +176,16 @@ def _common(graded: Sequence[Result]) -> str:
         if count > 1
     )
     return f"<h2>Seen more than once</h2><table>{lines}</table>" if lines else ""
+
+
+def _twice(rows: Sequence[Result]) -> str:
+    twice = [row for row in rows if row.get("tries")]
+    lines = "".join(
+        f'<tr><td><a href="{_page_of(row)}">{_name_of(row)}</a></td>'
+        f"<td>{'<b>differ</b>' if tries_differ(row) else 'agree'}</td><td>{escape(tried_twice(row))}</td></tr>"
+        for row in sorted(twice, key=tries_differ, reverse=True)
+    )
+    return f"<h2>Tried twice</h2><table>{lines}</table>" if lines else ""
 
 
 def _slowest(graded: Sequence[Result]) -> str:

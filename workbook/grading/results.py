@@ -4,7 +4,7 @@ import hashlib
 import json
 import os
 import platform
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from importlib import metadata
 from pathlib import Path
 from typing import Any
@@ -45,6 +45,21 @@ def _recording_file(out: Path, judgement: Judgement) -> str | None:
     return name
 
 
+def _try(out: Path, judgement: Judgement, counts: bool) -> dict[str, Any]:
+    recording = judgement.recording
+    return {
+        "counts": counts,
+        "doubt": judgement.doubt,
+        "status": judgement.status,
+        "reason": judgement.reason,
+        "score": judgement.score,
+        "criteria": [result.to_json() for result in judgement.criteria],
+        "recording": _recording_file(out, judgement),
+        "clock": None if recording is None else recording.clock,
+        "wall_s": None if recording is None else recording.wall_s,
+    }
+
+
 def graded_result(
     out: Path,
     judgement: Judgement,
@@ -56,8 +71,12 @@ def graded_result(
     isolation: str,
     criteria_sha256: str,
     max_score: float,
+    tries: Sequence[Judgement] = (),
 ) -> Result:
-    """The result of an answer that was run, with its recording stored under `out`."""
+    """The result of an answer that was run, with its recording stored under `out`.
+
+    `tries`: all judgements of an answer that was tried more than once; `judgement` is the one that counts.
+    """
     recording = judgement.recording
     process = None
     if recording is not None:
@@ -86,6 +105,8 @@ def graded_result(
         "wall_s": None if recording is None else recording.wall_s,
         "isolation": isolation,
         "versions": versions(criteria_sha256),
+        "doubt": judgement.doubt,
+        "tries": [_try(out, one, one is judgement) for one in tries] if len(tries) > 1 else [],
     }
 
 
@@ -122,7 +143,30 @@ def ungradable_result(
         "wall_s": None,
         "isolation": isolation,
         "versions": versions(criteria_sha256),
+        "doubt": "",
+        "tries": [],
     }
+
+
+def tried_twice(result: Result) -> str:
+    """What both tries of an answer gave, as a sentence; empty for an answer that was judged once."""
+    tries = result.get("tries") or []
+    if len(tries) < 2:
+        return ""
+    told = [_told(one) for one in tries]
+    kept = " The better one counts." if told[0] != told[1] else ""
+    doubt = tries[0]["doubt"]
+    second = " So was the second." if tries[1]["doubt"] else ""
+    return f"Tried twice: {told[0]}, then {told[1]}.{kept} The first try was inconclusive ({doubt}).{second}"
+
+
+def tries_differ(result: Result) -> bool:
+    """Whether an answer was tried twice and did not get the same both times."""
+    return len({_told(one) for one in result.get("tries") or []}) > 1
+
+
+def _told(one: Mapping[str, Any]) -> str:
+    return "not judged" if one["score"] is None else f"{one['score']:g} points"
 
 
 def read_results(path: Path) -> Iterator[Result]:

@@ -176,7 +176,10 @@ class Phase:
 
 @dataclass(frozen=True)
 class Recording:
-    """One watch of one program. `findings`: what the type checker said; None if it was not asked."""
+    """One watch of one program. `findings`: what the type checker said; None if it was not asked.
+
+    `held_up_s`: on the wall clock, the longest time (s) for which the watch itself got no processor.
+    """
 
     clock: Clock
     domain_id: int
@@ -194,6 +197,7 @@ class Recording:
     services: tuple[ServiceSeen, ...] = ()
     findings: tuple[Finding, ...] | None = None
     clients: tuple[ServiceSeen, ...] = ()
+    held_up_s: float = 0.0
 
     def topic(self, name: str) -> TopicRecording:
         """The recording of a topic; an empty one if nothing of that name was seen."""
@@ -304,4 +308,5 @@ def _recording(data: Mapping[str, Any]) -> Recording:
         services=tuple(ServiceSeen(**item) for item in data.get("services", ())),
         findings=_findings(data.get("findings")),
         clients=tuple(ServiceSeen(**item) for item in data.get("clients", ())),
+        held_up_s=data.get("held_up_s", 0.0),
     )

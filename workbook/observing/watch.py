@@ -214,6 +214,7 @@ class Watch:
         self._phases: list[Phase] = []
         self._follows: bool | None = None
         self._matched_wall: float | None = None
+        self._held_up_s = 0.0
 
     def _robot_time(self, moment: float) -> float:
         if self._clock is not None:
@@ -301,7 +302,10 @@ class Watch:
         end = time.monotonic() + seconds
         next_look = 0.0
         while (left := end - time.monotonic()) > 0 and self._process.is_running():
-            self._pause(min(TALK_POLL_S if self._plan.script else POLL_S, left))
+            turn = min(TALK_POLL_S if self._plan.script else POLL_S, left)
+            paused = time.monotonic()
+            self._pause(turn)
+            self._held_up_s = max(self._held_up_s, time.monotonic() - paused - turn)
             self._speaker.play(self._robot_time(time.monotonic()))
             self._recorder.take()
             if time.monotonic() > next_look:
@@ -408,6 +412,7 @@ class Watch:
             calls=self._speaker.calls(),
             services=self._recorder.services(),
             clients=self._recorder.clients(),
+            held_up_s=round(self._held_up_s, 4),
         )
 
     def finish(

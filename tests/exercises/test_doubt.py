@@ -1,0 +1,136 @@
+"""Which judgements are inconclusive: those that take points away for what may be no fault of the answer."""
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from workbook.criteria.runner import CriterionResult, run_criteria
+from workbook.exercise.answers import Answer
+from workbook.exercise.definition import load_exercise
+from workbook.exercise.doubt import doubt_about
+from workbook.exercise.judging import Judge, Judgement
+from workbook.observing.recording import ProcessRecord, PublisherSeen, Recording, TopicRecording
+from workbook.observing.watch import Observer, Watch
+
+ROOT = Path(__file__).resolve().parents[2]
+STEM = "09_joint_positions"
+EXERCISE = load_exercise(STEM, ROOT)
+JOINTS = "/robot/joint_positions"
+
+
+def stored(name: str) -> Recording:
+    return Recording.load(ROOT / "tests" / "recordings" / STEM / f"{name}.json")
+
+
+def judged(recording: Recording) -> tuple[CriterionResult, ...]:
+    return run_criteria(EXERCISE.criteria, recording)
+
+
+def doubt(recording: Recording, on_robot_time: tuple[CriterionResult, ...] = ()) -> str:
+    return doubt_about(judged(recording), recording, EXERCISE.plan, on_robot_time)
+
+
+@pytest.mark.parametrize(
+    "name", ["solution", "eleven_values", "period_for_frequency", "raises_at_once", "starter", "wrong_name"]
+)
+def test_what_was_well_seen_is_conclusive(name: str) -> None:
+    assert doubt(stored(name)) == ""
+
+
+def with_joints(recording: Recording, joints: TopicRecording) -> Recording:
+    return replace(recording, topics={**recording.topics, JOINTS: joints})
+
+
+def test_a_publisher_that_was_never_connected_leaves_a_doubt() -> None:
+    good = stored("solution")
+    unmatched = with_joints(good, replace(good.topic(JOINTS), arrivals=(), window=None))
+    assert "never connected" in doubt(unmatched)
+    assert JOINTS in doubt(unmatched)
+
+
+def test_a_publisher_that_went_away_or_a_program_that_ended_leaves_none() -> None:
+    good = stored("solution")
+    joints = replace(good.topic(JOINTS), arrivals=(), window=None)
+    gone = replace(joints, publishers=tuple(replace(one, last_seen=3.0) for one in joints.publishers))
+    assert doubt(with_joints(good, gone)) == ""
+    for process in (
+        replace(good.process, ended_by="itself", exit=1),
+        replace(good.process, ended_by="bench", limits_hit=("output",)),
+    ):
+        assert doubt(replace(with_joints(good, joints), process=process)) == ""
+
+
+def nothing_seen(**process: Any) -> Recording:
+    record = ProcessRecord(program="answer.py", ended_by="bench", watched_for=12.0, **process)
+    return Recording(clock="wall", domain_id=17, process=record)
+
+
+def test_a_node_on_the_domain_that_was_never_seen_leaves_a_doubt() -> None:
+    assert "domain 17" in doubt(nothing_seen(domains_used=(17,)))
+
+
+@pytest.mark.parametrize("domains", [(), (30,)])
+def test_no_node_at_all_and_a_node_elsewhere_are_conclusive(domains: tuple[int, ...]) -> None:
+    assert doubt(nothing_seen(domains_used=domains)) == ""
+
+
+def test_a_node_that_came_and_went_was_seen() -> None:
+    publisher = PublisherSeen("/n", "std_msgs/msg/String", "reliable", "volatile", 0.1, last_seen=0.2)
+    topics = {JOINTS: TopicRecording(JOINTS, (publisher,))}
+    assert doubt(replace(nothing_seen(domains_used=(17,)), topics=topics)) == ""
+
+
+def test_clocks_that_contradict_each_other_leave_a_doubt() -> None:
+    slow = replace(stored("period_for_frequency"), clock="wall")
+    assert "held on robot time" in doubt(slow, judged(stored("solution")))
+    assert doubt(slow, judged(stored("period_for_frequency"))) == ""
+
+
+def test_only_lost_time_is_put_down_to_a_busy_machine() -> None:
+    slow = replace(stored("period_for_frequency"), clock="wall", held_up_s=0.6)
+    assert "0.60 s" in doubt(slow)
+    assert doubt(replace(slow, held_up_s=0.2)) == ""
+    assert doubt(replace(slow, clock="simulated")) == "", "robot time waits for whom the machine holds up"
+    assert doubt(replace(stored("eleven_values"), clock="wall", held_up_s=5.0)) == ""
+    assert doubt(replace(stored("solution"), clock="wall", held_up_s=5.0)) == ""
+
+
+class Stumbling:
+    """A watch whose pauses last much longer than asked for, as on a machine that gives it no processor."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, seconds: float) -> None:
+        original = Watch._pause
+        self.left = seconds
+
+        def pause(asked: float) -> None:
+            original(asked)
+            more, self.left = self.left, 0.0
+            original(more)
+
+        monkeypatch.setattr(Watch, "_pause", staticmethod(pause))
+
+
+def judge_on_the_wall_clock(text: str) -> Judgement:
+    on_the_wall = replace(EXERCISE, plan=replace(EXERCISE.plan, wall_seconds=3.0))
+    object.__setattr__(on_the_wall, "source", replace(EXERCISE.source, clock="wall"))
+    with Observer() as observer:
+        return Judge(observer).judge(on_the_wall, Answer(text))
+
+
+def test_a_watch_knows_how_long_it_was_held_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    original = Watch._run_wall_time
+    stumbling = Stumbling(monkeypatch, 0.0)
+
+    def run(watch: Watch, seconds: float) -> None:
+        stumbling.left = 0.7
+        original(watch, seconds)
+
+    monkeypatch.setattr(Watch, "_run_wall_time", run)
+    wrong = (ROOT / "tests" / "wrong_answers" / STEM / "period_for_frequency.py").read_text(encoding="utf-8")
+    judgement = judge_on_the_wall_clock(wrong)
+    assert judgement.recording is not None
+    assert judgement.recording.held_up_s >= 0.7
+    assert "so busy" in judgement.doubt
+    assert Recording.from_json(judgement.recording.to_json()).held_up_s == judgement.recording.held_up_s

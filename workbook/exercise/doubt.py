@@ -1,0 +1,75 @@
+"""Whether a judgement that takes points away stands on firm ground.
+
+Where it does not, the judgement is inconclusive: the answer deserves a second try.
+"""
+
+from collections.abc import Sequence
+
+from workbook.criteria.runner import CriterionResult
+from workbook.observing.recording import Recording
+from workbook.observing.watch import Plan
+
+HELD_UP_SHARE = 0.25
+"""Share of the shortest judged period. A gap of half a period more is what fails a rate."""
+LEAST_HELD_UP_S = 0.1
+
+
+def doubt_about(
+    judged: Sequence[CriterionResult],
+    recording: Recording,
+    plan: Plan,
+    on_robot_time: Sequence[CriterionResult] = (),
+) -> str:
+    """Why the judgement may do the answer wrong, as a sentence; empty when it is sound, or takes nothing away.
+
+    `on_robot_time`: what held and what did not when the same program was judged on robot time before, where both
+    speeds agreed.
+    """
+    lost = [result for result in judged if result.status in ("failed", "partial")]
+    if not lost:
+        return ""
+    return (
+        _never_seen(recording)
+        or _never_matched(recording, plan)
+        or _clocks_contradict(lost, on_robot_time)
+        or _held_up(lost, recording, plan)
+    )
+
+
+def _lived(recording: Recording) -> bool:
+    return recording.process.ended_by != "itself" and not recording.process.limits_hit
+
+
+def _never_seen(recording: Recording) -> str:
+    """A program with open DDS ports on our domain has a node; if we saw none, discovery has failed."""
+    here = recording.domain_id in recording.process.domains_used
+    if here and _lived(recording) and not recording.nodes and not recording.published():
+        return f"the program was on domain {recording.domain_id}, and its node was never seen there"
+    return ""
+
+
+def _never_matched(recording: Recording, plan: Plan) -> str:
+    if not _lived(recording):
+        return ""
+    for name in plan.topics:
+        topic = recording.topic(name)
+        there = any(publisher.last_seen is None for publisher in topic.publishers)
+        if there and topic.window is None and not topic.arrivals:
+            return f"the publisher of {name} was seen, and the judge was never connected to it"
+    return ""
+
+
+def _clocks_contradict(lost: Sequence[CriterionResult], on_robot_time: Sequence[CriterionResult]) -> str:
+    held = {result.id for result in on_robot_time if result.status == "passed"}
+    for result in lost:
+        if result.about_time and result.id in held:
+            return f"{result.title!r} held on robot time and not on the wall clock"
+    return ""
+
+
+def _held_up(lost: Sequence[CriterionResult], recording: Recording, plan: Plan) -> str:
+    longest = max(LEAST_HELD_UP_S, HELD_UP_SHARE * plan.shortest_period)
+    about_time = any(result.about_time for result in lost)
+    if recording.clock == "wall" and about_time and recording.held_up_s >= longest:
+        return f"this machine was so busy that the judge itself had to wait for {recording.held_up_s:.2f} s"
+    return ""
