@@ -1,5 +1,6 @@
 """Grading a class: what is done is kept, what changed runs again, and a kill at any moment loses nothing."""
 
+import csv
 import json
 import os
 import signal
@@ -192,6 +193,40 @@ def test_the_hour_of_submission_is_kept(exercise: Exercise, tmp_path: Path, judg
     [result] = Batch(exercise, tmp_path / "out", 1).run([tmp_path / "course"]).results
     assert result["submitted_at"] == "2025-01-31 23:59:00 UTC"
     assert result["answer"] == f"s1042/{STEM}/answer.py"
+
+
+def test_a_course_of_nbgrader_is_graded_and_goes_back_into_its_gradebook(
+    tmp_path: Path, judges: Judges, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from workbook.cli.main import main
+
+    for student, folder in (("ada", "ps2/deep"), ("bob", "ps2"), ("eve", "ps1")):
+        place = tmp_path / "course" / "submitted" / student / folder
+        place.mkdir(parents=True)
+        (place / "problem.py").write_text(f"robot = {student!r}\n")
+        (tmp_path / "course" / "submitted" / student / folder.split("/")[0] / "timestamp.txt").write_text(
+            "2025-01-31 23:59:00 UTC\n"
+        )
+    out = tmp_path / "out"
+    command = [
+        "grade",
+        str(tmp_path / "course"),
+        "--exercise",
+        STEM,
+        "--assignment",
+        "ps2",
+        "--out",
+        str(out),
+    ]
+    assert main([*command, "--isolation", "limits", "--format", "nbgrader"]) == 0, capsys.readouterr()
+    rows = {row["student_id"]: row for row in csv.DictReader((out / "nbgrader.csv").open(newline=""))}
+    assert {name: (row["assignment"], row["score"]) for name, row in rows.items()} == {
+        "ada": ("ps2", "9"), "bob": ("ps2", "9"), "eve": ("ps2", ""),
+    }  # fmt: skip
+    assert rows["ada"]["timestamp"] == rows["bob"]["timestamp"] == "2025-01-31 23:59:00 UTC"
+    assert "eve: ungradable: there is no folder ps2" in capsys.readouterr().out
+    assert main([*command[:-3], "../ps2", "--out", str(out), "--isolation", "limits"]) == 2
+    assert "it is the name of a folder" in capsys.readouterr().err
 
 
 def test_odd_hand_ins_are_ungradable_and_hang_nothing(

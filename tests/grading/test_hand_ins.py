@@ -7,7 +7,13 @@ from pathlib import Path
 
 import pytest
 
-from workbook.grading.hand_ins import HandIn, find_hand_ins, infer_exercise, names_exercise
+from workbook.grading.hand_ins import (
+    HandIn,
+    find_hand_ins,
+    hand_in_below,
+    infer_exercise,
+    names_exercise,
+)
 
 STEM = "09_joint_positions"
 NOTEBOOK = json.dumps({"cells": [{"cell_type": "code", "source": f"%%answer {STEM}\nx = 1\n"}]})
@@ -70,6 +76,80 @@ def labels(*paths: Path) -> dict[str, str]:
 )
 def test_every_layout_is_understood(names: tuple[str, ...], expected: dict[str, str], tree: Tree) -> None:
     assert labels(tree(*names)) == expected
+
+
+# --- nbgrader -----------------------------------------------------------------------------------------------------
+
+
+def in_nbgrader(tree: Tree, assignment: str | None, *names: str) -> dict[str, tuple[str, str | None]]:
+    hand_ins = find_hand_ins(
+        [tree(*(f"course/submitted/{name}" for name in names)) / "course"], STEM, assignment
+    )
+    return {one.student: (one.label, one.problem) for one in hand_ins}
+
+
+def test_in_nbgrader_the_folder_of_the_assignment_is_looked_at_and_no_other(tree: Tree) -> None:
+    found = in_nbgrader(
+        tree,
+        "ps2",
+        "ada/ps1/problem.ipynb",
+        "ada/ps2/problem.ipynb",
+        "bob/ps2/deep/node.py",
+        "bob/ps2x/node.py",
+    )
+    assert found == {"ada": ("ada/ps2/problem.ipynb", None), "bob": ("bob/ps2/deep/node.py", None)}
+
+
+def test_an_assignment_that_is_named_after_the_exercise_need_not_be_told(tree: Tree) -> None:
+    found = in_nbgrader(
+        tree, None, "ada/05_timers/a.py", "ada/Joint Positions/a.py", "ada/Joint Positions/b.txt"
+    )
+    assert found == {"ada": ("ada/Joint Positions/a.py", None)}
+
+
+def test_who_handed_in_other_assignments_only_is_told_so(tree: Tree) -> None:
+    label, problem = in_nbgrader(tree, "ps2", "ada/ps1/problem.ipynb")["ada"]
+    assert (label, problem) == ("ada", "there is no folder ps2: nothing was handed in for it")
+
+
+def test_an_assignment_that_is_a_link_is_not_followed(tree: Tree) -> None:
+    root = tree("submitted/ada/ps1/a.py")
+    (root / "submitted" / "ada" / "ps2").symlink_to(root / "submitted" / "ada" / "ps1")
+    [hand_in] = find_hand_ins([root], STEM, "ps2")
+    assert "no folder ps2" in (hand_in.problem or "")
+
+
+def test_the_folder_submitted_itself_may_be_named(tree: Tree) -> None:
+    root = tree("course/submitted/ada/ps2/a.py")
+    [hand_in] = find_hand_ins([root / "course" / "submitted"], STEM, "ps2")
+    assert (hand_in.student, hand_in.label) == ("ada", "ada/ps2/a.py")
+
+
+# --- one folder, one student --------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("names", "label", "problem"),
+    [
+        (("a.py",), "a.py", None),
+        (("deep/down/a.ipynb",), "deep/down/a.ipynb", None),
+        (("notes.txt",), ".", "the folder holds no .py and no .ipynb file"),
+        (("a.py", "b.py"), ".", f"2 files could be the answer to {STEM}: a.py, b.py. Leave one"),
+        (("a.py", "joint_positions.py"), "joint_positions.py", None),
+    ],
+)
+def test_what_one_student_handed_in(
+    names: tuple[str, ...], label: str, problem: str | None, tree: Tree
+) -> None:
+    hand_in = hand_in_below("ada", tree(*names), STEM)
+    assert (hand_in.student, hand_in.label, hand_in.problem) == ("ada", label, problem)
+
+
+def test_a_folder_that_is_not_there_is_nothing_handed_in(tree: Tree) -> None:
+    assert hand_in_below("ada", tree() / "nowhere", STEM).problem == "nothing was handed in"
+
+
+# --- accidents ----------------------------------------------------------------------------------------------------
 
 
 def test_files_named_one_by_one(tree: Tree) -> None:

@@ -72,6 +72,11 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         type=Path,
         help="lines of `file or folder,student`: who a hand-in belongs to",
     )
+    parser.add_argument(
+        "--assignment",
+        metavar="NAME",
+        help="what nbgrader calls the exercise: looks at submitted/STUDENT/NAME/ only",
+    )
     parser.add_argument("--deadline", metavar="DATE", help="when it was due: 2026-05-31T23:59+02:00")
     parser.add_argument(
         "--late-per-day",
@@ -185,6 +190,7 @@ class _Books:
     formats: tuple[str, ...]
     lateness: "Lateness | None"
     column: str | None
+    assignment: str | None
 
 
 def _books(options: argparse.Namespace) -> _Books:
@@ -206,7 +212,9 @@ def _books(options: argparse.Namespace) -> _Books:
         lateness = Lateness(deadline, options.late_per_day)
     elif options.late_per_day:
         raise BadOption("--late-per-day needs --deadline")
-    return _Books(formats, lateness, options.column)
+    if options.assignment is not None and Path(options.assignment).name != options.assignment:
+        raise BadOption(f"--assignment {options.assignment}: it is the name of a folder, without any /")
+    return _Books(formats, lateness, options.column, options.assignment)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -257,7 +265,7 @@ def _grade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -> 
     options.out.mkdir(parents=True, exist_ok=True)
     warning = "" if isolation == "sandbox" else " (grade only answers that you would run on your own machine)"
     print(f"Grading {exercise.stem} on {slots} slots. Isolation: {isolation}{warning}.", file=sys.stderr)
-    batch = Batch(exercise, options.out, slots, isolation, aliases)
+    batch = Batch(exercise, options.out, slots, isolation, aliases, books.assignment)
     if options.repeat is not None:
         return _repeat(options, exercise, batch, slots, isolation)
     stopping = _Stopping()
@@ -277,7 +285,15 @@ def _write(out: Path, exercise: "Exercise", books: _Books) -> "list[Path]":
     from workbook.grading.results import RESULTS, last_results
 
     results = last_results(out / RESULTS)
-    return write_books(out, exercise, results, books.formats, lateness=books.lateness, column=books.column)
+    return write_books(
+        out,
+        exercise,
+        results,
+        books.formats,
+        lateness=books.lateness,
+        column=books.column,
+        assignment=books.assignment,
+    )
 
 
 def _regrade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -> int:

@@ -46,10 +46,13 @@ class BatchSummary:
     stopped: bool
 
 
-def _submitted_at(path: Path) -> str | None:
-    stamp = path.parent / "timestamp.txt"
-    if stamp.is_file() and not stamp.is_symlink() and stamp.stat().st_size < 200:
-        return stamp.read_text(errors="replace").strip() or None
+def _submitted_at(hand_in: HandIn) -> str | None:
+    """What the `timestamp.txt` beside an answer says, or one further up in what its student handed in."""
+    depth = max(1, len(Path(hand_in.label).parts) - 1)
+    for folder in [*hand_in.path.parents][:depth]:
+        stamp = folder / "timestamp.txt"
+        if stamp.is_file() and not stamp.is_symlink() and stamp.stat().st_size < 200:
+            return stamp.read_text(errors="replace").strip() or None
     return None
 
 
@@ -73,7 +76,9 @@ class Batch:
         slots: int,
         isolation: Isolation = "limits",
         aliases: Mapping[str, str] | None = None,
+        assignment: str | None = None,
     ) -> None:
+        self._assignment = assignment
         self._aliases = dict(aliases or {})
         self._exercise = exercise
         self._out = out
@@ -99,7 +104,7 @@ class Batch:
             student=hand_in.student,
             answer=hand_in.label,
             answer_sha256=sha256,
-            submitted_at=_submitted_at(hand_in.path),
+            submitted_at=_submitted_at(hand_in),
             exercise=self._exercise.stem,
             attempt=self._attempt(hand_in.student),
             reason=reason,
@@ -110,7 +115,7 @@ class Batch:
 
     def hand_ins(self, paths: Sequence[Path]) -> list[HandIn]:
         """What is handed in below `paths`, under the names that the alias file gives."""
-        found = find_hand_ins(paths, self._exercise.stem)
+        found = find_hand_ins(paths, self._exercise.stem, self._assignment)
         return [replace(one, student=self._name_of(one)) for one in found]
 
     def _name_of(self, hand_in: HandIn) -> str:
@@ -167,7 +172,7 @@ class Batch:
                     counting(tries),
                     student=job.key.student,
                     answer=job.key.label,
-                    submitted_at=_submitted_at(job.key.path),
+                    submitted_at=_submitted_at(job.key),
                     attempt=self._attempt(job.key.student),
                     isolation=self._isolation,
                     criteria_sha256=self._exercise.criteria_sha256,

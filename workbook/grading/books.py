@@ -85,10 +85,11 @@ def write_books(
     *,
     lateness: Lateness | None = None,
     column: str | None = None,
+    assignment: str | None = None,
 ) -> list[Path]:
     """Write grades.csv and the forms that were asked for below `out`. Returns the files and folders written.
 
-    `column`: what Canvas and Moodle call the exercise.
+    `column`: what Canvas and Moodle call the exercise. `assignment`: what nbgrader calls it.
     """
     everything = with_lateness(results.values(), lateness)
     mine = [result for result in everything if result["exercise"] == exercise.stem]
@@ -99,7 +100,7 @@ def write_books(
     if "moodle" in formats:
         written.append(_write(out / "moodle.csv", moodle(mine, title)))
     if "nbgrader" in formats:
-        written.append(_write(out / "nbgrader.csv", nbgrader(mine)))
+        written.append(_write(out / "nbgrader.csv", nbgrader(mine, assignment)))
     if "gradescope" in formats:
         for result in mine:
             name = page_name(result["student"], result["exercise"]).removesuffix(".html")

@@ -113,15 +113,15 @@ NBGRADER = (
 )  # fmt: skip
 
 
-def nbgrader(results: Iterable[Result]) -> str:
-    """The columns of nbgrader's own export."""
+def nbgrader(results: Iterable[Result], assignment: str | None = None) -> str:
+    """The columns of nbgrader's own export. `assignment`: its name there, where it is not that of the exercise."""
     rows: list[Sequence[object]] = [NBGRADER]
     for result in by_student(results):
         late = result.get("late_points", 0.0)
         raw = None if result["score"] is None else round(result["score"] + late, 6)
         rows.append(
             [
-                result["exercise"],
+                safe_cell(assignment or result["exercise"]),
                 "",
                 safe_cell(result["submitted_at"]),
                 safe_cell(result["student"]),

@@ -38,9 +38,18 @@ def _files_below(folder: Path) -> list[Path]:
 
 def names_exercise(path: Path, stem: str) -> bool:
     """Whether a file says by its name or its `%%answer` line that it answers `stem`."""
-    slug = stem.split("_", 1)[1]
-    name = re.sub(r"[^a-z0-9]+", "_", path.stem.lower())
-    return slug in name or stem in exercises_named(path)
+    return _named_after(path.stem, stem) or stem in exercises_named(path)
+
+
+def _named_after(name: str, stem: str) -> bool:
+    return stem.split("_", 1)[1] in re.sub(r"[^a-z0-9]+", "_", name.lower())
+
+
+def hand_in_below(student: str, folder: Path, stem: str) -> HandIn:
+    """The one answer to `stem` that lies anywhere below `folder`, which is all that `student` handed in."""
+    if not folder.is_dir():
+        return HandIn(student, folder, folder.name, "nothing was handed in")
+    return _choose(student, folder, folder, stem)
 
 
 def _choose(student: str, folder: Path, root: Path, stem: str) -> HandIn:
@@ -60,11 +69,27 @@ def _choose(student: str, folder: Path, root: Path, stem: str) -> HandIn:
     )
 
 
-def find_hand_ins(paths: Sequence[Path], stem: str) -> list[HandIn]:
+def _choose_in(student: str, folder: Path, root: Path, stem: str, assignment: str | None) -> HandIn:
+    """The answer in a student's folder; in the folder of the assignment where there is one."""
+    if assignment is not None:
+        part = folder / assignment
+        if part.is_symlink() or not part.is_dir():
+            label = str(folder.relative_to(root))
+            return HandIn(
+                student, folder, label, f"there is no folder {assignment}: nothing was handed in for it"
+            )
+        return _choose(student, part, root, stem)
+    parts = [one for one in folder.iterdir() if one.is_dir() and not one.is_symlink()]
+    named = [one for one in parts if _named_after(one.name, stem)]
+    return _choose(student, named[0] if len(named) == 1 else folder, root, stem)
+
+
+def find_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = None) -> list[HandIn]:
     """All answers to `stem` below `paths`, sorted by student.
 
     A folder may hold files (`s1042.py`: the name is the student), one folder per student with the answer anywhere
-    below it, or nbgrader's `submitted/STUDENT/ASSIGNMENT/`. Raises FileNotFoundError for a path that is not there.
+    below it, or nbgrader's `submitted/STUDENT/ASSIGNMENT/`. `assignment` is what that system calls the exercise; of
+    each student's folders only that one is looked at. Raises FileNotFoundError for a path that is not there.
     """
     found: list[HandIn] = []
     for path in paths:
@@ -76,7 +101,7 @@ def find_hand_ins(paths: Sequence[Path], stem: str) -> list[HandIn]:
                 if entry.is_symlink() and (entry.is_dir() or _is_answer(entry)):
                     found.append(HandIn(entry.stem, entry, entry.name, "a symbolic link is not an answer"))
                 elif entry.is_dir():
-                    found.append(_choose(entry.name, entry, root, stem))
+                    found.append(_choose_in(entry.name, entry, root, stem, assignment))
                 elif _is_answer(entry):
                     found.append(HandIn(entry.stem, entry, entry.name))
         elif path.is_file():
