@@ -9,6 +9,7 @@ from pathlib import Path
 
 from workbook.exercise.definition import Exercise
 from workbook.grading.exports import canvas, gradescope, moodle, nbgrader
+from workbook.grading.files import write_whole
 from workbook.grading.gradebook import grades_csv
 from workbook.grading.pages import CLASS, PAGES, class_page, page_name, student_page
 from workbook.grading.results import Result
@@ -93,30 +94,22 @@ def write_books(
     """
     everything = with_lateness(results.values(), lateness)
     mine = [result for result in everything if result["exercise"] == exercise.stem]
-    written = [_write(out / GRADES, grades_csv(everything))]
+    written = [write_whole(out / GRADES, grades_csv(everything))]
     title = column or exercise.source.title
     if "canvas" in formats:
-        written.append(_write(out / "canvas.csv", canvas(mine, title, exercise.max_points)))
+        written.append(write_whole(out / "canvas.csv", canvas(mine, title, exercise.max_points)))
     if "moodle" in formats:
-        written.append(_write(out / "moodle.csv", moodle(mine, title)))
+        written.append(write_whole(out / "moodle.csv", moodle(mine, title)))
     if "nbgrader" in formats:
-        written.append(_write(out / "nbgrader.csv", nbgrader(mine, assignment)))
+        written.append(write_whole(out / "nbgrader.csv", nbgrader(mine, assignment)))
     if "gradescope" in formats:
         for result in mine:
             name = page_name(result["student"], result["exercise"]).removesuffix(".html")
-            _write(out / "gradescope" / f"{name}.json", gradescope(result))
+            write_whole(out / "gradescope" / f"{name}.json", gradescope(result))
         written.append(out / "gradescope")
     if "html" in formats:
         for result in mine:
             name = page_name(result["student"], result["exercise"])
-            _write(out / PAGES / name, student_page(result, exercise, out))
-        written.append(_write(out / PAGES / CLASS, class_page(mine, exercise)))
+            write_whole(out / PAGES / name, student_page(result, exercise, out))
+        written.append(write_whole(out / PAGES / CLASS, class_page(mine, exercise)))
     return written
-
-
-def _write(path: Path, text: str) -> Path:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_name(f".{path.name}.part")
-    partial.write_text(text, encoding="utf-8", errors="replace")
-    partial.replace(path)
-    return path

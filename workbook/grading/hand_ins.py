@@ -52,6 +52,24 @@ def hand_in_below(student: str, folder: Path, stem: str) -> HandIn:
     return _choose(student, folder, folder, stem)
 
 
+def hand_in_named(student: str, folder: Path, stem: str) -> HandIn | None:
+    """The answer to `stem` in a folder with answers to several exercises; None when no file names this one.
+
+    Answers may lie beside other things: where there is a folder `answers`, only that one is looked at.
+    """
+    if (folder / "answers").is_dir():
+        folder = folder / "answers"
+    named = [path for path in _files_below(folder) if names_exercise(path, stem)]
+    if not named:
+        return None
+    if len(named) == 1:
+        return HandIn(student, named[0], str(named[0].relative_to(folder)))
+    names = ", ".join(str(path.relative_to(folder)) for path in named[:5])
+    return HandIn(
+        student, folder, folder.name, f"{len(named)} files could be the answer to {stem}: {names}. Leave one"
+    )
+
+
 def _choose(student: str, folder: Path, root: Path, stem: str) -> HandIn:
     files = _files_below(folder)
     label = str(folder.relative_to(root))

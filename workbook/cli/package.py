@@ -1,0 +1,93 @@
+"""`workbook package`: what Gradescope or a class repository needs to run this judge."""
+
+import argparse
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+
+def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    parser = subparsers.add_parser(
+        "package",
+        help="for instructors: an autograder for Gradescope, a workflow for a class repository",
+        description="Make what another system needs to judge answers as `workbook grade` does.",
+    )
+    places = parser.add_subparsers(title="places", metavar="PLACE", required=True)
+    scope = places.add_parser("gradescope", help="an autograder: a zip file to upload")
+    scope.add_argument("exercise", metavar="EXERCISE", help="such as joint_positions")
+    scope.add_argument("--out", metavar="FILE.zip", required=True, type=Path, help="where to write it")
+    scope.add_argument(
+        "--criteria",
+        metavar="FOLDER",
+        type=Path,
+        help="your own hidden criteria, NN_slug.py, to be packed as well",
+    )
+    scope.set_defaults(run=run_gradescope)
+    github = places.add_parser("github", help="a GitHub Actions workflow for a class repository")
+    github.add_argument("exercises", metavar="EXERCISE", nargs="+", help="such as joint_positions")
+    github.add_argument("--out", metavar="FOLDER", required=True, type=Path, help="the class repository")
+    github.add_argument(
+        "--course", metavar="ADDRESS", help="where git fetches the course (default: your origin)"
+    )
+    github.add_argument("--revision", metavar="COMMIT", help="its full commit id (default: the one you have)")
+    github.add_argument(
+        "--reporter", action="store_true", help="also hand the points on to GitHub Classroom's reporter"
+    )
+    github.set_defaults(run=run_github)
+
+
+def run_gradescope(options: argparse.Namespace) -> int:
+    from workbook.exercise.course import course_folder
+    from workbook.exercise.definition import OWN_CRITERIA, load_exercise
+    from workbook.grading.packaging import CannotPackage, gradescope_zip
+
+    def work() -> int:
+        if options.criteria is not None:
+            if not options.criteria.is_dir():
+                raise CannotPackage(f"--criteria {options.criteria}: there is no such folder")
+            os.environ[OWN_CRITERIA] = str(options.criteria.resolve())
+        exercise = load_exercise(options.exercise)
+        names = gradescope_zip(exercise, course_folder(), options.out)
+        size = options.out.stat().st_size / 1e6
+        print(
+            f"Written: {options.out} ({len(names)} files, {size:.1f} MB), the autograder of {exercise.stem}."
+        )
+        print(
+            f"In Gradescope: a Programming Assignment with {exercise.max_points:g} autograder points; upload the file "
+            "under Configure Autograder. exercises/README.md says more."
+        )
+        return 0
+
+    return _told(work)
+
+
+def run_github(options: argparse.Namespace) -> int:
+    from workbook.exercise.course import course_folder
+    from workbook.exercise.definition import load_exercise
+    from workbook.grading.packaging import classroom_workflow, commit_of, origin_of
+
+    def work() -> int:
+        exercises = [load_exercise(name) for name in options.exercises]
+        address = options.course or origin_of(course_folder())
+        revision = options.revision or commit_of(course_folder())
+        path = classroom_workflow(exercises, options.out, address, revision, reporter=options.reporter)
+        print(f"Written: {path}. It judges {', '.join(one.stem for one in exercises)}")
+        print(f"with the course at {address}, commit {revision}. Others must be able to fetch that commit.")
+        return 0
+
+    return _told(work)
+
+
+def _told(work: "Callable[[], int]") -> int:
+    """Run a command; what goes wrong is told in one line."""
+    from workbook.exercise.course import NoCourse
+    from workbook.exercise.definition import BrokenCriteria
+    from workbook.exercise.source import SourceError, UnknownExercise
+    from workbook.grading.packaging import CannotPackage
+
+    try:
+        return work()
+    except (CannotPackage, NoCourse, BrokenCriteria, SourceError, UnknownExercise, OSError) as error:
+        print(f"workbook package: {error}", file=sys.stderr)
+        return 2

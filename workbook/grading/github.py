@@ -1,0 +1,145 @@
+"""What was pushed to a class repository: a summary for its page, and results in the form of GitHub Classroom.
+
+Classroom's reporter (classroom-resources/autograding-grading-reporter) reads one result for each *runner*: base64 of
+JSON, in a variable that is called after the runner. It fails on a result without `tests`, and counts passed tests where
+their points differ. So there is one runner for each criterion, and each has exactly one test.
+"""
+
+import base64
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from workbook.criteria.criterion import Criterion
+from workbook.exercise.definition import Exercise
+from workbook.feedback.markdown import as_markdown, plain
+from workbook.grading.hand_ins import hand_in_named
+from workbook.grading.pages import judgement_of
+from workbook.grading.pool import Isolation
+from workbook.grading.results import Result, tried_twice
+from workbook.grading.single import TIERS, grade_one
+
+LONGEST_MESSAGE = 1_000
+NOTHING = "Nothing is handed in for this exercise yet."
+
+
+@dataclass(frozen=True)
+class Pushed:
+    """What came of one exercise; `result` is None when nothing was handed in for it."""
+
+    exercise: Exercise
+    result: Result | None
+
+
+def grade_pushed(
+    exercises: Sequence[Exercise], folder: Path, out: Path, isolation: Isolation
+) -> tuple[Pushed, ...]:
+    """Judge the answers in a student's folder, one exercise after another; recordings go below `out`."""
+    found = []
+    for exercise in exercises:
+        hand_in = hand_in_named("the pushed answer", folder, exercise.stem)
+        result = None if hand_in is None else grade_one(exercise, hand_in, out, isolation)
+        found.append(Pushed(exercise, result))
+    return tuple(found)
+
+
+# --- Classroom ------------------------------------------------------------------------------------------------------
+
+
+def runners(exercise: Exercise) -> dict[str, Criterion]:
+    """The criteria that carry points, by the runner that reports each: letters and digits only."""
+    worth = [criterion for criterion in exercise.criteria if criterion.points > 0]
+    return {f"e{exercise.stem[:2]}c{number}": criterion for number, criterion in enumerate(worth, start=1)}
+
+
+def classroom(pushed: Pushed) -> dict[str, dict[str, Any]]:
+    """Classroom's JSON for each runner of an exercise."""
+    result = pushed.result
+    if result is None:
+        return {name: _one(one, "fail", 0.0, NOTHING) for name, one in runners(pushed.exercise).items()}
+    if result["status"] != "graded":
+        status = "error" if result["status"] == "infra_error" else "fail"
+        told = f"Not judged: {result['reason']}"
+        return {name: _one(one, status, 0.0, told) for name, one in runners(pushed.exercise).items()}
+    judged = {one["id"]: one for one in result["criteria"]}
+    return {name: _judged(one, judged[one.id]) for name, one in runners(pushed.exercise).items()}
+
+
+def not_run(criterion: Criterion) -> dict[str, Any]:
+    """Classroom's JSON for a criterion when the grader itself did not get to its end."""
+    return _one(
+        criterion, "error", 0.0, "The grader did not get to its end. This is no fault of the program."
+    )
+
+
+def encoded(result: Mapping[str, Any]) -> str:
+    """A result as Classroom's reporter takes it from a variable."""
+    return base64.b64encode(json.dumps(result, ensure_ascii=True, allow_nan=False).encode()).decode()
+
+
+def _judged(criterion: Criterion, one: Mapping[str, Any]) -> dict[str, Any]:
+    told = f"saw: {one['saw']}"
+    for word in ("expected", "because", "try"):
+        if one[word]:
+            told += f"\n{word}: {one[word]}"
+    if criterion.hidden:
+        told = ""
+    return _one(criterion, "pass" if one["status"] == "passed" else "fail", one["points"], told)
+
+
+def _one(criterion: Criterion, status: str, score: float, message: str) -> dict[str, Any]:
+    test = {
+        "name": "A criterion that is not shown" if criterion.hidden else criterion.title,
+        "status": status,
+        "score": score,
+        "message": message[:LONGEST_MESSAGE],
+        "test_code": "",
+        "filename": "",
+        "line_no": 0,
+        "duration": 0,
+    }
+    return {"version": 3, "status": status, "max_score": criterion.points, "tests": [test]}
+
+
+# --- the page of a run ----------------------------------------------------------------------------------------------
+
+
+def summary(pushed: Sequence[Pushed], out: Path, isolation: Isolation) -> str:
+    """Markdown for the page of a run: points at a glance, then a card for each answer."""
+    rows = "".join(
+        f"<tr><td>{plain(one.exercise.source.title)}</td><td>{_points(one)}</td></tr>" for one in pushed
+    )
+    parts = [f"## What your programs do\n\n<table><tr><th>Exercise</th><th>Points</th></tr>{rows}</table>"]
+    for one in pushed:
+        parts.append(f"### {plain(one.exercise.source.title)}")
+        if one.result is None:
+            parts.append(f"{NOTHING} Push it as <code>answers/{one.exercise.stem}.py</code>.")
+            continue
+        parts.append(as_markdown(judgement_of(one.result, out)))
+        if twice := tried_twice(one.result):
+            parts.append(plain(twice))
+    parts.append(f"<sub>Isolation: {isolation} (each program ran {TIERS[isolation]}).</sub>")
+    return "\n\n".join(parts) + "\n"
+
+
+def _points(one: Pushed) -> str:
+    if one.result is None:
+        return "nothing handed in"
+    if one.result["score"] is None:
+        return "not judged"
+    shown = [each for each in one.result["criteria"] if not each["hidden"]]
+    return f"{sum(each['points'] for each in shown):g} of {sum(each['max_points'] for each in shown):g}"
+
+
+def all_hold(pushed: Sequence[Pushed]) -> bool:
+    """Whether everything that is shown holds in every answer that was handed in."""
+    return all(
+        one.result is None
+        or (
+            one.result["status"] == "graded"
+            and all(each["status"] == "passed" for each in one.result["criteria"] if not each["hidden"])
+        )
+        for one in pushed
+    )

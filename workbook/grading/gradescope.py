@@ -1,0 +1,70 @@
+"""One submission at Gradescope: what its results.json says, whatever happened."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+from workbook.exercise.definition import Exercise
+from workbook.grading.exports import gradescope
+from workbook.grading.files import write_whole
+from workbook.grading.hand_ins import hand_in_below
+from workbook.grading.results import Result, tried_twice
+from workbook.grading.single import TIERS, choose_isolation, grade_one
+
+FAULT = (
+    "infra_error: this submission was not judged, through a fault of the grader and not of the program ({reason}). "
+    "It has no score, and no points are lost. Submit again, or ask your instructor to run the autograder again."
+)
+
+
+def results_json(result: Result) -> str:
+    """results.json for Gradescope, which wants a score at the top or in a test.
+
+    An answer that cannot be judged (no file, two files, an empty one) fails one test that says why: the student can
+    submit again. After a fault of ours there is no score at all, so that Gradescope takes no points away.
+    """
+    data: dict[str, Any] = json.loads(gradescope(result))
+    if result["status"] == "infra_error":
+        data |= {"output": FAULT.format(reason=result["reason"]), "tests": []}
+    elif result["status"] == "ungradable":
+        data["output"] = f"{result['exercise']}: not judged, because {result['reason']}."
+        data["tests"] = [_unjudged(result)]
+    data["extra_data"]["versions"] = result["versions"]
+    tier = result["isolation"]
+    said = [data["output"], tried_twice(result), f"Isolation: {tier} (the program ran {TIERS[tier]})."]
+    data["output"] = "\n".join(filter(None, said))
+    return json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _unjudged(result: Result) -> dict[str, Any]:
+    return {
+        "name": "There is one program that can be judged",
+        "name_format": "text",
+        "number": "1",
+        "score": 0.0,
+        "max_score": result["max_score"],
+        "status": "failed",
+        "output": f"{result['reason']}\nSubmit again: one .py or .ipynb file with your answer.",
+        "output_format": "text",
+        "visibility": "visible",
+    }
+
+
+def fault_json(reason: str) -> str:
+    """results.json for a submission that could not even be looked at."""
+    data = {
+        "output": FAULT.format(reason=reason),
+        "output_format": "text",
+        "stdout_visibility": "hidden",
+        "extra_data": {"status": "infra_error"},
+        "tests": [],
+    }
+    return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+
+
+def grade_submission(exercise: Exercise, submission: Path, results: Path, isolation: str) -> Result:
+    """Judge what lies in the folder `submission` and write the file `results`. Raises NoSandbox, OSError."""
+    hand_in = hand_in_below("submission", submission, exercise.stem)
+    result = grade_one(exercise, hand_in, results.parent, choose_isolation(isolation))
+    write_whole(results, results_json(result))
+    return result

@@ -1,0 +1,160 @@
+"""What other systems need to run this judge: an autograder for Gradescope, a workflow for a class repository."""
+
+import os
+import re
+import subprocess
+import zipfile
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from workbook.exercise.definition import OWN_CRITERIA, Exercise
+from workbook.exercise.source import ExerciseSource
+from workbook.grading.files import write_whole
+from workbook.grading.github import encoded, not_run, runners
+
+PLACES = Path(__file__).with_name("places")
+WORKFLOW = Path(".github", "workflows", "classroom.yml")
+_EPOCH = (1980, 1, 1, 0, 0, 0)
+_PROJECT = ("pyproject.toml", "requirements.lock", "README.md", "LICENSE", "LICENSE-TEXT")
+_ADDRESS = re.compile(r"[A-Za-z0-9][A-Za-z0-9@:/._~+-]*|/[A-Za-z0-9@:/._~+-]+")
+_REVISION = re.compile(r"[0-9a-f]{40}")
+
+
+class CannotPackage(RuntimeError):
+    """The package cannot be made. The message says why and what to do."""
+
+
+# --- Gradescope -----------------------------------------------------------------------------------------------------
+
+
+def gradescope_zip(exercise: Exercise, course: Path, target: Path) -> list[str]:
+    """Write the autograder of one exercise. The same course gives the same bytes. Returns the names in it."""
+    entries: dict[str, tuple[bytes, bool]] = {
+        "setup.sh": ((PLACES / "setup.sh").read_bytes(), True),
+        "run_autograder": (
+            (PLACES / "run_autograder").read_text().replace("@EXERCISE@", exercise.stem).encode(),
+            True,
+        ),
+    }
+    for name, content in _course_files(exercise, course):
+        entries[f"course/{name}"] = (content, False)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    partial = target.with_name(f".{target.name}.part")
+    with zipfile.ZipFile(partial, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        for name in sorted(entries):
+            content, executable = entries[name]
+            entry = zipfile.ZipInfo(name, _EPOCH)
+            entry.create_system = 3  # Unix, so that the permissions count
+            entry.external_attr = (0o100755 if executable else 0o100644) << 16
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, content)
+    partial.replace(target)
+    return sorted(entries)
+
+
+def _course_files(exercise: Exercise, course: Path) -> Iterator[tuple[str, bytes]]:
+    """What grading one exercise takes, by its name in the course. Other exercises, lessons and answers stay out."""
+    stem = exercise.stem
+    for name in _PROJECT:
+        yield name, (course / name).read_bytes()
+    package = course / "workbook"
+    for path in sorted(package.rglob("*")):
+        parts = path.relative_to(package).parts
+        if path.is_file() and not path.is_symlink() and "__pycache__" not in parts:
+            yield path.relative_to(course).as_posix(), path.read_bytes()
+    criteria = course / "exercises" / "criteria" / f"{stem}.py"
+    yield f"exercises/criteria/{stem}.py", criteria.read_bytes()
+    if exercise.driver is not None:
+        yield f"exercises/drivers/{stem}.py", exercise.driver.read_bytes()
+    yield f"solutions/{stem}.py", without_solution(exercise.source).encode()
+    own = os.environ.get(OWN_CRITERIA)
+    if own:
+        path = Path(own) / f"{stem}.py"
+        if not path.is_file():
+            raise CannotPackage(f"{own} holds no {stem}.py with criteria of your own")
+        yield f"own_criteria/{stem}.py", path.read_bytes()
+
+
+def without_solution(source: ExerciseSource) -> str:
+    """The source of an exercise with the starter in the solution's place: a grader needs no solution."""
+    text = source.path.read_text(encoding="utf-8")
+    header = text[: text.index("# ---", 5) + len("# ---")]
+    cells = [
+        "[markdown]\n" + _commented(source.story[0]),
+        f"[answer]\n{source.starter_code}# [solution]\n# [starter]\n# | # The solution is not needed here.\n# [end]\n",
+        *("[hint]\n# None." for _ in source.hints),
+        "[alternatives]\n# None.",
+    ]
+    return header + "\n" + "".join(f"# %% {cell.rstrip()}\n" for cell in cells)
+
+
+def _commented(text: str) -> str:
+    return "\n".join(f"# {line}".rstrip() for line in text.splitlines())
+
+
+# --- a class repository at GitHub -----------------------------------------------------------------------------------
+
+
+def classroom_workflow(
+    exercises: Sequence[Exercise], folder: Path, address: str, revision: str, *, reporter: bool = False
+) -> Path:
+    """Write the workflow of a class repository into `folder`. Returns its file.
+
+    `address`, `revision`: where the course is fetched from, and its commit. `reporter`: hand the points on to GitHub
+    Classroom as well. Raises CannotPackage for what cannot be an address or a commit.
+    """
+    if not _ADDRESS.fullmatch(address):
+        raise CannotPackage(f"{address!r} is no address that git can fetch from")
+    if not _REVISION.fullmatch(revision):
+        raise CannotPackage(f"{revision!r} is no full commit id (40 digits and letters a to f)")
+    text = (PLACES / "classroom.yml").read_text(encoding="utf-8")
+    if reporter:
+        text = text.replace("        id: judge\n", "        id: judge\n        continue-on-error: true\n")
+        text += _reporter(exercises)
+    words = {"ADDRESS": address, "REVISION": revision, "EXERCISES": " ".join(one.stem for one in exercises)}
+    for name, word in words.items():
+        text = text.replace(f"@{name}@", word)
+    return write_whole(folder / WORKFLOW, text)
+
+
+def _reporter(exercises: Sequence[Exercise]) -> str:
+    """The step that tells Classroom. A judge that did not get to its end left no output: then the text here counts."""
+    names, lines = [], []
+    for exercise in exercises:
+        for name, criterion in runners(exercise).items():
+            names.append(name)
+            otherwise = encoded(not_run(criterion))
+            lines.append(
+                f"          {name.upper()}_RESULTS: ${{{{ steps.judge.outputs.{name} || '{otherwise}' }}}}\n"
+            )
+    return (
+        "      - name: Tell GitHub Classroom\n"
+        "        if: always()\n"
+        "        uses: classroom-resources/autograding-grading-reporter@v1\n"
+        f"        env:\n{''.join(lines)}"
+        f"        with:\n          runners: {','.join(names)}\n"
+    )
+
+
+def origin_of(course: Path) -> str:
+    """Where the course was cloned from. Raises CannotPackage when git does not know."""
+    return _git(
+        course, "remote", "get-url", "origin", otherwise="Say where the course lies: --course ADDRESS"
+    )
+
+
+def commit_of(course: Path) -> str:
+    """The commit of the course as it is. Raises CannotPackage when it has changed since, or git does not know."""
+    advice = "Say which commit is meant: --revision COMMIT"
+    if _git(course, "status", "--porcelain", "--untracked-files=no", otherwise=advice):
+        raise CannotPackage(f"the course has changes that are not committed. Commit and push them. {advice}")
+    return _git(course, "rev-parse", "HEAD", otherwise=advice)
+
+
+def _git(course: Path, *arguments: str, otherwise: str) -> str:
+    try:
+        done = subprocess.run(["git", "-C", course, *arguments], capture_output=True, text=True, check=True)
+    except (OSError, subprocess.CalledProcessError) as error:
+        said = str(getattr(error, "stderr", "") or error).strip().splitlines()[-1]
+        raise CannotPackage(f"git does not tell ({said}). {otherwise}") from error
+    return done.stdout.strip()
