@@ -1,5 +1,8 @@
 """How fast and how steady judging is: `make bench` (ARGS='--quick' for a short run, ARGS='--only check' for a part).
 
+One part runs only when it is asked for, because it takes some ten minutes: ARGS='--only fairness' grades right answers
+500 times on more slots than there are processors, while every processor is kept busy by something else.
+
 Prints a table and writes artifacts/bench.json. Times are medians with their range; what they mean depends on what else
 the machine is doing, so each part says how busy it was when the part began.
 """
@@ -16,13 +19,15 @@ import time
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import asdict, dataclass, field
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 from workbook.exercise.answers import Answer, read_answer
 from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.judging import Judgement
 from workbook.grading.pool import Job, Slot, judge_all
+from workbook.grading.single import best_isolation
 from workbook.observing.watch import Observer
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment
@@ -58,10 +63,11 @@ class Size:
     wall_runs: int
     repeats: int
     answers: int
+    gradings: int
 
 
-FULL = Size(runs=9, wall_runs=3, repeats=200, answers=40)
-QUICK = Size(runs=7, wall_runs=1, repeats=24, answers=12)
+FULL = Size(runs=9, wall_runs=3, repeats=200, answers=40, gradings=500)
+QUICK = Size(runs=7, wall_runs=1, repeats=24, answers=12, gradings=32)
 
 
 def of_times(name: str, times: Sequence[float], aim_s: float | None = None, unit: str = "s") -> Figure:
@@ -234,6 +240,73 @@ def steadiness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
     )
 
 
+@contextmanager
+def every_processor_busy() -> Iterator[None]:
+    """Meanwhile one program for each processor computes without end."""
+    burners = [subprocess.Popen([sys.executable, "-I", "-S", "-c", "while True: pass"]) for _ in range(CORES)]
+    try:
+        yield
+    finally:
+        for burner in burners:
+            burner.kill()
+            burner.wait()
+
+
+def fairness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
+    """Right answers, written in many ways, graded as `workbook grade` does on a machine that is far too busy."""
+    files = [SOLUTION, *sorted((ROOT / "tests" / "right_answers" / STEM).glob("*.py"))]
+    answers = {file.stem: read_answer(file, STEM) for file in files}
+    names = [files[number % len(files)].stem for number in range(size.gradings)]
+    jobs = [Job(name, STEM, answers[name]) for name in names]
+    slots = 8 * CORES
+    isolation = best_isolation()
+    full = doubts = ours = on_the_wall = 0
+    busy, had = machine_busy()
+    began = time.monotonic()
+    with every_processor_busy():
+        for number, (job, judgement) in enumerate(judge_all(jobs, slots, isolation=isolation), start=1):
+            full += judgement.full_marks
+            doubts += bool(judgement.doubt)
+            ours += judgement.status != "graded"
+            recording = judgement.recording
+            on_the_wall += recording is not None and recording.clock == "wall"
+            if not judgement.full_marks:
+                tell_unfair(number, job.key, judgement)
+            if number % 50 == 0:
+                print(f"  {full} of {number} with full marks", file=sys.stderr, flush=True)
+    seconds = time.monotonic() - began
+    now_busy, now_had = machine_busy()
+    share = (now_busy - busy) / max(now_had - had, 1)
+    yield Figure(
+        f"full marks for right answers, {slots} slots, {CORES} processors kept busy",
+        f"{full} of {len(jobs)}",
+        f"{len(files)} answers, {isolation}, processors {share:.0%} busy",
+        "all",
+        full == len(jobs),
+        {"full_marks": full, "gradings": len(jobs), "doubts": doubts, "infra_errors": ours},
+    )
+    yield Figure(
+        "  answers per minute",
+        f"{60 * len(jobs) / seconds:.0f}",
+        f"{seconds:.0f} s",
+        values={"per_minute": round(60 * len(jobs) / seconds, 1), "seconds": round(seconds, 1)},
+    )
+    yield Figure("  inconclusive at the first try", f"{doubts} of {len(jobs)}")
+    yield Figure("  that needed the wall clock", f"{on_the_wall} of {len(jobs)}")
+
+
+def tell_unfair(number: int, name: str, judgement: Judgement) -> None:
+    """Say what a right answer lost, and keep its recording."""
+    print(f"  {name}: {judgement.reason or ''} {judgement.doubt}", file=sys.stderr)
+    for one in judgement.criteria:
+        if one.status in ("failed", "partial"):
+            print(f"    {one.id}: saw {one.saw}; expected {one.expected}", file=sys.stderr, flush=True)
+    if judgement.recording is not None:
+        folder = ARTIFACTS / "unfair"
+        folder.mkdir(parents=True, exist_ok=True)
+        judgement.recording.save(folder / f"{number:04d}-{name}.json")
+
+
 def throughput(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
     """Answers per minute and processor time per answer, watching included, beside a bare node."""
     _, bare_cpu = bare_node(max(5, size.answers // 4))
@@ -290,7 +363,9 @@ PARTS: dict[str, Callable[[Size, Exercise, Answer], Iterator[Figure]]] = {
     "steadiness": steadiness,
     "throughput": throughput,
     "tests": last_test_run,
+    "fairness": fairness,
 }
+ONLY_WHEN_ASKED = ("fairness",)
 
 
 def line(figure: Figure) -> str:
@@ -306,17 +381,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--only", choices=tuple(PARTS), action="append", help="this part (may be given again)"
     )
+    parser.add_argument("--gradings", type=int, help="how often to grade for the fairness part")
     options = parser.parse_args(arguments)
     size = QUICK if options.quick else FULL
     if options.repeats is not None:
-        size = Size(size.runs, size.wall_runs, max(len(WRONG) + 1, options.repeats), size.answers)
+        size = replace(size, repeats=max(len(WRONG) + 1, options.repeats))
+    if options.gradings is not None:
+        size = replace(size, gradings=max(1, options.gradings))
     exercise = load_exercise(STEM, ROOT)
     answer = read_answer(SOLUTION, STEM)
     print(f"{CORES} processors, Python {sys.version.split()[0]}, exercise {STEM}\n")
     print(f"  {'figure':<66} {'measured':>14}  {'aim':<8}  spread")
     figures: list[Figure] = []
     loads: dict[str, float] = {}
-    for name in options.only or PARTS:
+    for name in options.only or [part for part in PARTS if part not in ONLY_WHEN_ASKED]:
         loads[name] = os.getloadavg()[0]
         print(f"── {name} (load average {loads[name]:.1f} on {CORES} processors)", flush=True)
         for figure in PARTS[name](size, exercise, answer):

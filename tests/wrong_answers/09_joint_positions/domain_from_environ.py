@@ -1,6 +1,6 @@
 # loses: program_runs
 # skips: joint_topic, twelve_values, finite_in_range, joints_move, joint_rate, status_kept, battery_kept, alive_at_end
-# says: domain 30
+# says: your node is on domain 30
 # says: ROS_DOMAIN_ID
 """The program sets its own domain before init."""
 

@@ -1,6 +1,6 @@
 # loses: joint_topic
 # skips: twelve_values, finite_in_range, joints_move, joint_rate
-# says: /joint_positions
+# says: your node publishes /joint_positions, and nothing on /robot/joint_positions
 # says: namespace
 """The name without its first part."""
 

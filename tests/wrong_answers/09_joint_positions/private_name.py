@@ -1,6 +1,6 @@
 # loses: joint_topic
 # skips: twelve_values, finite_in_range, joints_move, joint_rate
-# says: /humanoid_status_publisher/joint_positions
+# says: your node publishes /humanoid_status_publisher/joint_positions, and nothing on
 # says: private
 """A private name, which the node's own name is put in front of."""
 

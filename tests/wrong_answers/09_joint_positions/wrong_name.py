@@ -1,6 +1,6 @@
 # loses: joint_topic
 # skips: twelve_values, finite_in_range, joints_move, joint_rate
-# says: /robot/joint_angles
+# says: your node publishes /robot/joint_angles, and nothing on /robot/joint_positions
 """Another topic name than the one asked for."""
 
 import math
