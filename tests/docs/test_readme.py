@@ -156,7 +156,15 @@ def test_the_criterion_that_instructors_are_shown_judges(
 
 def test_the_options_that_instructors_are_told_of_exist() -> None:
     page = (ROOT / "exercises" / "README.md").read_text(encoding="utf-8")
-    command = [str(Path(sys.executable).with_name("workbook")), "grade", "--help"]
-    told = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    workbook = str(Path(sys.executable).with_name("workbook"))
+    told = {
+        command: subprocess.run(
+            [workbook, *command.split(), "--help"], capture_output=True, text=True, check=True
+        ).stdout
+        for command in ("grade", "package gradescope", "package github")
+    }
     for option in set(re.findall(r"`(--[a-z-]+)", page)):
-        assert option in told
+        assert any(option in text for text in told.values()), option
+    for command, options in re.findall(r"^workbook (grade|package \w+) (.*)$", page, re.MULTILINE):
+        for option in re.findall(r"--[a-z-]+", options):
+            assert option in told[command], f"{command} {option}"

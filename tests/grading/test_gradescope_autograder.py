@@ -3,6 +3,7 @@
 import contextlib
 import json
 import os
+import shutil
 import signal
 import stat
 import subprocess
@@ -237,6 +238,21 @@ def test_the_best_tier_is_taken_and_told(judged: dict[str, dict[str, Any]]) -> N
         tier = data["extra_data"]["isolation"]
         assert f"Isolation: {tier} (the program ran " in data["output"]
         assert best is None or tier == best
+
+
+@pytest.mark.slow
+def test_without_bubblewrap_it_judges_with_limits_and_says_so(scope: Gradescope) -> None:
+    tools = scope.root / "tools"
+    tools.mkdir()
+    for name in ("bash", "env", "mkdir", "mv", "sh", "timeout"):
+        found = shutil.which(name)
+        assert found is not None
+        (tools / name).symlink_to(found)
+    scope.submit(node__py=SOLUTION)
+    data = scope.run(PATH=str(tools))
+    assert data["score"] == 10, scope.done.stderr
+    assert data["extra_data"]["isolation"] == "limits"
+    assert "Isolation: limits" in data["output"]
 
 
 @pytest.mark.parametrize(
