@@ -32,7 +32,7 @@ def gradescope_zip(exercise: Exercise, course: Path, target: Path) -> list[str]:
     entries: dict[str, tuple[bytes, bool]] = {
         "setup.sh": ((PLACES / "setup.sh").read_bytes(), True),
         "run_autograder": (
-            (PLACES / "run_autograder").read_text().replace("@EXERCISE@", exercise.stem).encode(),
+            (PLACES / "run_autograder").read_text(encoding="utf-8").replace("@EXERCISE@", exercise.stem).encode(),
             True,
         ),
     }
@@ -60,7 +60,8 @@ def _course_files(exercise: Exercise, course: Path) -> Iterator[tuple[str, bytes
     package = course / "workbook"
     for path in sorted(package.rglob("*")):
         parts = path.relative_to(package).parts
-        if path.is_file() and not path.is_symlink() and "__pycache__" not in parts:
+        left_by_tools = any(part.startswith(".") or part == "__pycache__" for part in parts)
+        if path.is_file() and not path.is_symlink() and not left_by_tools:
             yield path.relative_to(course).as_posix(), path.read_bytes()
     criteria = course / "exercises" / "criteria" / f"{stem}.py"
     yield f"exercises/criteria/{stem}.py", criteria.read_bytes()
