@@ -21,6 +21,7 @@ from workbook.exercise.judging import Judgement, judge_recording
 from workbook.feedback.markdown import as_markdown, plain
 from workbook.grading.github import Pushed, all_hold, classroom, encoded, not_run, runners, summary
 from workbook.grading.hand_ins import hand_in_named
+from workbook.grading.packaging import CannotPackage, commit_of, origin_of
 from workbook.grading.results import Result, graded_result, ungradable_result
 from workbook.observing.recording import Recording
 from workbook.observing.sandbox import sandbox_problem
@@ -314,6 +315,40 @@ def test_an_address_or_a_commit_that_is_none_is_refused(
     assert main(command) == 2
     assert says in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("origin", "address"),
+    [
+        ("https://example.invalid/robots/course.git", "https://example.invalid/robots/course.git"),
+        ("git@example.invalid:robots/course.git", "https://example.invalid/robots/course.git"),
+        ("ssh://git@example.invalid/robots/course.git", "https://example.invalid/robots/course.git"),
+    ],
+)
+def test_the_address_of_the_course_needs_no_key(origin: str, address: str, tmp_path: Path) -> None:
+    git(tmp_path, "init", "--quiet")
+    git(tmp_path, "remote", "add", "origin", origin)
+    assert origin_of(tmp_path) == address
+
+
+def test_a_course_that_others_cannot_fetch_is_said(tmp_path: Path) -> None:
+    with pytest.raises(CannotPackage, match="Say where the course lies"):
+        origin_of(tmp_path)
+    git(tmp_path, "init", "--quiet")
+    git(tmp_path, "remote", "add", "origin", str(tmp_path / "elsewhere"))
+    with pytest.raises(CannotPackage, match="nobody else can fetch"):
+        origin_of(tmp_path)
+
+
+def test_changes_that_are_not_committed_are_said(tmp_path: Path) -> None:
+    git(tmp_path, "init", "--quiet")
+    (tmp_path / "a").write_text("1")
+    git(tmp_path, "add", "a")
+    git(tmp_path, "commit", "--quiet", "-m", "a")
+    assert commit_of(tmp_path) == git(tmp_path, "rev-parse", "HEAD")
+    (tmp_path / "a").write_text("other")
+    with pytest.raises(CannotPackage, match="not committed"):
+        commit_of(tmp_path)
 
 
 class Runner:

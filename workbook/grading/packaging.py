@@ -17,6 +17,7 @@ WORKFLOW = Path(".github", "workflows", "classroom.yml")
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 _PROJECT = ("pyproject.toml", "requirements.lock", "README.md", "LICENSE", "LICENSE-TEXT")
 _ADDRESS = re.compile(r"[A-Za-z0-9][A-Za-z0-9@:/._~+-]*|/[A-Za-z0-9@:/._~+-]+")
+_WITH_KEY = re.compile(r"(?:ssh://)?git@(?P<host>[\w.-]+)[:/](?P<path>[^:]+)")
 _REVISION = re.compile(r"[0-9a-f]{40}")
 
 
@@ -32,7 +33,10 @@ def gradescope_zip(exercise: Exercise, course: Path, target: Path) -> list[str]:
     entries: dict[str, tuple[bytes, bool]] = {
         "setup.sh": ((PLACES / "setup.sh").read_bytes(), True),
         "run_autograder": (
-            (PLACES / "run_autograder").read_text(encoding="utf-8").replace("@EXERCISE@", exercise.stem).encode(),
+            (PLACES / "run_autograder")
+            .read_text(encoding="utf-8")
+            .replace("@EXERCISE@", exercise.stem)
+            .encode(),
             True,
         ),
     }
@@ -138,10 +142,17 @@ def _reporter(exercises: Sequence[Exercise]) -> str:
 
 
 def origin_of(course: Path) -> str:
-    """Where the course was cloned from. Raises CannotPackage when git does not know."""
-    return _git(
-        course, "remote", "get-url", "origin", otherwise="Say where the course lies: --course ADDRESS"
-    )
+    """Where the course was cloned from, as an address that needs no key.
+
+    Raises CannotPackage when git does not know, or when others cannot fetch from there.
+    """
+    advice = "Say where the course lies: --course https://..."
+    origin = _git(course, "remote", "get-url", "origin", otherwise=advice)
+    with_key = _WITH_KEY.fullmatch(origin)
+    address = f"https://{with_key['host']}/{with_key['path']}" if with_key else origin
+    if not address.startswith("https://"):
+        raise CannotPackage(f"your origin is {origin}, and nobody else can fetch from there. {advice}")
+    return address
 
 
 def commit_of(course: Path) -> str:
