@@ -134,3 +134,22 @@ def test_a_watch_knows_how_long_it_was_held_up(monkeypatch: pytest.MonkeyPatch) 
     assert judgement.recording.held_up_s >= 0.7
     assert "so busy" in judgement.doubt
     assert Recording.from_json(judgement.recording.to_json()).held_up_s == judgement.recording.held_up_s
+
+
+@pytest.mark.parametrize(
+    ("process", "doubtful"),
+    [
+        ({"exit": 0, "signal": None}, True),
+        ({"exit": 1, "signal": None}, True),
+        ({"exit": None, "signal": "SIGKILL"}, False),
+        ({"exit": 0, "signal": None, "ended_by": "itself"}, False),
+    ],
+)
+def test_a_node_that_stays_after_an_end_in_order_leaves_a_doubt(
+    process: dict[str, Any], doubtful: bool
+) -> None:
+    wrong = stored("eleven_values")
+    nodes = tuple(replace(node, stayed=True) for node in wrong.nodes)
+    ended = replace(wrong, nodes=nodes, process=replace(wrong.process, ended_by="bench"))
+    ended = replace(ended, process=replace(ended.process, **process))
+    assert ("was not seen to go" in doubt(ended)) is doubtful

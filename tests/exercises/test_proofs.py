@@ -2,7 +2,7 @@
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +14,7 @@ from workbook.exercise.judging import Judgement
 from workbook.exercise.source import stems
 from workbook.feedback.text import as_text
 from workbook.grading.pool import Isolation, Job, judge_all
+from workbook.grading.tries import counting, judge_until_sure
 from workbook.observing.sandbox import sandbox_problem
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -77,8 +78,12 @@ def _judge_everything() -> Iterator[tuple[Key, Judgement]]:
             for path in answers(kind, stem):
                 jobs.append(Job((stem, f"{kind}/{path.name}"), stem, read_answer(path, stem)))
     isolation: Isolation = "limits" if sandbox_problem() else "sandbox"
-    for job, judgement in judge_all(jobs, SLOTS, isolation=isolation):
-        yield job.key, judgement
+
+    def judge(these: Sequence[Job[Key]]) -> Iterator[tuple[Job[Key], Judgement]]:
+        return judge_all(these, SLOTS, isolation=isolation)
+
+    for job, tries in judge_until_sure(jobs, judge):
+        yield job.key, counting(tries)
 
 
 def explained(judgement: Judgement) -> str:

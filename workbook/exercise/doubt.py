@@ -31,6 +31,7 @@ def doubt_about(
     return (
         _never_seen(recording)
         or _never_matched(recording, plan)
+        or _node_stayed(recording)
         or _clocks_contradict(lost, on_robot_time)
         or _held_up(lost, recording, plan)
     )
@@ -56,6 +57,16 @@ def _never_matched(recording: Recording, plan: Plan) -> str:
         there = any(publisher.last_seen is None for publisher in topic.publishers)
         if there and topic.window is None and not topic.arrivals:
             return f"the publisher of {name} was seen, and the judge was never connected to it"
+    return ""
+
+
+def _node_stayed(recording: Recording) -> str:
+    """A participant says good-bye once, and nobody repeats what gets lost of it on a busy machine."""
+    process = recording.process
+    if process.ended_by == "bench" and process.exit is not None:
+        for node in recording.nodes:
+            if node.stayed:
+                return f"the program ended by itself after Ctrl-C, and {node.name} was not seen to go"
     return ""
 
 
