@@ -1,7 +1,11 @@
-"""Where the course is: its exercises, criteria and solutions."""
+"""Where the course is: its exercises, criteria and solutions. And which version of it this is."""
 
+import hashlib
 import os
 from pathlib import Path
+
+_PACKAGE = Path(__file__).resolve().parents[1]
+_JUDGED_WITH = (".py", ".pyi", ".xml", ".ini")
 
 
 class NoCourse(RuntimeError):
@@ -21,3 +25,17 @@ def course_folder() -> Path:
             "course's folder, or set WORKBOOK_COURSE to that folder."
         )
     return folder
+
+
+def course_sha256() -> str:
+    """What a judgement depends on besides the answer, as one hash: the bench, the criteria, drivers and solutions."""
+    course = course_folder()
+    digest = hashlib.sha256()
+    folders = [course / "exercises" / "criteria", course / "exercises" / "drivers", course / "solutions"]
+    for label, folder in (("workbook", _PACKAGE), *((one.name, one) for one in folders)):
+        for path in sorted(folder.rglob("*")):
+            if path.suffix in _JUDGED_WITH and path.is_file():
+                raw = path.read_bytes()
+                digest.update(f"{label}/{path.relative_to(folder).as_posix()} {len(raw)}\n".encode())
+                digest.update(raw)
+    return digest.hexdigest()
