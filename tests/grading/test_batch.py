@@ -19,7 +19,7 @@ from tests.observing.programs import is_gone, wait_until
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.judging import Judgement, judge_recording
-from workbook.grading import batch as batch_module
+from workbook.grading import pool
 from workbook.grading.batch import Batch, BatchSummary, Progress
 from workbook.grading.pool import Job, Slot, judge_all
 from workbook.grading.results import read_results
@@ -54,6 +54,7 @@ class Judges:
         jobs: Iterable[Job[Any]],
         slots: int,
         *,
+        thorough: bool = True,
         isolation: str = "limits",
         stop: Callable[[], bool] = lambda: False,
     ) -> Iterator[tuple[Job[Any], Judgement]]:
@@ -70,7 +71,7 @@ class Judges:
 @pytest.fixture
 def judges(exercise: Exercise, monkeypatch: pytest.MonkeyPatch) -> Judges:
     judges = Judges(exercise)
-    monkeypatch.setattr(batch_module, "judge_all", judges)
+    monkeypatch.setattr(pool, "judge_all", judges)
     return judges
 
 

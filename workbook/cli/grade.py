@@ -5,6 +5,7 @@ import os
 import signal
 import sys
 from collections.abc import Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
     from workbook.exercise.definition import Exercise
     from workbook.grading.batch import Batch, BatchSummary, Progress
     from workbook.grading.books import Lateness
-    from workbook.grading.pool import Isolation
+    from workbook.grading.pool import Isolation, Judges
     from workbook.grading.results import Result
 
 SLOTS_PER_CORE = 4
@@ -37,6 +38,11 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument("--out", metavar="DIR", required=True, type=Path, help="where the results go")
     parser.add_argument(
         "--slots", metavar="N", type=int, help=f"answers judged at once (default: {SLOTS_PER_CORE} per core)"
+    )
+    parser.add_argument(
+        "--farm",
+        metavar="ADDRESS",
+        help="judge on other machines: the dask scheduler at tcp://host:8786 (see 'A farm' in environment.md)",
     )
     parser.add_argument(
         "--isolation",
@@ -127,6 +133,11 @@ class _Screen:
             print(f"\r\x1b[K{line[: width - 1]}", end="", file=sys.stderr, flush=True)
         else:
             print(line, file=sys.stderr, flush=True)
+
+    def say(self, text: str) -> None:
+        """A sentence on a line of its own."""
+        start = "\r\x1b[K" if self._is_terminal else ""
+        print(start + _printable(text), file=sys.stderr, flush=True)
 
     def finish(self) -> None:
         if self._is_terminal:
@@ -223,6 +234,7 @@ def run(options: argparse.Namespace) -> int:
     from workbook.exercise.definition import OWN_CRITERIA, BrokenCriteria, load_exercise
     from workbook.exercise.source import SourceError, UnknownExercise
     from workbook.grading.books import BadOption
+    from workbook.grading.pool import NoJudges
     from workbook.observing.sandbox import NoSandbox
 
     try:
@@ -247,35 +259,69 @@ def run(options: argparse.Namespace) -> int:
         BrokenCriteria,
         SourceError,
         NoSandbox,
+        NoJudges,
         OSError,
     ) as error:
         print(f"workbook grade: {error}", file=sys.stderr)
         return 2
 
 
-def _grade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -> int:
-    from workbook.grading.batch import Batch
-    from workbook.grading.books import BadOption, read_aliases
+def _judges(options: argparse.Namespace, stem: str, screen: _Screen) -> "AbstractContextManager[Judges]":
+    """Who judges: slots of this machine, or a farm. Says who. Raises BadOption, NoSandbox, NoJudges."""
+    from workbook.grading.books import BadOption
+    from workbook.grading.pool import LocalSlots
 
+    if options.farm is not None:
+        return _farm(options, stem, screen)
     slots = SLOTS_PER_CORE * (os.cpu_count() or 1) if options.slots is None else options.slots
     if slots < 1:
         raise BadOption("--slots must be at least 1")
-    aliases = read_aliases(options.aliases) if options.aliases else None
     isolation = _isolation(options.isolation)
-    options.out.mkdir(parents=True, exist_ok=True)
-    warning = "" if isolation == "sandbox" else " (grade only answers that you would run on your own machine)"
-    print(f"Grading {exercise.stem} on {slots} slots. Isolation: {isolation}{warning}.", file=sys.stderr)
-    batch = Batch(exercise, options.out, slots, isolation, aliases, books.assignment)
-    if options.repeat is not None:
-        return _repeat(options, exercise, batch, slots, isolation)
-    stopping = _Stopping()
+    screen.say(f"Grading {stem} on {slots} slots. Isolation: {isolation}{_warning(isolation)}.")
+    return nullcontext(LocalSlots(slots, isolation))
+
+
+def _farm(options: argparse.Namespace, stem: str, screen: _Screen) -> "AbstractContextManager[Judges]":
+    """Each worker tries itself what it can do: this machine runs no answer."""
+    from workbook.grading.books import BadOption
+    from workbook.grading.farm import Farm, check_address
+
+    if options.slots is not None:
+        raise BadOption(
+            "--slots is for this machine. On a farm each worker says it: dask worker --nthreads 16"
+        )
+    check_address(options.farm)
+    isolation: Isolation = "sandbox" if options.isolation == "auto" else options.isolation
+    farm = Farm(options.farm, isolation, screen.say)
+    screen.say(
+        f"Grading {stem} on {farm.places} slots of {farm.machines} workers at {options.farm}. "
+        f"Isolation: {isolation}{_warning(isolation)}."
+    )
+    return farm
+
+
+def _warning(isolation: "Isolation") -> str:
+    return "" if isolation == "sandbox" else " (grade only answers that you would run on your own machine)"
+
+
+def _grade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -> int:
+    from workbook.grading.batch import Batch
+    from workbook.grading.books import read_aliases
+
+    aliases = read_aliases(options.aliases) if options.aliases else None
     screen = _Screen()
-    before = signal.signal(signal.SIGINT, stopping)
-    try:
-        summary = batch.run(options.paths, screen.show, stop=lambda: stopping.wanted)
-    finally:
-        signal.signal(signal.SIGINT, before)
-        screen.finish()
+    with _judges(options, exercise.stem, screen) as judges:
+        options.out.mkdir(parents=True, exist_ok=True)
+        batch = Batch(exercise, options.out, aliases=aliases, assignment=books.assignment, judges=judges)
+        if options.repeat is not None:
+            return _repeat(options, exercise, batch, judges)
+        stopping = _Stopping()
+        before = signal.signal(signal.SIGINT, stopping)
+        try:
+            summary = batch.run(options.paths, screen.show, stop=lambda: stopping.wanted)
+        finally:
+            signal.signal(signal.SIGINT, before)
+            screen.finish()
     written = _write(options.out, exercise, books)
     return _conclude(summary, options.out, written)
 
@@ -317,9 +363,7 @@ def _regrade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -
     return 1 if troubled else 0
 
 
-def _repeat(
-    options: argparse.Namespace, exercise: "Exercise", batch: "Batch", slots: int, isolation: "Isolation"
-) -> int:
+def _repeat(options: argparse.Namespace, exercise: "Exercise", batch: "Batch", judges: "Judges") -> int:
     """Judge everything several times and name the answers whose verdict changes."""
     from workbook.exercise.answers import Ungradable, read_answer
     from workbook.grading.again import unsteady
@@ -335,7 +379,7 @@ def _repeat(
                 jobs.append(Job(hand_in.student, exercise.stem, read_answer(hand_in.path, exercise.stem)))
         except Ungradable:
             continue
-    found = list(unsteady(jobs, options.repeat, slots, isolation))
+    found = list(unsteady(jobs, options.repeat, judges))
     print(f"{len(jobs)} answers, each judged {options.repeat} times: {len(found)} with changing verdicts.")
     for one in found:
         print(f"  {_printable(one.student)}:")

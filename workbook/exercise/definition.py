@@ -85,7 +85,7 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
     driver = driver_of(solution)
     files = [path] if driver is None else [path, driver]
     topics = topics_in(module)
-    own = _own_criteria(solution.stem)
+    own = own_criteria(solution.stem)
     if own is not None:
         more = _import(own)
         criteria += tuple(replace(one, hidden=True) for one in criteria_in(more))
@@ -104,7 +104,7 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
     )
 
 
-def _own_criteria(stem: str) -> Path | None:
+def own_criteria(stem: str) -> Path | None:
     """The instructor's own criteria for this exercise, kept outside of the course. They are always hidden."""
     folder = os.environ.get(OWN_CRITERIA)
     path = Path(folder) / f"{stem}.py" if folder else None

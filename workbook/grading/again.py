@@ -7,7 +7,7 @@ from pathlib import Path
 
 from workbook.exercise.definition import Exercise
 from workbook.exercise.judging import Judgement, judge_recording
-from workbook.grading.pool import Isolation, Job, judge_all
+from workbook.grading.pool import Job, Judges
 from workbook.grading.results import RESULTS, Result, ResultsFile, graded_result, last_results
 from workbook.grading.tries import counting
 from workbook.observing.recording import Recording
@@ -92,11 +92,11 @@ def verdict_of(judgement: Judgement) -> str:
     return f"{judgement.score:g} points" + (f" (lost: {', '.join(lost)})" if lost else "")
 
 
-def unsteady(jobs: Sequence[Job[str]], times: int, slots: int, isolation: Isolation) -> Iterator[Unsteady]:
+def unsteady(jobs: Sequence[Job[str]], times: int, judges: Judges) -> Iterator[Unsteady]:
     """Judge every answer `times` times; yields those that did not get the same verdict each time."""
     many = [Job(job.key, job.stem, job.answer) for job in jobs for _ in range(times)]
     found: dict[str, Counter[str]] = {}
-    for job, judgement in judge_all(many, slots, isolation=isolation):
+    for job, judgement in judges.judge_all(many):
         found.setdefault(job.key, Counter())[verdict_of(judgement)] += 1
     for student, verdicts in sorted(found.items()):
         if len(verdicts) > 1:

@@ -11,7 +11,7 @@ from workbook.exercise.definition import Exercise
 from workbook.exercise.judging import Judgement
 from workbook.grading.books import write_books
 from workbook.grading.hand_ins import HandIn, find_hand_ins
-from workbook.grading.pool import Isolation, Job, judge_all
+from workbook.grading.pool import Isolation, Job, Judges, LocalSlots
 from workbook.grading.results import (
     RESULTS,
     Result,
@@ -67,23 +67,26 @@ def _file_sha(path: Path) -> str:
 
 
 class Batch:
-    """Grades hand-ins of one exercise into the folder `out`; can be killed and started again at any time."""
+    """Grades hand-ins of one exercise into the folder `out`; can be killed and started again at any time.
+
+    `judges`: who judges the answers, in place of `slots` slots of this machine.
+    """
 
     def __init__(
         self,
         exercise: Exercise,
         out: Path,
-        slots: int,
+        slots: int = 1,
         isolation: Isolation = "limits",
         aliases: Mapping[str, str] | None = None,
         assignment: str | None = None,
+        judges: Judges | None = None,
     ) -> None:
         self._assignment = assignment
         self._aliases = dict(aliases or {})
         self._exercise = exercise
         self._out = out
-        self._slots = slots
-        self._isolation = isolation
+        self._judges = LocalSlots(slots, isolation) if judges is None else judges
         self._earlier = last_results(out / RESULTS)
 
     def _is_done(self, hand_in: HandIn, sha256: str) -> bool:
@@ -108,7 +111,7 @@ class Batch:
             exercise=self._exercise.stem,
             attempt=self._attempt(hand_in.student),
             reason=reason,
-            isolation=self._isolation,
+            isolation=self._judges.isolation,
             criteria_sha256=self._exercise.criteria_sha256,
             max_score=self._exercise.max_points,
         )
@@ -164,7 +167,7 @@ class Batch:
             refused = done
 
             def judge(some: Sequence[Job[HandIn]]) -> Iterator[tuple[Job[HandIn], Judgement]]:
-                return judge_all(some, self._slots, isolation=self._isolation, stop=stop)
+                return self._judges.judge_all(some, stop=stop)
 
             for job, tries in judge_until_sure(jobs, judge):
                 result = graded_result(
@@ -174,7 +177,7 @@ class Batch:
                     answer=job.key.label,
                     submitted_at=_submitted_at(job.key),
                     attempt=self._attempt(job.key.student),
-                    isolation=self._isolation,
+                    isolation=self._judges.isolation,
                     criteria_sha256=self._exercise.criteria_sha256,
                     max_score=self._exercise.max_points,
                     tries=tries,

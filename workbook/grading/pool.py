@@ -12,7 +12,8 @@ import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any, Generic, Literal, TypeVar
+from pathlib import Path
+from typing import Any, Generic, Literal, Protocol, TypeVar
 
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import OWN_CRITERIA
@@ -35,15 +36,18 @@ class SlotBroken(RuntimeError):
 class Slot:
     """A running slot process. Not for two threads at once.
 
-    `isolation`: "sandbox" (a network of its own, each program shut in) or "limits".
+    `isolation`: "sandbox" (a network of its own, each program shut in) or "limits". `own_criteria`: the folder with an
+    instructor's own criteria, where it is not the one that this process was told of.
     """
 
-    def __init__(self, isolation: Isolation = "limits") -> None:
+    def __init__(self, isolation: Isolation = "limits", own_criteria: Path | None = None) -> None:
         environ = child_environment(0)
         del environ["ROS_DOMAIN_ID"]
         for name in ("WORKBOOK_COURSE", OWN_CRITERIA, "PYTHONPATH"):
             if name in os.environ:
                 environ[name] = os.environ[name]
+        if own_criteria is not None:
+            environ[OWN_CRITERIA] = str(own_criteria)
         environ.pop("ROS_LOG_DIR")
         command = [sys.executable, "-m", "workbook.grading.slot", isolation]
         self._process = subprocess.Popen(
@@ -145,14 +149,52 @@ class Job(Generic[Key]):
     answer: Answer
 
 
+class NoJudges(RuntimeError):
+    """Nobody is there to judge, or nobody any longer. The message says why and what to do."""
+
+
+class Judges(Protocol):
+    """Whoever judges many answers: the slots of this machine, or a farm."""
+
+    @property
+    def isolation(self) -> Isolation:
+        """How programs are shut in there."""
+
+    def judge_all(
+        self, jobs: Iterable[Job[Key]], *, thorough: bool = True, stop: Callable[[], bool] = lambda: False
+    ) -> Iterator[tuple[Job[Key], Judgement]]:
+        """Judge many answers; yields each judgement as it is ready, each job once.
+
+        `stop` is asked before each new answer, so that an interrupted run ends after those under way. Raises NoJudges.
+        """
+
+
+@dataclass(frozen=True)
+class LocalSlots:
+    """Judges on `slots` slots of this machine."""
+
+    slots: int
+    isolation: Isolation = "limits"
+
+    def judge_all(
+        self, jobs: Iterable[Job[Key]], *, thorough: bool = True, stop: Callable[[], bool] = lambda: False
+    ) -> Iterator[tuple[Job[Key], Judgement]]:
+        """See `Judges`."""
+        return judge_all(jobs, self.slots, thorough=thorough, isolation=self.isolation, stop=stop)
+
+
 def judge_with_retry(
-    slot: Slot | None, job: Job[Key], thorough: bool, isolation: Isolation = "limits"
+    slot: Slot | None,
+    job: Job[Key],
+    thorough: bool,
+    isolation: Isolation = "limits",
+    own_criteria: Path | None = None,
 ) -> tuple[Slot | None, Judgement]:
-    """Judge a job, replacing a slot that breaks, at most twice; then the fault is ours: `infra_error`."""
+    """Judge a job, replacing a slot that breaks, at most twice; then the fault is ours: `infra_error` and no slot."""
     reason = ""
     for _ in range(TRIES):
         if slot is None or not slot.is_running:
-            slot = Slot(isolation)
+            slot = Slot(isolation, own_criteria)
         try:
             return slot, slot.judge(job.stem, job.answer, thorough=thorough)
         except SlotBroken as error:
