@@ -34,7 +34,7 @@ progress: env  ## show what you have read, predicted and solved so far
 
 test:  ## prove everything: what CI runs (ARGS='--only pytest' for a part)
 	@$(HAVE_PYTHON)
-	@$(BOOTSTRAP) --extras dev
+	@$(BOOTSTRAP) --extras dev,farm
 	@$(VENV)/python tests/run.py $(ARGS)
 
 lint:  ## check style and types only
