@@ -11,6 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from workbook.exercise.definition import Exercise
     from workbook.grading.batch import Batch, BatchSummary, Progress
     from workbook.grading.books import Lateness
@@ -322,15 +324,15 @@ def _grade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -> 
         finally:
             signal.signal(signal.SIGINT, before)
             screen.finish()
-    written = _write(options.out, exercise, books)
+    written = _write(options.out, exercise, books, summary.everything)
     return _conclude(summary, options.out, written)
 
 
-def _write(out: Path, exercise: "Exercise", books: _Books) -> "list[Path]":
+def _write(
+    out: Path, exercise: "Exercise", books: _Books, results: "Mapping[tuple[str, str], Result]"
+) -> "list[Path]":
     from workbook.grading.books import write_books
-    from workbook.grading.results import RESULTS, last_results
 
-    results = last_results(out / RESULTS)
     return write_books(
         out,
         exercise,
@@ -346,7 +348,7 @@ def _regrade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -
     """Judge stored recordings again and tell whose marks changed."""
     from workbook.grading.again import regrade
     from workbook.grading.books import BadOption
-    from workbook.grading.results import RESULTS
+    from workbook.grading.results import RESULTS, last_results
 
     if not (options.out / RESULTS).is_file():
         raise BadOption(f"{options.out} holds no {RESULTS}: grade first")
@@ -358,7 +360,7 @@ def _regrade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -
         print(f"  {_printable(one.student)}: {one.before:g} → {one.after:g}")
     for one in troubled:
         print(f"  {_printable(one.student)}: not judged again: {_printable(one.problem)}")
-    for path in _write(options.out, exercise, books):
+    for path in _write(options.out, exercise, books, last_results(options.out / RESULTS)):
         print(f"Written: {path}")
     return 1 if troubled else 0
 

@@ -16,6 +16,7 @@ from workbook.grading.results import (
     RESULTS,
     Result,
     ResultsFile,
+    done_before,
     graded_result,
     last_results,
     ungradable_result,
@@ -37,9 +38,11 @@ class Progress:
 
 @dataclass(frozen=True)
 class BatchSummary:
-    """What a batch did: counts by status, answers kept from an earlier run, and seconds."""
+    """What a batch did: the results of its answers, counts of those judged now and those kept from an earlier run, and
+    seconds. `everything`: all results of the folder that count, by student and exercise."""
 
     results: tuple[Result, ...]
+    everything: Mapping[tuple[str, str], Result]
     kept: int
     judged: int
     seconds: float
@@ -87,20 +90,20 @@ class Batch:
         self._exercise = exercise
         self._out = out
         self._judges = LocalSlots(slots, isolation) if judges is None else judges
-        self._earlier = last_results(out / RESULTS)
+        self._earlier = done_before(out / RESULTS, exercise.stem)
 
     def _is_done(self, hand_in: HandIn, sha256: str) -> bool:
-        known = self._earlier.get((hand_in.student, self._exercise.stem))
+        known = self._earlier.get(hand_in.student)
         return (
             known is not None
-            and known["status"] != "infra_error"
-            and known["answer_sha256"] == sha256
-            and known["versions"]["criteria"] == self._exercise.criteria_sha256
+            and known.status != "infra_error"
+            and known.answer_sha256 == sha256
+            and known.criteria_sha256 == self._exercise.criteria_sha256
         )
 
     def _attempt(self, student: str) -> int:
-        known = self._earlier.get((student, self._exercise.stem))
-        return 1 if known is None else int(known["attempt"]) + 1
+        known = self._earlier.get(student)
+        return 1 if known is None else known.attempt + 1
 
     def _refuse(self, hand_in: HandIn, reason: str, sha256: str) -> Result:
         return ungradable_result(
@@ -191,7 +194,8 @@ class Batch:
             write_books(self._out, self._exercise, everything)
         mine = {(hand_in.student, self._exercise.stem) for hand_in in hand_ins}
         return BatchSummary(
-            results=tuple(result for key, result in sorted(everything.items()) if key in mine),
+            results=tuple(everything[key] for key in sorted(mine & everything.keys())),
+            everything=everything,
             kept=kept,
             judged=done,
             seconds=time.monotonic() - began,

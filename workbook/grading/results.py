@@ -7,7 +7,7 @@ import platform
 from collections.abc import Iterator, Mapping, Sequence
 from importlib import metadata
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import workbook
 from workbook.exercise.judging import Judgement
@@ -188,6 +188,29 @@ def read_results(path: Path) -> Iterator[Result]:
 def last_results(path: Path) -> dict[tuple[str, str], Result]:
     """The result that counts per (student, exercise): the last complete line."""
     return {(result["student"], result["exercise"]): result for result in read_results(path)}
+
+
+class Done(NamedTuple):
+    """What an earlier run has to say of one answer: enough to know whether it must be judged again."""
+
+    status: str
+    answer_sha256: str
+    criteria_sha256: str
+    attempt: int
+
+
+def done_before(path: Path, exercise: str) -> dict[str, Done]:
+    """By student, what is known of one exercise. Small: a large class fits many times into memory."""
+    return {
+        result["student"]: Done(
+            result["status"],
+            result["answer_sha256"],
+            result["versions"]["criteria"],
+            int(result["attempt"]),
+        )
+        for result in read_results(path)
+        if result["exercise"] == exercise
+    }
 
 
 class ResultsFile:
