@@ -22,7 +22,7 @@ help:  ## list the commands
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | while IFS="$$(printf '\t')" read -r name what; do \
 		printf '  make %-16s %s\n' "$$name" "$$what"; done
 
-env:  ## create the environment in .venv, or bring it up to date (EXTRAS=ai adds PyTorch and friends)
+env:  ## create the environment in .venv, or bring it up to date (EXTRAS=ai adds PyTorch and friends, EXTRAS=farm dask)
 	@$(HAVE_PYTHON)
 	@$(BOOTSTRAP) --extras "$(EXTRAS)"
 

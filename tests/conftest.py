@@ -13,6 +13,7 @@ LONG_FIRST = (
     "test_notebooks_run",
     "test_browser_exercise",
     "test_hostile",
+    "test_farm",
     "test_nodes_with_timers",
 )
 BROWSERS = 2

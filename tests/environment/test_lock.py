@@ -47,7 +47,9 @@ def test_it_has_what_the_project_file_asks_for() -> None:
 
 
 def test_a_students_environment_is_lean() -> None:
-    assert not {"pytest", "ruff", "torch", "jupyterlab-lsp", "playwright"} & names("build", "student")
+    assert not {"pytest", "ruff", "torch", "jupyterlab-lsp", "playwright", "distributed"} & names(
+        "build", "student"
+    )
 
 
 @pytest.mark.parametrize("python", [(3, 11), (3, 12), (3, 13), (3, 14)])

@@ -295,8 +295,9 @@ def _farm(options: argparse.Namespace, stem: str, screen: _Screen) -> "AbstractC
     check_address(options.farm)
     isolation: Isolation = "sandbox" if options.isolation == "auto" else options.isolation
     farm = Farm(options.farm, isolation, screen.say)
+    workers = "1 worker" if farm.machines == 1 else f"{farm.machines} workers"
     screen.say(
-        f"Grading {stem} on {farm.places} slots of {farm.machines} workers at {options.farm}. "
+        f"Grading {stem} on {farm.places} slots of {workers} at {options.farm}. "
         f"Isolation: {isolation}{_warning(isolation)}."
     )
     return farm

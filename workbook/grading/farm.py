@@ -45,6 +45,7 @@ class _Machine:
     host: str = ""
     process: str = ""
     ready: bool = False
+    refused: bool = False
     alone: bool = False
     under_way: set[str] = field(default_factory=set)
 
@@ -208,7 +209,9 @@ class Farm:
         return True
 
     def _refuse(self, machine: _Machine, why: str) -> None:
-        machine.ready = False
+        if machine.refused:
+            return
+        machine.ready, machine.refused = False, True
         self._refusals.append(f"{machine}: {why}")
         self._say(f"{machine} is not used: {why}.")
 
@@ -313,16 +316,17 @@ class Farm:
         if not machine.ready:
             return
         again = len(machine.under_way)
-        rest = f" Its {again} answers are judged again elsewhere." if again else ""
-        self._say(f"{machine} is gone.{rest}")
+        what = "answer is" if again == 1 else f"{again} answers are"
+        self._say(f"{machine} is gone." + (f" Its {what} judged again elsewhere." if again else ""))
 
     def _expect_somebody(self) -> None:
         """Raises NoJudges when there has been no worker for a minute."""
         if any(machine.ready for machine in self._machines.values()):
             return
         if time.monotonic() - self._seen_at > PATIENCE_WITHOUT_WORKERS_S:
+            why = f" ({'; '.join(self._refusals)})" if self._refusals else ""
             raise NoJudges(
-                f"no worker is left at {self._address}. What was judged is kept: start workers, and run the same "
+                f"no worker is left at {self._address}{why}. What was judged is kept: start workers, and run the same "
                 "command again"
             )
 
@@ -336,7 +340,7 @@ def check_address(address: str) -> None:
 def _connect(address: str) -> Any:
     """A client of the scheduler. Raises NoJudges."""
     try:
-        from distributed import Client
+        from distributed import Client, Security
     except ImportError as error:
         raise NoJudges(
             f"--farm needs the package dask.distributed ({error}). Install it here and on the machines of the farm: "
@@ -346,13 +350,19 @@ def _connect(address: str) -> Any:
         if name.split(".")[0] in ("distributed", "tornado"):  # for developers; we say ourselves what matters
             logging.getLogger(name).setLevel(logging.CRITICAL + 1)
     try:
+        security = Security()
+        if address.startswith("tls:") and security.get_connection_args("client").get("ssl_context") is None:
+            raise NoJudges("--farm tls://... needs certificates: see 'A farm' in environment.md")
         return Client(
             address,
+            security=security,
             timeout=CONNECT_S,
             name="workbook-grade",
             set_as_default=False,
             direct_to_workers=False,
         )
+    except NoJudges:
+        raise
     except Exception as error:
         raise NoJudges(
             f"no scheduler answers at {address} within {CONNECT_S:.0f} s ({_words(error)}). Start one in the course's "
