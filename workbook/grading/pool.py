@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Generic, Literal, Protocol, TypeVar
+from typing import Any, Generic, Protocol, TypeVar
 
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import OWN_CRITERIA
@@ -21,11 +21,12 @@ from workbook.exercise.exchange import judgement_from_json
 from workbook.exercise.judging import Judgement, Report
 from workbook.observing.process import kill_programs_of
 from workbook.observing.sandbox import outer_command
+from workbook.observing.tiers import Isolation as Isolation
+from workbook.observing.uids import lease_ids
 from workbook.ros.environment import child_environment
 
 ANSWER_DEADLINE_S = 120.0
 TRIES = 2
-Isolation = Literal["sandbox", "limits"]
 Key = TypeVar("Key")
 
 
@@ -36,8 +37,8 @@ class SlotBroken(RuntimeError):
 class Slot:
     """A running slot process. Not for two threads at once.
 
-    `isolation`: "sandbox" (a network of its own, each program shut in) or "limits". `own_criteria`: the folder with an
-    instructor's own criteria, where it is not the one that this process was told of.
+    `isolation`: one of `workbook.observing.tiers`. `own_criteria`: the folder with an instructor's own criteria, where it
+    is not the one that this process was told of. Raises NoIds when "uid" finds no free user id.
     """
 
     def __init__(self, isolation: Isolation = "limits", own_criteria: Path | None = None) -> None:
@@ -50,6 +51,9 @@ class Slot:
             environ[OWN_CRITERIA] = str(own_criteria)
         environ.pop("ROS_LOG_DIR")
         command = [sys.executable, "-m", "workbook.grading.slot", isolation]
+        self._ids = lease_ids() if isolation == "uid" else None
+        if self._ids is not None:
+            command.append(str(self._ids.user))
         self._process = subprocess.Popen(
             outer_command(command) if isolation == "sandbox" else command,
             stdin=subprocess.PIPE,
@@ -121,6 +125,7 @@ class Slot:
             self._process.wait(2.0)
         except subprocess.TimeoutExpired:
             self.kill()
+        self._sweep()
         if self._process.stdout is not None:
             self._process.stdout.close()
 
@@ -132,6 +137,14 @@ class Slot:
             pass
         self._process.wait()
         kill_programs_of(self._process.pid)
+        self._sweep()
+
+    def _sweep(self) -> None:
+        """End what runs under the user id of this slot, and give the id back."""
+        if self._ids is not None:
+            self._ids.sweep()
+            self._ids.release()
+            self._ids = None
 
     def __enter__(self) -> "Slot":
         return self

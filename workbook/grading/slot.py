@@ -14,19 +14,21 @@ import queue
 import signal
 import sys
 import threading
+from dataclasses import replace
 from typing import Any, TextIO
 
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.exchange import judgement_to_json
 from workbook.exercise.judging import Judge, Judgement
-from workbook.observing.sandbox import Cage
+from workbook.observing.orphans import adopt_orphans, sweep_orphans
+from workbook.observing.tiers import Isolation, named_tier, walls
+from workbook.observing.uids import Ids
 from workbook.observing.warm_start import ForkServer
 from workbook.observing.watch import Observer
 from workbook.ros.environment import child_environment
 
 PR_SET_PDEATHSIG = 1
-PR_SET_CHILD_SUBREAPER = 36
 PROCESSES = 64
 """Processes and threads of one answer; a node takes about 16."""
 LIMITS = {
@@ -35,6 +37,7 @@ LIMITS = {
     "open_files": 512,
     "cpu": 60,
     "core": 0,
+    "processes": PROCESSES,
 }
 
 
@@ -43,40 +46,6 @@ def _private_output() -> TextIO:
     channel = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)
     return channel
-
-
-def _adopt_orphans() -> None:
-    """Daemons that an answer leaves behind become children of this slot, so that it can end them."""
-    libc = ctypes.CDLL(None)
-    libc.prctl(PR_SET_CHILD_SUBREAPER, 1)
-    libc.prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
-
-
-def sweep_orphans(keep: int | None = None) -> int:
-    """Kill and reap every process that is left below this slot, but for `keep`. Returns how many there were."""
-    ended = 0
-    while True:
-        children = [pid for pid in _own_children() if pid != keep]
-        if not children:
-            return ended
-        for pid in children:
-            try:
-                os.kill(pid, signal.SIGKILL)
-                os.waitpid(pid, 0)
-            except (ProcessLookupError, ChildProcessError):
-                continue
-            ended += 1
-
-
-def _own_children() -> list[int]:
-    found: list[int] = []
-    for task in os.listdir("/proc/self/task"):
-        try:
-            with open(f"/proc/self/task/{task}/children") as file:
-                found += [int(pid) for pid in file.read().split()]
-        except OSError:
-            continue
-    return found
 
 
 def _end_on_sigterm(*_: object) -> None:
@@ -104,10 +73,11 @@ class _Inbox:
         self.jobs.put(None)
 
 
-def serve(isolation: str) -> None:
-    """Answer jobs until standard input is closed. With "sandbox" each program is shut in."""
+def serve(isolation: Isolation, ids: Ids | None = None) -> None:
+    """Answer jobs until standard input is closed. With "uid" the programs run under `ids`, which the caller leased."""
     channel = _private_output()
-    _adopt_orphans()
+    adopt_orphans()
+    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, _end_on_sigterm)
     exercises: dict[str, Exercise] = {}
@@ -120,13 +90,13 @@ def serve(isolation: str) -> None:
     def report(judgement: Judgement) -> None:
         send({"final": False, "judgement": judgement_to_json(judgement)})
 
-    caged = isolation == "sandbox"
+    cage, confinement = walls(isolation, ids, adopts=True)
     server = ForkServer()
-    cage = Cage(server=server) if caged else None
     if cage is not None:
+        cage = replace(cage, server=server)
         server.start(cage.environment(child_environment(0)))
-    with contextlib.closing(server), Observer(cage=cage) as observer:
-        judge = Judge(observer, LIMITS | ({"processes": PROCESSES} if caged else {}))
+    with contextlib.closing(server), Observer(cage=cage, confinement=confinement) as observer:
+        judge = Judge(observer, LIMITS)
         send({"ready": os.getpid()})
         while (job := inbox.jobs.get()) is not None:
             inbox.enough.clear()
@@ -149,4 +119,4 @@ def serve(isolation: str) -> None:
 
 
 if __name__ == "__main__":
-    serve(sys.argv[1] if len(sys.argv) > 1 else "limits")
+    serve(named_tier(sys.argv[1]), Ids(int(sys.argv[2])) if len(sys.argv) > 2 else None)

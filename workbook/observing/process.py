@@ -12,8 +12,10 @@ import time
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 
+from workbook.observing.confinement import Confinement
 from workbook.observing.recording import ProcessRecord
 from workbook.observing.sandbox import ANSWER_FOLDER, HOME, Cage, exit_status, first_pid, program_pid
+from workbook.observing.tree import process_tree as process_tree
 from workbook.observing.warm_start import ForkServer, NoWarmStart, WarmProgram
 from workbook.ros.domains import domain_of_port
 from workbook.ros.environment import child_environment, profile_with_lease
@@ -130,28 +132,6 @@ def kill_programs_of(bench_pid: int) -> None:
         time.sleep(0.005)
 
 
-def _children(pid: int) -> list[int]:
-    try:
-        tasks = os.listdir(f"/proc/{pid}/task")
-    except OSError:
-        return []
-    found: list[int] = []
-    for task in tasks:
-        try:
-            found += [int(child) for child in Path(f"/proc/{pid}/task/{task}/children").read_text().split()]
-        except OSError:
-            continue
-    return found
-
-
-def process_tree(pid: int) -> list[int]:
-    """`pid` and all its descendants."""
-    tree = [pid]
-    for member in tree:
-        tree += [child for child in _children(member) if child not in tree]
-    return tree
-
-
 def processor_seconds(pids: Sequence[int]) -> float | None:
     """Processor time (s) that these processes have used; None when none of them is there any more."""
     used = [
@@ -210,8 +190,8 @@ class NodeProcess:
 
     `program` is a Python file; it runs as `__main__` with `arguments`. With a `driver`, that one runs as `__main__` and
     can import the program as the module `answer`. With `lease_s`, others remember it for so many seconds if it
-    vanishes without a good-bye (usually two). With a `cage` all of it is shut in. Use as a context manager, or call
-    `stop`.
+    vanishes without a good-bye (usually two). With a `cage` all of it is shut in, with a `confinement` kept in as that
+    one can. Use as a context manager, or call `stop`.
     """
 
     def __init__(
@@ -225,12 +205,15 @@ class NodeProcess:
         driver: Path | None = None,
         lease_s: int | None = None,
         cage: Cage | None = None,
+        confinement: Confinement | None = None,
     ) -> None:
         if not program.is_file():
             raise FileNotFoundError(f"there is no program {program}")
         self.program = program
         self.domain_id = domain_id
         self._folder = scratch_folder("run")
+        self._confinement = confinement or Confinement()
+        self._shelf = scratch_folder("shelf") if self._confinement.shuts_in else self._folder
         self._mark = f"{os.getpid()}-{self._folder.name}."
         self._limits_hit: list[str] = []
         self._ended_at: float | None = None
@@ -242,12 +225,14 @@ class NodeProcess:
         wanted: list[str] = []
         if cage is None:  # a cage dies with us by itself, and its processes do not know our number
             wanted += ["--parent", str(os.getpid())]
-        for name, value in (limits or {}).items():
+        self._limits = limits = dict(limits or {})
+        for name, value in (limits if cage else self._confinement.host_limits(limits)).items():
             wanted += ["--limit", f"{name}={value}"]
-        files = {program.name: program.resolve()}
+        files = {program.name: self._confinement.bring(program, program.name, self._shelf)}
         if driver is not None:
-            files[f"driver_of_{driver.name}"] = driver.resolve()
-            wanted += ["--driver", _place(f"driver_of_{driver.name}", files, cage)]
+            name = f"driver_of_{driver.name}"
+            files[name] = self._confinement.bring(driver, name, self._shelf)
+            wanted += ["--driver", _place(name, files, cage)]
         wanted += [_place(program.name, files, cage), *arguments]
         environ = child_environment(domain_id, check_fields=check_fields, log_folder=self._folder)
         environ[RUN_MARK] = self._mark
@@ -267,12 +252,12 @@ class NodeProcess:
         except OSError:
             os.close(read_fd)
             os.close(self._info_fd)
-            remove_scratch(self._folder)
+            self._remove_folders()
             raise
         finally:
             os.close(write_fd)
         self.log = ProgramLog(read_fd, self._stop_flood)
-        if limits and "processes" in limits:
+        if "processes" in limits:
             guard = threading.Thread(
                 target=self._count_processes, args=(limits["processes"],), name="process guard", daemon=True
             )
@@ -289,6 +274,10 @@ class NodeProcess:
         command = [sys.executable, "-P", str(HOST), *wanted]
         if cage is not None:
             command = cage.command(command, files, environ, self._info_fd)
+        else:
+            command, environ = self._confinement.enter(
+                command, environ, self._limits, shelf=self._shelf, scratch=self._folder
+            )
         return self._popen(command, environ, output_fd, output_fd)
 
     def _start_warm(
@@ -348,6 +337,10 @@ class NodeProcess:
         if self._info_fd >= 0:
             os.close(self._info_fd)
             self._info_fd = -1
+
+    def _remove_folders(self) -> None:
+        remove_scratch(self._folder)
+        remove_scratch(self._shelf)
 
     def _stop_flood(self) -> None:
         self._limits_hit.append("output")
@@ -450,9 +443,11 @@ class NodeProcess:
             self._box.wait()
         if isinstance(self._process, WarmProgram):
             self._process.close()
+        if self._confinement.sweep():
+            self.killed = True
         self.log.finish(1.0)
         self._close_info()
-        remove_scratch(self._folder)
+        self._remove_folders()
 
     def record(self) -> ProcessRecord:
         """What the process did so far."""

@@ -5,7 +5,7 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
-from workbook.observing.process import process_tree
+from workbook.observing.tree import process_tree
 
 LONGEST_WAIT_S = 0.25
 BUDGET_S = 4.0

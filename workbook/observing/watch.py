@@ -13,6 +13,7 @@ from rclpy.context import Context
 from rclpy.node import Node
 
 from workbook.observing.clock import SimulatedClock
+from workbook.observing.confinement import Confinement
 from workbook.observing.process import NodeProcess, ros_arguments
 from workbook.observing.recorder import Recorder
 from workbook.observing.recording import Clock, Phase, ProcessRecord, Recording
@@ -84,14 +85,21 @@ class Plan:
 
 
 class Observer:
-    """Stands on one leased domain and watches programs, one after another. With a `cage` they are shut in.
+    """Stands on one leased domain and watches programs, one after another. With a `cage` or a `confinement` they are
+    shut in.
 
     Keep one per slot: a warm observer saves the start of a context. After a program had to be killed it moves to
     another domain, because the ghost of the dead would stay on the graph for a while.
     """
 
-    def __init__(self, lease: DomainLease | None = None, cage: Cage | None = None) -> None:
+    def __init__(
+        self,
+        lease: DomainLease | None = None,
+        cage: Cage | None = None,
+        confinement: Confinement | None = None,
+    ) -> None:
         self.cage = cage
+        self.confinement = confinement
         self._lease: DomainLease | None = None
         self._stand(lease)
 
@@ -203,6 +211,7 @@ class Watch:
                 driver=driver,
                 lease_s=GHOST_S if plan.to_the_end else None,
                 cage=observer.cage,
+                confinement=observer.confinement,
             )
         except OSError:
             self._shut()

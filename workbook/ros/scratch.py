@@ -3,7 +3,9 @@
 import atexit
 import os
 import shutil
+import subprocess
 import tempfile
+from contextlib import suppress
 from pathlib import Path
 
 
@@ -26,12 +28,16 @@ def sweep_scratch() -> None:
     for folder in Path(tempfile.gettempdir()).glob(f"{_prefix()}*"):
         pid = folder.name.removeprefix(_prefix()).split("-")[0]
         if pid.isdigit() and not folder.is_symlink() and not _is_running(int(pid)):
-            shutil.rmtree(folder, ignore_errors=True)
+            remove_scratch(folder)
 
 
 def remove_scratch(folder: Path) -> None:
-    """Remove a folder made by `scratch_folder`."""
-    shutil.rmtree(folder, ignore_errors=True)
+    """Remove a folder made by `scratch_folder`, however deep or closed a program has made it."""
+    with suppress(RecursionError):
+        shutil.rmtree(folder, ignore_errors=True)
+    if folder.is_dir() and not folder.is_symlink():
+        for command in (["chmod", "-R", "u+rwX"], ["rm", "-rf"]):
+            subprocess.run([*command, "--", str(folder)], stdin=subprocess.DEVNULL, capture_output=True)
 
 
 def scratch_folder(purpose: str) -> Path:

@@ -1,0 +1,149 @@
+"""The ways to keep a stranger's program in, from the best to the weakest, and what each of them does not do.
+
+"sandbox": bubblewrap, a network of its own. "uid": a user id of its own for each slot, where the grader is root and the
+kernel grants no namespaces. "landlock": for an ordinary user; the kernel hides files. "limits": limits and a sweep.
+"""
+
+import json
+import os
+import socket
+import stat
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+from typing import Literal
+
+from workbook.observing.confine import ABI_OF_SIGNALS, ABI_OF_TCP, landlock_abi
+from workbook.observing.confinement import Confinement
+from workbook.observing.sandbox import Cage, interpreter_folders, outer_command, sandbox_problem
+from workbook.observing.uids import Ids, NoIds, StillThere, lease_ids
+from workbook.ros.environment import child_environment
+
+Isolation = Literal["sandbox", "uid", "landlock", "limits"]
+BEST_FIRST: tuple[Isolation, ...] = ("sandbox", "uid", "landlock", "limits")
+SELF_TEST_S = 60.0
+_NETWORK = "the network of this machine and, through it, the ROS domains of other answers"
+_DISK = "the disk, which an answer can fill"
+_KERNEL = "holes in the Linux kernel"
+
+
+def named_tier(name: str) -> Isolation:
+    """A tier by its name. Raises KeyError."""
+    tiers: dict[str, Isolation] = {tier: tier for tier in BEST_FIRST}
+    return tiers[name]
+
+
+def walls(
+    isolation: Isolation, ids: Ids | None = None, *, adopts: bool = False
+) -> tuple[Cage | None, Confinement | None]:
+    """What keeps a program in: a cage or a confinement. `adopts`: see `Confinement`."""
+    if isolation == "sandbox":
+        return Cage(), None
+    hides_files = isolation == "landlock" or (isolation == "uid" and landlock_abi() > 0)
+    return None, Confinement(ids=ids, landlock=hides_files, adopts=adopts)
+
+
+def covers(isolation: Isolation) -> str:
+    """What keeps a program in, as a part of a sentence."""
+    if isolation == "sandbox":
+        return "a network, a process table and a few files of its own, by bubblewrap"
+    if isolation == "uid":
+        return "a user id of its own for each slot" + (", and Landlock hides files" if landlock_abi() else "")
+    if isolation == "landlock":
+        signals = ", and lets no signal out" if landlock_abi() >= ABI_OF_SIGNALS else ""
+        return f"Landlock hides all files but Python and the answer{signals}"
+    return "resource limits, a ROS domain of its own, and an end to all that an answer has started"
+
+
+def leaves_open(isolation: Isolation) -> str:
+    """What a tier does not protect, as a sentence."""
+    abi = landlock_abi()
+    open_to = [_KERNEL]
+    if isolation != "sandbox":
+        network = _NETWORK + ("" if isolation == "limits" or abi < ABI_OF_TCP else " (TCP is closed)")
+        open_to = [network, _DISK, _KERNEL]
+    if isolation == "uid" and not abi:
+        open_to.insert(0, "files that every user of this machine may read (`chmod o= FOLDER` helps)")
+    if isolation == "landlock":
+        open_to.insert(
+            0, "the permissions of your files, which an answer can change where it guesses the name"
+        )
+        if abi < ABI_OF_SIGNALS:
+            open_to.insert(0, "your processes, this grader among them, which an answer can end")
+    if isolation == "limits":
+        open_to.insert(
+            0,
+            "your files, other answers among them, which an answer can read and change, and your processes, "
+            "this grader among them, which it can end",
+        )
+    *most, last = open_to
+    return f"Not protected: {'; '.join(most)}{'; and ' if most else ''}{last}."
+
+
+@cache
+def tier_problem(isolation: Isolation) -> str | None:
+    """Why a tier does not work here, and what to do; None when it does. Tries it, once: it takes two seconds."""
+    if isolation == "sandbox":
+        return sandbox_problem() or _try_out(isolation, None)
+    if isolation == "landlock" and landlock_abi() == 0:
+        return "this kernel has no Landlock, or it is switched off (Linux 5.13 or newer, lsm=landlock)"
+    if isolation != "uid":
+        return _try_out(isolation, None)
+    try:
+        ids = lease_ids()
+    except NoIds as error:
+        return str(error)
+    try:
+        closed = _closed_folder()
+        if closed is not None:
+            return f"other users may not enter {closed}, on the way to this Python: chmod o+x {closed}"
+        return _try_out(isolation, ids)
+    finally:
+        try:
+            ids.sweep()
+        except StillThere as error:
+            return str(error)
+        finally:
+            ids.release()
+
+
+def best_below_sandbox() -> Isolation:
+    """The best of the weaker tiers that works here."""
+    return next((name for name in BEST_FIRST[1:] if tier_problem(name) is None), "limits")
+
+
+def _closed_folder() -> Path | None:
+    """A folder on the way to Python and its packages that other users may not enter."""
+    for place in (*interpreter_folders(), Path(sys.executable), Path(sys.executable).resolve()):
+        for folder in reversed(place.parents):
+            if not folder.stat().st_mode & stat.S_IXOTH:
+                return folder
+    return None
+
+
+def _try_out(isolation: Isolation, ids: Ids | None) -> str | None:
+    """Run a program of our own in this tier, in a process of its own: what can it do, and is it heard?"""
+    environ = child_environment(0)
+    if "PYTHONPATH" in os.environ:
+        environ["PYTHONPATH"] = os.environ["PYTHONPATH"]
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        port = listener.getsockname()[1]
+        command = [sys.executable, "-m", "workbook.observing.self_test", isolation, str(port)]
+        if ids is not None:
+            command.append(str(ids.user))
+        try:
+            done = subprocess.run(
+                outer_command(command) if isolation == "sandbox" else command,
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                text=True,
+                env=environ,
+                timeout=SELF_TEST_S,
+            )
+            problem = json.loads(done.stdout)["problem"]
+        except subprocess.TimeoutExpired:
+            return f"the self-test did not end within {SELF_TEST_S:.0f} s"
+        except (ValueError, KeyError):
+            return f"the self-test broke: {done.stderr.strip()[-300:] or f'exit code {done.returncode}'}"
+    return None if problem is None else str(problem)
