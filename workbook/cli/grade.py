@@ -48,10 +48,11 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     )
     parser.add_argument(
         "--isolation",
-        choices=["auto", "sandbox", "limits"],
+        choices=["auto", "sandbox", "uid", "landlock", "limits"],
         default="auto",
-        help="sandbox (what auto wants): each program shut in by bubblewrap, with a network of its own. limits: own "
-        "session, resource limits, own domain; only for answers that you would run yourself",
+        help="sandbox (what auto wants): each program shut in by bubblewrap, with a network of its own. uid: a user id "
+        "of its own, where the grader is root. landlock: the kernel hides files. limits: resource limits and own "
+        "domain; only for answers that you would run yourself",
     )
     parser.add_argument(
         "--format",
@@ -182,18 +183,28 @@ def _exercise_name(options: argparse.Namespace) -> str:
 
 
 def _isolation(wanted: str) -> "Isolation":
-    """The best there is, or what was accepted. Raises NoSandbox when strangers' programs could not be shut in."""
-    from workbook.observing.sandbox import NoSandbox, sandbox_problem
-
-    if wanted == "limits":
-        return "limits"
-    problem = sandbox_problem()
-    if problem is None:
-        return "sandbox"
-    raise NoSandbox(
-        f"programs cannot be shut in on this machine: {problem}. If you would run these answers on your own machine "
-        "anyway, say so with --isolation limits"
+    """The sandbox, or the weaker tier that was accepted by its name. Raises NoSandbox when it does not work here."""
+    from workbook.observing.sandbox import NoSandbox
+    from workbook.observing.tiers import (
+        BEST_FIRST,
+        best_below_sandbox,
+        covers,
+        leaves_open,
+        named_tier,
+        tier_problem,
     )
+
+    isolation: Isolation = BEST_FIRST[0] if wanted == "auto" else named_tier(wanted)
+    problem = tier_problem(isolation)
+    if problem is None:
+        return isolation
+    if isolation == "sandbox":
+        best = best_below_sandbox()
+        raise NoSandbox(
+            f"programs cannot be shut in on this machine: {problem}. The best that works here is {best}: "
+            f"{covers(best)}. {leaves_open(best)} If that will do for these answers, say so with --isolation {best}"
+        )
+    raise NoSandbox(f"--isolation {isolation} does not work on this machine: {problem}")
 
 
 @dataclass(frozen=True)
@@ -304,7 +315,9 @@ def _farm(options: argparse.Namespace, stem: str, screen: _Screen) -> "AbstractC
 
 
 def _warning(isolation: "Isolation") -> str:
-    return "" if isolation == "sandbox" else " (grade only answers that you would run on your own machine)"
+    from workbook.observing.tiers import covers, leaves_open
+
+    return "" if isolation == "sandbox" else f": {covers(isolation)}. {leaves_open(isolation).rstrip('.')}"
 
 
 def _grade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -> int:

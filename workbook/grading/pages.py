@@ -73,6 +73,7 @@ def student_page(result: Result, exercise: Exercise, out: Path) -> str:
     if judgement.recording is not None and exercise.periods:
         timeline, words = judged_timeline(exercise, judgement.recording)
     facts = [f"Answer: <code>{escape(result['answer'])}</code>", f"attempt {result['attempt']}"]
+    facts.append(f"isolation: {escape(result['isolation'])}")
     if result["submitted_at"]:
         facts.append(f"handed in {escape(result['submitted_at'])}")
     if result.get("late_points"):
@@ -88,7 +89,7 @@ def class_page(results: Iterable[Result], exercise: Exercise) -> str:
     """How the class did: points, the criteria that fail most, common sights, the slowest, and who is not graded."""
     rows = by_student(results)
     graded = [row for row in rows if row["score"] is not None]
-    parts = [f"<p>{len(rows)} answers, {len(graded)} graded.{_mean(graded)}</p>"]
+    parts = [f"<p>{len(rows)} answers, {len(graded)} graded.{_mean(graded)}{_isolation(rows)}</p>"]
     parts += [_distribution(graded, exercise), _criteria(graded), _common(graded), _slowest(graded)]
     parts.append(_twice(rows))
     missing = [row for row in rows if row["score"] is None]
@@ -113,6 +114,14 @@ def _mean(graded: Sequence[Result]) -> str:
     scores = sorted(row["score"] for row in graded)
     middle = (scores[(len(scores) - 1) // 2] + scores[len(scores) // 2]) / 2
     return f" Mean {sum(scores) / len(scores):.2g}, median {middle:g} points."
+
+
+def _isolation(rows: Sequence[Result]) -> str:
+    tiers = Counter(str(row["isolation"]) for row in rows)
+    if not tiers:
+        return ""
+    told = ", ".join(f"{escape(tier)} ({count})" for tier, count in sorted(tiers.items()))
+    return f" Isolation: {told}."
 
 
 def _page_of(row: Result) -> str:

@@ -37,8 +37,8 @@ class SlotBroken(RuntimeError):
 class Slot:
     """A running slot process. Not for two threads at once.
 
-    `isolation`: one of `workbook.observing.tiers`. `own_criteria`: the folder with an instructor's own criteria, where it
-    is not the one that this process was told of. Raises NoIds when "uid" finds no free user id.
+    `isolation`: one of `workbook.observing.tiers`. `own_criteria`: the folder with an instructor's own criteria, where
+    it is not the one that this process was told of. Raises NoIds when "uid" finds no free user id.
     """
 
     def __init__(self, isolation: Isolation = "limits", own_criteria: Path | None = None) -> None:

@@ -313,14 +313,18 @@ def check_chromium() -> Finding:
 
 
 def check_sandbox() -> Finding:
-    """bubblewrap: for instructors only."""
-    from workbook.observing.sandbox import sandbox_problem
+    """How well other people's programs can be shut in: for instructors only."""
+    from workbook.observing.tiers import best_below_sandbox, covers, leaves_open, tier_problem
 
-    problem = sandbox_problem()
+    problem = tier_problem("sandbox")
     if problem is None:
-        return Finding("ok", "bubblewrap", "isolates a program")
+        return Finding("ok", "Isolation", "sandbox: bubblewrap isolates a program")
+    best = best_below_sandbox()
     return Finding(
-        "note", "bubblewrap", problem, "Only grading other people's answers needs it (apt: bubblewrap)."
+        "note",
+        "Isolation",
+        f"no sandbox: {problem}. The best that works here is {best}: {covers(best)}. {leaves_open(best)}",
+        "Only grading other people's answers needs it (apt: bubblewrap).",
     )
 
 
@@ -343,7 +347,7 @@ def examine(environ: Mapping[str, str] | None = None) -> Iterator[Finding]:
         ("Two processes", check_two_processes),
         ("Jupyter kernel", check_kernel),
         ("Chromium", check_chromium),
-        ("bubblewrap", check_sandbox),
+        ("Isolation", check_sandbox),
     ):
         yield from _made(title, check)
 
