@@ -19,10 +19,11 @@ from workbook.exercise.answers import Answer
 from workbook.exercise.definition import OWN_CRITERIA
 from workbook.exercise.exchange import judgement_from_json
 from workbook.exercise.judging import Judgement, Report
+from workbook.observing.orphans import StillThere
 from workbook.observing.process import kill_programs_of
 from workbook.observing.sandbox import outer_command
 from workbook.observing.tiers import Isolation as Isolation
-from workbook.observing.uids import lease_ids
+from workbook.observing.uids import NoIds, lease_ids
 from workbook.ros.environment import child_environment
 
 ANSWER_DEADLINE_S = 120.0
@@ -38,7 +39,7 @@ class Slot:
     """A running slot process. Not for two threads at once.
 
     `isolation`: one of `workbook.observing.tiers`. `own_criteria`: the folder with an instructor's own criteria, where
-    it is not the one that this process was told of. Raises NoIds when "uid" finds no free user id.
+    it is not the one that this process was told of. Raises SlotBroken when "uid" finds no free user id.
     """
 
     def __init__(self, isolation: Isolation = "limits", own_criteria: Path | None = None) -> None:
@@ -51,7 +52,10 @@ class Slot:
             environ[OWN_CRITERIA] = str(own_criteria)
         environ.pop("ROS_LOG_DIR")
         command = [sys.executable, "-m", "workbook.grading.slot", isolation]
-        self._ids = lease_ids() if isolation == "uid" else None
+        try:
+            self._ids = lease_ids() if isolation == "uid" else None
+        except NoIds as error:
+            raise SlotBroken(str(error)) from error
         if self._ids is not None:
             command.append(str(self._ids.user))
         self._process = subprocess.Popen(
@@ -142,7 +146,10 @@ class Slot:
     def _sweep(self) -> None:
         """End what runs under the user id of this slot, and give the id back."""
         if self._ids is not None:
-            self._ids.sweep()
+            try:
+                self._ids.sweep()
+            except StillThere:  # then nobody else shall have this id while the grader runs
+                return
             self._ids.release()
             self._ids = None
 
@@ -206,13 +213,16 @@ def judge_with_retry(
     """Judge a job, replacing a slot that breaks, at most twice; then the fault is ours: `infra_error` and no slot."""
     reason = ""
     for _ in range(TRIES):
-        if slot is None or not slot.is_running:
-            slot = Slot(isolation, own_criteria)
         try:
+            if slot is not None and not slot.is_running:
+                slot.close()
+                slot = None
+            slot = slot or Slot(isolation, own_criteria)
             return slot, slot.judge(job.stem, job.answer, thorough=thorough)
         except SlotBroken as error:
             reason = str(error)
-            slot.kill()
+            if slot is not None:
+                slot.kill()
             slot = None
     return None, Judgement(job.stem, job.answer.sha256, "infra_error", reason, (), None)
 

@@ -21,7 +21,7 @@ from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.exchange import judgement_to_json
 from workbook.exercise.judging import Judge, Judgement
-from workbook.observing.orphans import adopt_orphans, sweep_orphans
+from workbook.observing.orphans import StillThere, adopt_orphans, sweep_orphans
 from workbook.observing.tiers import Isolation, named_tier, walls
 from workbook.observing.uids import Ids
 from workbook.observing.warm_start import ForkServer
@@ -114,7 +114,10 @@ def serve(isolation: Isolation, ids: Ids | None = None) -> None:
                 message = {"final": True, "judgement": judgement_to_json(judgement)}
             except Exception as error:
                 message = {"final": True, "error": f"{type(error).__name__}: {error}"}
-            sweep_orphans(keep=server.pid)
+            try:
+                sweep_orphans(keep=server.pid)
+            except StillThere as error:
+                message = {"final": True, "error": str(error)}
             send(message)
 
 

@@ -4,10 +4,12 @@
 
 Whatever is asked for, capabilities and ways to new ones are given up. `--user` takes an id (and the group of the same
 number) that no account needs to have. With any `--read` or `--write` Landlock hides all other files, and keeps signals
-and TCP connections inside, as far as this kernel knows how (`landlock_abi`).
+and TCP connections inside, as far as this kernel knows how (`landlock_abi`). Without `--user`, a filter of system calls
+then does what Landlock does not: it keeps the permissions of the user's files as they are (`filters_calls`).
 """
 
 import ctypes
+import errno
 import os
 import resource
 import stat
@@ -39,11 +41,35 @@ SCOPES = 0b11
 """Signals, and sockets with abstract names."""
 FAILED = 126
 
+PR_SET_SECCOMP = 22
+SECCOMP_MODE_FILTER = 2
+SECCOMP_ALLOW = 0x7FFF0000
+SECCOMP_ERRNO = 0x00050000
+BPF_LOAD_WORD, BPF_JUMP_IF_EQUAL, BPF_JUMP_IF_AT_LEAST, BPF_RETURN = 0x20, 0x15, 0x35, 0x06
+ARCH_X86_64 = 0xC000003E
+CALLS_OF_X32 = 0x40000000
+CALLS_WITHOUT_EFFECT = (
+    *(90, 91, 92, 93, 94, 260, 268, 452),  # chmod, chown and their kin
+    *(132, 235, 261, 280),  # utime and its kin
+    *(188, 189, 190, 197, 198, 199, 463, 466, 469),  # setxattr, removexattr and their kin, file_setattr
+)
+"""By their numbers on x86_64. They say that all went well, so that a copied file is no error."""
+REFUSED_CALLS = (
+    *(29, 64, 68),  # shmget, semget, msgget: what they make outlives a program
+    *(101, 310, 311),  # ptrace, process_vm_readv, process_vm_writev
+    *(248, 249, 250),  # keys
+    *(298, 321, 323, 425),  # perf_event_open, bpf, userfaultfd, io_uring_setup
+)
+
 _libc = ctypes.CDLL(None, use_errno=True)
 
 
 class _Ruleset(ctypes.Structure):
     _fields_ = (("files", ctypes.c_uint64), ("tcp", ctypes.c_uint64), ("scopes", ctypes.c_uint64))
+
+
+class _Filter(ctypes.Structure):
+    _fields_ = (("steps", ctypes.c_ushort), ("code", ctypes.c_void_p))
 
 
 def _call(what: str, result: int) -> int:
@@ -125,6 +151,34 @@ def see_only(read: list[str], write: list[str]) -> None:
         os.close(ruleset)
 
 
+def filters_calls() -> bool:
+    """Whether the filter of system calls knows this kind of machine."""
+    return os.uname().machine == "x86_64" and sys.maxsize > 2**32
+
+
+def filter_calls() -> None:
+    """Let no call through that changes permissions, owners or times of files, or looks into other processes.
+
+    For good, and for all that this process becomes and starts. Needs `be_powerless`.
+    """
+    calls = [(number, SECCOMP_ERRNO) for number in CALLS_WITHOUT_EFFECT]
+    calls += [(number, SECCOMP_ERRNO | errno.EPERM) for number in REFUSED_CALLS]
+    steps = [
+        (BPF_LOAD_WORD, 0, 0, 4),  # the architecture
+        (BPF_JUMP_IF_EQUAL, 1, 0, ARCH_X86_64),
+        (BPF_RETURN, 0, 0, SECCOMP_ERRNO | errno.ENOSYS),
+        (BPF_LOAD_WORD, 0, 0, 0),  # the number of the call
+        (BPF_JUMP_IF_AT_LEAST, 0, 1, CALLS_OF_X32),
+        (BPF_RETURN, 0, 0, SECCOMP_ERRNO | errno.ENOSYS),
+    ]
+    for number, outcome in calls:
+        steps += [(BPF_JUMP_IF_EQUAL, 0, 1, number), (BPF_RETURN, 0, 0, outcome)]
+    steps.append((BPF_RETURN, 0, 0, SECCOMP_ALLOW))
+    code = ctypes.create_string_buffer(b"".join(struct.pack("=HBBI", *step) for step in steps))
+    program = _Filter(len(steps), ctypes.addressof(code))
+    _call("seccomp", _libc.prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, ctypes.byref(program), 0, 0))
+
+
 def limit_processes(most: int) -> None:
     """Threads and processes of this user, all together."""
     _, hard = resource.getrlimit(resource.RLIMIT_NPROC)
@@ -149,6 +203,8 @@ def start(arguments: list[str]) -> None:
         be_powerless()
         if asked["--read"] or asked["--write"]:
             see_only(asked["--read"], asked["--write"])
+            if not asked["--user"] and filters_calls():
+                filter_calls()
         os.execv(arguments[1], arguments[1:])
     except OSError as error:
         print(f"the program could not be shut in: {error}", file=sys.stderr, flush=True)

@@ -3,12 +3,18 @@
 import ctypes
 import os
 import signal
+import time
 from collections.abc import Iterable
 from contextlib import suppress
 
-from workbook.observing.tree import children, process_tree
+from workbook.observing.tree import children
 
 PR_SET_CHILD_SUBREAPER = 36
+LONGEST_SWEEP_S = 20.0
+
+
+class StillThere(RuntimeError):
+    """Programs do not end, or may not be ended. Says which."""
 
 
 def adopt_orphans() -> None:
@@ -19,24 +25,54 @@ def adopt_orphans() -> None:
 def sweep_orphans(keep: int | None = None) -> int:
     """Kill and reap every process that is left below this one, but for `keep`. Returns how many there were.
 
-    All of them are stopped first, and only then killed: what does not run cannot fork away.
+    Each is stopped as soon as it is seen, and only when no new one is found they are killed: what does not run cannot
+    fork away. Raises StillThere after twenty seconds, when new ones still come faster than they can be stopped.
     """
     ended: set[int] = set()
+<<<<<<< HEAD
     while below := _below(keep):
+=======
+    deadline = time.monotonic() + LONGEST_SWEEP_S
+    while True:
+>>>>>>> 15732ac (A filter of system calls keeps the permissions of files where Landlock does not; a sweep that does not come to an end is an infra_error)
         stopped: set[int] = set()
-        while newcomers := below - stopped:
-            _signal(newcomers, signal.SIGSTOP)
+        while time.monotonic() < deadline and (newcomers := _stop_below(os.getpid(), stopped)):
             stopped |= newcomers
+<<<<<<< HEAD
             below = _below(keep)
+=======
+        if not stopped:
+            return len(ended)
+>>>>>>> 15732ac (A filter of system calls keeps the permissions of files where Landlock does not; a sweep that does not come to an end is an infra_error)
         _signal(stopped, signal.SIGKILL)
         ended |= stopped
         _reap(stopped)
-    return len(ended)
+        if time.monotonic() > deadline:
+            raise StillThere(
+                "programs that this answer has started do not end: they start new ones faster than they can be "
+                "stopped. Look for them with `ps` and end them"
+            )
 
 
+<<<<<<< HEAD
 def _below(keep: int | None) -> set[int]:
     kept = [] if keep is None else process_tree(keep)
     return set(process_tree(os.getpid())[1:]).difference(kept)
+=======
+def _stop_below(pid: int, known: set[int]) -> set[int]:
+    """Stop the descendants of `pid` that are not known yet, from the top down. Returns them."""
+    newcomers: set[int] = set()
+    waiting, looked_at = [pid], set[int]()
+    while waiting:
+        for child in children(waiting.pop()):
+            if child not in known and child not in newcomers:
+                _signal([child], signal.SIGSTOP)
+                newcomers.add(child)
+            if child not in looked_at:
+                looked_at.add(child)
+                waiting.append(child)
+    return newcomers
+>>>>>>> 15732ac (A filter of system calls keeps the permissions of files where Landlock does not; a sweep that does not come to an end is an infra_error)
 
 
 def _signal(pids: Iterable[int], number: signal.Signals) -> None:

@@ -14,10 +14,11 @@ from functools import cache
 from pathlib import Path
 from typing import Literal
 
-from workbook.observing.confine import ABI_OF_SIGNALS, ABI_OF_TCP, landlock_abi
+from workbook.observing.confine import ABI_OF_SIGNALS, ABI_OF_TCP, filters_calls, landlock_abi
 from workbook.observing.confinement import Confinement
+from workbook.observing.orphans import StillThere
 from workbook.observing.sandbox import Cage, interpreter_folders, outer_command, sandbox_problem
-from workbook.observing.uids import Ids, NoIds, StillThere, lease_ids
+from workbook.observing.uids import Ids, NoIds, lease_ids
 from workbook.ros.environment import child_environment
 
 Isolation = Literal["sandbox", "uid", "landlock", "limits"]
@@ -25,6 +26,7 @@ BEST_FIRST: tuple[Isolation, ...] = ("sandbox", "uid", "landlock", "limits")
 SELF_TEST_S = 60.0
 _NETWORK = "the network of this machine and, through it, the ROS domains of other answers"
 _DISK = "the disk, which an answer can fill"
+_ENDLESS = "an answer that starts itself anew without a pause, which may go on running"
 _KERNEL = "holes in the Linux kernel"
 
 
@@ -58,27 +60,24 @@ def covers(isolation: Isolation) -> str:
 
 def leaves_open(isolation: Isolation) -> str:
     """What a tier does not protect, as a sentence."""
+    if isolation == "sandbox":
+        return f"Not protected: {_KERNEL}."
     abi = landlock_abi()
-    open_to = [_KERNEL]
-    if isolation != "sandbox":
-        network = _NETWORK + ("" if isolation == "limits" or abi < ABI_OF_TCP else " (TCP is closed)")
-        open_to = [network, _DISK, _KERNEL]
+    network = _NETWORK + ("" if isolation == "limits" or abi < ABI_OF_TCP else " (TCP is closed)")
+    open_to = [network, _DISK, *(() if isolation == "uid" else (_ENDLESS,)), _KERNEL]
     if isolation == "uid" and not abi:
         open_to.insert(0, "files that every user of this machine may read (`chmod o= FOLDER` helps)")
-    if isolation == "landlock":
+    if isolation == "landlock" and not filters_calls():
         open_to.insert(
             0, "the permissions of your files, which an answer can change where it guesses the name"
         )
-        if abi < ABI_OF_SIGNALS:
-            open_to.insert(0, "your processes, this grader among them, which an answer can end")
+    if isolation == "limits" or (isolation == "landlock" and abi < ABI_OF_SIGNALS):
+        open_to.insert(0, "your processes, this grader among them, which an answer can end")
     if isolation == "limits":
-        open_to.insert(
-            0,
-            "your files, other answers among them, which an answer can read and change, and your processes, "
-            "this grader among them, which it can end",
-        )
+        open_to.insert(0, "your files, other answers among them, which an answer can read and change")
+        open_to.insert(-1, "the folders for temporary files, in which something may stay behind")
     *most, last = open_to
-    return f"Not protected: {'; '.join(most)}{'; and ' if most else ''}{last}."
+    return f"Not protected: {'; '.join(most)}; and {last}."
 
 
 @cache

@@ -15,13 +15,13 @@ import tempfile
 import time
 from pathlib import Path
 
+from workbook.observing.orphans import LONGEST_SWEEP_S, StillThere
 from workbook.observing.sweeper import RANGES
 from workbook.ros.scratch import remove_scratch
 
 SWEEPER = Path(__file__).with_name("sweeper.py")
 SHARED_FOLDERS = ("/tmp", "/var/tmp", "/dev/shm", "/run/lock")
 SOCKET_PREFIX = "rclpy-workbook/user/"
-LONGEST_SWEEP_S = 10.0
 _POLL_S = 0.002
 _TRIES = 200
 _IPC_REMOVE = 0
@@ -29,10 +29,6 @@ _IPC_REMOVE = 0
 
 class NoIds(RuntimeError):
     """No user id can be leased here. The message says why."""
-
-
-class StillThere(RuntimeError):
-    """Processes of a user id do not end, or may not be ended. Says which."""
 
 
 class Ids:
@@ -51,7 +47,7 @@ class Ids:
     def sweep(self) -> bool:
         """End every process of `user`, and remove what it left: files in shared folders, System V shared memory.
 
-        Returns whether a process was there. Raises StillThere when a process has not ended after ten seconds.
+        Returns whether a process was there. Raises StillThere when a process has not ended after twenty seconds.
         """
         command = [sys.executable, "-I", "-S", str(SWEEPER), str(self.user), str(self.sweeper)]
         found = bool(processes_of(self.user))
