@@ -14,6 +14,7 @@ LONG_FIRST = (
     "test_browser_exercise",
     "test_hostile",
     "test_farm",
+    "test_tiers",
     "test_nodes_with_timers",
 )
 BROWSERS = 2

@@ -1,0 +1,667 @@
+"""The tiers below the sandbox: right answers keep their marks, hostile ones gain nothing, and what is open is said."""
+
+import json
+import os
+import re
+import shutil
+import socket
+import stat
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.observing.programs import is_gone, wait_until
+from workbook.cli.main import main
+from workbook.exercise.definition import load_exercise
+from workbook.observing import tiers
+from workbook.observing.confine import ABI_OF_SIGNALS, landlock_abi
+from workbook.observing.sandbox import interpreter_folders
+from workbook.observing.self_test import must_not, problem_in
+from workbook.observing.sweeper import act_as, is_ours
+from workbook.observing.tiers import BEST_FIRST, Isolation, covers, leaves_open
+from workbook.observing.uids import Ids, NoIds, lease_ids, running_users
+
+pytestmark = pytest.mark.slow
+ROOT = Path(__file__).resolve().parents[2]
+STEM = "09_joint_positions"
+SLOTS = 4
+IS_ROOT = os.geteuid() == 0
+WEAKER: tuple[Isolation, ...] = ("uid", "landlock", "limits")
+SAYS_USER = "import os\nprint('user', os.getuid(), flush=True)\n"
+
+GOES_ON = {  # what none of these can do, so that each of them is a right answer and no more
+    "reads others": """
+import glob, os
+places = ["@@SECRET@@"]
+for folder in glob.glob("/tmp/rclpy-workbook-*"):
+    if not os.path.samefile(folder, os.path.dirname(__file__)) and not os.path.samefile(folder, os.getcwd()):
+        places += [folder, *glob.glob(folder + "/*")]
+for place in places:
+    try:
+        os.listdir(place) if os.path.isdir(place) else open(place).close()
+    except OSError:
+        continue
+    raise SystemExit(f"{place} can be read")
+""",
+    "changes its folder": """
+import os
+folder = os.path.dirname(__file__)
+for attempt in (
+    lambda: open(__file__, "a"),
+    lambda: open(os.path.join(folder, "more.py"), "w"),
+    lambda: os.unlink(__file__),
+    lambda: os.rename(folder, folder + "x"),
+):
+    try:
+        attempt()
+    except OSError:
+        continue
+    raise SystemExit("the folder of the answer can be changed")
+""",
+}
+KILLS_THE_GRADER = """
+import os, signal
+def parent_of(pid):
+    with open(f"/proc/{pid}/stat") as file:
+        return int(file.read().rsplit(")", 1)[1].split()[1])
+grader = [os.getppid()]
+try:
+    grader.append(parent_of(os.getppid()))
+except OSError:
+    pass
+for pid in grader:
+    try:
+        os.kill(pid, signal.SIGKILL)
+    except PermissionError:
+        continue
+    raise SystemExit("the grader can be killed")
+"""
+GHOST = '''
+import os, sys
+if os.fork() == 0:
+    os.setsid()
+    if os.fork() == 0:
+        ghost = """
+import os, rclpy
+print("user", os.getuid(), flush=True)
+from std_msgs.msg import Float32MultiArray
+rclpy.init()
+node = rclpy.create_node("ghost_@@RUN@@")
+publisher = node.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
+node.create_timer(2.0, lambda: publisher.publish(Float32MultiArray(data=[0.0] * 12)))
+rclpy.spin(node)
+"""
+        clean = {name: os.environ[name] for name in os.environ if not name.startswith("WORKBOOK")}
+        os.execve(sys.executable, [sys.executable, "-c", ghost], clean)
+    os._exit(0)
+'''
+BOMB = """
+import os, time
+for _ in range(300):
+    try:
+        if os.fork() == 0:
+            time.sleep(600)
+    except OSError:
+        break
+time.sleep(600)
+"""
+COMES_BACK = """
+import os, time
+for _ in range(20):
+    if os.fork() == 0:
+        os.setsid()
+        for _ in range(500):
+            time.sleep(0.02)
+            if os.fork():
+                os._exit(0)
+        os._exit(0)
+"""
+CANNOT_BE_CAUGHT = """
+import os, signal
+if os.getuid() < 60600:
+    raise SystemExit("this is no user of its own")
+if os.fork() == 0:
+    os.setsid()
+    while True:
+        try:
+            os.kill(-1, signal.SIGKILL)
+        except OSError:
+            pass
+        if os.fork():
+            os._exit(0)
+"""
+LITTERS = """
+import ctypes, os, tempfile
+for place in ("/tmp", "/var/tmp", "/dev/shm", "/run/lock", os.getcwd()):
+    try:
+        open(os.path.join(place, "left_by_@@RUN@@"), "w").close()
+        os.mkdir(os.path.join(place, "folder_left_by_@@RUN@@"))
+    except OSError:
+        pass
+ctypes.CDLL(None).shmget(0, 4096, 0o1600)
+for _ in range(1500):
+    os.mkdir("deep")
+    os.chdir("deep")
+os.chdir(os.environ["HOME"])
+os.chmod("deep", 0)
+raise SystemExit(0)
+"""
+TRIES_WHAT_IS_OPEN = """
+import json, os, signal, socket
+def works(attempt):
+    try:
+        attempt()
+    except OSError:
+        return False
+    return True
+datagram = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+works(lambda: os.chmod("@@OWN@@", 0o600))
+print("open:", json.dumps({
+    "read": works(lambda: open("@@SECRET@@").close()),
+    "kill": works(lambda: os.kill(@@SLEEPER@@, signal.SIGTERM)),
+    "network": works(lambda: datagram.sendto(b"@@RUN@@", ("127.0.0.1", @@PORT@@))),
+    "disk": os.statvfs(os.getcwd()).f_bavail * os.statvfs(os.getcwd()).f_frsize > 200_000_000,
+}), flush=True)
+"""
+WORDS_FOR = {
+    "read": " read",
+    "chmod": "change",
+    "kill": "your processes",
+    "network": "the network",
+    "disk": "the disk",
+}
+
+
+def open_house() -> list[str]:
+    """What to put before a command so that every user may run this Python, when root alone may (it lies in /root)."""
+    needed = {*interpreter_folders(), Path(sys.prefix), Path(sys.executable), ROOT}
+    needed |= {place.resolve() for place in needed}
+    folders = {folder for place in needed for folder in place.parents}
+    closed = [folder for folder in sorted(folders) if not folder.stat().st_mode & stat.S_IXOTH]
+    if not IS_ROOT or not closed or shutil.which("bwrap") is None:
+        return []
+    command = ["bwrap", "--dev-bind", "/", "/", "--cap-add", "ALL", "--die-with-parent"]
+    done: list[Path] = []
+    for folder in closed:
+        if not any(one in folder.parents for one in done):
+            command += ["--tmpfs", str(folder)]
+            done.append(folder)
+    covered = [place for place in sorted(needed) if any(folder in place.parents for folder in done)]
+    for place in [one for one in covered if not any(other in one.parents for other in covered)]:
+        for folder in reversed(place.parents):
+            if any(one in folder.parents for one in done):
+                command += ["--perms", "0755", "--dir", str(folder)]
+        command += ["--bind", str(place), str(place)]
+    return [*command, "--"]
+
+
+def ids_can_be_lent() -> bool:
+    """Whether programs can run under user ids of their own here."""
+    return IS_ROOT and (bool(open_house()) or tiers._closed_folder() is None)
+
+
+@dataclass(frozen=True)
+class House:
+    """Who runs the grader: a user id, or whoever runs the tests, and a folder of that user's."""
+
+    user: int | None
+    folder: Path
+
+    def start(self, command: list[str]) -> "subprocess.Popen[str]":
+        environ = {**os.environ, "HOME": str(self.folder), "PYTHONDONTWRITEBYTECODE": "1"}
+        environ.pop("XDG_CACHE_HOME", None)
+        user: list[str] = []
+        if self.user is not None:
+            user = ["setpriv", "--reuid", str(self.user), "--regid", str(self.user), "--clear-groups"]
+        pipe = subprocess.PIPE
+        return subprocess.Popen(
+            [*open_house(), *user, *command],
+            stdin=pipe,
+            stdout=pipe,
+            stderr=pipe,
+            text=True,
+            env=environ,
+            cwd=ROOT,
+        )
+
+    def run(self, command: list[str], text: str = "") -> "subprocess.CompletedProcess[str]":
+        with self.start(command) as process:
+            said, errors = process.communicate(text)
+        return subprocess.CompletedProcess(command, process.returncode, said, errors)
+
+
+@pytest.fixture(scope="module")
+def ordinary() -> Iterator[House]:
+    """An ordinary user: one of our own making when root runs the tests."""
+    ids = lease_ids() if IS_ROOT else None
+    folder = Path(tempfile.mkdtemp(prefix="tiers-"))
+    folder.chmod(0o755)
+    try:
+        if ids is not None:
+            os.chown(folder, ids.user, ids.user)
+        yield House(None if ids is None else ids.user, folder)
+    finally:
+        if ids is not None:
+            ids.sweep()  # what the grader itself leaves as this user, such as a page of shared memory of its tracing
+            ids.release()
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+@pytest.fixture(scope="module")
+def owner() -> Iterator[House]:
+    """Whoever runs the tests."""
+    folder = Path(tempfile.mkdtemp(prefix="tiers-"))
+    folder.chmod(0o755)
+    yield House(None, folder)
+    shutil.rmtree(folder, ignore_errors=True)
+
+
+@dataclass(frozen=True)
+class Aftermath:
+    """What came of all answers in one tier, and what was left. `problem`: why the tier does not work here."""
+
+    tier: Isolation
+    problem: str | None
+    judgements: dict[str, dict[str, Any]]
+    users: set[int]
+    left: list[str]
+    heard: bool
+    slept_on: bool
+    modes_changed: bool
+
+
+def answers_for(tier: Isolation, solution: str) -> dict[str, str]:
+    """Answers by name. Those that a tier does not claim to stop are not among them."""
+    right = ROOT / "tests" / "right_answers" / STEM
+    texts = {
+        "right": solution,
+        "two processes": (right / "two_processes.py").read_text(),
+        "remapped": (right / "remapped_and_more_topics.py").read_text(),
+        "ghost": GHOST,
+        "bomb": BOMB,
+        "comes back": COMES_BACK,
+        "litters": LITTERS,
+        "open": TRIES_WHAT_IS_OPEN,
+        "right afterwards": solution,
+    }
+    if tier != "limits":
+        texts |= {name: text + solution for name, text in GOES_ON.items()}
+        if landlock_abi() >= ABI_OF_SIGNALS or tier == "uid":
+            texts["kills the grader"] = KILLS_THE_GRADER + solution
+    else:
+        del texts["litters"]
+    if tier == "uid":
+        texts["cannot be caught"] = CANNOT_BE_CAUGHT
+    return {name: SAYS_USER + text for name, text in texts.items()}
+
+
+def processes_that(said: str) -> list[str]:
+    found = []
+    for entry in os.listdir("/proc"):
+        if entry.isdigit():
+            try:
+                command = (
+                    Path(f"/proc/{entry}/cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
+                )
+            except OSError:
+                continue
+            if said in command and not is_gone(int(entry)):
+                found.append(command)
+    return found
+
+
+def what_is_left(run: str, users: set[int], grader: int | None) -> list[str]:
+    """Processes and files of these users, and whatever bears the name of this run."""
+    left = [f"process {pid} of {user}" for pid, user in running_users() if user in users]
+    left += processes_that(f"ghost_{run}")
+    for folder in ("/tmp", "/var/tmp", "/dev/shm", "/run/lock"):
+        for path in Path(folder).glob("*"):
+            try:
+                owner = path.lstat().st_uid
+            except OSError:
+                continue
+            is_ours = path.name.startswith(
+                ("tiers-", "lttng-ust-wait-")
+            )  # the grader's own, if it is their user
+            if (owner in users and not (is_ours and owner == grader)) or run in path.name:
+                left.append(str(path))
+    table = Path("/proc/sysvipc/shm")
+    rows = [line.split() for line in table.read_text().splitlines()] if table.exists() else []
+    return left + [f"shared memory {row[1]}" for row in rows[1:] if int(row[7]) in users]
+
+
+def judge_all_in(tier: Isolation, house: House) -> Aftermath:
+    run = f"{os.getpid()}_{tier}"
+    secret, own = house.folder / "another_answer.py", house.folder / "own"
+    for path in (secret, own):
+        path.write_text("secret = 1\n")
+        path.chmod(0o644)
+        if house.user is not None:
+            os.chown(path, house.user, house.user)
+    solution = load_exercise(STEM, ROOT).source.solution_code
+    sleeper = (
+        subprocess.Popen(["sleep", "600"], user=house.user)
+        if house.user
+        else subprocess.Popen(["sleep", "600"])
+    )
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as listener:
+        listener.bind(("127.0.0.1", 0))
+        listener.setblocking(False)
+        marks = {
+            "@@SECRET@@": secret,
+            "@@OWN@@": own,
+            "@@RUN@@": run,
+            "@@SLEEPER@@": sleeper.pid,
+            "@@PORT@@": listener.getsockname()[1],
+        }
+        texts = answers_for(tier, solution)
+        for mark, value in marks.items():
+            texts = {name: text.replace(mark, str(value)) for name, text in texts.items()}
+        try:
+            done = house.run(
+                [sys.executable, "-m", "tests.hostile.tier_run", tier, str(SLOTS)], json.dumps(texts)
+            )
+        finally:
+            slept_on = sleeper.poll() is None
+            sleeper.kill()
+            sleeper.wait()
+        try:
+            heard = listener.recv(100) == run.encode()
+        except BlockingIOError:
+            heard = False
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout)
+    logs = "".join(one["log"] for one in told["judgements"].values())
+    users = {int(number) for number in re.findall(r"^user (\d+)$", logs, re.MULTILINE)}
+    if house.user is None:
+        users.discard(os.getuid())
+    else:
+        users.add(house.user)
+    return Aftermath(
+        tier,
+        told["problem"],
+        told["judgements"],
+        users,
+        what_is_left(run, users, house.user),
+        heard,
+        slept_on,
+        own.stat().st_mode & 0o777 != 0o644,
+    )
+
+
+@pytest.fixture(scope="module", params=WEAKER)
+def aftermath(request: pytest.FixtureRequest, ordinary: House, owner: House) -> Aftermath:
+    tier: Isolation = request.param
+    return judge_all_in(tier, owner if tier == "uid" else ordinary)
+
+
+def works_here(aftermath: Aftermath) -> bool:
+    """Whether the tier works on this machine; where not, that it says why is all there is to see."""
+    if aftermath.problem is None:
+        return True
+    reasons = {
+        "uid": "only root|other users may not enter|too few user ids",
+        "landlock": "has no Landlock",
+        "limits": "no reason is good enough",
+    }
+    assert re.search(reasons[aftermath.tier], aftermath.problem), aftermath.problem
+    return False
+
+
+def explained(aftermath: Aftermath, name: str) -> str:
+    one = aftermath.judgements[name]
+    return f"{one['status']} {one['score']} {one['limits']}\n{one['said']}\n{one['log'][-1500:]}"
+
+
+def test_root_and_the_ordinary_user_have_a_tier_that_isolates(aftermath: Aftermath) -> None:
+    if aftermath.tier == "uid" and ids_can_be_lent():
+        assert aftermath.problem is None
+    if aftermath.tier == "landlock" and landlock_abi():
+        assert aftermath.problem is None
+    assert works_here(aftermath) or aftermath.judgements == {}
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "right",
+        "two processes",
+        "remapped",
+        "right afterwards",
+        "reads others",
+        "changes its folder",
+        "kills the grader",
+    ],
+)
+def test_a_right_answer_gets_full_marks_and_does_nothing_else(name: str, aftermath: Aftermath) -> None:
+    if not works_here(aftermath) or name not in aftermath.judgements:
+        return
+    assert aftermath.judgements[name]["score"] == 10, explained(aftermath, name)
+
+
+@pytest.mark.parametrize("name", ["ghost", "comes back", "cannot be caught", "bomb", "litters", "open"])
+def test_a_hostile_answer_gets_nothing(name: str, aftermath: Aftermath) -> None:
+    if not works_here(aftermath) or name not in aftermath.judgements:
+        return
+    one = aftermath.judgements[name]
+    assert (one["status"], one["score"]) == ("graded", 0), explained(aftermath, name)
+    if name == "bomb":
+        assert one["limits"] == ["processes"], explained(aftermath, name)
+        assert "started more than 60 other processes" in one["said"]
+
+
+def test_everything_that_was_asked_was_judged(aftermath: Aftermath) -> None:
+    if works_here(aftermath):
+        assert set(aftermath.judgements) == set(answers_for(aftermath.tier, ""))
+
+
+def test_nothing_is_left(aftermath: Aftermath) -> None:
+    if works_here(aftermath):
+        assert aftermath.users or not IS_ROOT, "no answer said as whom it ran"
+        assert aftermath.left == []
+
+
+def test_what_is_open_is_said_and_nothing_else(aftermath: Aftermath) -> None:
+    if not works_here(aftermath):
+        return
+    told = re.search(r"^open: (.*)$", aftermath.judgements["open"]["log"], re.MULTILINE)
+    assert told is not None, explained(aftermath, "open")
+    found = {**json.loads(told[1]), "chmod": aftermath.modes_changed}
+    assert found["network"] == aftermath.heard
+    assert found["kill"] != aftermath.slept_on
+    sentence = leaves_open(aftermath.tier)
+    assert {name: word in sentence for name, word in WORDS_FOR.items()} == found, sentence
+
+
+def test_every_slot_has_a_user_of_its_own(aftermath: Aftermath) -> None:
+    if aftermath.tier == "uid" and works_here(aftermath):
+        assert len(aftermath.users) == SLOTS
+
+
+@pytest.mark.parametrize("tier", WEAKER)
+def test_a_killed_grader_takes_along_even_what_hides_from_it(
+    tier: Isolation, ordinary: House, owner: House
+) -> None:
+    house = owner if tier == "uid" else ordinary
+    sleep = f"600.{os.getpid():07d}{WEAKER.index(tier)}"
+    hand_in = house.folder / "joint_positions_s2.py"
+    hand_in.write_text(
+        "import subprocess, time\n"
+        f"subprocess.Popen(['sleep', '{sleep}'], start_new_session=True, env={{}})\n"
+        "time.sleep(600)\n"
+    )
+    hand_in.chmod(0o644)
+    command = [
+        "grade",
+        str(hand_in),
+        "--out",
+        str(house.folder / "killed"),
+        "--isolation",
+        tier,
+        "--slots",
+        "1",
+    ]
+    with house.start([sys.executable, "-m", "workbook.cli.main", *command]) as grader:
+        wait_until(lambda: processes_that(sleep) or grader.poll() is not None)
+        if grader.poll() is not None:
+            assert tier == "uid" and not ids_can_be_lent()
+            return
+        grader.kill()
+    wait_until(lambda: not processes_that(sleep))
+
+
+# --- a user id of its own, where there is no Landlock ---------------------------------------------------------------
+
+
+def test_user_ids_alone_keep_answers_apart_and_traffic_on_this_machine(owner: House) -> None:
+    if not ids_can_be_lent():
+        assert tiers.tier_problem("uid") is not None
+        return
+    run = f"alone_{os.getpid()}"
+    done = owner.run([sys.executable, "-m", "tests.hostile.uid_alone", run])
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout)
+    assert not any(told["found"].values()), told["found"]
+    assert len(told["found"]) == 11
+    assert len(told["addresses"]) >= 2
+    assert set(told["addresses"]) == {"0100007F"}, "127.0.0.1 and nothing else"
+    assert told["sleeping"] == 6
+    assert (told["left"], told["files left"], told["neighbor left"]) == ([], [], [])
+    assert told["neighbor runs"], "the neighbor was not touched"
+
+
+@pytest.mark.parametrize(("user", "own"), [(0, 0), (0, 60_601), (60_600, 0), (1000, 1001), (60_600, 65_534)])
+def test_the_sweeper_acts_for_no_other_user(user: int, own: int) -> None:
+    before = os.getresuid()
+    with pytest.raises(PermissionError, match="no ids that programs are run under"):
+        act_as(user, own)
+    assert os.getresuid() == before
+
+
+def test_two_leases_have_no_id_in_common() -> None:
+    if not IS_ROOT:
+        with pytest.raises(NoIds, match="only root"):
+            lease_ids()
+        return
+    leases = [lease_ids() for _ in range(20)]
+    ids = [number for lease in leases for number in (lease.user, lease.sweeper)]
+    assert len(set(ids)) == 40
+    assert all(map(is_ours, ids))
+    for lease in leases:
+        lease.release()
+
+
+# --- what is said ---------------------------------------------------------------------------------------------------
+
+HARMLESS = {
+    "reads a file of the grader": False,
+    "changes its own file": False,
+    "writes beside its own file": False,
+    "signals the grader": False,
+    "connects to this machine": False,
+    "has capabilities": False,
+    "can gain capabilities": False,
+    "user": [60_600, 60_600, 60_600],
+    "groups": [60_600, 60_600, 60_600],
+}
+
+
+@pytest.mark.parametrize("tier", BEST_FIRST)
+def test_a_self_test_names_what_a_program_could_do(tier: Isolation) -> None:
+    assert problem_in(tier, HARMLESS, None) is None
+    for name in must_not(tier):
+        problem = problem_in(tier, {**HARMLESS, name: True}, None)
+        assert problem is not None
+        assert name in problem
+    assert bool(must_not(tier)) == (tier != "limits")
+
+
+def test_a_self_test_sees_another_user_and_a_group_too_many() -> None:
+    ids = Ids(60_600)
+    assert problem_in("uid", HARMLESS, ids) is None
+    for name, value in (("user", [0, 60_600, 60_600]), ("groups", [60_600, 60_600, 60_600, 0])):
+        assert "and not as 60600 alone" in str(problem_in("uid", {**HARMLESS, name: value}, ids))
+
+
+@pytest.mark.parametrize("abi", [0, 1, 4, 6, 7])
+def test_an_older_kernel_leaves_more_open_and_that_is_said(abi: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(tiers, "landlock_abi", lambda: abi)
+    assert ("every user of this machine may read" in leaves_open("uid")) == (abi == 0)
+    assert ("TCP is closed" in leaves_open("uid")) == (abi >= 4)
+    if abi:
+        assert ("your processes" in leaves_open("landlock")) == (abi < 6)
+        assert ("lets no signal out" in covers("landlock")) == (abi >= 6)
+    else:
+        tiers.tier_problem.cache_clear()
+        assert "has no Landlock" in str(tiers.tier_problem("landlock"))
+        tiers.tier_problem.cache_clear()
+
+
+@pytest.fixture
+def answer(tmp_path: Path) -> Path:
+    path = tmp_path / "joint_positions_s1.py"
+    path.write_text("speed = = 3\n")
+    return path
+
+
+def test_auto_refuses_what_is_below_the_sandbox_and_names_the_best_that_works(
+    answer: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    problems = {"sandbox": "bubblewrap is not installed", "uid": "only root can"}
+    monkeypatch.setattr(tiers, "tier_problem", problems.get)
+    assert main(["grade", str(answer), "--out", str(answer.parent / "out")]) == 2
+    said = capsys.readouterr().err
+    assert "bubblewrap is not installed" in said
+    assert "--isolation landlock" in said
+    assert leaves_open("landlock") in said
+    assert not (answer.parent / "out").exists()
+
+
+def test_a_tier_that_was_named_and_does_not_work_is_refused(
+    answer: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(tiers, "tier_problem", lambda tier: f"no {tier} today")
+    for tier in BEST_FIRST[1:]:
+        assert main(["grade", str(answer), "--out", str(answer.parent / "out"), "--isolation", tier]) == 2
+        assert f"--isolation {tier} does not work on this machine: no {tier} today" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("tier", WEAKER)
+def test_a_tier_that_was_accepted_is_in_every_line(
+    tier: Isolation, answer: Path, ordinary: House, owner: House
+) -> None:
+    house = owner if tier == "uid" else ordinary
+    hand_in = Path(shutil.copy(answer, house.folder))
+    hand_in.chmod(0o644)
+    out = house.folder / f"out_{tier}"
+    command = [
+        "grade",
+        str(hand_in),
+        "--out",
+        str(out),
+        "--isolation",
+        tier,
+        "--slots",
+        "1",
+        "--format",
+        "html",
+    ]
+    done = house.run([sys.executable, "-m", "workbook.cli.main", *command])
+    if done.returncode == 2:
+        assert f"--isolation {tier} does not work on this machine: " in done.stderr
+        assert tier == "uid" and not ids_can_be_lent()
+        return
+    assert done.returncode == 0, done.stderr
+    assert f"Isolation: {tier}: {covers(tier)}. {leaves_open(tier)}" in done.stderr
+    [line] = (out / "results.jsonl").read_text().splitlines()
+    assert json.loads(line)["isolation"] == tier
+    pages = [path.read_text() for path in (out / "pages").glob("*.html")]
+    assert len(pages) == 2
+    assert any(f"Isolation: {tier} (1)" in page for page in pages)
+    assert any(f"isolation: {tier}" in page for page in pages)

@@ -1,0 +1,36 @@
+"""Judges answers in one tier, as whatever user runs it: `python -m tests.hostile.tier_run TIER SLOTS < jobs.json`.
+
+`jobs.json` maps names to answers. Prints what came of each, as JSON.
+"""
+
+import json
+import sys
+from typing import Any
+
+from workbook.exercise.answers import Answer
+from workbook.feedback.text import as_text
+from workbook.grading.pool import Job, judge_all
+from workbook.observing.tiers import named_tier, tier_problem
+
+STEM = "09_joint_positions"
+
+
+def main() -> None:
+    tier = named_tier(sys.argv[1])
+    jobs = [Job(name, STEM, Answer(text)) for name, text in json.load(sys.stdin).items()]
+    told: dict[str, Any] = {"problem": tier_problem(tier), "judgements": {}}
+    if told["problem"] is None:
+        for job, judgement in judge_all(jobs, int(sys.argv[2]), isolation=tier):
+            recording = judgement.recording
+            told["judgements"][job.key] = {
+                "status": judgement.status,
+                "score": judgement.score,
+                "said": f"{judgement.reason}\n{as_text(judgement)}",
+                "log": "" if recording is None else recording.process.log,
+                "limits": [] if recording is None else recording.process.limits_hit,
+            }
+    json.dump(told, sys.stdout)
+
+
+if __name__ == "__main__":
+    main()
