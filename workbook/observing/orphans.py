@@ -29,21 +29,13 @@ def sweep_orphans(keep: int | None = None) -> int:
     fork away. Raises StillThere after twenty seconds, when new ones still come faster than they can be stopped.
     """
     ended: set[int] = set()
-<<<<<<< HEAD
-    while below := _below(keep):
-=======
     deadline = time.monotonic() + LONGEST_SWEEP_S
     while True:
->>>>>>> 15732ac (A filter of system calls keeps the permissions of files where Landlock does not; a sweep that does not come to an end is an infra_error)
         stopped: set[int] = set()
-        while time.monotonic() < deadline and (newcomers := _stop_below(os.getpid(), stopped)):
+        while time.monotonic() < deadline and (newcomers := _stop_below(os.getpid(), stopped, keep)):
             stopped |= newcomers
-<<<<<<< HEAD
-            below = _below(keep)
-=======
         if not stopped:
             return len(ended)
->>>>>>> 15732ac (A filter of system calls keeps the permissions of files where Landlock does not; a sweep that does not come to an end is an infra_error)
         _signal(stopped, signal.SIGKILL)
         ended |= stopped
         _reap(stopped)
@@ -54,17 +46,14 @@ def sweep_orphans(keep: int | None = None) -> int:
             )
 
 
-<<<<<<< HEAD
-def _below(keep: int | None) -> set[int]:
-    kept = [] if keep is None else process_tree(keep)
-    return set(process_tree(os.getpid())[1:]).difference(kept)
-=======
-def _stop_below(pid: int, known: set[int]) -> set[int]:
-    """Stop the descendants of `pid` that are not known yet, from the top down. Returns them."""
+def _stop_below(pid: int, known: set[int], keep: int | None) -> set[int]:
+    """Stop the descendants of `pid` that are not known yet, from the top down. Returns them. Not `keep` and its own."""
     newcomers: set[int] = set()
     waiting, looked_at = [pid], set[int]()
     while waiting:
         for child in children(waiting.pop()):
+            if child == keep:
+                continue
             if child not in known and child not in newcomers:
                 _signal([child], signal.SIGSTOP)
                 newcomers.add(child)
@@ -72,7 +61,6 @@ def _stop_below(pid: int, known: set[int]) -> set[int]:
                 looked_at.add(child)
                 waiting.append(child)
     return newcomers
->>>>>>> 15732ac (A filter of system calls keeps the permissions of files where Landlock does not; a sweep that does not come to an end is an infra_error)
 
 
 def _signal(pids: Iterable[int], number: signal.Signals) -> None:
