@@ -22,6 +22,9 @@ ANSWER_FOLDER = "/answer"
 WRITABLE_BYTES = 64 * 1024 * 1024
 SYSTEM_FOLDERS = ("/usr", "/lib", "/lib64", "/bin", "/sbin")
 SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime", "/etc/alternatives")
+READ_ONLY = ("/", "/dev", "/proc")
+"""Mounts of the box itself. Two of them have no limit on their size, and files below /proc/sys obey whoever has the
+user number of root, without any capability: an answer has it when the grader is root."""
 NOT_FOR_ANSWERS = ("WORKBOOK_RUN", "XDG_CACHE_HOME")
 """Variables of the bench that would tell a program that it is being judged."""
 _PACKAGE = Path(__file__).resolve().parents[1]
@@ -106,6 +109,8 @@ class Cage:
             boxed += ["--ro-bind", str(path), f"{ANSWER_FOLDER}/{name}"]
         for name, value in self.environment(environ).items():
             boxed += ["--setenv", name, value]
+        for folder in READ_ONLY:  # after everything that is bound below them
+            boxed += ["--remount-ro", folder]
         return [*boxed, "--chdir", HOME, "--", *command]
 
 
