@@ -252,7 +252,7 @@ def test_a_program_that_ends_on_ctrl_c(start: Start) -> None:
             print("good night", flush=True)
         """
     )
-    wait_until(lambda: "ready" in program.log.text())
+    wait_until(lambda: "ready\n" in program.log.text())
     assert program.record().ended_by is None
     program.stop(patience_s=30.0)
     record = program.record()

@@ -31,12 +31,16 @@ from workbook.ros.environment import child_environment
 PR_SET_PDEATHSIG = 1
 PROCESSES = 64
 """Processes and threads of one answer; a node takes about 16."""
+FILES = 20_000
+"""Files and folders of one answer, in each of the three folders where it may write."""
 LIMITS = {
+    # Bytes, numbers, and seconds of processor time. No core file fits into one byte; with 0, a kernel that hands them
+    # to a program would do so all the same.
     "memory": 2_500_000_000,
     "file_size": 100_000_000,
     "open_files": 512,
     "cpu": 60,
-    "core": 0,
+    "core": 1,
     "processes": PROCESSES,
 }
 
@@ -92,11 +96,13 @@ def serve(isolation: Isolation, ids: Ids | None = None) -> None:
 
     cage, confinement = walls(isolation, ids, adopts=True)
     server = ForkServer()
+    limits = dict(LIMITS)
     if cage is not None:
+        limits["files"] = FILES
         cage = replace(cage, server=server)
         server.start(cage.environment(child_environment(0)))
     with contextlib.closing(server), Observer(cage=cage, confinement=confinement) as observer:
-        judge = Judge(observer, LIMITS)
+        judge = Judge(observer, limits)
         send({"ready": os.getpid()})
         while (job := inbox.jobs.get()) is not None:
             inbox.enough.clear()

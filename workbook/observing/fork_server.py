@@ -39,6 +39,7 @@ PR_SET_NO_NEW_PRIVS = 38
 PR_CAP_AMBIENT = 47
 PR_CAP_AMBIENT_CLEAR_ALL = 4
 SIGSET_BYTES = 128
+FENCE = "--fence"
 CAPABILITY_VERSION_3 = 0x20080522
 NAMESPACES = 0x10000000 | 0x00020000 | 0x20000000 | 0x08000000 | 0x04000000 | 0x02000000
 """CLONE_NEWUSER, NEWNS, NEWPID, NEWIPC, NEWUTS, NEWCGROUP. The network is that of the observer, as for any answer."""
@@ -224,12 +225,11 @@ def become_program(request: Request, output: int) -> None:
     os.dup2(output, 1)
     os.dup2(output, 2)
     os.closerange(3, os.sysconf("SC_OPEN_MAX"))
-    drop_all_powers()
     os.environ.clear()
     os.environ.update(request.environ)
 
 
-def usher(request: Request, output: int, status: int, tracer: Tracer) -> None:
+def usher(request: Request, output: int, status: int, tracer: Tracer, host: types.ModuleType) -> None:
     """In a fork: bring the program into its box. Returns in the program; the usher itself ends here.
 
     It writes the program's process number to `status`, and how it ended (as `os.waitpid` has it) when it has.
@@ -241,7 +241,11 @@ def usher(request: Request, output: int, status: int, tracer: Tracer) -> None:
         join_box(request.box)
         program = os.fork()
         if program == 0:
-            tracer.after_fork_in_program()
+            drop_all_powers()
+            if FENCE in request.arguments:
+                request.arguments.remove(FENCE)
+                host.fence()
+            tracer.after_fork_in_program()  # only now: what it starts has no more powers than we
             become_program(request, output)
             return
         os.close(output)
@@ -264,7 +268,7 @@ def _reap() -> None:
         pass
 
 
-def serve(channel: socket.socket, tracer: Tracer) -> list[str] | None:
+def serve(channel: socket.socket, tracer: Tracer, host: types.ModuleType) -> list[str] | None:
     """Fork a program for each request. Returns its arguments in the program, None when the channel is closed."""
     while True:
         try:
@@ -278,7 +282,7 @@ def serve(channel: socket.socket, tracer: Tracer) -> list[str] | None:
         tracer.before_fork()
         if os.fork() == 0:
             channel.detach()
-            usher(request, output, status, tracer)
+            usher(request, output, status, tracer, host)
             return request.arguments
         tracer.after_fork_in_parent()
         os.close(output)
@@ -296,7 +300,7 @@ def main() -> None:
     channel.send(b"ready")
     gc.collect()
     gc.freeze()
-    arguments = serve(channel, Tracer())
+    arguments = serve(channel, Tracer(), host)
     if arguments is not None:
         host.start(arguments)
 

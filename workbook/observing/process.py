@@ -16,6 +16,7 @@ from workbook.observing.confinement import Confinement
 from workbook.observing.recording import ProcessRecord
 from workbook.observing.sandbox import ANSWER_FOLDER, HOME, Cage, exit_status, first_pid, program_pid
 from workbook.observing.tree import process_tree as process_tree
+from workbook.observing.usage import limits_told, memory_of, most_files
 from workbook.observing.warm_start import ForkServer, NoWarmStart, WarmProgram
 from workbook.ros.domains import domain_of_port
 from workbook.ros.environment import child_environment, profile_with_lease
@@ -40,7 +41,11 @@ def plain_text(raw: bytes) -> str:
 
     Marks that turn the direction of writing go, too: they can make a line read as something that it is not.
     """
-    text = codecs.decode(raw, "utf-8", "replace").replace("\r\n", "\n")
+    return without_commands(codecs.decode(raw, "utf-8", "replace").replace("\r\n", "\n"))
+
+
+def without_commands(text: str) -> str:
+    """The same text, with everything taken out that a terminal or a reader's eye could take for a command."""
     return _CONTROL.sub("", text)
 
 
@@ -225,9 +230,12 @@ class NodeProcess:
         wanted: list[str] = []
         if cage is None:  # a cage dies with us by itself, and its processes do not know our number
             wanted += ["--parent", str(os.getpid())]
+        else:
+            wanted += ["--fence"]
         self._limits = limits = dict(limits or {})
         for name, value in (limits if cage else self._confinement.host_limits(limits)).items():
-            wanted += ["--limit", f"{name}={value}"]
+            if name != "files":  # the kernel has no such limit
+                wanted += ["--limit", f"{name}={value}"]
         files = {program.name: self._confinement.bring(program, program.name, self._shelf)}
         if driver is not None:
             name = f"driver_of_{driver.name}"
@@ -259,7 +267,7 @@ class NodeProcess:
         self.log = ProgramLog(read_fd, self._stop_flood)
         if "processes" in limits:
             guard = threading.Thread(
-                target=self._count_processes, args=(limits["processes"],), name="process guard", daemon=True
+                target=self._guard, args=(dict(limits),), name="process guard", daemon=True
             )
             guard.start()
 
@@ -346,14 +354,25 @@ class NodeProcess:
         self._limits_hit.append("output")
         self._kill_tree()
 
-    def _count_processes(self, most: int) -> None:
-        """End a program that multiplies. The kernel's own limit does not count what root starts."""
+    def _guard(self, limits: Mapping[str, int]) -> None:
+        """End a program that takes too much. The kernel's own limits hold for single processes, and not for root's."""
         while self.is_running():
-            if len(self._tree()) > most:
-                self._limits_hit.append("processes")
+            hit = self._exceeded(limits)
+            if hit is not None:
+                self._limits_hit.append(hit)
                 self._kill_tree()
                 return
             time.sleep(COUNT_EVERY_S)
+
+    def _exceeded(self, limits: Mapping[str, int]) -> str | None:
+        tree = self._tree()
+        if len(tree) > limits["processes"]:
+            return "processes"
+        if "memory" in limits and memory_of(tree, limits["memory"]) > limits["memory"]:
+            return "memory"
+        if "files" in limits and most_files(tree) > limits["files"]:
+            return "files"
+        return None
 
     @property
     def pid(self) -> int:
@@ -456,10 +475,12 @@ class NodeProcess:
             code = exit_status(code)
         ended_at = None if self._ended_at is None else self._ended_at - self.started_at
         limits = [*self._limits_hit]
+        by_bench = self._ended_by_bench or bool(limits)
+        log = end_log = self.log.text()
         if code is not None and -code == signal.SIGXCPU:
             limits.append("cpu")
-        by_bench = self._ended_by_bench or bool({"output", "processes"} & set(limits))
-        log = end_log = self.log.text()
+        elif code and not by_bench:
+            limits += limits_told(log)
         if self._log_before_end is None:
             end_log = ""
         else:
