@@ -31,12 +31,13 @@ def on_topic(
     window: tuple[float, float] = (0.0, 14.0),
     node: str = NODE,
     undecodable: int = 0,
+    not_kept: int = 0,
 ) -> TopicRecording:
     """A topic with messages at `times`; `values` are those of the field `data` (default: all 0.0)."""
     moments = list(times)
     contents = [0.0] * len(moments) if values is None else list(values)
     arrivals = tuple(Arrival(t, t, {"data": value}) for t, value in zip(moments, contents, strict=True))
-    return TopicRecording(name, (publisher(kind, node),), (), arrivals, window, undecodable)
+    return TopicRecording(name, (publisher(kind, node),), (), arrivals, window, undecodable, not_kept)
 
 
 def recorded(

@@ -144,6 +144,31 @@ Humanoid()
     Case("indentation", HEAD + "def main():\nrclpy.init()\n", "IndentationError", 5, "four spaces"),
     Case("syntax", HEAD + "rclpy.init(\nx = = 1\n", "SyntaxError", None, "brackets, quotes, colons"),
     Case("memory", "raise MemoryError\n", "MemoryError", 1, "grows without end"),
+    Case("disk_full", "import os\nraise OSError(28, os.strerror(28))\n", "OSError", 2, "Write less"),
+    Case("large_file", "import os\nraise OSError(27, os.strerror(27))\n", "OSError", 2, "Write less"),
+    Case(
+        "open_files", "import os\nraise OSError(24, os.strerror(24))\n", "OSError", 2, "Close what you open"
+    ),
+    Case(
+        "forks",
+        "import os\nraise OSError(11, os.strerror(11))\n",
+        "BlockingIOError",
+        2,
+        "starts one each time",
+    ),
+    Case("python_two", "print 'hello'\n", "SyntaxError", None, "things of Python 2"),
+    Case("shell_line", "import rclpy\n!rm -rf /\n", "SyntaxError", None, "Take that line out"),
+    Case("cell_magic", "%%bash\nrm -rf /\n", "SyntaxError", None, "Take that line out"),
+    Case("line_magic", "def main():\n    %load_ext autoreload\n", "SyntaxError", None, "Take that line out"),
+    Case("no_such_name", "import rclpy\nrclpy.inti()\n", "AttributeError", 2, "name of a module of ROS"),
+    Case(
+        "shadow",
+        "import os, sys\nos.makedirs('own')\nopen('own/geometry_msgs.py', 'w').close()\nsys.path.insert(0, 'own')\n"
+        "from geometry_msgs.msg import Twist\n",
+        "ModuleNotFoundError",
+        5,
+        "name of a package",
+    ),
     Case(
         "in_a_thread",
         "import threading\ndef work():\n    missing_name\nt = threading.Thread(target=work)\nt.start()\nt.join()\n",

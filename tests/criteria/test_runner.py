@@ -87,6 +87,24 @@ def test_hidden_criteria_are_judged_and_marked() -> None:
     assert result.to_json()["hidden"] is True
 
 
+def test_no_word_of_a_program_is_a_command() -> None:
+    @criterion(points=1, title="It is quiet")
+    def quiet(recording: Recording) -> Verdict:
+        return failed("a\x1b[2Jb\u202ec\x07", "d\x9be", "f\x00g", "h\x1b]0;owned\x07i")
+
+    [result] = run_criteria([quiet], recorded())
+    assert (result.saw, result.expected, result.because, result.try_this) == ("abc", "de", "fg", "hi")
+
+
+def test_a_criterion_that_ends_the_program_is_our_fault() -> None:
+    @criterion(points=1, title="It leaves")
+    def leaves(recording: Recording) -> Verdict:
+        raise SystemExit(0)
+
+    with pytest.raises(CriterionError, match="leaves"):
+        run_criteria([leaves], recorded())
+
+
 def test_a_criterion_that_crashes_is_our_fault() -> None:
     @criterion(points=1, title="Divides by zero")
     def broken(recording: Recording) -> Verdict:

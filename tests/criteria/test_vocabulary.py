@@ -76,12 +76,45 @@ def test_a_publisher_on_the_graph_is_a_program_that_runs() -> None:
         (replace(LIVING, domains_used=(42,)), False, ("domain 42", "ROS_DOMAIN_ID")),
         (ended_by_itself(TRACEBACK), False, ("line 7", "NameError", "Float32")),
         (ended_by_itself("", 3), False, ("2.5 s", "exit code 3", "rclpy.spin(node)")),
-        (ended_by_itself(signal="SIGSEGV"), False, ("signal SIGSEGV",)),
+        (ended_by_itself(signal="SIGSEGV"), False, ("signal SIGSEGV", "compiled code")),
+        (ended_by_itself(signal="SIGABRT"), False, ("signal SIGABRT", "os.abort()")),
+        (ended_by_itself(signal="SIGKILL"), False, ("signal SIGKILL", "no memory left")),
+        (ended_by_itself(signal="SIGXCPU"), False, ("signal SIGXCPU", "processor time")),
+        (ended_by_itself(signal="SIGALRM"), False, ("signal SIGALRM", "alarm")),
+        (
+            ended_by_itself("Expected RMW implementation identifier of 'x'", 102),
+            False,
+            ("RMW_IMPLEMENTATION",),
+        ),
         (replace(LIVING, limits_hit=("output",)), False, ("50 MB", "endless loop")),
+        (replace(LIVING, limits_hit=("memory",)), False, ("2.5 GB", "stopped")),
+        (replace(LIVING, limits_hit=("files",)), False, ("20 000 files", "stopped")),
+        (replace(LIVING, domains_used=(17,)), False, ("nobody can find", "ROS_AUTOMATIC_DISCOVERY_RANGE")),
+        (replace(LIVING, domains_used=(17, 42)), False, ("nobody can find", "ROS_AUTOMATIC_DISCOVERY_RANGE")),
         (LIVING, True, ("/humanoid", "publishes nothing at all", "create_publisher")),
         (LIVING, False, ("no node", "8.0 s")),
     ],
-    ids=["other domain", "traceback", "ends", "crashes", "floods", "no publisher", "never appears"],
+    ids=[
+        *(
+            "other domain",
+            "traceback",
+            "ends",
+            "crashes",
+            "aborts",
+            "killed",
+            "processor time",
+            "another signal",
+        ),
+        *(
+            "other middleware",
+            "floods",
+            "takes memory",
+            "makes files",
+            "hides",
+            "hides, and is elsewhere, too",
+        ),
+        *("no publisher", "never appears"),
+    ],
 )
 def test_a_program_that_is_not_seen_is_told_why(
     process: ProcessRecord, nodes: bool, words: tuple[str, ...]
@@ -102,10 +135,21 @@ def test_alive_at_end() -> None:
     refuses(see.alive_at_end(silent(ended_by_itself(TRACEBACK))), "2.5 s", "line 7", "NameError")
 
 
-@pytest.mark.parametrize("limit", ["output", "processes"])
-def test_a_program_that_was_stopped_for_a_limit_is_not_alive(limit: str) -> None:
+@pytest.mark.parametrize(
+    ("limit", "words"),
+    [("output", "printed"), ("processes", "processes"), ("memory", "memory"), ("files", "files")],
+)
+def test_a_program_that_was_stopped_for_a_limit_is_not_alive(limit: str, words: str) -> None:
     stopped = replace(LIVING, exit=None, signal="SIGKILL", limits_hit=(limit,))
-    refuses(see.alive_at_end(silent(stopped)), "stopped after 8.0 s", limit)
+    refuses(see.alive_at_end(silent(stopped)), "stopped after 8.0 s", words)
+
+
+def test_a_limit_that_a_program_met_and_survived_does_not_end_it() -> None:
+    accepts(see.alive_at_end(silent(replace(LIVING, limits_hit=("open_files",)))), "8.0 s")
+
+
+def test_an_end_by_a_signal_is_named() -> None:
+    refuses(see.alive_at_end(silent(ended_by_itself(signal="SIGABRT"))), "2.5 s", "SIGABRT", "executor")
 
 
 def test_exits_cleanly() -> None:
@@ -169,6 +213,9 @@ def test_no_message() -> None:
     silence = see.no_message(battery([]), BATTERY)
     assert silence is not None
     refuses(silence, "no message arrived in 14.0 s", "create a timer".capitalize(), about_time=True)
+    large = see.no_message(recorded(on_topic(BATTERY.name, FLOAT, not_kept=2)), BATTERY)
+    assert large is not None
+    refuses(large, "2 messages", "larger than 4 MB")
     garbled = see.no_message(recorded(on_topic(BATTERY.name, FLOAT, undecodable=3)), BATTERY)
     assert garbled is not None
     refuses(garbled, "3 messages", "could not be decoded")

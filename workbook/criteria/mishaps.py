@@ -128,9 +128,21 @@ _KNOWN = (
         "Remove input(), or read the value from a parameter.",
     ),
     _Known(
+        r"module '(?:rclpy|\w+_(?:msgs|srvs|interfaces))[\w.]*' has no attribute",
+        "There is nothing of that name in it. Or it is not the real one: another file of that name (rclpy.py) "
+        "hides it.",
+        "Check the spelling; and give no file of yours the name of a module of ROS.",
+    ),
+    _Known(
+        r"'\w+' is not a package",
+        "A file of that name (with .py) lies beside the program and hides the package.",
+        "Give no file of yours the name of a package.",
+    ),
+    _Known(
         r"ModuleNotFoundError: No module named '([\w.]+)'|ImportError: cannot import name",
         "A module or a name that the program imports is not there.",
-        "Check the spelling of the import. Messages come from, for example, std_msgs.msg.",
+        "Check the spelling of the import. Messages come from, for example, std_msgs.msg. Code of a second file of "
+        "yours belongs into the answer: only one file is run.",
     ),
     _Known(
         r"NameError: name '(\w+)' is not defined",
@@ -143,6 +155,16 @@ _KNOWN = (
         "Line the block up with its neighbors (four spaces per level).",
     ),
     _Known(
+        r"Missing parentheses in call to 'print'",
+        "print without parentheses is Python 2. ROS 2 needs Python 3.",
+        "Write print(...), and look for other things of Python 2.",
+    ),
+    _Known(
+        r"(?s)^ *(?:!|%%?)\w.*SyntaxError",
+        "A line that begins with % or ! is a command for a notebook, and no Python.",
+        "Take that line out of the answer.",
+    ),
+    _Known(
         r"SyntaxError",
         "Python cannot read the file, so nothing of it ran.",
         "Look at the line named above and at the one before it: brackets, quotes, colons.",
@@ -151,6 +173,21 @@ _KNOWN = (
         r"MemoryError",
         "The program asked for more memory than an answer may use.",
         "Look for a list that grows without end.",
+    ),
+    _Known(
+        r"No space left on device|File too large",
+        "The program wrote more than the 64 MB that an answer may write.",
+        "Write less, or nothing: nobody reads the files of an answer.",
+    ),
+    _Known(
+        r"Too many open files",
+        "The program holds more files or connections open than an answer may.",
+        "Close what you open (with open(...) as file), and make each publisher and node once.",
+    ),
+    _Known(
+        r"can't start new thread|Resource temporarily unavailable",
+        "The program started more threads or processes than an answer may.",
+        "Look for a loop that starts one each time.",
     ),
 )
 
@@ -183,7 +220,7 @@ def find_mishap(log: str, program_name: str = "") -> Mishap | None:
             line_number = int(frame["line"])
     for known in _KNOWN:
         if re.search(known.pattern, error) or re.search(
-            known.pattern, "\n".join(lines[max(0, error_at - 2) : error_at])
+            known.pattern, "\n".join(lines[max(0, error_at - 2) : error_at + 1])
         ):
             return Mishap(error, line_number, known.because, known.try_this)
     return Mishap(

@@ -3,6 +3,8 @@
 import math
 from collections.abc import Sequence
 
+MOST_NAMES = 12
+
 
 def number(value: float) -> str:
     """A number as a person would say it: 0.5, 12, 3.1416."""
@@ -22,7 +24,9 @@ def seconds(value: float) -> str:
 
 
 def listing(names: Sequence[str]) -> str:
-    """Names as an English list."""
+    """Names as an English list. Of very many, the first ones and how many more there are."""
+    if len(names) > MOST_NAMES + 1:
+        names = [*names[:MOST_NAMES], f"{len(names) - MOST_NAMES} more"]
     if len(names) < 2:
         return "".join(names)
     return ", ".join(names[:-1]) + " and " + names[-1]

@@ -6,6 +6,7 @@ from typing import Any, Literal
 
 from workbook.criteria.criterion import Criterion
 from workbook.criteria.verdict import Verdict
+from workbook.observing.process import without_commands
 from workbook.observing.recording import Recording
 
 Status = Literal["passed", "failed", "partial", "skipped"]
@@ -55,6 +56,7 @@ def _skipped(criterion: Criterion, missing: Criterion) -> CriterionResult:
 
 
 def _judged(criterion: Criterion, verdict: Verdict) -> CriterionResult:
+    """What a program publishes is in these texts: no terminal and no page may take it for a command."""
     return CriterionResult(
         id=criterion.id,
         title=criterion.title,
@@ -62,10 +64,10 @@ def _judged(criterion: Criterion, verdict: Verdict) -> CriterionResult:
         points=round(criterion.points * verdict.share, 6),
         max_points=criterion.points,
         hidden=criterion.hidden,
-        saw=verdict.saw,
-        expected=verdict.expected,
-        because=verdict.because,
-        try_this=verdict.try_this,
+        saw=without_commands(verdict.saw),
+        expected=without_commands(verdict.expected),
+        because=without_commands(verdict.because),
+        try_this=without_commands(verdict.try_this),
         about_time=verdict.about_time,
         garbled=verdict.garbled,
     )
@@ -81,7 +83,7 @@ def run_criteria(criteria: Sequence[Criterion], recording: Recording) -> tuple[C
             continue
         try:
             verdict = criterion(recording)
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             raise CriterionError(f"the criterion {criterion.id} crashed: {error!r}") from error
         if not isinstance(verdict, Verdict):
             raise CriterionError(f"the criterion {criterion.id} returned {verdict!r} instead of a verdict")

@@ -1,12 +1,82 @@
 """Words about the program as a whole: does it run, live on, end well?"""
 
+from dataclasses import dataclass
+
 from workbook.criteria.mishaps import failed_by_error, find_mishap
 from workbook.criteria.phrasing import listing, seconds
 from workbook.criteria.verdict import Verdict, failed, passed
-from workbook.observing.recording import Recording
+from workbook.observing.recording import ProcessRecord, Recording
 
 AT_ONCE_S = 8.0
 """How long (s) a program may take to start on a very busy machine."""
+ANOTHER_MIDDLEWARE = "Expected RMW implementation identifier"
+"""What rcl logs before it ends a program with code 102."""
+
+
+@dataclass(frozen=True)
+class _Stopped:
+    """What a program did that it was stopped for, why such a thing happens, and what to try."""
+
+    did: str
+    because: str
+    try_this: str
+
+
+_STOPPED = {
+    "output": _Stopped(
+        "printed more than 50 MB",
+        "Something prints in an endless loop.",
+        "Look for a print or log line that runs without a timer or a pause.",
+    ),
+    "processes": _Stopped(
+        "started more than 60 other processes",
+        "A loop starts processes without end (os.fork, subprocess, multiprocessing).",
+        "One process is enough for a node; start others only when you must, and a fixed number.",
+    ),
+    "memory": _Stopped(
+        "took more than 2.5 GB of memory, all its processes together",
+        "A list grows without end, or each of several processes keeps a copy of much data.",
+        "Keep only what the next message needs, and start no process that you do not need.",
+    ),
+    "files": _Stopped(
+        "made more than 20 000 files",
+        "A loop makes a new file each time, without end.",
+        "Write to one file, or to none: nobody reads the files of an answer.",
+    ),
+}
+_SIGNALS = {
+    "SIGXCPU": (
+        "It has used all the processor time that an answer may use (60 s): a loop computes without a pause.",
+        "Let a timer do the work that repeats.",
+    ),
+    "SIGKILL": (
+        "It was killed: by itself (os.kill), or by the machine, which had no memory left for it.",
+        "Look for a list that grows without end, and for calls of kill.",
+    ),
+    **dict.fromkeys(
+        ("SIGSEGV", "SIGABRT", "SIGBUS", "SIGFPE", "SIGILL"),
+        (
+            "It crashed below Python, in compiled code: by way of ctypes, by os.abort(), or because two threads used "
+            "one ROS object at the same time, or one that was destroyed.",
+            "Let one executor spin each node, and destroy nodes only after the spin has returned.",
+        ),
+    ),
+}
+
+
+def _stopped_for(process: ProcessRecord) -> _Stopped | None:
+    """What the bench stopped the program for; None if it did not."""
+    if process.ended_by != "bench":
+        return None
+    return next((_STOPPED[limit] for limit in process.limits_hit if limit in _STOPPED), None)
+
+
+def _ended_by_signal(process: ProcessRecord, saw: str, expected: str) -> Verdict:
+    because, try_this = _SIGNALS.get(
+        process.signal or "",
+        ("A signal ended it, and nothing in the program handles it.", "Look for calls of kill and of alarm."),
+    )
+    return failed(saw, expected, because, try_this)
 
 
 def program_runs(recording: Recording) -> Verdict:
@@ -16,8 +86,9 @@ def program_runs(recording: Recording) -> Verdict:
         nodes = sorted({node.name for node in recording.nodes})
         return passed(f"node {listing(nodes)} is on the graph" if nodes else "publishers are on the graph")
     process = recording.process
+    at_home = recording.domain_id in process.domains_used
     strangers = [domain for domain in process.domains_used if domain != recording.domain_id]
-    if strangers:
+    if strangers and not at_home:
         return failed(
             f"your node is on domain {strangers[0]}, the exercise on another one",
             "a node on the domain that the environment gives (ROS_DOMAIN_ID)",
@@ -26,19 +97,18 @@ def program_runs(recording: Recording) -> Verdict:
         )
     if process.ended_by == "itself":
         return _ended_before_it_was_seen(recording, expected)
-    if "output" in process.limits_hit:
+    stopped = _stopped_for(process)
+    if stopped is not None:
         return failed(
-            "the program printed more than 50 MB and was stopped",
-            expected,
-            "Something prints in an endless loop.",
-            "Look for a print or log line that runs without a timer or a pause.",
+            f"the program {stopped.did} and was stopped", expected, stopped.because, stopped.try_this
         )
-    if "processes" in process.limits_hit:
+    if at_home and not recording.nodes:
         return failed(
-            "the program started more than 60 other processes and was stopped",
+            "your program has opened the ports of ROS, and yet nobody can find a node of it",
             expected,
-            "A loop starts processes without end (os.fork, subprocess, multiprocessing).",
-            "One process is enough for a node; start others only when you must, and a fixed number.",
+            "The program changes how nodes find each other: ROS_AUTOMATIC_DISCOVERY_RANGE, ROS_LOCALHOST_ONLY, "
+            "ROS_STATIC_PEERS, RMW_IMPLEMENTATION, FASTRTPS_DEFAULT_PROFILES_FILE or another variable of ROS.",
+            "Remove the lines that set such variables: the environment has set them already.",
         )
     if any(topic.publishers for topic in recording.topics.values()):
         return failed(
@@ -52,7 +122,8 @@ def program_runs(recording: Recording) -> Verdict:
         return failed(
             f"node {names} is there, but it publishes nothing at all",
             expected,
-            "No create_publisher() call was reached.",
+            "No create_publisher() call was reached: there is none, or a call above it does not come back, such as "
+            "rclpy.spin(node) above create_publisher().",
             "Create the publishers in __init__ and make sure that __init__ runs to its end.",
         )
     return failed(
@@ -100,9 +171,20 @@ def _ended_before_it_was_seen(recording: Recording, expected: str) -> Verdict:
     blamed = failed_by_error(recording, "", expected)
     if blamed is not None:
         return blamed
-    how = f"signal {process.signal}" if process.signal else f"exit code {process.exit}"
+    ended = f"the program ended after {seconds(process.ended_at or 0.0)}"
+    if process.signal is not None:
+        return _ended_by_signal(
+            process, f"{ended} (signal {process.signal}), before any message came", expected
+        )
+    if ANOTHER_MIDDLEWARE in process.log:
+        return failed(
+            f"{ended}: it asks for a middleware that is not there",
+            expected,
+            "The program sets RMW_IMPLEMENTATION.",
+            "Remove the line that sets it: the environment has chosen a middleware already.",
+        )
     return failed(
-        f"the program ended after {seconds(process.ended_at or 0.0)} ({how}), before any message came",
+        f"{ended} (exit code {process.exit}), before any message came",
         expected,
         "Nothing keeps it alive: a program ends with its last line unless something spins.",
         "Make the node in main(), call rclpy.spin(node), and call main() at the end of the file.",
@@ -113,13 +195,13 @@ def alive_at_end(recording: Recording) -> Verdict:
     """The program still runs when the watch ends."""
     process = recording.process
     expected = "a program that goes on until it is stopped"
-    stopped = [limit for limit in ("output", "processes") if limit in process.limits_hit]
-    if stopped:
+    stopped = _stopped_for(process)
+    if stopped is not None:
         return failed(
-            f"the program was stopped after {seconds(process.ended_at or 0.0)}: far too much {stopped[0]}",
+            f"the program was stopped after {seconds(process.ended_at or 0.0)}: it {stopped.did}",
             expected,
-            "Something prints, or starts processes, in an endless loop.",
-            "Look for a loop without a timer or a pause.",
+            stopped.because,
+            stopped.try_this,
         )
     if process.ended_by != "itself":
         return passed(f"still running after {seconds(process.watched_for)}")
@@ -127,9 +209,10 @@ def alive_at_end(recording: Recording) -> Verdict:
     blamed = failed_by_error(recording, ended, expected)
     if blamed is not None:
         return blamed
-    how = f"signal {process.signal}" if process.signal else f"exit code {process.exit}"
+    if process.signal is not None:
+        return _ended_by_signal(process, f"{ended} (signal {process.signal})", expected)
     return failed(
-        f"{ended} ({how})",
+        f"{ended} (exit code {process.exit})",
         expected,
         "A loop that counts, a spin with an end, or a missing rclpy.spin(node).",
         "Keep the node alive with rclpy.spin(node) until Ctrl-C.",

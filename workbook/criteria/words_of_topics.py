@@ -106,6 +106,13 @@ def no_message(recording: Recording, topic: Topic) -> Verdict | None:
             "The bytes on the wire are no message of this type.",
             "Publish message objects, not raw bytes.",
         )
+    if seen.not_kept:
+        return failed(
+            f"{count(seen.not_kept, 'message')} on {topic.name} came, larger than 4 MB",
+            f"readable {topic.short_type} messages",
+            "A list that grows with every message, or far too many values.",
+            "Print the length of what you publish; begin a new list for every message.",
+        )
     blamed = failed_by_error(
         recording, f"no message on {topic.name} in {lasted}", f"messages on {topic.name}", about_time=True
     )

@@ -239,7 +239,8 @@ class Watch:
         node_since: float | None = None
         while time.monotonic() < deadline:
             if time.monotonic() > look_elsewhere:
-                if set(self._process.domains_used()) - {self._observer.domain_id}:
+                used = self._process.domains_used()
+                if used and self._observer.domain_id not in used:
                     return False
                 look_elsewhere += 1.0
             if self._recorder.look() and node_since is None and self._recorder.nodes():
