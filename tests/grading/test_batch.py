@@ -251,7 +251,7 @@ def test_odd_hand_ins_are_ungradable_and_hang_nothing(
         "dangling": "ungradable",
         "endless": "ungradable",
         "half": "ungradable",
-        "m\ufffdller": "graded",
+        "m\\xfcller": "graded",
         "pipe": "ungradable",
         "two": "ungradable",
     }

@@ -11,6 +11,8 @@ from pathlib import Path
 
 LARGEST_ANSWER_BYTES = 1_000_000
 LARGEST_NOTEBOOK_BYTES = 50_000_000
+MOST_PARTS = 2_000_000
+"""Of a notebook's JSON. A file of brackets alone would take thirty times its size in memory."""
 ANSWER_MAGIC = "%%answer"
 _MAGIC_LINE = re.compile(r"^%%answer\s+(?P<stem>[\w-]+)\s*$")
 _CODING = re.compile(r"^([ \t\f]*#.*?coding[:=][ \t]*)[-\w.]+", re.ASCII)
@@ -96,6 +98,8 @@ def _cell_text(source: object) -> str:
 
 def answer_in_notebook(raw: bytes, stem: str) -> str:
     """The program in the last cell whose first non-blank line is `%%answer STEM`. Raises Ungradable."""
+    if _too_many_parts(raw):
+        raise Ungradable("this is no notebook: it consists of millions of empty parts")
     try:
         notebook = json.loads(raw)
         cells = notebook["cells"]
@@ -121,13 +125,18 @@ def answer_in_notebook(raw: bytes, stem: str) -> str:
     raise Ungradable(f"the notebook has no cell that begins with `{ANSWER_MAGIC} {stem}`")
 
 
+def _too_many_parts(raw: bytes) -> bool:
+    return raw.count(b"{") + raw.count(b"[") > MOST_PARTS
+
+
 def exercises_named(path: Path) -> list[str]:
     """The exercises that a notebook or a program names in `%%answer` lines, in order; empty if none."""
     try:
         if path.is_symlink() or not path.is_file() or path.stat().st_size > LARGEST_NOTEBOOK_BYTES:
             return []
         if path.suffix == ".ipynb":
-            cells = json.loads(path.read_bytes())["cells"]
+            raw = path.read_bytes()
+            cells = [] if _too_many_parts(raw) else json.loads(raw)["cells"]
             firsts = [_cell_text(cell.get("source")).lstrip().split("\n")[0] for cell in cells]
         else:
             firsts = path.read_bytes()[:2000].decode("utf-8", "replace").lstrip().split("\n")[:1]
@@ -147,7 +156,8 @@ def read_answer(path: Path, stem: str) -> Answer:
         raise Ungradable("this is not a regular file")
     largest = LARGEST_NOTEBOOK_BYTES if path.suffix == ".ipynb" else LARGEST_ANSWER_BYTES
     if path.stat().st_size > largest:
-        raise Ungradable(f"the file is larger than {largest // 1_000_000} MB")
+        advice = ". Clear the outputs of the notebook and save it again" if path.suffix == ".ipynb" else ""
+        raise Ungradable(f"the file is larger than {largest // 1_000_000} MB{advice}")
     raw = path.read_bytes()
     if path.suffix == ".ipynb":
         text = answer_in_notebook(raw, stem)

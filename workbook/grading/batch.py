@@ -54,8 +54,11 @@ def _submitted_at(hand_in: HandIn) -> str | None:
     depth = max(1, len(Path(hand_in.label).parts) - 1)
     for folder in [*hand_in.path.parents][:depth]:
         stamp = folder / "timestamp.txt"
-        if stamp.is_file() and not stamp.is_symlink() and stamp.stat().st_size < 200:
-            return stamp.read_text(errors="replace").strip() or None
+        try:
+            if stamp.is_file() and not stamp.is_symlink() and stamp.stat().st_size < 200:
+                return stamp.read_text(errors="replace").strip() or None
+        except OSError:
+            continue  # nobody knows then
     return None
 
 

@@ -9,6 +9,12 @@ from pathlib import Path
 from workbook.exercise.answers import exercises_named
 
 ANSWER_SUFFIXES = (".py", ".ipynb")
+ARCHIVE_SUFFIXES = (".zip", ".gz", ".tgz", ".tar", ".bz2", ".xz", ".zst", ".7z", ".rar")
+SHADOWS = frozenset(
+    {"conftest", "sitecustomize", "usercustomize", "setup", "rclpy", "std_msgs", "geometry_msgs"}
+)
+"""Names of files that are no answers, but would get between a program and the module of that name."""
+_ARCHIVE = "archives are not opened: unpack it into a folder with the student's name"
 _SKIPPED_FOLDERS = {"__pycache__", ".ipynb_checkpoints", "__MACOSX"}
 
 
@@ -71,10 +77,12 @@ def hand_in_named(student: str, folder: Path, stem: str) -> HandIn | None:
 
 
 def _choose(student: str, folder: Path, root: Path, stem: str) -> HandIn:
-    files = _files_below(folder)
+    files = [path for path in _files_below(folder) if path.stem not in SHADOWS]
     label = str(folder.relative_to(root))
+    if not os.access(folder, os.R_OK | os.X_OK):
+        return HandIn(student, folder, label, "the folder cannot be read")
     if not files:
-        return HandIn(student, folder, label, "the folder holds no .py and no .ipynb file")
+        return HandIn(student, folder, label, _why_nothing(folder))
     candidates = files if len(files) == 1 else [path for path in files if names_exercise(path, stem)]
     if len(candidates) == 1:
         return HandIn(student, candidates[0], str(candidates[0].relative_to(root)))
@@ -85,6 +93,18 @@ def _choose(student: str, folder: Path, root: Path, stem: str) -> HandIn:
         label,
         f"{len(candidates or files)} files could be the answer to {stem}: {names}. Leave one",
     )
+
+
+def _why_nothing(folder: Path) -> str:
+    """What is wrong with a folder without an answer."""
+    shadows = sorted({path.name for path in _files_below(folder)})
+    if shadows:
+        return f"the folder holds only {', '.join(shadows)}: an answer needs a name that no module of ROS or Python has"
+    inside = [name for _, _, names in os.walk(folder) for name in names]
+    packed = [name for name in sorted(inside) if name.lower().endswith(ARCHIVE_SUFFIXES)]
+    if packed:
+        return f"the folder holds no .py and no .ipynb file, but {packed[0]}; {_ARCHIVE}"
+    return "the folder holds no .py and no .ipynb file"
 
 
 def _choose_in(student: str, folder: Path, root: Path, stem: str, assignment: str | None) -> HandIn:
@@ -122,6 +142,8 @@ def find_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = Non
                     found.append(_choose_in(entry.name, entry, root, stem, assignment))
                 elif _is_answer(entry):
                     found.append(HandIn(entry.stem, entry, entry.name))
+                elif entry.name.lower().endswith(ARCHIVE_SUFFIXES):
+                    found.append(HandIn(entry.name.split(".")[0], entry, entry.name, _ARCHIVE))
         elif path.is_file():
             found.append(HandIn(path.stem, path, path.name))
         else:
@@ -130,8 +152,9 @@ def find_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = Non
 
 
 def _readable(text: str) -> str:
-    """A file name as text that can be stored: bytes of another encoding become question marks."""
-    return os.fsencode(text).decode("utf-8", "replace")
+    """A file name as text that can be stored. Bytes of another encoding are spelled out (\\xfc), so that two names
+    never become one."""
+    return os.fsencode(text).decode("utf-8", "backslashreplace")
 
 
 def _settle_twins(found: list[HandIn]) -> list[HandIn]:

@@ -1,0 +1,226 @@
+"""Hand-ins that are odd or meant to harm: their names, their folders, their notebooks. None stops the others."""
+
+import csv
+import json
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from workbook.exercise import answers
+from workbook.exercise.answers import Ungradable, read_answer
+from workbook.grading.hand_ins import find_hand_ins
+from workbook.observing.process import without_commands
+from workbook.observing.sandbox import sandbox_problem
+
+ROOT = Path(__file__).resolve().parents[2]
+STEM = "09_joint_positions"
+CANNOT_RUN = "robot = = 1\n"
+FORMATS = "html,gradescope,canvas,moodle,nbgrader"
+NAMES = [
+    b"two\nlines",
+    b"comma, quote\" and 'quote",
+    b"$(reboot)",
+    b"`reboot`; reboot | reboot & reboot",
+    b"-rf",
+    b"--help",
+    b"=HYPERLINK(1)",
+    b"@SUM(A1)",
+    b"<script>alert(1)<%2Fscript>",
+    b"\x1b[2Jescape",
+    "\u202eturned".encode(),
+    b"m\xfcller",
+    b"m\xe4ller",
+    b"Ada",
+    b"ada",
+    b"CON",
+    b" blank ",
+    b"%s%n{0}",
+    b"x" * 252,
+]
+
+
+def workbook(*arguments: object) -> "subprocess.CompletedProcess[str]":
+    command = [sys.executable, "-m", "workbook.cli.main", *map(str, arguments)]
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, stdin=subprocess.DEVNULL)
+
+
+def notebook(*cells: object, **more: Any) -> str:
+    made = [
+        {"cell_type": "code", "id": "same", "metadata": {}, "outputs": [], "source": cell} for cell in cells
+    ]
+    return json.dumps({"cells": made, "metadata": {}, "nbformat": 4, "nbformat_minor": 5, **more})
+
+
+# --- names ----------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def graded(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, "subprocess.CompletedProcess[str]"]:
+    folder = tmp_path_factory.mktemp("odd")
+    (folder / "class").mkdir()
+    for name in NAMES:
+        (folder / "class" / os.fsdecode(name + b".py")).write_text(CANNOT_RUN)
+    isolation = (
+        "limits" if sandbox_problem() else "sandbox"
+    )  # the answers do nothing: it is about their names
+    done = workbook(
+        *("grade", folder / "class", "--exercise", STEM, "--out", folder / "out", "--slots", 3),
+        *("--format", FORMATS, "--isolation", isolation),
+    )
+    return folder / "out", done
+
+
+def test_everybody_is_graded_whatever_the_name(
+    graded: tuple[Path, "subprocess.CompletedProcess[str]"],
+) -> None:
+    out, done = graded
+    assert done.returncode == 0, done.stderr
+    results = [json.loads(line) for line in (out / "results.jsonl").read_bytes().split(b"\n")[:-1]]
+    assert {one["status"] for one in results} == {"graded"}
+    students = {one["student"] for one in results}
+    assert len(students) == len(results) == len(NAMES)
+    assert students == {name.decode("utf-8", "backslashreplace") for name in NAMES}
+
+
+def test_every_table_has_one_row_for_each_and_no_formula(
+    graded: tuple[Path, "subprocess.CompletedProcess[str]"],
+) -> None:
+    out, _ = graded
+    for table, head in (("grades.csv", 1), ("canvas.csv", 2), ("moodle.csv", 1), ("nbgrader.csv", 1)):
+        with (out / table).open(newline="", encoding="utf-8") as file:
+            rows = list(csv.reader(file))
+        assert len(rows) == len(NAMES) + head
+        assert len({len(row) for row in rows}) == 1
+        assert not [cell for row in rows for cell in row if cell.startswith(("=", "+", "-", "@"))]
+
+
+def test_every_page_is_written_and_none_runs_anything(
+    graded: tuple[Path, "subprocess.CompletedProcess[str]"],
+) -> None:
+    out, _ = graded
+    pages = list((out / "pages").iterdir())
+    assert len(pages) == len(NAMES) + 1
+    assert not [page.name for page in pages if "<script" in page.read_text(encoding="utf-8").lower()]
+    assert len(list((out / "gradescope").iterdir())) == len(NAMES)
+
+
+def test_nothing_that_is_printed_commands_the_terminal(
+    graded: tuple[Path, "subprocess.CompletedProcess[str]"],
+) -> None:
+    _, done = graded
+    for said in (done.stdout, done.stderr):
+        assert without_commands(said) == said
+        assert "Traceback" not in said
+
+
+# --- folders ----------------------------------------------------------------------------------------------------------
+
+
+def problem_of(folder: Path, student: str = "s1") -> str:
+    [found] = [one for one in find_hand_ins([folder], STEM) if one.student == student]
+    return found.problem or ""
+
+
+def test_an_archive_is_not_opened(tmp_path: Path) -> None:
+    bomb = tmp_path / "s1.zip"
+    with zipfile.ZipFile(bomb, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("../../../etc/cron.d/x", "reboot")
+        archive.writestr("/etc/passwd", "root")
+        archive.writestr("s1.py", b"#" * 10_000_000)
+    before = sorted(tmp_path.rglob("*"))
+    assert "archives are not opened: unpack it" in problem_of(tmp_path)
+    assert sorted(tmp_path.rglob("*")) == before
+    (tmp_path / "s2").mkdir()
+    bomb.rename(tmp_path / "s2" / "answer.tar.gz")
+    assert "but answer.tar.gz; archives are not opened" in problem_of(tmp_path, "s2")
+
+
+def test_files_with_names_of_modules_are_no_answers(tmp_path: Path) -> None:
+    student = tmp_path / "s1"
+    (student / "std_msgs").mkdir(parents=True)
+    for name in ("rclpy.py", "sitecustomize.py", "usercustomize.py", "conftest.py", "std_msgs/__init__.py"):
+        (student / name).write_text("raise SystemExit\n")
+    (student / "evil.pth").write_text("import os; os._exit(0)\n")
+    assert "a name that no module of ROS or Python has" in problem_of(tmp_path)
+    (student / "mine.py").write_text("print()\n")
+    [found] = find_hand_ins([tmp_path], STEM)
+    assert (found.problem, found.path.name) == (None, "mine.py")
+
+
+@pytest.mark.parametrize("target", ["/etc/passwd", "../s2/answer.py", "/dev/zero", "/proc/self/environ"])
+def test_a_link_is_no_answer(tmp_path: Path, target: str) -> None:
+    for student in ("s1", "s2"):
+        (tmp_path / student).mkdir()
+    (tmp_path / "s2" / "answer.py").write_text("print('the work of s2')\n")
+    (tmp_path / "s1" / "answer.py").symlink_to(target)
+    found = {one.student: one for one in find_hand_ins([tmp_path], STEM)}
+    assert read_answer(found["s2"].path, STEM).text == "print('the work of s2')\n"
+    with pytest.raises(Ungradable, match="not a regular file"):
+        read_answer(found["s1"].path, STEM)
+
+
+# --- notebooks --------------------------------------------------------------------------------------------------------
+
+
+def text_in(folder: Path, content: str) -> str:
+    path = folder / "s1.ipynb"
+    path.write_text(content, encoding="utf-8")
+    return read_answer(path, STEM).text
+
+
+ANSWER = f"%%answer {STEM}\nprint('the answer')\n"
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        notebook("!rm -rf /", "%%bash\nreboot", "%load_ext evil", ANSWER, "raise SystemExit"),
+        notebook(ANSWER, metadata={"kernelspec": {"name": "ir", "language": "R"}}),
+        notebook(f"%%answer {STEM}\nprint('an old one')\n", ANSWER),
+        notebook(ANSWER, metadata={"widgets": "<script>alert(1)</script>", "language_info": None}),
+    ],
+    ids=["other cells", "another kernel", "duplicated ids", "odd metadata"],
+)
+def test_only_the_answer_cell_counts(tmp_path: Path, content: str) -> None:
+    assert text_in(tmp_path, content) == "print('the answer')\n"
+
+
+def test_large_outputs_are_ignored_and_too_large_ones_said(tmp_path: Path) -> None:
+    made = json.loads(notebook(ANSWER))
+    size = answers.LARGEST_NOTEBOOK_BYTES - 10_000
+    made["cells"][0]["outputs"] = [{"output_type": "stream", "name": "stdout", "text": "x" * size}]
+    assert text_in(tmp_path, json.dumps(made)) == "print('the answer')\n"
+    made["cells"][0]["outputs"][0]["text"] += "x" * 10_000
+    with pytest.raises(Ungradable, match=r"larger than 50 MB\. Clear the outputs"):
+        text_in(tmp_path, json.dumps(made))
+
+
+def test_a_notebook_of_nothing_but_brackets_is_not_even_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    content = '{"cells": [' + "{}," * (answers.MOST_PARTS + 1) + "{}]}"
+    monkeypatch.setattr(json, "loads", lambda *_: pytest.fail("read"))
+    with pytest.raises(Ungradable, match="no notebook"):
+        text_in(tmp_path, content)
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (notebook("print()"), "no cell that begins with"),
+        (notebook("", ""), "no cell that begins with"),
+        (notebook(f"%%answer {STEM}\n"), "the answer is empty"),
+        (notebook("%%answer 05_timers\nprint()"), "answers 05_timers"),
+        ("", "no readable notebook"),
+        ("[" * 100_000, "no readable notebook"),
+    ],
+    ids=["no magic", "cleared", "empty answer", "another exercise", "empty file", "deep"],
+)
+def test_a_notebook_without_an_answer_is_told_why(tmp_path: Path, content: str, words: str) -> None:
+    with pytest.raises(Ungradable, match=words):
+        text_in(tmp_path, content)
