@@ -176,6 +176,14 @@ def test_a_torn_last_line_is_ignored_and_dropped(torn: str, tmp_path: Path) -> N
     assert all(json.loads(line) for line in path.read_text().splitlines())
 
 
+def test_half_written_recordings_of_a_killed_run_are_removed(tmp_path: Path) -> None:
+    graded(tmp_path, judged("solution"))
+    [whole] = (tmp_path / "recordings").iterdir()
+    (tmp_path / "recordings" / "abc.4242.part").write_text('{"format": 1,')
+    append(tmp_path / "results.jsonl", refused())
+    assert list((tmp_path / "recordings").iterdir()) == [whole]
+
+
 def test_a_complete_line_without_newline_was_not_finished(tmp_path: Path) -> None:
     path = tmp_path / "results.jsonl"
     path.write_text(json.dumps(refused()))

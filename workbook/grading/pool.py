@@ -21,7 +21,7 @@ from workbook.exercise.exchange import judgement_from_json
 from workbook.exercise.judging import Judgement, Report
 from workbook.observing.orphans import StillThere
 from workbook.observing.process import kill_programs_of
-from workbook.observing.sandbox import outer_command
+from workbook.observing.sandbox import NoSandbox, outer_command
 from workbook.observing.tiers import Isolation as Isolation
 from workbook.observing.uids import NoIds, lease_ids
 from workbook.ros.environment import child_environment
@@ -43,7 +43,8 @@ class Slot:
     """
 
     def __init__(self, isolation: Isolation = "limits", own_criteria: Path | None = None) -> None:
-        environ = child_environment(0)
+        # A slot makes its own log folder. One of ours would stay behind if we were killed.
+        environ = child_environment(0, log_folder=Path(os.devnull))
         del environ["ROS_DOMAIN_ID"]
         for name in ("WORKBOOK_COURSE", OWN_CRITERIA, "PYTHONPATH"):
             if name in os.environ:
@@ -219,11 +220,12 @@ def judge_with_retry(
                 slot = None
             slot = slot or Slot(isolation, own_criteria)
             return slot, slot.judge(job.stem, job.answer, thorough=thorough)
-        except SlotBroken as error:
+        except (SlotBroken, OSError, NoSandbox) as error:
             reason = str(error)
             if slot is not None:
                 slot.kill()
             slot = None
+    reason += f", {TRIES} times with this answer. Run the command again; if it stays so, look at this answer yourself"
     return None, Judgement(job.stem, job.answer.sha256, "infra_error", reason, (), None)
 
 

@@ -219,6 +219,8 @@ class ResultsFile:
     def __init__(self, path: Path) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         self._drop_torn_line(path)
+        for half_written in (path.parent / "recordings").glob("*.part"):
+            half_written.unlink(missing_ok=True)
         self._file = path.open("a", encoding="utf-8")
 
     @staticmethod
