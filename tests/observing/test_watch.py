@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.observing.programs import write
+from workbook.observing.recorder import Recorder
 from workbook.observing.recording import Phase, Recording
 from workbook.observing.watch import SPEEDS, Observer, Plan, speeds_agree
 from workbook.ros.domains import lease_domain
@@ -119,6 +120,23 @@ def test_an_arrival_tells_when_it_was_published(watched: Watched) -> None:
     arrivals = recording.topic("/battery").arrivals
     assert all(one.sent is not None and one.published < one.wall for one in arrivals)
     assert [one.published for one in arrivals] == sorted(one.published for one in arrivals)
+
+
+def test_setting_the_clock_of_the_machine_moves_no_message(
+    watched: Watched, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Messages carry the time of day. When that is set by an hour, the recorder's idea of it is wrong by an hour."""
+    start_windows = Recorder.start_windows
+
+    def set_clock(self: Recorder, t: float) -> None:
+        start_windows(self, t)
+        self._epoch_offset -= 3600.0
+
+    monkeypatch.setattr(Recorder, "start_windows", set_clock)
+    recording = watched(TWO_TIMERS)
+    battery = recording.topic("/battery").arrivals
+    assert len(battery) == 7
+    assert all(abs(arrival.t - number) <= 0.101 for number, arrival in enumerate(battery, start=1))
 
 
 def test_the_wall_clock_gives_real_seconds(watched: Watched) -> None:

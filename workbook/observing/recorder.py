@@ -26,6 +26,7 @@ KEPT_PER_TOPIC = 20_000
 TOPICS_WATCHED = 64
 LARGEST_MESSAGE_BYTES = 4_000_000
 PARAMETER_SERVICES = ("rcl_interfaces/srv/", "type_description_interfaces/srv/")
+CLOCK_WAS_SET_S = 0.5
 _LOOK_AGAIN_S = 0.02
 _NODE_UNKNOWN = "_NODE_NAME_UNKNOWN_"
 
@@ -217,6 +218,9 @@ class Recorder:
 
     def take(self) -> None:
         """Keep every message that has arrived since the last call."""
+        offset = time.time() - time.monotonic()
+        if abs(offset - self._epoch_offset) > CLOCK_WAS_SET_S:  # messages carry the time of day
+            self._epoch_offset = offset
         for watched in self._topics.values():
             if watched.subscription is None:
                 continue
