@@ -1,3 +1,4 @@
+# thorough: yes
 # score: 10
 """A good answer with eight hundred publishers beside it."""
 import threading

@@ -1,5 +1,6 @@
 # score: 0
 # says: No space left on device
+# limits: disk
 """Writes files without end, wherever it may."""
 import itertools
 import tempfile

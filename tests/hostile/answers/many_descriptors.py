@@ -1,5 +1,6 @@
 # score: 0
 # says: Too many open files
+# limits: open_files
 """Sockets without end."""
 import socket
 

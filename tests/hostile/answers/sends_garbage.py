@@ -19,6 +19,7 @@ def send():
     for publisher in out:
         publisher.publish(b"\x00\x01\x00\x00\xff\xff\xff\x7f")
         publisher.publish(b"\x00")
+        publisher.publish(b"")
 
 
 robot.create_timer(0.5, send)

@@ -1,11 +1,16 @@
 # score: 0
-# says: rclpy
-"""Puts a module called rclpy beside itself and imports that."""
+# says: hides the package
+"""Puts files beside itself that have the names of modules, as a folder full of tries has them, and imports from one."""
+import os
+import site
 import sys
 
-with open("rclpy.py", "w") as file:
-    file.write("def init(*_, **__): pass\n")
+personal = site.getusersitepackages()
+os.makedirs(personal)
+for name in ("rclpy.py", "sensor_msgs.py", "conftest.py", "sitecustomize.py", f"{personal}/usercustomize.py"):
+    with open(name, "w") as file:
+        file.write("def init(*_, **__): pass\n")
+with open(f"{personal}/mine.pth", "w") as file:
+    file.write("import usercustomize\n")
 sys.path.insert(0, ".")
-import rclpy
-
-rclpy.create_node("mine")
+from sensor_msgs.msg import JointState

@@ -1,6 +1,7 @@
 # score: 0
 # says: MemoryError
+# limits: memory
 """Asks for memory without end."""
 held = []
 while True:
-    held.append(bytearray(100_000_000))
+    held.append(bytes(100_000_000))
