@@ -15,6 +15,7 @@ LONG_FIRST = (
     "test_hostile",
     "test_farm",
     "test_tiers",
+    "test_killed_grader",
     "test_nodes_with_timers",
 )
 BROWSERS = 2

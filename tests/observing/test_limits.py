@@ -1,5 +1,6 @@
 """Limits of a program: what it takes too much of ends it, and is named."""
 
+import os
 import resource
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -10,7 +11,7 @@ from tests.observing.programs import wait_until, write
 from workbook.grading.slot import LIMITS
 from workbook.observing.process import NodeProcess
 from workbook.observing.recording import ProcessRecord
-from workbook.observing.usage import limits_told, memory_of
+from workbook.observing.usage import limits_told, memory_of, most_files
 from workbook.ros.domains import lease_domain
 
 MEGABYTE = 1_000_000
@@ -105,6 +106,12 @@ def test_what_processes_share_is_counted_once(
 
 def test_of_the_dead_nothing_is_counted() -> None:
     assert memory_of([2**22 + 1], 0) == 0
+    assert most_files([2**22 + 1]) == 0
+
+
+def test_files_of_the_machine_are_not_those_of_a_box(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("workbook.observing.usage.WRITABLE", ("/", "/usr"))
+    assert most_files([os.getpid()]) == 0
 
 
 def test_no_core_fits_into_what_an_answer_may_dump() -> None:

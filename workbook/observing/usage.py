@@ -5,7 +5,9 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-WRITABLE = ("tmp", "dev/shm", "home/student")
+from workbook.observing.sandbox import HOME, WRITABLE_BYTES
+
+WRITABLE = ("/tmp", "/dev/shm", HOME)
 _PAGE = os.sysconf("SC_PAGE_SIZE")
 _LAST_LINES = 3
 _TOLD = {
@@ -44,14 +46,19 @@ def _share(pid: int) -> int:
 
 
 def most_files(pids: Sequence[int]) -> int:
-    """How many files and folders the fullest folder holds that a program in a box may write to."""
-    for pid in reversed(pids):  # the youngest is certainly inside
+    """How many files and folders the fullest folder holds that a program in a box may write to.
+
+    A process that is not in its box yet sees the folders of the machine, which have more room: they do not count.
+    """
+    most = 0
+    for pid in pids:
         try:
-            spaces = [os.statvfs(f"/proc/{pid}/root/{folder}") for folder in WRITABLE]
+            spaces = [os.statvfs(f"/proc/{pid}/root{folder}") for folder in WRITABLE]
         except OSError:
             continue
-        return max(space.f_files - space.f_ffree for space in spaces)
-    return 0
+        if all(space.f_blocks * space.f_frsize <= WRITABLE_BYTES for space in spaces):
+            most = max(most, *(space.f_files - space.f_ffree for space in spaces))
+    return most
 
 
 def limits_told(log: str) -> tuple[str, ...]:
