@@ -23,6 +23,10 @@ others = lambda: [pid for pid in os.listdir("/proc") if pid.isdigit() and int(pi
 while others() and time.monotonic() < began + 10:
     time.sleep(0.01)  # LTTng starts a process for a moment when it is loaded
 
+def powers(thread):
+    lines = open(f"/proc/self/task/{thread}/status").read().splitlines()
+    return [line for line in lines if line.startswith(("Cap", "NoNewPrivs", "Seccomp"))]
+
 status = dict(line.split(":", 1) for line in open("/proc/self/status").read().splitlines())
 keep = ("CapInh", "CapPrm", "CapEff", "CapBnd", "CapAmb", "NoNewPrivs", "Uid", "Gid", "SigBlk", "SigIgn", "SigCgt")
 print(json.dumps({
@@ -33,7 +37,7 @@ print(json.dumps({
     "environment": dict(os.environ),
     "folder": os.getcwd(),
     "host": socket.gethostname(),
-    "threads": len(os.listdir("/proc/self/task")),
+    "threads": sorted(powers(thread) for thread in os.listdir("/proc/self/task")),
     "leads its session": os.getsid(0) in (0, os.getpid(), 1),
     "arguments": sys.argv,
     "file": __file__,

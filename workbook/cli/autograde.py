@@ -25,7 +25,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     isolation = argparse.ArgumentParser(add_help=False)
     isolation.add_argument(
         "--isolation",
-        choices=["auto", "sandbox", "limits"],
+        choices=["auto", "sandbox", "uid", "landlock", "limits"],
         default="auto",
         help="auto: the best that works here; the result says which that was",
     )

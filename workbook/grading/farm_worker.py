@@ -20,7 +20,7 @@ from workbook.exercise.answers import Answer
 from workbook.exercise.course import NoCourse, course_folder, course_sha256
 from workbook.exercise.exchange import judgement_to_json
 from workbook.grading.pool import Isolation, Job, Slot, judge_with_retry
-from workbook.observing.sandbox import sandbox_problem
+from workbook.observing.tiers import tier_problem
 from workbook.ros.scratch import scratch_folder
 
 IDLE_S = 60.0
@@ -93,8 +93,8 @@ def introduce(isolation: Isolation, course: str, rclpy: str, python: str) -> str
             f"it has rclpy {rclpy_version()} and Python {python_version()}, and not rclpy {rclpy} and Python {python}. "
             "Make its environment with `make env`, with the same Python"
         )
-    if problem is None and isolation == "sandbox":
-        closed = sandbox_problem()
+    if problem is None:
+        closed = tier_problem(isolation)
         if closed is not None:
             problem = f"it cannot shut programs in: {closed}"
     return json.dumps({"host": platform.node(), "process": PROCESS, "problem": problem})

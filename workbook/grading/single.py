@@ -10,7 +10,8 @@ from workbook.grading.hand_ins import HandIn
 from workbook.grading.pool import Isolation, Job, judge_all
 from workbook.grading.results import Result, graded_result, ungradable_result
 from workbook.grading.tries import counting, judge_until_sure
-from workbook.observing.sandbox import NoSandbox, sandbox_problem
+from workbook.observing.sandbox import NoSandbox
+from workbook.observing.tiers import BEST_FIRST, named_tier, tier_problem
 
 TIERS = {
     "sandbox": "shut in by bubblewrap, with a network of its own",
@@ -23,22 +24,21 @@ TIERS = {
 
 def best_isolation() -> Isolation:
     """The best tier that works on this machine."""
-    return "sandbox" if sandbox_problem() is None else "limits"
+    return next((tier for tier in BEST_FIRST if tier_problem(tier) is None), "limits")
 
 
 def choose_isolation(wanted: str) -> Isolation:
     """The tier to use: with "auto" the best that works, else the one that is wanted.
 
-    Raises NoSandbox when a sandbox is wanted and there can be none.
+    Raises NoSandbox when the wanted one does not work here.
     """
     if wanted == "auto":
         return best_isolation()
-    if wanted == "limits":
-        return "limits"
-    problem = sandbox_problem()
+    isolation = named_tier(wanted)
+    problem = tier_problem(isolation)
     if problem is not None:
         raise NoSandbox(f"programs cannot be shut in on this machine: {problem}")
-    return "sandbox"
+    return isolation
 
 
 def grade_one(exercise: Exercise, hand_in: HandIn, out: Path, isolation: Isolation) -> Result:
