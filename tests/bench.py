@@ -26,8 +26,11 @@ from pathlib import Path
 from workbook.exercise.answers import Answer, read_answer
 from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.judging import Judgement
-from workbook.grading.pool import Job, Slot, judge_all
+from workbook.grading.pool import Isolation, Job, Slot, judge_all
 from workbook.grading.single import best_isolation
+from workbook.observing.process import NodeProcess
+from workbook.observing.sandbox import Cage, sandbox_problem
+from workbook.observing.warm_start import ForkServer
 from workbook.observing.watch import Observer
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment
@@ -115,13 +118,24 @@ def bare_node(times: int) -> tuple[list[float], float]:
         return spent, (cpu_of_children() - before) / times
 
 
-def slot_start(times: int) -> float:
+def slot_start(times: int, isolation: Isolation) -> float:
     """Processor seconds of a slot that starts and ends without judging anything."""
     before = cpu_of_children()
     for _ in range(times):
-        with Slot():
+        with Slot(isolation):
             pass
     return (cpu_of_children() - before) / times
+
+
+def empty_program(cage: Cage | None) -> float:
+    """Seconds from the start of a program that does nothing to its end."""
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / "answer.py"
+        program.write_text("import rclpy\n", encoding="utf-8")
+        began = time.monotonic()
+        with NodeProcess(program, 0, cage=cage) as process:
+            process.wait(60.0)
+            return time.monotonic() - began
 
 
 # --- the parts ---------------------------------------------------------------------------------------------
@@ -307,10 +321,41 @@ def tell_unfair(number: int, name: str, judgement: Judgement) -> None:
         judgement.recording.save(folder / f"{number:04d}-{name}.json")
 
 
+def shutting_in(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
+    """What it costs to shut a program in, beside the start of the same program outside, each in turn."""
+    problem = sandbox_problem()
+    if problem is not None:
+        yield Figure("shutting a program in", "not here", problem)
+        return
+    server = ForkServer()
+    boxes = {"outside": None, "in a box": Cage(), "in a box, forked": Cage(server=server)}
+    times: dict[str, list[float]] = {name: [] for name in boxes}
+    try:
+        for number in range(size.runs * 3 + 1):
+            for name, cage in boxes.items():
+                spent = empty_program(cage)
+                if number:  # the first of each fills the caches, and starts the server
+                    times[name].append(spent)
+    finally:
+        server.close()
+    outside = statistics.median(times["outside"])
+    for name, spent in times.items():
+        added = (statistics.median(spent) - outside) * 1000
+        yield Figure(
+            f"a program that imports rclpy, {name}",
+            f"{statistics.median(spent) * 1000:.0f} ms",
+            f"{min(spent) * 1000:.0f} to {max(spent) * 1000:.0f}, n = {len(spent)}",
+            "" if name == "outside" else "≤ 25 ms more",
+            None if name == "outside" else added <= 25,
+            {"median": round(statistics.median(spent), 4), "added": round(added / 1000, 4)},
+        )
+
+
 def throughput(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
     """Answers per minute and processor time per answer, watching included, beside a bare node."""
     _, bare_cpu = bare_node(max(5, size.answers // 4))
-    slot_cpu = slot_start(3)
+    isolation = best_isolation()
+    slot_cpu = slot_start(3, isolation)
     yield Figure("processor time of a bare node", f"{bare_cpu:.2f} s", values={"cpu_s": round(bare_cpu, 4)})
     yield Figure(
         "processor time of starting a slot", f"{slot_cpu:.2f} s", values={"cpu_s": round(slot_cpu, 4)}
@@ -320,7 +365,10 @@ def throughput(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
         before = cpu_of_children()
         began = time.monotonic()
         jobs = [Job(number, STEM, answer) for number in range(size.answers)]
-        passed = sum(judgement.full_marks for _, judgement in judge_all(jobs, slots, thorough=thorough))
+        passed = sum(
+            judgement.full_marks
+            for _, judgement in judge_all(jobs, slots, thorough=thorough, isolation=isolation)
+        )
         seconds = time.monotonic() - began
         used = cpu_of_children() - before
         cpu = (used - slots * slot_cpu) / size.answers
@@ -328,8 +376,10 @@ def throughput(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
         yield Figure(
             f"answers per minute, {word}, {slots} slots",
             f"{per_minute:.0f}",
-            f"{passed} of {size.answers} passed",
-            values={"per_minute": round(per_minute, 1), "passed": passed, "answers": size.answers},
+            f"{passed} of {size.answers} passed, {isolation}",
+            "≥ 150" if not thorough else "",
+            per_minute >= 150 if not thorough else None,
+            {"per_minute": round(per_minute, 1), "passed": passed, "answers": size.answers},
         )
         yield Figure(
             f"  processor time per answer, {word}, in bare nodes",
@@ -361,6 +411,7 @@ PARTS: dict[str, Callable[[Size, Exercise, Answer], Iterator[Figure]]] = {
     "check": check,
     "warm": warm,
     "steadiness": steadiness,
+    "isolation": shutting_in,
     "throughput": throughput,
     "tests": last_test_run,
     "fairness": fairness,

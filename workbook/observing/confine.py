@@ -9,19 +9,17 @@ then does what Landlock does not: it keeps the permissions of the user's files a
 """
 
 import ctypes
-import errno
+import importlib
 import os
 import resource
 import stat
 import struct
 import sys
+from pathlib import Path
 
-PR_SET_NO_NEW_PRIVS = 38
-PR_CAPBSET_DROP = 24
-PR_CAP_AMBIENT = 47
-PR_CAP_AMBIENT_CLEAR_ALL = 4
-CAPABILITY_VERSION_3 = 0x20080522
-CAPABILITIES = 64
+if __name__ == "__main__":  # started by its path, without the workbook
+    sys.path.insert(0, str(Path(__file__).parent))
+powers = importlib.import_module("powers" if __name__ == "__main__" else "workbook.observing.powers")
 
 SYS_LANDLOCK_CREATE_RULESET = 444
 SYS_LANDLOCK_ADD_RULE = 445
@@ -41,43 +39,11 @@ SCOPES = 0b11
 """Signals, and sockets with abstract names."""
 FAILED = 126
 
-PR_SET_SECCOMP = 22
-SECCOMP_MODE_FILTER = 2
-SECCOMP_ALLOW = 0x7FFF0000
-SECCOMP_ERRNO = 0x00050000
-BPF_LOAD_WORD, BPF_JUMP_IF_EQUAL, BPF_JUMP_IF_AT_LEAST, BPF_RETURN = 0x20, 0x15, 0x35, 0x06
-ARCH_X86_64 = 0xC000003E
-CALLS_OF_X32 = 0x40000000
-CALLS_WITHOUT_EFFECT = (
-    *(90, 91, 92, 93, 94, 260, 268, 452),  # chmod, chown and their kin
-    *(132, 235, 261, 280),  # utime and its kin
-    *(188, 189, 190, 197, 198, 199, 463, 466, 469),  # setxattr, removexattr and their kin, file_setattr
-)
-"""By their numbers on x86_64. They say that all went well, so that a copied file is no error."""
-REFUSED_CALLS = (
-    *(29, 64, 68),  # shmget, semget, msgget: what they make outlives a program
-    *(101, 310, 311),  # ptrace, process_vm_readv, process_vm_writev
-    *(248, 249, 250),  # keys
-    *(298, 321, 323, 425),  # perf_event_open, bpf, userfaultfd, io_uring_setup
-)
-
 _libc = ctypes.CDLL(None, use_errno=True)
 
 
 class _Ruleset(ctypes.Structure):
     _fields_ = (("files", ctypes.c_uint64), ("tcp", ctypes.c_uint64), ("scopes", ctypes.c_uint64))
-
-
-class _Filter(ctypes.Structure):
-    _fields_ = (("steps", ctypes.c_ushort), ("code", ctypes.c_void_p))
-
-
-def _call(what: str, result: int) -> int:
-    """Raises OSError when a system call has failed."""
-    if result < 0:
-        number = ctypes.get_errno()
-        raise OSError(number, f"{what}: {os.strerror(number)}")
-    return result
 
 
 def landlock_abi() -> int:
@@ -95,20 +61,6 @@ def become(user: int) -> None:
     os.setresuid(user, user, user)
 
 
-def close_the_bounds() -> None:
-    """No program that this one becomes can gain a capability."""
-    for capability in range(CAPABILITIES):
-        _libc.prctl(PR_CAPBSET_DROP, capability, 0, 0, 0)  # only root may, and only root needs it
-
-
-def be_powerless() -> None:
-    """Drop what capabilities a process still holds; set-user-id programs will not help it."""
-    _libc.prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0)
-    header = (ctypes.c_uint32 * 2)(CAPABILITY_VERSION_3, 0)
-    _call("capset", _libc.capset(header, (ctypes.c_uint32 * 6)()))
-    _call("no_new_privs", _libc.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0))
-
-
 def _allow(ruleset: int, path: str, rights: int) -> None:
     try:
         place = os.open(path, os.O_PATH | os.O_CLOEXEC)
@@ -118,7 +70,7 @@ def _allow(ruleset: int, path: str, rights: int) -> None:
         if not stat.S_ISDIR(os.fstat(place).st_mode):
             rights &= FILE_RIGHTS
         rule = struct.pack("=Qi", rights, place)  # struct landlock_path_beneath_attr, which is packed
-        _call(
+        powers.checked(
             f"Landlock and {path}",
             _libc.syscall(SYS_LANDLOCK_ADD_RULE, ruleset, LANDLOCK_RULE_PATH_BENEATH, rule, 0),
         )
@@ -137,7 +89,7 @@ def see_only(read: list[str], write: list[str]) -> None:
     files = (1 << FS_RIGHTS_OF_ABI.get(abi, 16)) - 1
     asked = _Ruleset(files, TCP_RIGHTS if abi >= ABI_OF_TCP else 0, SCOPES if abi >= ABI_OF_SIGNALS else 0)
     size = 24 if abi >= ABI_OF_SIGNALS else 16 if abi >= ABI_OF_TCP else 8
-    ruleset = _call(
+    ruleset = powers.checked(
         "Landlock",
         _libc.syscall(SYS_LANDLOCK_CREATE_RULESET, ctypes.byref(asked), ctypes.c_size_t(size), 0),
     )
@@ -146,37 +98,9 @@ def see_only(read: list[str], write: list[str]) -> None:
             _allow(ruleset, path, (EXECUTE | READ_FILE | READ_DIR) & files)
         for path in write:
             _allow(ruleset, path, files & ~MAKE_DEVICES)
-        _call("Landlock", _libc.syscall(SYS_LANDLOCK_RESTRICT_SELF, ruleset, 0))
+        powers.checked("Landlock", _libc.syscall(SYS_LANDLOCK_RESTRICT_SELF, ruleset, 0))
     finally:
         os.close(ruleset)
-
-
-def filters_calls() -> bool:
-    """Whether the filter of system calls knows this kind of machine."""
-    return os.uname().machine == "x86_64" and sys.maxsize > 2**32
-
-
-def filter_calls() -> None:
-    """Let no call through that changes permissions, owners or times of files, or looks into other processes.
-
-    For good, and for all that this process becomes and starts. Needs `be_powerless`.
-    """
-    calls = [(number, SECCOMP_ERRNO) for number in CALLS_WITHOUT_EFFECT]
-    calls += [(number, SECCOMP_ERRNO | errno.EPERM) for number in REFUSED_CALLS]
-    steps = [
-        (BPF_LOAD_WORD, 0, 0, 4),  # the architecture
-        (BPF_JUMP_IF_EQUAL, 1, 0, ARCH_X86_64),
-        (BPF_RETURN, 0, 0, SECCOMP_ERRNO | errno.ENOSYS),
-        (BPF_LOAD_WORD, 0, 0, 0),  # the number of the call
-        (BPF_JUMP_IF_AT_LEAST, 0, 1, CALLS_OF_X32),
-        (BPF_RETURN, 0, 0, SECCOMP_ERRNO | errno.ENOSYS),
-    ]
-    for number, outcome in calls:
-        steps += [(BPF_JUMP_IF_EQUAL, 0, 1, number), (BPF_RETURN, 0, 0, outcome)]
-    steps.append((BPF_RETURN, 0, 0, SECCOMP_ALLOW))
-    code = ctypes.create_string_buffer(b"".join(struct.pack("=HBBI", *step) for step in steps))
-    program = _Filter(len(steps), ctypes.addressof(code))
-    _call("seccomp", _libc.prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, ctypes.byref(program), 0, 0))
 
 
 def limit_processes(most: int) -> None:
@@ -197,14 +121,14 @@ def start(arguments: list[str]) -> None:
         resource.setrlimit(resource.RLIMIT_MSGQUEUE, (0, 0))
         for most in asked["--processes"]:
             limit_processes(int(most))
-        close_the_bounds()
+        powers.close_the_bounds()
         for user in asked["--user"]:
             become(int(user))
-        be_powerless()
+        powers.be_powerless()
         if asked["--read"] or asked["--write"]:
             see_only(asked["--read"], asked["--write"])
-            if not asked["--user"] and filters_calls():
-                filter_calls()
+            if not asked["--user"] and powers.filters_calls():
+                powers.keep_permissions()
         os.execv(arguments[1], arguments[1:])
     except OSError as error:
         print(f"the program could not be shut in: {error}", file=sys.stderr, flush=True)

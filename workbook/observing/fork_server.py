@@ -10,7 +10,7 @@ answer is read: in the name spaces of its box, without capabilities, with nothin
 A program must not notice that something was imported before it. So the modules are put on a shelf (`Shelf`) and come
 out only when the program imports them.
 
-This file runs by itself and needs nothing of the workbook but `host.py` beside it.
+This file runs by itself and needs nothing of the workbook but `host.py` and `powers.py` beside it.
 """
 
 import builtins
@@ -32,15 +32,9 @@ from typing import Any
 
 REQUEST_BYTES = 100_000
 PR_SET_PDEATHSIG = 1
-PR_SET_DUMPABLE = 4
-PR_CAPBSET_READ = 23
-PR_CAPBSET_DROP = 24
-PR_SET_NO_NEW_PRIVS = 38
-PR_CAP_AMBIENT = 47
-PR_CAP_AMBIENT_CLEAR_ALL = 4
 SIGSET_BYTES = 128
 FENCE = "--fence"
-CAPABILITY_VERSION_3 = 0x20080522
+FAILED = 126
 NAMESPACES = 0x10000000 | 0x00020000 | 0x20000000 | 0x08000000 | 0x04000000 | 0x02000000
 """CLONE_NEWUSER, NEWNS, NEWPID, NEWIPC, NEWUTS, NEWCGROUP. The network is that of the observer, as for any answer."""
 WARMED = (
@@ -147,13 +141,13 @@ def import_what_answers_need() -> None:
         type(getattr(messages, name)).__import_type_support__()
 
 
-def load_host() -> types.ModuleType:
-    """The module that runs an answer. It does not stay among the modules that a program sees."""
-    spec = importlib.util.spec_from_file_location("host", Path(__file__).with_name("host.py"))
+def load(name: str) -> types.ModuleType:
+    """A file beside this one. It does not stay among the modules that a program sees."""
+    spec = importlib.util.spec_from_file_location(name, Path(__file__).with_name(f"{name}.py"))
     assert spec is not None and spec.loader is not None
-    host = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(host)
-    return host
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 class Tracer:
@@ -185,13 +179,6 @@ class Tracer:
             self._library.ust_after_fork_child(self._signals)
 
 
-def _checked(result: int, what: str) -> int:
-    if result < 0:
-        number = ctypes.get_errno()
-        raise OSError(number, f"{what}: {os.strerror(number)}")
-    return result
-
-
 def join_box(first: int) -> None:
     """Enter the name spaces of the process `first`; the process space takes effect for children.
 
@@ -199,37 +186,34 @@ def join_box(first: int) -> None:
     """
     descriptor = os.pidfd_open(first)
     try:
-        _checked(_libc.setns(descriptor, NAMESPACES), "setns")
+        powers.checked("setns", _libc.setns(descriptor, NAMESPACES))
     finally:
         os.close(descriptor)
 
 
-def drop_all_powers() -> None:
-    """No capability now, none to be gained, by whatever is executed."""
-    _checked(_libc.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no new privileges")
-    _checked(_libc.prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0), "ambient capabilities")
-    capability = 0
-    while _libc.prctl(PR_CAPBSET_READ, capability, 0, 0, 0) >= 0:
-        _checked(_libc.prctl(PR_CAPBSET_DROP, capability, 0, 0, 0), "bounding set")
-        capability += 1
-    header = (ctypes.c_uint32 * 2)(CAPABILITY_VERSION_3, 0)
-    _checked(_libc.capset(header, (ctypes.c_uint32 * 6)()), "capset")
-    # Changed powers hide a process from others of its user, and from itself. It is one like any other.
-    _checked(_libc.prctl(PR_SET_DUMPABLE, 1, 0, 0, 0), "dumpable")
-
-
-def become_program(request: Request, output: int) -> None:
+def become_program(request: Request, output: int, tracer: Tracer) -> None:
     """Turn this forked process into the one that runs the answer."""
-    os.setsid()
-    os.chdir(request.folder)
-    os.dup2(output, 1)
-    os.dup2(output, 2)
-    os.closerange(3, os.sysconf("SC_OPEN_MAX"))
-    os.environ.clear()
-    os.environ.update(request.environ)
+    try:
+        powers.close_the_bounds()
+        powers.be_powerless()
+        powers.be_seen()
+        if FENCE in request.arguments:
+            request.arguments.remove(FENCE)
+            powers.fence()
+        tracer.after_fork_in_program()  # only now: what it starts has no more powers than we
+        os.setsid()
+        os.chdir(request.folder)
+        os.dup2(output, 1)
+        os.dup2(output, 2)
+        os.closerange(3, os.sysconf("SC_OPEN_MAX"))
+        os.environ.clear()
+        os.environ.update(request.environ)
+    except BaseException as error:
+        os.write(output, f"the program could not be shut in: {error}\n".encode())
+        os._exit(FAILED)
 
 
-def usher(request: Request, output: int, status: int, tracer: Tracer, host: types.ModuleType) -> None:
+def usher(request: Request, output: int, status: int, tracer: Tracer) -> None:
     """In a fork: bring the program into its box. Returns in the program; the usher itself ends here.
 
     It writes the program's process number to `status`, and how it ended (as `os.waitpid` has it) when it has.
@@ -241,12 +225,7 @@ def usher(request: Request, output: int, status: int, tracer: Tracer, host: type
         join_box(request.box)
         program = os.fork()
         if program == 0:
-            drop_all_powers()
-            if FENCE in request.arguments:
-                request.arguments.remove(FENCE)
-                host.fence()
-            tracer.after_fork_in_program()  # only now: what it starts has no more powers than we
-            become_program(request, output)
+            become_program(request, output, tracer)
             return
         os.close(output)
         os.write(status, f"{program}\n".encode())
@@ -268,7 +247,7 @@ def _reap() -> None:
         pass
 
 
-def serve(channel: socket.socket, tracer: Tracer, host: types.ModuleType) -> list[str] | None:
+def serve(channel: socket.socket, tracer: Tracer) -> list[str] | None:
     """Fork a program for each request. Returns its arguments in the program, None when the channel is closed."""
     while True:
         try:
@@ -282,7 +261,7 @@ def serve(channel: socket.socket, tracer: Tracer, host: types.ModuleType) -> lis
         tracer.before_fork()
         if os.fork() == 0:
             channel.detach()
-            usher(request, output, status, tracer, host)
+            usher(request, output, status, tracer)
             return request.arguments
         tracer.after_fork_in_parent()
         os.close(output)
@@ -291,7 +270,7 @@ def serve(channel: socket.socket, tracer: Tracer, host: types.ModuleType) -> lis
 
 
 def main() -> None:
-    host = load_host()
+    host = load("host")
     importlib.import_module("rclpy.context")  # as the host does for every answer
     shelf = Shelf()
     shelf.fill(import_what_answers_need)
@@ -300,10 +279,12 @@ def main() -> None:
     channel.send(b"ready")
     gc.collect()
     gc.freeze()
-    arguments = serve(channel, Tracer(), host)
+    arguments = serve(channel, Tracer())
     if arguments is not None:
         host.start(arguments)
 
+
+powers = load("powers")
 
 if __name__ == "__main__":
     main()

@@ -116,14 +116,14 @@ class Cage:
 
 def interpreter_folders() -> tuple[Path, ...]:
     """Where Python, its packages, and what runs an answer lie; nothing of the course besides."""
-    host = _PACKAGE / "observing" / "host.py"
+    ours = tuple(_PACKAGE / "observing" / name for name in ("host.py", "powers.py"))
     profile = _PACKAGE / "ros" / "loopback.xml"
     folders = {Path(sys.base_prefix).resolve(), Path(sys.prefix).resolve(), Path(sys.prefix)}
     system = tuple(Path(folder) for folder in SYSTEM_FOLDERS)
     wanted = [
         one for one in sorted(folders) if not any(one == base or base in one.parents for base in system)
     ]
-    return (*wanted, host, profile)
+    return (*wanted, *ours, profile)
 
 
 def first_pid(info: str) -> int | None:

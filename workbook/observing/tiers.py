@@ -14,9 +14,10 @@ from functools import cache
 from pathlib import Path
 from typing import Literal
 
-from workbook.observing.confine import ABI_OF_SIGNALS, ABI_OF_TCP, filters_calls, landlock_abi
+from workbook.observing.confine import ABI_OF_SIGNALS, ABI_OF_TCP, landlock_abi
 from workbook.observing.confinement import Confinement
 from workbook.observing.orphans import StillThere
+from workbook.observing.powers import filters_calls
 from workbook.observing.sandbox import Cage, interpreter_folders, outer_command, sandbox_problem
 from workbook.observing.uids import Ids, NoIds, lease_ids
 from workbook.ros.environment import child_environment
