@@ -84,7 +84,7 @@ def test_a_slot_that_dies_again_and_again_is_named_with_its_answer() -> None:
 
 
 def test_a_slot_that_cannot_be_started_is_no_zero_and_ends_the_run(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fails(isolation: str) -> Slot:
+    def fails(*_: object) -> Slot:
         raise NoSandbox("bubblewrap is not installed (apt install bubblewrap)")
 
     monkeypatch.setattr(pool, "Slot", fails)

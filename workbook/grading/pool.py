@@ -21,7 +21,7 @@ from workbook.exercise.exchange import judgement_from_json
 from workbook.exercise.judging import Judgement, Report
 from workbook.observing.orphans import StillThere
 from workbook.observing.process import kill_programs_of
-from workbook.observing.sandbox import NoSandbox, outer_command
+from workbook.observing.sandbox import outer_command
 from workbook.observing.tiers import Isolation as Isolation
 from workbook.observing.uids import NoIds, lease_ids
 from workbook.ros.environment import child_environment
@@ -220,8 +220,8 @@ def judge_with_retry(
                 slot = None
             slot = slot or Slot(isolation, own_criteria)
             return slot, slot.judge(job.stem, job.answer, thorough=thorough)
-        except (SlotBroken, OSError, NoSandbox) as error:
-            reason = str(error)
+        except Exception as error:  # whatever it is, the answer must not get lost
+            reason = str(error) or type(error).__name__
             if slot is not None:
                 slot.kill()
             slot = None

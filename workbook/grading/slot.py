@@ -15,6 +15,7 @@ import signal
 import sys
 import threading
 from dataclasses import replace
+from pathlib import Path
 from typing import Any, TextIO
 
 from workbook.exercise.answers import Answer
@@ -100,7 +101,7 @@ def serve(isolation: Isolation, ids: Ids | None = None) -> None:
     if cage is not None:
         limits["files"] = FILES
         cage = replace(cage, server=server)
-        server.start(cage.environment(child_environment(0)))
+        server.start(cage.environment(child_environment(0, log_folder=Path(os.devnull))))
     with contextlib.closing(server), Observer(cage=cage, confinement=confinement) as observer:
         judge = Judge(observer, limits)
         send({"ready": os.getpid()})

@@ -124,7 +124,8 @@ def _closed_folder() -> Path | None:
 
 def _try_out(isolation: Isolation, ids: Ids | None) -> str | None:
     """Run a program of our own in this tier, in a process of its own: what can it do, and is it heard?"""
-    environ = child_environment(0)
+    # The self-test makes its own log folder. One of ours would stay behind if we were killed.
+    environ = child_environment(0, log_folder=Path(os.devnull))
     if "PYTHONPATH" in os.environ:
         environ["PYTHONPATH"] = os.environ["PYTHONPATH"]
     with socket.create_server(("127.0.0.1", 0)) as listener:

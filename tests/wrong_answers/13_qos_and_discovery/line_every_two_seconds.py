@@ -1,5 +1,5 @@
 # loses: line_rate
-# says: 0.5 Hz: one message every 2 s
+# says: Period and frequency are mixed up
 """A dashboard for the ward robot: its last status, and an alarm when its heart falls silent."""
 
 import time
