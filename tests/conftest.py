@@ -18,7 +18,7 @@ LONG_FIRST = (
     "test_killed_grader",
     "test_nodes_with_timers",
 )
-BROWSERS = 3
+BROWSERS = 2
 """How many JupyterLabs, each with a Chromium, share the lessons."""
 
 

@@ -11,6 +11,7 @@ from student_lab import StudentLab
 QUICK_MS = 120_000
 CELL_MS = 180_000
 LESSON_MS = 600_000
+LOOK_EVERY_MS = 500  # and not at every frame, which would make the browser draw all the time
 ROBOT = "a humanoid robot with twelve joints"
 _PANEL = ".jp-NotebookPanel:not(.lm-mod-hidden)"
 
@@ -154,7 +155,9 @@ class LabPage:
         self.menu("Edit", "Clear Outputs of All Cells")
         expect(self.panel.locator(".jp-OutputArea-output")).to_have_count(0)
         self.menu("Run", "Run All Cells")
-        self.page.wait_for_function(_ALL_RAN, arg=[_PANEL, self._may_raise(path)], timeout=LESSON_MS)
+        self.page.wait_for_function(
+            _ALL_RAN, arg=[_PANEL, self._may_raise(path)], timeout=LESSON_MS, polling=LOOK_EVERY_MS
+        )
 
     def _may_raise(self, path: str) -> list[int]:
         """Which code cells are marked as raising an error."""

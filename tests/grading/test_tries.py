@@ -16,7 +16,7 @@ from workbook.exercise.exchange import judgement_from_json, judgement_to_json
 from workbook.exercise.judging import Judgement, judge_recording
 from workbook.feedback.card import as_html
 from workbook.feedback.text import as_text
-from workbook.grading import batch as batch_module
+from workbook.grading import pool
 from workbook.grading.again import regrade
 from workbook.grading.pool import Job
 from workbook.grading.results import last_results, read_results
@@ -114,7 +114,7 @@ def graded(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> tuple[Path, str]:
     judges = Judges()
-    monkeypatch.setattr(batch_module, "judge_all", judges)
+    monkeypatch.setattr(pool, "judge_all", judges)
     folder = tmp_path / "class"
     folder.mkdir()
     for student in Judges.tries:

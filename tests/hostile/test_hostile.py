@@ -5,6 +5,7 @@ import os
 import re
 import socket
 import threading
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,6 +18,7 @@ from workbook.exercise.definition import load_exercise
 from workbook.exercise.judging import Judgement
 from workbook.feedback.text import as_text
 from workbook.grading.pool import Job, judge_all
+from workbook.grading.tries import counting, judge_until_sure
 from workbook.observing.sandbox import sandbox_problem
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.slow]
@@ -127,8 +129,11 @@ def aftermath(tmp_path_factory: pytest.TempPathFactory) -> Aftermath:
     judgements: dict[str, list[Judgement]] = {}
 
     def judge(jobs: list[Job[str]], slots: int, thorough: bool) -> None:
-        for job, judgement in judge_all(jobs, slots, thorough=thorough, isolation="sandbox"):
-            judgements.setdefault(job.key, []).append(judgement)
+        def judge_some(some: Sequence[Job[str]]) -> Iterator[tuple[Job[str], Judgement]]:
+            return judge_all(some, slots, thorough=thorough, isolation="sandbox")
+
+        for job, tries in judge_until_sure(jobs, judge_some):
+            judgements.setdefault(job.key, []).append(counting(tries))
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("HOME", str(home))

@@ -9,7 +9,8 @@ from typing import Any
 
 from workbook.exercise.answers import Answer
 from workbook.feedback.text import as_text
-from workbook.grading.pool import Job, judge_all
+from workbook.grading.pool import Job, LocalSlots
+from workbook.grading.tries import counting, judge_until_sure
 from workbook.observing.tiers import named_tier, tier_problem
 
 STEM = "09_joint_positions"
@@ -20,7 +21,8 @@ def main() -> None:
     jobs = [Job(name, STEM, Answer(text)) for name, text in json.load(sys.stdin).items()]
     told: dict[str, Any] = {"problem": tier_problem(tier), "judgements": {}}
     if told["problem"] is None:
-        for job, judgement in judge_all(jobs, int(sys.argv[2]), isolation=tier):
+        for job, tries in judge_until_sure(jobs, LocalSlots(int(sys.argv[2]), tier).judge_all):
+            judgement = counting(tries)
             recording = judgement.recording
             told["judgements"][job.key] = {
                 "status": judgement.status,

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-PATIENCE_S = 30.0
+PATIENCE_S = 120.0
 
 
 def write(folder: Path, text: str, name: str = "answer.py") -> Path:
@@ -17,7 +17,7 @@ def write(folder: Path, text: str, name: str = "answer.py") -> Path:
 
 
 def wait_until(condition: Callable[[], object]) -> None:
-    """Wait until a condition holds; fail when it does not within half a minute."""
+    """Wait until a condition holds; fail when it does not within two minutes."""
     deadline = time.monotonic() + PATIENCE_S
     while not condition():
         assert time.monotonic() < deadline, f"waited {PATIENCE_S} s in vain"

@@ -23,7 +23,6 @@ from workbook.ros.domains import dds_port_range, lease_domain
 from workbook.ros.environment import library_path
 
 Start = Callable[..., NodeProcess]
-SHARED_MEMORY = Path("/dev/shm")
 
 
 def scratch_folders() -> set[Path]:
@@ -31,9 +30,13 @@ def scratch_folders() -> set[Path]:
     return set(Path(tempfile.gettempdir()).glob(f"rclpy-workbook-{os.getuid()}-{os.getpid()}-run-*"))
 
 
-def shared_memory() -> set[str]:
-    """Shared memory of Fast DDS (left-overs of other programs on this machine included)."""
-    return {name for name in os.listdir(SHARED_MEMORY) if "fastrtps" in name or "fastdds" in name}
+def mapped_shared_memory(pid: int) -> set[str]:
+    """Shared memory of Fast DDS that a living process uses. What it does not use it cannot leave behind."""
+    try:
+        maps = Path(f"/proc/{pid}/maps").read_text()
+    except OSError:
+        return set()
+    return {line.split()[-1] for line in maps.splitlines() if "/dev/shm/fast" in line}
 
 
 @pytest.fixture(scope="module")
@@ -45,7 +48,6 @@ def domain() -> Iterator[int]:
 @pytest.fixture
 def start(tmp_path: Path, domain: int) -> Iterator[Start]:
     """Starts programs; whatever the test does, none of them, no folder and no zombie is left."""
-    before_memory = shared_memory()
     started: list[NodeProcess] = []
 
     def start_it(text: str, *arguments: str, **options: object) -> NodeProcess:
@@ -55,11 +57,11 @@ def start(tmp_path: Path, domain: int) -> Iterator[Start]:
 
     yield start_it
     for one in started:
+        assert not mapped_shared_memory(one.pid)
         one.stop(patience_s=0.2)
         assert not processes_marked(one._mark)
         assert one.pid not in children_of_this_process()
     assert not scratch_folders()
-    assert shared_memory() <= before_memory
 
 
 def finished(program: NodeProcess) -> str:
@@ -353,7 +355,6 @@ def test_programs_of_a_dead_bench_can_be_swept(start: Start) -> None:
 
 
 def test_a_node_leaves_nothing_in_shared_memory_and_tells_its_domain(start: Start, domain: int) -> None:
-    before = shared_memory()
     program = start(
         """
         import rclpy
@@ -366,7 +367,7 @@ def test_a_node_leaves_nothing_in_shared_memory_and_tells_its_domain(start: Star
     )
     wait_until(lambda: "ready" in program.log.text())
     assert program.domains_used() == (domain,)
-    assert shared_memory() <= before
+    assert not mapped_shared_memory(program.pid)
     program.stop(patience_s=0.1)
     assert program.record().domains_used == (domain,)
 

@@ -412,9 +412,13 @@ class NodeProcess:
             self._domains_used = tuple(sorted({*self._domains_used, *used}))
         return self._domains_used
 
+    def processor_seconds(self) -> float | None:
+        """Processor time (s) of the program and all that it has started; None when it has ended."""
+        return processor_seconds(self._tree()) if self.is_running() else None
+
     def note_processor_time(self) -> None:
         """Note for the record how much processor time the program has used up to now."""
-        used = processor_seconds(self._tree()) if self.is_running() else None
+        used = self.processor_seconds()
         if used is not None:
             self._processor.append((round(time.monotonic() - self.started_at, 4), round(used, 3)))
 

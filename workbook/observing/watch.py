@@ -30,6 +30,8 @@ WALL_PERIODS = 4.0
 WALL_EXTRA_S = 0.5
 LEAST_WALL_WATCH_S = 4.0
 FIRST_SIGN_S = 12.0
+STARVED_LONGEST_S = 30.0
+STARVED_PROCESSOR_S = 2.0
 ELSEWHERE_S = 2.0
 SETTLE_S = 0.6
 MATCH_S = 3.0
@@ -237,7 +239,7 @@ class Watch:
         deadline = time.monotonic() + FIRST_SIGN_S
         look_elsewhere = time.monotonic() + ELSEWHERE_S
         node_since: float | None = None
-        while time.monotonic() < deadline:
+        while time.monotonic() < deadline or self._is_starved(deadline):
             if time.monotonic() > look_elsewhere:
                 used = self._process.domains_used()
                 if used and self._observer.domain_id not in used:
@@ -253,6 +255,13 @@ class Watch:
                 return False
             self._pause(POLL_S)
         return False
+
+    def _is_starved(self, deadline: float) -> bool:
+        """Whether a program that has not come up by `deadline` has hardly had a processor, and wants one now."""
+        if time.monotonic() > deadline + STARVED_LONGEST_S or self._rest.now():
+            return False
+        used = self._process.processor_seconds()
+        return used is not None and used < STARVED_PROCESSOR_S
 
     def _wait_for_matches(self) -> None:
         """Wait until every judged topic is matched, or nothing new has come for a while."""
