@@ -57,7 +57,7 @@ def match(**polling: object) -> dict[str, list[int]]:
         start(callback_monitor)
         start(touch_sensor, touches=TOUCHES, listeners=3)
         everything = list(range(1, TOUCHES + 1))
-        asyncio.run(run(ear, seconds=30, until=lambda: ear.heard["callback"] == everything))
+        asyncio.run(run(ear, seconds=120, until=lambda: ear.heard["callback"] == everything))
         asyncio.run(run(ear, seconds=0.5))
     finally:
         stop()

@@ -14,6 +14,7 @@ This file runs by itself and needs nothing of the workbook but `host.py` and `po
 """
 
 import builtins
+import contextlib
 import ctypes
 import gc
 import importlib.util
@@ -230,7 +231,10 @@ def usher(request: Request, output: int, status: int, tracer: Tracer) -> None:
         os.close(output)
         os.write(status, f"{program}\n".encode())
         _, ended = os.waitpid(program, 0)
-        os.kill(request.box, signal.SIGKILL)
+        with contextlib.suppress(
+            ProcessLookupError
+        ):  # whoever has ended the box has ended the program with it
+            os.kill(request.box, signal.SIGKILL)
         os.write(status, f"{ended}\n".encode())
         code = 0
     except BaseException as error:

@@ -53,7 +53,7 @@ class WarmProgram:
             while self.returncode is None and select.select([self._status_fd], [], [], 0.0)[0]:
                 chunk = os.read(self._status_fd, 100)
                 self._told += chunk
-                if b"\n" in self._told:
+                if b"\n" in self._told and self._told.strip().isdigit():
                     self.returncode = os.waitstatus_to_exitcode(int(self._told))
                 elif not chunk:  # its usher is gone, and the program with it
                     self.returncode = -signal.SIGKILL

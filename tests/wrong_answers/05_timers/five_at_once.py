@@ -1,5 +1,5 @@
 # loses: tilt_count
-# says: silence of 1.0 s
+# says: several messages are published at once
 """The right number of tilt values in a minute, but five at once every second."""
 
 import rclpy

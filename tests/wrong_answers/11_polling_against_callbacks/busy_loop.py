@@ -3,6 +3,7 @@
 """The loop looks without a sleep."""
 
 import threading
+import time
 
 import rclpy
 from rclpy.node import Node
@@ -34,6 +35,7 @@ def main():
     try:
         while rclpy.ok():
             monitor.look()
+            time.sleep(0)  # lets the other thread have a turn, and rests not at all
     except KeyboardInterrupt:
         pass
     finally:

@@ -1,5 +1,5 @@
 # loses: none_missed
-# says: only such as came together with others
+# says: such as came together with others
 # says: a queue with a small depth
 """A callback, but the subscription holds only one touch, and each report is written to a slow log first."""
 

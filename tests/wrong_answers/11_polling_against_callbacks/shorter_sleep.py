@@ -1,5 +1,5 @@
 # loses: none_missed
-# says: only such as came together with others
+# says: such as came together with others
 # says: room for too few
 """The loop looks twenty times as often."""
 
