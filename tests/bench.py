@@ -360,7 +360,7 @@ def throughput(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
     yield Figure(
         "processor time of starting a slot", f"{slot_cpu:.2f} s", values={"cpu_s": round(slot_cpu, 4)}
     )
-    for word, thorough, wanted in (("plain", False, 2 * CORES), ("thorough", True, 8 * CORES)):
+    for word, thorough, wanted in (("plain", False, 4 * CORES), ("thorough", True, 8 * CORES)):
         slots = min(wanted, size.answers)
         before = cpu_of_children()
         began = time.monotonic()
