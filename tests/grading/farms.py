@@ -14,6 +14,7 @@ from workbook.observing.process import process_tree
 
 ROOT = Path(__file__).resolve().parents[2]
 LOOPBACK = ("--host", "127.0.0.1", "--dashboard-address", "127.0.0.1:0", "--no-dashboard")
+GOES_WITHIN_S = 30.0
 DASK = str(Path(sys.executable).with_name("dask"))
 
 
@@ -78,16 +79,41 @@ class LittleFarm:
             self._seen |= set(process_tree(process.pid))
         return self._seen
 
+    def _shared_memory(self) -> set[Path]:
+        """Shared memory that processes of the farm use now."""
+        found = set()
+        for pid in self.processes():
+            try:
+                maps = Path(f"/proc/{pid}/maps").read_text()
+            except OSError:
+                continue
+            found |= {Path(line.split()[5]) for line in maps.splitlines() if " /dev/shm/sem.mp-" in line}
+        return found
+
     def end(self) -> None:
-        """Kill what was started, and wait until all that came of it is gone."""
-        everything = self.processes()
+        """End what was started with Ctrl-C, workers first, and kill what does not go.
+
+        Whoever kills all at once kills those as well who would remove the shared memory of the dead.
+        """
+        shared = self._shared_memory()
+        for process in reversed(self.started):
+            process.send_signal(signal.SIGINT)
+            try:
+                process.wait(GOES_WITHIN_S)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+        wait_until(lambda: not self._group_is_there() or not any(map(Path.exists, shared)))
         for process in self.started:
             try:
                 os.killpg(process.pid, signal.SIGKILL)
             except ProcessLookupError:
                 pass
-            process.wait()
-        wait_until(lambda: all(map(is_gone, everything)))
+        wait_until(lambda: all(map(is_gone, self._seen)))
+        assert not [path for path in shared if path.exists()], "shared memory is left behind"
+
+    def _group_is_there(self) -> bool:
+        return not all(map(is_gone, self._seen))
 
     def grade(self, *arguments: object, **changes: str) -> "subprocess.Popen[str]":
         """`workbook grade ... --farm` of this farm."""
