@@ -157,6 +157,9 @@ def test_exits_cleanly() -> None:
     refuses(see.exits_cleanly(silent(ended_by_itself("", 0))), "before Ctrl-C", "2.5 s")
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=None, signal="SIGKILL"))), "had to be killed")
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=None, signal="SIGABRT"))), "SIGABRT", "thread")
+    refuses(
+        see.exits_cleanly(silent(replace(LIVING, exit=None, signal="SIGSEGV"))), "SIGSEGV", "Run it again"
+    )
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=130))), "exit code 130", "KeyboardInterrupt")
     by_signal = replace(LIVING, exit=None, signal="SIGINT")
     refuses(see.exits_cleanly(silent(by_signal)), "signal SIGINT after Ctrl-C", "KeyboardInterrupt")

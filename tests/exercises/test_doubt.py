@@ -139,6 +139,37 @@ def test_a_watch_knows_how_long_it_was_held_up(monkeypatch: pytest.MonkeyPatch) 
 @pytest.mark.parametrize(
     ("process", "doubtful"),
     [
+        ({"signal": "SIGSEGV"}, True),
+        ({"signal": "SIGABRT"}, False),
+        ({"signal": "SIGSEGV", "ended_by": "itself"}, False),
+        ({"signal": "SIGSEGV", "limits_hit": ("output",)}, False),
+    ],
+)
+def test_a_crash_in_the_middle_of_ctrl_c_leaves_a_doubt(process: dict[str, Any], doubtful: bool) -> None:
+    crashed = replace(stored("eleven_values").process, exit=None, ended_by="bench")
+    assert ("crashed" in doubt(replace(stored("eleven_values"), process=replace(crashed, **process)))) is doubtful
+
+
+CRASHES_AT_CTRL_C = """
+import os, signal
+import rclpy
+from rclpy.node import Node
+
+rclpy.init()
+try:
+    rclpy.spin(Node("humanoid_status_publisher"))
+except KeyboardInterrupt:
+    os.kill(os.getpid(), signal.SIGSEGV)
+"""
+
+
+def test_a_live_crash_at_ctrl_c_leaves_a_doubt() -> None:
+    assert "crashed while Ctrl-C ended it" in judge_on_the_wall_clock(CRASHES_AT_CTRL_C).doubt
+
+
+@pytest.mark.parametrize(
+    ("process", "doubtful"),
+    [
         ({"exit": 0, "signal": None}, True),
         ({"exit": 1, "signal": None}, True),
         ({"exit": None, "signal": "SIGKILL"}, False),

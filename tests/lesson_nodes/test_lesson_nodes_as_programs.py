@@ -110,6 +110,17 @@ def wait_until_it_spins(name: str, domain_id: int) -> None:
 @pytest.mark.parametrize("way", ["module", "file"])
 def test_control_c_ends_it_with_exit_code_zero(name: str, way: str) -> None:
     target = ["-m", f"lesson_nodes.{name}"] if way == "module" else [f"lesson_nodes/{name}.py"]
+    code, log = ended_by_control_c(name, target)
+    if code == -signal.SIGSEGV:
+        # Once in thousands of times rclpy itself crashes here: see workbook.exercise.doubt._crashed_at_its_end.
+        code, log = ended_by_control_c(name, target)
+    assert "started" in log
+    assert "Traceback" not in log
+    assert code == 0, log
+
+
+def ended_by_control_c(name: str, target: list[str]) -> tuple[int, str]:
+    """Exit code and log of a lesson node that was ended with Ctrl-C while it was waiting."""
     with lease_domain() as lease:
         prepare(domain_id=lease.domain_id)
         program = subprocess.Popen(
@@ -128,9 +139,7 @@ def test_control_c_ends_it_with_exit_code_zero(name: str, way: str) -> None:
         finally:
             program.kill()
             program.wait()
-    assert "started" in log
-    assert "Traceback" not in log
-    assert program.returncode == 0, log
+    return program.returncode, log
 
 
 def test_the_wave_follows_time_and_not_the_number_of_messages() -> None:

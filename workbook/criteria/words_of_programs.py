@@ -249,6 +249,15 @@ def exits_cleanly(recording: Recording) -> Verdict:
             "A thread was still spinning when the interpreter went down.",
             "Shut the executor down first, then join its thread.",
         )
+    if process.signal == "SIGSEGV":
+        return failed(
+            "it crashed while Ctrl-C ended it (SIGSEGV)",
+            expected,
+            "A thread still used the node or its context when these were destroyed. On a very busy machine it can also "
+            "be rclpy's own fault.",
+            "Run it again. If it crashes again, shut the executor down first, join its thread, and call "
+            "rclpy.try_shutdown() last.",
+        )
     mishap = find_mishap(process.end_log, process.program)
     if mishap is None and process.exit == 0:
         return passed("ended with exit code 0 after Ctrl-C, no traceback")
