@@ -29,6 +29,7 @@ from workbook.observing.uids import Ids, NoIds, lease_ids, running_users
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).resolve().parents[2]
+ANSWERS = Path(__file__).parent / "answers"
 STEM = "09_joint_positions"
 SLOTS = 4
 IS_ROOT = os.geteuid() == 0
@@ -101,27 +102,8 @@ rclpy.spin(node)
         os.execve(sys.executable, [sys.executable, "-c", ghost], clean)
     os._exit(0)
 '''
-BOMB = """
-import os, time
-for _ in range(300):
-    try:
-        if os.fork() == 0:
-            time.sleep(600)
-    except OSError:
-        break
-time.sleep(600)
-"""
-COMES_BACK = """
-import os, time
-for _ in range(20):
-    if os.fork() == 0:
-        os.setsid()
-        for _ in range(500):
-            time.sleep(0.02)
-            if os.fork():
-                os._exit(0)
-        os._exit(0)
-"""
+BOMB = (ANSWERS / "forks_without_end.py").read_text(encoding="utf-8")
+COMES_BACK = (ANSWERS / "daemons_that_come_back.py").read_text(encoding="utf-8")
 CANNOT_BE_CAUGHT = """
 import os, signal
 if os.getuid() < 60600:
