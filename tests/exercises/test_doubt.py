@@ -147,7 +147,9 @@ def test_a_watch_knows_how_long_it_was_held_up(monkeypatch: pytest.MonkeyPatch) 
 )
 def test_a_crash_in_the_middle_of_ctrl_c_leaves_a_doubt(process: dict[str, Any], doubtful: bool) -> None:
     crashed = replace(stored("eleven_values").process, exit=None, ended_by="bench")
-    assert ("crashed" in doubt(replace(stored("eleven_values"), process=replace(crashed, **process)))) is doubtful
+    assert (
+        "crashed" in doubt(replace(stored("eleven_values"), process=replace(crashed, **process)))
+    ) is doubtful
 
 
 CRASHES_AT_CTRL_C = """
