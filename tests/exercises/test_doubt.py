@@ -97,6 +97,24 @@ def test_only_lost_time_is_put_down_to_a_busy_machine() -> None:
     assert doubt(replace(stored("solution"), clock="wall", held_up_s=5.0)) == ""
 
 
+def one_late(recording: Recording, topic: str, which: slice, late_s: float) -> Recording:
+    """The recording, as if on the wall clock, with some messages of a topic later than they were."""
+    arrivals = list(recording.topic(topic).arrivals)
+    arrivals[which] = [replace(arrival, t=arrival.t + late_s) for arrival in arrivals[which]]
+    late = replace(recording.topic(topic), arrivals=tuple(arrivals))
+    return replace(recording, clock="wall", topics={**recording.topics, topic: late})
+
+
+def test_a_single_late_message_leaves_a_doubt_and_a_wrong_pace_none() -> None:
+    good = stored("solution")
+    assert "0.70 s late" in doubt(one_late(good, "/robot/status", slice(2, 3), 0.7))
+    assert "0.70 s late" in doubt(one_late(good, "/robot/status", slice(2, None), 0.7))
+    assert doubt(one_late(good, "/robot/status", slice(None, None, 2), 0.7)) == ""
+    assert doubt(one_late(stored("period_for_frequency"), "/robot/status", slice(0), 0.0)) == ""
+    on_robot_time = one_late(good, "/robot/status", slice(2, 3), 0.7)
+    assert doubt(replace(on_robot_time, clock="simulated")) == ""
+
+
 class Stumbling:
     """A watch whose pauses last much longer than asked for, as on a machine that gives it no processor."""
 

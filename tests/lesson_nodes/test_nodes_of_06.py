@@ -100,7 +100,9 @@ def test_the_watcher_ends_well() -> None:
     report = run_program(
         Path(pump_watcher.__file__)
         .read_text()
-        .replace("rclpy.spin(", "print('spins', flush=True); rclpy.spin("),
+        .replace(
+            "rclpy.spin(PumpWatcher())", "node = PumpWatcher(); print('spins', flush=True); rclpy.spin(node)"
+        ),
         seconds=15,
         interrupt_at="spins",
     )

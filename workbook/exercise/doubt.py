@@ -4,6 +4,8 @@ Where it does not, the judgement is inconclusive: the answer deserves a second t
 """
 
 from collections.abc import Sequence
+from itertools import pairwise
+from statistics import median
 
 from workbook.criteria.runner import CriterionResult
 from workbook.observing.recording import Recording
@@ -12,6 +14,8 @@ from workbook.observing.watch import Plan
 HELD_UP_SHARE = 0.25
 """Share of the shortest judged period. A gap of half a period more is what fails a rate."""
 LEAST_HELD_UP_S = 0.1
+FEW = 2
+"""A message that comes late once makes one gap too long and the next too short."""
 
 
 def doubt_about(
@@ -35,6 +39,7 @@ def doubt_about(
         or _node_stayed(recording)
         or _clocks_contradict(lost, on_robot_time)
         or _held_up(lost, recording, plan)
+        or _late_once(lost, recording, plan)
     )
 
 
@@ -99,4 +104,20 @@ def _held_up(lost: Sequence[CriterionResult], recording: Recording, plan: Plan) 
     about_time = any(result.about_time for result in lost)
     if recording.clock == "wall" and about_time and recording.held_up_s >= longest:
         return f"this machine was so busy that the judge itself had to wait for {recording.held_up_s:.2f} s"
+    return ""
+
+
+def _late_once(lost: Sequence[CriterionResult], recording: Recording, plan: Plan) -> str:
+    """A publisher in step that is late once: it, or the message on its way, may have waited for the machine."""
+    if recording.clock != "wall" or not any(result.about_time for result in lost):
+        return ""
+    for name in plan.topics:
+        gaps = [after.t - before.t for before, after in pairwise(recording.topic(name).arrivals)]
+        if len(gaps) < 2 * FEW:
+            continue
+        usual = median(gaps)
+        odd = [gap for gap in gaps if abs(gap - usual) > HELD_UP_SHARE * usual]
+        late_s = max(odd, default=0.0) - usual
+        if len(odd) <= FEW and late_s > 0.0:
+            return f"a message of {name} came {late_s:.2f} s late, and the others were in step"
     return ""
