@@ -2,6 +2,8 @@
 # says: publisher's context is invalid
 """A guard that walks through the museum at night, and parks its arms when the night is over."""
 
+import time
+
 import rclpy
 from rclpy.node import Node
 from std_msgs.msg import String
@@ -35,6 +37,7 @@ def main(args: list[str] | None = None) -> None:
     try:
         rclpy.spin(guard)
     except KeyboardInterrupt:
+        time.sleep(0.5)  # one last look around
         guard.radio.publish(String(data="good night"))
     finally:
         guard.park()

@@ -3,6 +3,7 @@
 """A humanoid robot that reports its state once a second and its battery every two seconds."""
 
 import random
+import time
 
 import rclpy
 from rclpy.node import Node
@@ -51,6 +52,7 @@ def main(args: list[str] | None = None) -> None:
     try:
         rclpy.spin(humanoid)
     except KeyboardInterrupt:
+        time.sleep(0.5)  # the motors come to rest
         humanoid.status_publisher.publish(String(data="error"))
     finally:
         rclpy.try_shutdown()

@@ -5,6 +5,7 @@
 """A humanoid robot that reports its state once a second and its battery every two seconds."""
 
 import random
+import time
 
 import rclpy
 from rclpy.node import Node
@@ -53,6 +54,7 @@ def main(args: list[str] | None = None) -> None:
     try:
         rclpy.spin(humanoid)
     except KeyboardInterrupt:
+        time.sleep(0.5)  # the motors come to rest
         rclpy.shutdown()
 
 
