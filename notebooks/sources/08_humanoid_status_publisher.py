@@ -583,6 +583,11 @@ recall("c", about="the endings")
 # - `CLEAN`: `try_shutdown()` does nothing when it is done already. And it catches both exceptions that may come out of
 #   `spin`: `ExternalShutdownException` is what you get when not Ctrl-C but somebody else, a service manager for example,
 #   has ended the context.
+#
+# One grain of salt: `try_shutdown()` first asks whether the context is up, and then shuts it down. On a very busy machine
+# rclpy's handling of Ctrl-C now and then comes
+# [in between](https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py), and `CLEAN` ends like `COMMON`. That is
+# a fault of rclpy's and not of your program. The cell above would run it again, and `%check` forgives it.
 
 # %% [markdown]
 # ## From a worked example to your own

@@ -1,7 +1,7 @@
 """JupyterLab as a student starts it, and a Chromium to look at it."""
 
 import os
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import pytest
@@ -12,6 +12,7 @@ from student_lab import ROOT, StudentLab, await_end
 from workbook.lab.health import chromium
 
 KERNEL_END_S = 15.0
+_failed = pytest.StashKey[bool]()
 
 
 @pytest.fixture(scope="module")
@@ -50,11 +51,54 @@ def lab(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[
     assert not left, f"still running after JupyterLab was stopped: {left}"
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    report = yield
+    if report.failed:
+        item.stash[_failed] = True
+    return report
+
+
+class OpenPage:
+    """The browser page of a module: JupyterLab stays open in it from test to test, as in a student's afternoon.
+
+    To load JupyterLab costs several seconds of processor time. After a test that failed the page is not used again.
+    """
+
+    def __init__(self, browser: Browser, lab: StudentLab) -> None:
+        self._browser = browser
+        self._lab = lab
+        self._kept: LabPage | None = None
+
+    def take(self) -> LabPage:
+        if self._kept is None:
+            context = self._browser.new_context(
+                viewport={"width": 1280, "height": 1000}, reduced_motion="reduce"
+            )
+            return LabPage(context.new_page(), self._lab)
+        kept, self._kept = self._kept, None
+        return kept
+
+    def keep(self, page: LabPage) -> None:
+        self._kept = page
+
+    def close(self) -> None:
+        if self._kept is not None:
+            self._kept.page.context.close()
+
+
+@pytest.fixture(scope="module")
+def open_page(browser: Browser, lab: StudentLab) -> Iterator[OpenPage]:
+    one = OpenPage(browser, lab)
+    yield one
+    one.close()
+
+
 @pytest.fixture
-def page(browser: Browser, lab: StudentLab) -> Iterator[LabPage]:
-    """A fresh browser page. Afterwards the kernels of the test, and what they started, have ended."""
-    context = browser.new_context(viewport={"width": 1280, "height": 1000}, reduced_motion="reduce")
-    one = LabPage(context.new_page(), lab)
+def page(open_page: OpenPage, lab: StudentLab, request: pytest.FixtureRequest) -> Iterator[LabPage]:
+    """JupyterLab without an open notebook. Afterwards the kernels of the test, and what they started, have ended."""
+    one = open_page.take()
+    in_order = False
     try:
         yield one
         started = set(lab.processes())
@@ -63,8 +107,12 @@ def page(browser: Browser, lab: StudentLab) -> Iterator[LabPage]:
         left = await_end(started, KERNEL_END_S)
         assert not left, f"still running after the notebook was shut down: {left}"
         assert not one.failures, f"errors in the page: {one.failures}"
+        in_order = not request.node.stash.get(_failed, False)
     finally:
-        context.close()
+        if in_order:
+            open_page.keep(one)
+        else:
+            one.page.context.close()
 
 
 @pytest.fixture

@@ -92,9 +92,16 @@ class LabPage:
         self._wait_until_loaded()
 
     def open(self, path: str) -> None:
-        """Open a notebook of the student's copy in a workspace that holds nothing else."""
-        where = f"{self.lab.address}/lab/workspaces/{quote(Path(path).stem)}/tree/{quote(path)}"
-        self.page.goto(f"{where}?reset&token={self.lab.token}")
+        """Open a notebook of the student's copy: by File > Open from Path, at first by its address."""
+        if self.page.locator("#jp-main-dock-panel").count():
+            self.menu("File", re.compile("^Open from Path"))
+            dialog = self.page.locator(".jp-Dialog")
+            dialog.locator("input").fill(path)
+            dialog.locator("button.jp-mod-accept").click()
+            expect(dialog).to_have_count(0)
+        else:
+            where = f"{self.lab.address}/lab/workspaces/{quote(Path(path).stem)}/tree/{quote(path)}"
+            self.page.goto(f"{where}?reset&token={self.lab.token}")
         self._wait_until_loaded()
         expect(self.page.locator(".lm-TabBar-tab.lm-mod-current", has_text=Path(path).name)).to_be_visible()
 
@@ -136,6 +143,11 @@ class LabPage:
         if self.page.locator("body").get_attribute("data-jp-theme-light") != is_light:
             self.menu("Settings", "Theme", f"JupyterLab {theme.title()}")
         expect(self.page.locator("body")).to_have_attribute("data-jp-theme-light", is_light)
+
+    def themes(self) -> tuple[str, str]:
+        """Both themes, the present one first."""
+        is_light = self.page.locator("body").get_attribute("data-jp-theme-light") == "true"
+        return ("light", "dark") if is_light else ("dark", "light")
 
     def save(self, path: str) -> dict[str, Any]:
         """Ctrl+S; returns the notebook as it is on disk then."""

@@ -78,7 +78,7 @@ def test_a_lesson_runs_from_top_to_bottom(stem: str, page: LabPage, lab: Student
         )
     expect(page.pop_ups()).to_have_count(0)
     pictures = page.panel.locator(".jp-OutputArea img")
-    for theme in ("dark", "light"):
+    for theme in page.themes():
         page.choose_theme(theme)
         if pictures.count():
             pictures.first.scroll_into_view_if_needed()

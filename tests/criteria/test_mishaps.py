@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from workbook.criteria.mishaps import Mishap, find_mishap
+from workbook.criteria.mishaps import Mishap, ended_in_order, find_mishap, shutdown_overtaken
 from workbook.observing.process import HOST
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment
@@ -38,6 +38,32 @@ rclpy.spin_once(node, timeout_sec=2.0)
 """
 )
 IN_NODE_LINE = 9
+PATIENCE_S = 120.0
+# Between the question and the shutdown the context goes down, as by the thread of rclpy that handles Ctrl-C.
+OVERTAKEN = """\
+import linecache
+import sys
+
+import rclpy
+
+
+def overtake(frame, event, argument):
+    name = frame.f_code.co_filename
+    if not name.endswith("context.py"):
+        return None
+    if event == "line" and linecache.getline(name, frame.f_lineno).strip() == "self.__context.shutdown()":
+        sys.settrace(None)
+        frame.f_locals["self"].handle.shutdown()
+    return overtake
+
+
+rclpy.init()
+sys.settrace(overtake)
+rclpy.try_shutdown()
+"""
+OVERTAKEN_AFTER_A_MISTAKE = OVERTAKEN.replace(
+    "rclpy.try_shutdown()\n", "try:\n    1 / 0\nfinally:\n    rclpy.try_shutdown()\n"
+)
 
 
 @dataclass(frozen=True)
@@ -68,6 +94,14 @@ CASES = [
         "RuntimeError",
         6,
         "rclpy.try_shutdown()",
+    ),
+    Case("overtaken", OVERTAKEN, "rcl_shutdown already called", 19, "run it again"),
+    Case(
+        "overtaken_after_a_mistake",
+        OVERTAKEN_AFTER_A_MISTAKE,
+        "ZeroDivisionError",
+        20,
+        "Read the last lines",
     ),
     Case(
         "no_super_init",
@@ -197,6 +231,7 @@ def run_through_host(case: Case, folder: Path, domain_id: int) -> str:
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
+        timeout=PATIENCE_S,
     )
     return done.stdout
 
@@ -229,6 +264,15 @@ def test_the_line_is_the_students_own(logs: dict[str, str]) -> None:
     assert elsewhere is not None
     assert elsewhere.line is None
     assert elsewhere.where == ""
+
+
+def test_only_an_end_that_ctrl_c_overtook_is_an_end_in_order_with_a_traceback(logs: dict[str, str]) -> None:
+    assert [name for name, log in logs.items() if shutdown_overtaken(log)] == ["overtaken"]
+    assert [name for name, log in logs.items() if ended_in_order(1, log)] == ["overtaken"]
+    assert not ended_in_order(0, logs["no_init"])
+    assert ended_in_order(0, "[INFO] [humanoid]: good night\n")
+    assert not ended_in_order(1, "")
+    assert not ended_in_order(None, logs["overtaken"])
 
 
 @pytest.mark.parametrize(

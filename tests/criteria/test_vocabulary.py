@@ -22,6 +22,12 @@ TRACEBACK = (
     'Traceback (most recent call last):\n  File "/answers/answer.py", line 7, in <module>\n    main()\n'
     "NameError: name 'Float32' is not defined\n"
 )
+OVERTAKEN = (  # as this rclpy says it; what a real one looks like is tried in test_mishaps.py
+    'Traceback (most recent call last):\n  File "/answers/answer.py", line 60, in main\n    rclpy.try_shutdown()\n'
+    '  File "/site-packages/rclpy/utilities.py", line 100, in try_shutdown\n    g_default_context.try_shutdown()\n'
+    '  File "/site-packages/rclpy/context.py", line 139, in try_shutdown\n    self.__context.shutdown()\n'
+    "rclpy._rclpy_pybind11.RCLError: failed to shutdown: rcl_shutdown already called on the given context\n"
+)
 
 
 def said(verdict: Verdict) -> str:
@@ -164,6 +170,15 @@ def test_exits_cleanly() -> None:
     by_signal = replace(LIVING, exit=None, signal="SIGINT")
     refuses(see.exits_cleanly(silent(by_signal)), "signal SIGINT after Ctrl-C", "KeyboardInterrupt")
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=TRACEBACK))), "line 7", "NameError")
+    accepts(see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=OVERTAKEN))), "no fault of the program")
+    interrupted = (
+        'Traceback (most recent call last):\n  File "/answers/answer.py", line 7\nKeyboardInterrupt\n\n'
+    )
+    uncaught = replace(LIVING, exit=1, end_log=interrupted + OVERTAKEN)
+    refuses(see.exits_cleanly(silent(uncaught)), "exit code 1", "KeyboardInterrupt leaves main()")
+    also = OVERTAKEN + "\nDuring handling of the above exception, another exception occurred:\n\n" + TRACEBACK
+    refuses(see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=also))), "line 7", "NameError")
+    refuses(see.exits_cleanly(silent(replace(LIVING, exit=2, end_log=OVERTAKEN))), "already called")
     with pytest.raises(ValueError, match="to_the_end"):
         see.exits_cleanly(silent(replace(LIVING, exit=None, ended_by=None)))
 

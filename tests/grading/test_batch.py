@@ -431,6 +431,26 @@ def test_check_says_not_yet_with_exit_code_1(tmp_path: Path) -> None:
     assert "\x1b" not in said
 
 
+def test_check_tries_once_more_what_crashes_at_ctrl_c(tmp_path: Path) -> None:
+    """As rclpy itself does now and then: see `workbook.exercise.doubt`."""
+    stem, was_here = "08_humanoid_status_publisher", tmp_path / "was here"
+    solution = load_exercise(stem, ROOT).source.solution_code
+    shutdown = "    finally:\n        rclpy.try_shutdown()"
+    assert shutdown in solution
+    crash = (
+        f"        import os, signal\n        if not os.path.exists({str(was_here)!r}):\n"
+        f"            open({str(was_here)!r}, 'x').close()\n            os.kill(os.getpid(), signal.SIGSEGV)"
+    )
+    (tmp_path / "answer.py").write_text(
+        solution.replace(shutdown, shutdown.replace("\n", "\n" + crash + "\n"))
+    )
+    code, said, errors = outcome("check", stem, tmp_path / "answer.py")
+    assert was_here.exists(), said + errors
+    assert code == 0, said + errors
+    assert "Full marks: 10 of 10 points." in said
+    assert "It is tried once more" in errors
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

@@ -13,14 +13,14 @@ from workbook.cli.main import main
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.exchange import judgement_from_json, judgement_to_json
-from workbook.exercise.judging import Judgement, judge_recording
+from workbook.exercise.judging import Judgement, judge_recording, judgement_as_provisional
 from workbook.feedback.card import as_html
 from workbook.feedback.text import as_text
 from workbook.grading import pool
 from workbook.grading.again import regrade
 from workbook.grading.pool import Job
 from workbook.grading.results import last_results, read_results
-from workbook.grading.tries import counting, judge_until_sure
+from workbook.grading.tries import counting, judge_until_sure, until_sure
 from workbook.observing.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -210,6 +210,28 @@ def test_a_card_and_a_terminal_tell_of_the_doubt() -> None:
         assert f"Inconclusive: {DOUBT}. This may not be the program" in text
     for text in (as_html(POOR), as_text(POOR)):
         assert "Inconclusive" not in text
+
+
+def test_a_card_and_a_terminal_tell_that_it_is_being_tried_again() -> None:
+    for text in (as_html(judgement_as_provisional(DOUBTFUL)), as_text(judgement_as_provisional(DOUBTFUL))):
+        assert f"Inconclusive: {DOUBT}. It is tried once more" in text
+        assert "another try decides" not in text
+
+
+@pytest.mark.parametrize(("second", "counts"), [(GOOD, GOOD), (POOR, POOR), (LOST, DOUBTFUL)])
+def test_a_student_who_checks_gets_the_second_try_at_once(second: Judgement, counts: Judgement) -> None:
+    tries, told = [DOUBTFUL, second], list[Judgement]()
+    assert until_sure(lambda: tries.pop(0), told.append) == counts
+    assert tries == []
+    assert told == [judgement_as_provisional(DOUBTFUL)]
+
+
+@pytest.mark.parametrize("sure", [GOOD, POOR, LOST])
+def test_a_student_who_checks_waits_for_no_second_try_of_what_is_sure(sure: Judgement) -> None:
+    tries, told = [sure, GOOD], list[Judgement]()
+    assert until_sure(lambda: tries.pop(0), told.append) == sure
+    assert tries == [GOOD]
+    assert told == []
 
 
 def test_a_doubt_survives_the_way_between_processes() -> None:

@@ -1,12 +1,16 @@
 """What a grader leaves behind: its processes, and its files in the common places."""
 
 import os
+import re
 import time
 from collections.abc import Callable
 from pathlib import Path
 
 PLACES = (Path("/tmp"), Path("/dev/shm"))
 PATIENCE_S = 60.0
+_UUID = re.compile(
+    r"[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}"
+)  # names by chance, of whomever: no process ids
 
 
 class Traces:
@@ -38,7 +42,12 @@ class Traces:
             path
             for place in PLACES
             for path in place.glob("*")
-            if self._pids & {int(word) for word in path.name.replace("_", "-").split("-") if word.isdecimal()}
+            if self._pids
+            & {
+                int(word)
+                for word in _UUID.sub("", path.name).replace("_", "-").split("-")
+                if word.isdecimal()
+            }
         ]
 
 

@@ -79,10 +79,13 @@ def _judge(
     from workbook.feedback import wording
     from workbook.feedback.review import review_prompt
     from workbook.feedback.text import as_text
+    from workbook.grading.tries import until_sure
     from workbook.observing.watch import Observer
 
     def report(judgement: Judgement) -> None:
-        if judgement.provisional:
+        if judgement.doubt:
+            print(wording.provisional_line(judgement), file=sys.stderr)
+        elif judgement.provisional:
             print("Watching it on the wall clock as well; that takes some seconds ...", file=sys.stderr)
         else:
             print("Judged on robot time; watching that it lives on ...", file=sys.stderr)
@@ -92,9 +95,19 @@ def _judge(
     except BrokenCriteria as error:
         return _not_judged(error)
     with Observer(started.lease) as observer:
-        judgement = Judge(observer).judge(
-            exercise, answer, thorough=options.as_graded, report=report, started=started
-        )
+        judge = Judge(observer)
+        running = [started]
+
+        def once() -> Judgement:
+            return judge.judge(
+                exercise,
+                answer,
+                thorough=options.as_graded,
+                report=report,
+                started=running.pop() if running else None,
+            )
+
+        judgement = until_sure(once, report)
     print(as_text(judgement, sys.stdout.isatty(), exhibit=wording.exhibit_of(judgement)))
     if judgement.status != "graded":
         return NOT_JUDGED

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from workbook.criteria.mishaps import failed_by_error, find_mishap
+from workbook.criteria.mishaps import failed_by_error, find_mishap, shutdown_overtaken
 from workbook.criteria.phrasing import listing, seconds
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.observing.recording import ProcessRecord, Recording
@@ -222,6 +222,8 @@ def alive_at_end(recording: Recording) -> Verdict:
 def exits_cleanly(recording: Recording) -> Verdict:
     """On Ctrl-C (SIGINT) the program ends with exit code 0 and without a traceback.
 
+    One traceback is forgiven: see `shutdown_overtaken`.
+
     Needs `watching(to_the_end=True)`; raises ValueError when the recording does not hold the end.
     """
     process = recording.process
@@ -257,6 +259,11 @@ def exits_cleanly(recording: Recording) -> Verdict:
             "be rclpy's own fault.",
             "Run it again. If it crashes again, shut the executor down first, join its thread, and call "
             "rclpy.try_shutdown() last.",
+        )
+    if process.exit == 1 and shutdown_overtaken(process.end_log):
+        return passed(
+            "it ended after Ctrl-C as it should; that rclpy's own handling of Ctrl-C overtook try_shutdown() is no "
+            "fault of the program"
         )
     mishap = find_mishap(process.end_log, process.program)
     if mishap is None and process.exit == 0:

@@ -88,6 +88,8 @@ def provisional_line(judgement: Judgement) -> str:
     """Why this is not the last word yet; empty for a final judgement."""
     if not judgement.provisional:
         return ""
+    if judgement.doubt:
+        return f"Inconclusive: {judgement.doubt}. It is tried once more; that takes some seconds."
     return "Provisional: this was seen on fast robot time. The wall clock has the last word; it takes some seconds."
 
 

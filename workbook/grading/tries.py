@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Sequence
 from typing import TypeVar
 
-from workbook.exercise.judging import Judgement
+from workbook.exercise.judging import Judgement, Report, judgement_as_provisional
 from workbook.grading.pool import Job
 
 Key = TypeVar("Key")
@@ -29,6 +29,15 @@ def judge_until_sure(
     first_of = {id(job): first for job, first in firsts}
     for job, second in judge([job for job, _ in firsts]):
         yield job, (first_of[id(job)], second)
+
+
+def until_sure(judge: Callable[[], Judgement], report: Report) -> Judgement:
+    """Judge one answer, at once a second time when that is in doubt. `report` gets the doubtful one as provisional."""
+    first = judge()
+    if not first.doubt:
+        return first
+    report(judgement_as_provisional(first))
+    return counting((first, judge()))
 
 
 def counting(tries: Sequence[Judgement]) -> Judgement:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
 
+from workbook.criteria.mishaps import shutdown_overtaken
 from workbook.magics.readiness import wait_until_it_serves
 from workbook.magics.running import node_names, wait_for_nodes
 from workbook.observing.process import NodeProcess, ros_arguments
@@ -144,8 +145,17 @@ def run_program(
     The program is ended after `seconds` at the latest, so nothing in it can hang the notebook. With `silence` it is
     ended when it has said nothing for so many seconds after its first words: how long it takes to start does not
     count. With `interrupt_at` it gets Ctrl-C (SIGINT) as soon as it has printed that text. It runs on a domain of its
-    own.
+    own. Where rclpy itself spoiled the end (see `shutdown_overtaken`), the program is run once more.
     """
+    ended = _run_once(code, seconds, arguments, interrupt_at, silence)
+    if shutdown_overtaken(ended.log + ended.end_log):
+        ended = _run_once(code, seconds, arguments, interrupt_at, silence)
+    return ended
+
+
+def _run_once(
+    code: str, seconds: float, arguments: Sequence[str], interrupt_at: str | None, silence: float | None
+) -> ProcessRecord:
     folder = scratch_folder("program")
     file = folder / "program.py"
     file.write_text(code, encoding="utf-8")

@@ -12,6 +12,7 @@ from workbook.feedback import wording
 from workbook.feedback.card import Card, Extras
 from workbook.feedback.review import review_prompt
 from workbook.grading.pool import Slot, SlotBroken
+from workbook.grading.tries import until_sure
 
 _slot: Slot | None = None
 
@@ -50,13 +51,17 @@ atexit.register(close_slot)
 
 
 def judge(stem: str, answer: Answer, report: Callable[[Judgement], None]) -> Judgement:
-    """Judge on the warm slot, as the instructor's grader does."""
-    slot = warm_slot()
-    try:
-        return slot.judge(stem, answer, thorough=True, report=report)
-    except SlotBroken as error:
-        slot.kill()
-        return Judgement(stem, answer.sha256, "infra_error", str(error), (), None)
+    """Judge on the warm slot, as the instructor's grader does: what is inconclusive is tried once more."""
+
+    def once() -> Judgement:
+        slot = warm_slot()
+        try:
+            return slot.judge(stem, answer, thorough=True, report=report)
+        except SlotBroken as error:
+            slot.kill()
+            return Judgement(stem, answer.sha256, "infra_error", str(error), (), None)
+
+    return until_sure(once, report)
 
 
 def _timeline(
