@@ -286,6 +286,7 @@ def _explain_misfit(recording: Recording, expected: str) -> Verdict:
                 "the thread or the callback group of the client, or it has given up too early (an answer may take "
                 "0.8 s), or nothing looks at the future.",
                 "Return from the callback that asks, and publish in a done callback of the future.",
+                about_time=True,
             )
         if answer.word not in in_time:
             return see.failed(

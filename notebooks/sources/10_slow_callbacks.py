@@ -509,7 +509,7 @@ for goal in ("door", "lift", "stairs"):
 
 spin_with(MultiThreadedExecutor(num_threads=2), guide, 4.0)
 print("paths:", guide.paths)
-print("nearly all of 40 heartbeats:", guide.beats >= 36)
+print("more than half of 40 heartbeats, where one thread had time for 16:", guide.beats > 20)
 
 # %% [markdown]
 # Three requests came at once. Two of them waited in the queue of the subscription, which holds ten, and were planned one

@@ -1,5 +1,5 @@
 # loses: line_rate
-# says: a silence of 3.
+# says: a silence of
 """A dashboard for the ward robot: its last status, and an alarm when its heart falls silent."""
 
 import time
