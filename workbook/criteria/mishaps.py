@@ -251,7 +251,7 @@ def shutdown_overtaken(log: str) -> bool:
     """Whether the only error in a log is that Ctrl-C overtook `rclpy.try_shutdown()`.
 
     It asks whether the context is up, and then shuts it down. The thread of rclpy that handles Ctrl-C may do so in
-    between, and then any program in order ends with a traceback and exit code 1. Measured: 4 of about 400 ends on two
+    between, and then any program in order ends with a traceback and exit code 1. Measured: 4 of about 550 ends on two
     processors with work for ten.
     Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py (Context.try_shutdown).
     """
