@@ -144,6 +144,7 @@ def in_time(recording: Recording, number: int, extra: float = 0.0) -> Verdict:
             "spin_once without a timeout waits until there is something to do, if need be forever. "
             "And a timeout that begins anew after each callback may add up.",
             "Before each spin_once, work out how much time is left, and give it that as timeout_sec.",
+            about_time=True,
         )
     if took < asked - EARLY_S:
         return see.failed(
@@ -160,6 +161,7 @@ def in_time(recording: Recording, number: int, extra: float = 0.0) -> Verdict:
             if number == QUIET
             else "The time that callbacks take is not counted, or everything is handled before you look at the clock.",
             "Before each spin_once, work out how much time is left, and give it that as timeout_sec.",
+            about_time=True,
         )
     return see.passed(f"asked for {asked} s, took {took:.2f} s")
 
@@ -203,6 +205,7 @@ def returns(recording: Recording) -> Verdict:
         "rclpy.spin and executor.spin know no end: they come back when ROS is shut down. Or the moment that ends "
         "your loop is never reached: `seconds` are seconds.",
         "Use rclpy.spin_once(node, timeout_sec=...) in a loop that looks at the clock.",
+        about_time=True,
     )
 
 
@@ -232,6 +235,7 @@ def words_handled(recording: Recording) -> Verdict:
         else "Nothing lets this node work while time passes. sleep keeps the callbacks waiting, too, and spinning "
         "another node does not help this one.",
         "Call rclpy.spin_once(node, timeout_sec=...) again and again until the time is up, without a sleep.",
+        about_time=True,
     )
 
 
@@ -247,6 +251,7 @@ def timers_tick(recording: Recording) -> Verdict:
         f"about {wanted} heartbeats and 3 looks",
         "A timer ticks only while somebody spins, and one spin_once runs one callback.",
         "Spin until the time is up, and never sleep in between.",
+        about_time=True,
     )
 
 
@@ -274,6 +279,7 @@ def again(recording: Recording) -> Verdict:
         "The first call has destroyed the node or the executor, shut down ROS, or left a thread behind that "
         "takes the work.",
         "Do not destroy or shut down what you did not make. If you made an executor, end it in the same call.",
+        about_time=True,
     )
 
 
@@ -292,6 +298,7 @@ def slow_callbacks(recording: Recording) -> Verdict:
         "the jobs are begun one after the other, as far as the time reaches",
         "The queue of /robot/jobs was never looked at.",
         "Let rclpy.spin_once(node, timeout_sec=...) choose what to run.",
+        about_time=True,
     )
 
 

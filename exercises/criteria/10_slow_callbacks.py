@@ -112,6 +112,7 @@ def heartbeat_share(recording: Recording) -> Verdict:
             "While a plan is made, nobody serves the timer. The planner has the only thread, or it is in the same "
             "callback group as the heartbeat, and of a group only one callback runs at a time.",
             "Give the planning a place of its own: a callback group and a second thread, or a queue and a worker.",
+            about_time=True,
         )
     return see.failed(
         saw,
@@ -119,6 +120,7 @@ def heartbeat_share(recording: Recording) -> Verdict:
         f"No long silence, but every beat comes late: typically {typical:.3f} s after the one before. A loop that "
         "sleeps for the period takes the time of its work on top.",
         "Let create_timer(0.1, ...) make the rhythm: it keeps a plan.",
+        about_time=True,
     )
 
 
@@ -141,6 +143,7 @@ def heartbeat_gap(recording: Recording) -> Verdict:
             "The heart has stopped for good: an exception ended its thread, the node has lost its executor, or the "
             "program has ended.",
             "Look into the log: what was the last thing that happened?",
+            about_time=True,
         )
     if gap.seconds < 0.8 * PLANNING_S:
         return see.failed(
@@ -148,6 +151,7 @@ def heartbeat_gap(recording: Recording) -> Verdict:
             expected,
             "Something holds up the timer of the heartbeat for more than a few beats.",
             "Let the timer be served by a thread that does nothing long.",
+            about_time=True,
         )
     return see.failed(
         where,
@@ -156,6 +160,7 @@ def heartbeat_gap(recording: Recording) -> Verdict:
         "not help, nor does a group of its own alone.",
         "Both together do: callback_group=MutuallyExclusiveCallbackGroup() for the slow callback, and a "
         "MultiThreadedExecutor(num_threads=2).",
+        about_time=True,
     )
 
 
@@ -239,6 +244,7 @@ def all_in_order(recording: Recording) -> Verdict:
             "Requests that came while a plan was being made are lost: refused, overwritten by newer ones, or pushed "
             "out of a queue that is too short.",
             "Keep what cannot be done at once: a queue.Queue, or the subscription's own queue with a depth of 10.",
+            about_time=True,
         )
     if order != asked:
         return see.failed(

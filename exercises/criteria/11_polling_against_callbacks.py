@@ -92,6 +92,7 @@ def none_missed(recording: Recording) -> Verdict:
             "The touches wait in a queue, and the one who takes them out cannot keep up: the callback itself takes "
             "long, or a loop sleeps and calls spin_once, which handles one message. A full queue lets touches go.",
             "Keep the callback short, and let rclpy.spin call it as often as there is something to do.",
+            about_time=True,
         )
     if missed[0] > 1 and missed == list(range(missed[0], len(TOUCHES) + 1)):
         return see.failed(
@@ -109,12 +110,14 @@ def none_missed(recording: Recording) -> Verdict:
             "When several come in one moment there is room for too few: one variable that holds the last touch until "
             "somebody looks, or a queue with a small depth. No sleep is short enough for that.",
             "Report in the callback itself, and give the subscription a depth that holds a bunch.",
+            about_time=True,
         )
     return see.failed(
         saw,
         expected,
         "Somebody looks now and then at the last touch, and what came in between is gone.",
         "Let the callback report each touch when it comes; do away with the loop that looks.",
+        about_time=True,
     )
 
 
@@ -178,6 +181,7 @@ def quick(recording: Recording) -> Verdict:
         if typical < TOO_LATE_MS
         else "The touches wait in a queue, and the one who takes them out cannot keep up.",
         "Report in the callback of the subscription, keep it short, and let rclpy.spin wait for the next touch.",
+        about_time=True,
     )
 
 

@@ -34,6 +34,7 @@ REPLIES = [
 UNANSWERED = [after for _, after in REPLIES].index(NEVER) + 1
 WATCH = watching(wall_seconds=8.0, script=[see.serves(SERVICE, Trigger, REPLIES)])
 
+ASKED_EVERY_S = 1.0
 TOLD_WITHIN_S = 0.8
 BELONGS_S = 1.6  # told later than that, it is taken for the report of another answer
 GIVEN_UP_WITHIN_S = 2.0
@@ -100,6 +101,7 @@ def calls_arrive(recording: Recording) -> Verdict:
         expected,
         "The timer that asks is too slow, or something holds it up.",
         "create_timer(1.0, self.ask), and let ask() return at once.",
+        about_time=True,
     )
 
 
@@ -138,6 +140,7 @@ def asks_every_second(recording: Recording) -> Verdict:
                 expected,
                 "It waits for the old answer before it asks again, and that answer will never come.",
                 "Give an open call up when the next one is due: remove_pending_request(future), and ask again.",
+                about_time=True,
             )
         return see.failed(
             f"a pause of {longest:.1f} s"
@@ -145,6 +148,7 @@ def asks_every_second(recording: Recording) -> Verdict:
             expected,
             "Something holds up the timer that asks, or it has stopped.",
             "Let the method that asks return at once, and look into the log for an error.",
+            about_time=True,
         )
     typical = statistics.median(b - a for a, b in pairwise(times)) if len(times) > 1 else recording.robot_s
     if typical < 0.8:
@@ -161,6 +165,7 @@ def asks_every_second(recording: Recording) -> Verdict:
             "The next question waits for the answer to the last one, and then for a second on top; or the period is "
             "too long.",
             "create_timer(1.0, self.ask), and let ask() return at once.",
+            about_time=True,
         )
     return see.passed(f"{len(times)} calls, typically {typical:.1f} s apart")
 
@@ -213,6 +218,27 @@ def answers_in(recording: Recording) -> list[Answer]:
     return sorted(found, key=lambda answer: answer.at)
 
 
+def given_up_in_vain(recording: Recording) -> tuple[list[CallSeen], list[float]]:
+    """Calls without an answer of which nobody was told, and when "no answer" was said where there was no such call.
+
+    Calls that may still be given up when the watch ends are none of the first, and what is said of them is none of the
+    second.
+    """
+    left = [t for t, _ in told(recording, NO_ANSWER)]
+    silent = [call for call in asked(recording) if call.response is None]
+    may_come_later = [call for call in silent if call.t >= recording.robot_s - GIVEN_UP_WITHIN_S - SLACK_S]
+    untold = []
+    for call in silent[: len(silent) - len(may_come_later)]:
+        in_time = [t for t in left if call.t < t <= call.t + GIVEN_UP_WITHIN_S + SLACK_S]
+        if in_time:
+            left.remove(in_time[0])
+        else:
+            untold.append(call)
+    return untold, [
+        t for t in left if not any(0.0 < t - call.t < GIVEN_UP_WITHIN_S + SLACK_S for call in may_come_later)
+    ]
+
+
 def given_up(recording: Recording, call: CallSeen) -> bool:
     """Whether "no answer" was said for this call."""
     return any(call.t < t < call.t + GIVEN_UP_WITHIN_S + SLACK_S for t, _ in told(recording, NO_ANSWER))
@@ -258,6 +284,7 @@ def results_told(recording: Recording) -> Verdict:
             expected,
             "The result is picked up when the next question is asked, so each report is the one of an earlier call.",
             "Take the answer in a done callback: future.add_done_callback(self.on_answer).",
+            about_time=True,
         )
     return see.passed(f"{len(fitting)} answers told")
 
@@ -265,6 +292,7 @@ def results_told(recording: Recording) -> Verdict:
 def _explain_misfit(recording: Recording, expected: str) -> Verdict:
     """Which answer was told wrongly, or not at all, or too often."""
     answers, words = answers_in(recording), told(recording, *WORDS.values())
+    _, in_vain = given_up_in_vain(recording)
     if len(words) > len(answers) + 1:
         return see.failed(
             f"{len(answers)} answers came, and your node reported {len(words)} results",
@@ -277,10 +305,21 @@ def _explain_misfit(recording: Recording, expected: str) -> Verdict:
             continue
         response = f"success={answer.word == 'ok'}"
         in_time = [word for t, word in words if -EARLY_S <= t - answer.at <= TOLD_WITHIN_S + SLACK_S / 2]
-        if not in_time:
+        too_soon = [t for t in in_vain if 0.0 < t - answer.call.t < ASKED_EVERY_S + SLACK_S]
+        if too_soon and too_soon[0] < answer.at:
             return see.failed(
-                f"the call at {answer.call.t:.1f} s was answered with {response} at {answer.at:.1f} s, and nothing "
-                f'said "{answer.word}"',
+                f"the call at {answer.call.t:.1f} s was answered with {response} after "
+                f'{answer.at - answer.call.t:.1f} s, and your node had said "{NO_ANSWER}" after '
+                f"{too_soon[0] - answer.call.t:.1f} s",
+                expected,
+                "It has given up too early: an answer may take 0.8 s.",
+                "Give a call up when the next one is due, and no earlier.",
+                about_time=True,
+            )
+        if too_soon or not in_time:
+            return see.failed(
+                f"the call at {answer.call.t:.1f} s was answered with {response} at {answer.at:.1f} s, and "
+                + (f'your node said "{NO_ANSWER}"' if too_soon else f'nothing said "{answer.word}"'),
                 expected,
                 "The answer is in the process, but nobody takes it in: the callback that asked still waits and holds "
                 "the thread or the callback group of the client, or it has given up too early (an answer may take "
@@ -310,36 +349,25 @@ def _explain_misfit(recording: Recording, expected: str) -> Verdict:
 )
 def unanswered_told(recording: Recording) -> Verdict:
     expected = f'"{NO_ANSWER}" once for a call without an answer, at most {GIVEN_UP_WITHIN_S:.0f} s after it'
-    left = [t for t, _ in told(recording, NO_ANSWER)]
-    silent = [call for call in asked(recording) if call.response is None]
-    judged = [call for call in silent if call.t < recording.robot_s - GIVEN_UP_WITHIN_S - SLACK_S]
-    for call in judged:
-        in_time = [t for t in left if call.t < t <= call.t + GIVEN_UP_WITHIN_S + SLACK_S]
-        if not in_time:
-            later = [t for t in left if t > call.t]
-            return see.failed(
-                f"the call at {call.t:.1f} s got no answer, and your node "
-                + (f"said so {later[0] - call.t:.1f} s later" if later else "said nothing of it"),
-                expected,
-                "A future without an answer calls nobody: no done callback, no error, for the rest of its life.",
-                "Remember the open call. When a second has passed, report it, and forget it with "
-                "remove_pending_request(future).",
-            )
-        left.remove(in_time[0])
-    open_at_the_end = silent[len(judged) :]
-    false = [
-        t
-        for t in left
-        if t > FIRST_SECONDS_S
-        and not any(0.0 < t - call.t < GIVEN_UP_WITHIN_S + SLACK_S for call in open_at_the_end)
-    ]
+    untold, false = given_up_in_vain(recording)
+    if untold:
+        call = untold[0]
+        later = [t for t in false if t > call.t]
+        return see.failed(
+            f"the call at {call.t:.1f} s got no answer, and your node "
+            + (f"said so {later[0] - call.t:.1f} s later" if later else "said nothing of it"),
+            expected,
+            "A future without an answer calls nobody: no done callback, no error, for the rest of its life.",
+            "Remember the open call. When a second has passed, report it, and forget it with "
+            "remove_pending_request(future).",
+            about_time=True,
+        )
+    false = [t for t in false if t > FIRST_SECONDS_S]
     slow = [answer for answer in answers_in(recording) if answer.was_slow]
     if len(false) == 1 and any(given_up(recording, answer.call) for answer in slow):
         false = []  # a very busy machine
     if not false:
-        return see.passed(
-            f'"{NO_ANSWER}" for {len(judged)} of {len(judged)} unanswered calls, and no false alarm'
-        )
+        return see.passed(f'"{NO_ANSWER}" for each call without an answer, and no false alarm')
     before = [call for call in asked(recording) if call.t < false[0]]
     answered = before[-1].answered_t if before else None
     if answered is None:
@@ -356,6 +384,7 @@ def unanswered_told(recording: Recording) -> Verdict:
         "Either it gives up too early (an answer may take 0.8 s), or it waits in a callback, and so the answer that "
         "has come cannot be taken in.",
         "Give up no earlier than the next question, and do not wait in the callback.",
+        about_time=True,
     )
 
 
@@ -396,6 +425,7 @@ def heartbeat_steady(recording: Recording) -> Verdict:
             "that the heartbeat is in, and no other callback runs.",
             "Send the request with call_async() and return. Or give heartbeat and waiting callback different callback "
             "groups and a MultiThreadedExecutor.",
+            about_time=True,
         )
     if recording.robot_s - beats[-1] > LONGEST_PAUSE_S:
         last = max((call.t for call in asked(recording) if call.t <= beats[-1] + 0.3), default=None)
@@ -406,6 +436,7 @@ def heartbeat_steady(recording: Recording) -> Verdict:
             "A callback has not returned: it waits for an answer that cannot come in while it waits, and keeps the "
             "thread, or the callback group that the heartbeat is in.",
             "Send the request with call_async(), add a done callback, and return.",
+            about_time=True,
         )
     pace = see.topic_pace(recording, HEARTBEAT)
     typical = pace.typical_interval
@@ -415,5 +446,6 @@ def heartbeat_steady(recording: Recording) -> Verdict:
             expected,
             "The period of the timer is another one, or something holds it up again and again.",
             "5 Hz is a period of 0.2 s: create_timer(0.2, self.beat), and no callback that waits.",
+            about_time=True,
         )
     return see.passed(f"{pace.count} beats, typically one every {typical:.1f} s")

@@ -89,6 +89,7 @@ def why_not_at_once(recording: Recording, seen: str) -> Verdict:
         "Your subscription asks for the right thing. So the message comes, and the line is not made from it, or it is "
         "published only in the moment when the message comes.",
         "Keep message.data in self in the callback, and publish that on every tick of a timer.",
+        about_time=True,
     )
 
 
@@ -146,6 +147,7 @@ def status_follows(recording: Recording) -> Verdict:
         f'"{THEN}" on the line',
         "The status is read once at the start, or a callback that does not return keeps the next message out.",
         "Subscribe, and let the callback put every message into self. Never wait or sleep in a callback.",
+        about_time=True,
     )
 
 
@@ -180,6 +182,7 @@ def alarm_raised(recording: Recording) -> Verdict:
             expected,
             "The limit is too long, or the timer that looks at the clock ticks too seldom: both add up.",
             "Take 2 s as the limit and look at least twice a second.",
+            about_time=True,
         )
     if later:
         return see.failed(
@@ -187,6 +190,7 @@ def alarm_raised(recording: Recording) -> Verdict:
             expected,
             "You look at the clock in the callback of the heartbeat. In a silence nobody calls it.",
             "Look at the clock in a timer, or use the event of a missed deadline: both come without a message.",
+            about_time=True,
         )
     return see.failed(
         f"no True on {ALARM.name} in {ended - began:.1f} s of silence",
@@ -194,6 +198,7 @@ def alarm_raised(recording: Recording) -> Verdict:
         "Nothing calls your code in the silence: there is no timer that looks at the clock and no event of a missed "
         "deadline. Or the limit is too long; or what you send is no bool, and stock ROS sends Bool(data=1) as False.",
         "Note time.monotonic() at each beat, and let a timer compare it with the clock.",
+        about_time=True,
     )
 
 
@@ -210,6 +215,7 @@ def no_false_alarm(recording: Recording) -> Verdict:
         "One beat comes every 0.25 s, and a busy machine holds one up now and then. A limit close to that cries wolf, "
         "and soon nobody listens. Or the alarm is on from the start and never taken back.",
         "Take 2 s as the limit, and count from the last beat.",
+        about_time=True,
     )
 
 
@@ -228,4 +234,5 @@ def alarm_falls(recording: Recording) -> Verdict:
         "The event of a missed deadline does not say when the messages are back; nor does a timer that only ever "
         "raises the alarm. Or a loop that waits for the next beat keeps this very beat from being handled.",
         "Take the alarm back in the callback of the heartbeat, or publish silent > LIMIT on every tick, true or false.",
+        about_time=True,
     )

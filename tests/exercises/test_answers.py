@@ -15,6 +15,7 @@ from workbook.exercise import answers
 from workbook.exercise.answers import (
     Answer,
     Ungradable,
+    domains_named,
     exercises_named,
     named_exercise,
     read_answer,
@@ -297,3 +298,9 @@ def test_a_mistake_is_placed(text: str, line: int) -> None:
 
 def test_a_program_without_mistake() -> None:
     assert syntax_mistake("import rclpy\n") is None
+
+
+def test_the_domains_that_a_program_may_stand_on_are_found() -> None:
+    text = "DOMAIN = 30\nrclpy.init(domain_id=31, args=['a'])\nos.environ['ROS_DOMAIN_ID'] = '42'\nPERIOD_S = 2.0\n"
+    assert domains_named(text) == {30, 31, 42}
+    assert domains_named("rclpy.init()\nself.create_timer(2, self.tick)\n") == frozenset()

@@ -13,6 +13,7 @@ from workbook.exercise.doubt import doubt_about
 from workbook.exercise.judging import Judge, Judgement
 from workbook.observing.recording import ProcessRecord, PublisherSeen, Recording, TopicRecording
 from workbook.observing.watch import Observer, Watch
+from workbook.ros.domains import lease_domain
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -204,3 +205,14 @@ def test_a_node_that_stays_after_an_end_in_order_leaves_a_doubt(
     ended = replace(wrong, nodes=nodes, process=replace(wrong.process, ended_by="bench"))
     ended = replace(ended, process=replace(ended.process, **process))
     assert ("was not seen to go" in doubt(ended)) is doubtful
+
+
+def test_the_judge_keeps_off_the_domain_that_an_answer_names() -> None:
+    """By chance it may stand there already, and would take a node on a wrong domain for a right one."""
+    wrong = (ROOT / "tests" / "wrong_answers" / STEM / "domain_argument.py").read_text(encoding="utf-8")
+    with Observer(lease_domain(30)) as observer:
+        judgement = Judge(observer).judge(EXERCISE, Answer(wrong))
+        assert observer.domain_id != 30
+    first = next(result for result in judgement.criteria if result.status == "failed")
+    assert first.id == "program_runs"
+    assert "domain 30" in first.saw + first.because

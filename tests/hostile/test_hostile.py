@@ -190,7 +190,8 @@ def test_nobody_got_out(aftermath: Aftermath) -> None:
 
 
 def test_nothing_is_left(aftermath: Aftermath) -> None:
-    wait_until(lambda: not aftermath.traces.look(), "the last processes end")
+    look = aftermath.traces.look
+    wait_until(lambda: not look(), "the last processes end", instead=look)
     assert aftermath.traces.files() == []
     assert aftermath.forged == []
 

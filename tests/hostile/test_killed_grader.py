@@ -75,7 +75,8 @@ class Grading:
         return [json.loads(line)["student"] for line in lines]
 
     def assert_nothing_is_left(self) -> None:
-        wait_until(lambda: not self.traces.look(), "the processes of the killed grader end")
+        look = self.traces.look
+        wait_until(lambda: not look(), "the processes of the killed grader end", instead=look)
         assert self.traces.files() == []
         assert os.listdir(self.folder / "tmp") == []
 

@@ -1,8 +1,10 @@
 """What a grader leaves behind: its processes, and its files in the common places."""
 
+import contextlib
 import os
 import re
 import time
+import weakref
 from collections.abc import Callable
 from pathlib import Path
 
@@ -18,23 +20,35 @@ class Traces:
 
     The grader is started with `home` as its HOME, which no other process has. Slots and boxes inherit it, but programs
     in boxes do not: those are known by the network that they share with their slot. Call `look` now and then while it
-    runs, because a slot that has gone cannot be asked for its network any more.
+    runs, because a slot that has gone cannot be asked for its network any more. A network that was seen is kept open:
+    the kernel gives the number of one that has gone to the next, which may be another grader's.
     """
 
     def __init__(self, home: Path) -> None:
         self._mark = f"HOME={home}".encode()
-        self._own_network = os.readlink("/proc/self/ns/net")
-        self._networks: set[str] = set()
+        self._own_network = _network(os.getpid())
+        self._networks: dict[int, int] = {}
         self._pids: set[int] = set()
+        weakref.finalize(self, _close_all, self._networks)
 
     def look(self) -> dict[int, str]:
         """Processes that belong to the grader, with their command lines."""
         marked = {pid for pid in _all_pids() if self._mark in _read(pid, "environ").split(b"\0")}
-        self._networks |= {network for pid in marked if (network := _network(pid)) is not None}
-        self._networks.discard(self._own_network)
+        for pid in marked:
+            self._keep_network(pid)
         found = marked | {pid for pid in _all_pids() if _network(pid) in self._networks}
         self._pids |= found
         return {pid: _read(pid, "cmdline").replace(b"\0", b" ").decode(errors="replace") for pid in found}
+
+    def _keep_network(self, pid: int) -> None:
+        """Open the network of a process and keep it by its number, except our own."""
+        with contextlib.suppress(OSError):
+            held = os.open(f"/proc/{pid}/ns/net", os.O_RDONLY | os.O_CLOEXEC)
+            number = os.fstat(held).st_ino
+            if number == self._own_network or number in self._networks:
+                os.close(held)
+            else:
+                self._networks[number] = held
 
     def files(self) -> list[Path]:
         """What lies in the common places and is named after one of its processes."""
@@ -62,16 +76,26 @@ def _read(pid: int, name: str) -> bytes:
         return b""
 
 
-def _network(pid: int) -> str | None:
+def _close_all(networks: dict[int, int]) -> None:
+    for held in networks.values():
+        os.close(held)
+
+
+def _network(pid: int) -> int | None:
     try:
-        return os.readlink(f"/proc/{pid}/ns/net")
+        return os.stat(f"/proc/{pid}/ns/net").st_ino
     except OSError:
         return None
 
 
-def wait_until(condition: Callable[[], object], what: str) -> None:
-    """Wait until a condition holds; fail, saying `what` was waited for, when it does not within a minute."""
+def wait_until(
+    condition: Callable[[], object], what: str, instead: Callable[[], object] = lambda: "nothing"
+) -> None:
+    """Wait until a condition holds; fail when it does not within a minute.
+
+    It then says `what` was waited for, and what there is `instead`.
+    """
     deadline = time.monotonic() + PATIENCE_S
     while not condition():
-        assert time.monotonic() < deadline, f"waited {PATIENCE_S:.0f} s in vain: {what}"
+        assert time.monotonic() < deadline, f"waited {PATIENCE_S:.0f} s in vain: {what}; seen: {instead()}"
         time.sleep(0.02)

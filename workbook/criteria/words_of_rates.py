@@ -57,7 +57,8 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
             "Two timers call the same function, two publishers share the topic, or one callback publishes twice.",
             "Keep one timer and one publish() for this topic.",
         )
-    if seen.gap.kind == "after" and seen.gap.seconds > gap_limit:
+    stopped_s = max(gap_limit, LONGEST_GAP_PERIODS * (seen.typical_interval or 0.0))
+    if seen.gap.kind == "after" and seen.gap.seconds > stopped_s:
         return fail(
             f"the last of {count(seen.count, 'message')} came at {seconds(seen.gap.start)}, "
             f"then nothing until {seconds(seen.gap.end)}",

@@ -18,6 +18,10 @@ _MAGIC_LINE = re.compile(r"^%%answer\s+(?P<stem>[\w-]+)\s*$")
 _CODING = re.compile(r"^([ \t\f]*#.*?coding[:=][ \t]*)[-\w.]+", re.ASCII)
 
 
+_ABOUT_DOMAINS = re.compile(r"domain", re.IGNORECASE)
+_NUMBER = re.compile(r"(?<![\w.])\d{1,3}(?![\w.])")
+
+
 class Ungradable(ValueError):
     """This file cannot be judged; the message says why and what was found instead."""
 
@@ -177,3 +181,9 @@ def read_answer(path: Path, stem: str) -> Answer:
         raise Ungradable(f"the answer is larger than {LARGEST_ANSWER_BYTES // 1_000_000} MB")
     text = _as_utf8(text)
     return Answer(text if text.endswith("\n") else text + "\n")
+
+
+def domains_named(text: str) -> frozenset[int]:
+    """Numbers in the lines of a program that are about domains: one of them may be a ROS domain of its own choice."""
+    lines = (line for line in text.splitlines() if _ABOUT_DOMAINS.search(line))
+    return frozenset(int(number) for line in lines for number in _NUMBER.findall(line))

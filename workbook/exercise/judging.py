@@ -10,7 +10,7 @@ from typing import Literal
 
 from workbook.criteria.garbled import field_check_note
 from workbook.criteria.runner import CriterionError, CriterionResult, run_criteria
-from workbook.exercise.answers import Answer, syntax_mistake
+from workbook.exercise.answers import Answer, domains_named, syntax_mistake
 from workbook.exercise.definition import Exercise
 from workbook.exercise.doubt import doubt_about
 from workbook.exercise.starting import StartedAnswer, write_program
@@ -126,6 +126,9 @@ class Judge:
         seconds after it was matched, unless `enough` cuts that short. `report` receives a provisional judgement as
         soon as there is one. `started`: this answer, if it runs already on the observer's domain.
         """
+        if started is None:
+            # On the very domain that it names, a program with a domain of its own would be taken for a right one.
+            self._observer.keep_off(domains_named(answer.text))
         folder = scratch_folder("answer") if started is None else started.folder
         process = None if started is None else started.process
         try:

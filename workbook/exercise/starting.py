@@ -5,7 +5,7 @@ Imports nothing that needs ROS, so that it can run first.
 
 from pathlib import Path
 
-from workbook.exercise.answers import Answer
+from workbook.exercise.answers import Answer, domains_named
 from workbook.exercise.source import ExerciseSource, driver_of
 from workbook.observing.process import NodeProcess, ros_arguments
 from workbook.ros.domains import lease_domain
@@ -28,7 +28,7 @@ class StartedAnswer:
     """
 
     def __init__(self, source: ExerciseSource, answer: Answer) -> None:
-        self.lease = lease_domain()
+        self.lease = lease_domain(avoid=domains_named(answer.text))
         prepare(domain_id=self.lease.domain_id)
         self.folder = scratch_folder("answer")
         self.process: NodeProcess | None = None

@@ -4,7 +4,7 @@ import math
 import secrets
 import statistics
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -125,6 +125,12 @@ class Observer:
         if self._lease is not None:
             self._lease.release(killed=True)
         self._stand()
+
+    def keep_off(self, domains: Container[int]) -> None:
+        """Lease another domain if this is one of `domains`. Raises NoDomainFree when no other is left."""
+        if self.domain_id in domains:
+            self.close()
+            self._stand(lease_domain(avoid=domains))
 
     def __enter__(self) -> "Observer":
         return self
@@ -361,8 +367,8 @@ class Watch:
         return self.recording()
 
     def _begin_watch(self) -> None:
-        if self._clock is not None:
-            self._hold_the_clock()
+        if self._clock is not None or self._plan.script:
+            self._let_it_meet_us()
         self._recorder.discard()
         if self._clock is not None:
             self._clock.publish()
@@ -370,14 +376,15 @@ class Watch:
             self._began = time.monotonic()
         self._recorder.start_windows(0.0)
 
-    def _hold_the_clock(self) -> None:
-        """Show the program the start of robot time until it listens.
+    def _let_it_meet_us(self) -> None:
+        """Let the program do what our arrival gives it to do, and show it the start of robot time meanwhile.
 
-        That we are matched with it does not mean that it is matched with us: what is published now may pass it by.
+        That we are matched with it does not mean that it is matched with us: what we publish now may pass it by, and
+        what it publishes in return may pass us by.
         """
-        assert self._clock is not None
         for _ in range(HELD_STEPS):
-            self._clock.publish()
+            if self._clock is not None:
+                self._clock.publish()
             self._pause(POLL_S)
             self._rest.wait()
 

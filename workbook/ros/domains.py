@@ -9,7 +9,7 @@ import os
 import random
 import socket
 import time
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from pathlib import Path
 from types import TracebackType
 
@@ -113,8 +113,8 @@ def _try_lease(domain_id: int) -> DomainLease | None:
     return DomainLease(domain_id, holder)
 
 
-def lease_domain(preferred: int | None = None) -> DomainLease:
-    """Lease a free domain from 1 to 101, `preferred` if it is free.
+def lease_domain(preferred: int | None = None, avoid: Container[int] = ()) -> DomainLease:
+    """Lease a free domain from 1 to 101, `preferred` if it is free, and none of `avoid`.
 
     Skips domains that another process holds, that rest after a kill, or whose ports a stranger uses.
     Raises NoDomainFree when none is left.
@@ -125,7 +125,7 @@ def lease_domain(preferred: int | None = None) -> DomainLease:
         candidates.insert(0, preferred)
     ports = udp_ports_in_use()
     for domain_id in candidates:
-        if _is_resting(domain_id) or not ports.isdisjoint(dds_port_range(domain_id)):
+        if domain_id in avoid or _is_resting(domain_id) or not ports.isdisjoint(dds_port_range(domain_id)):
             continue
         lease = _try_lease(domain_id)
         if lease is not None:
