@@ -1,5 +1,6 @@
 """The bench speaks to a program: messages, services offered, services called, functions, and what stays behind."""
 
+import math
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -13,7 +14,7 @@ from std_srvs.srv import SetBool, Trigger
 
 from workbook.observing.recording import Clock, Recording
 from workbook.observing.script import BEFORE_START, Part, Script, calls, says, serves
-from workbook.observing.speaker import Speaker
+from workbook.observing.speaker import SERVED_EVERY_S, Speaker
 from workbook.observing.watch import Observer, Plan
 from workbook.ros.environment import LOOPBACK_PROFILE, profile_with_lease
 
@@ -116,17 +117,44 @@ def test_a_program_that_is_still_at_work_is_waited_for(observer: Observer, tmp_p
     assert [one.value["data"] for one in recording.topic("/robot/echo").arrivals] == list(LEVELS)
 
 
-def test_what_is_not_awaited_holds_nothing_up(observer: Observer) -> None:
+@pytest.fixture
+def bench(observer: Observer) -> Iterator[Node]:
     context = Context()
     rclpy.init(context=context, domain_id=observer.domain_id, signal_handler_options=SignalHandlerOptions.NO)
     try:
         node = Node("bench", context=context)
-        for awaited in (True, False):
-            script = Script((says("/other_robot/level", Float32, [(0.0, 2.0)], awaited=awaited),))
-            assert Speaker(node, script, lambda moment: moment).ready() is not awaited
+        yield node
         node.destroy_node()
     finally:
         rclpy.shutdown(context=context)
+
+
+def test_what_is_not_awaited_holds_nothing_up(bench: Node) -> None:
+    for awaited in (True, False):
+        script = Script((says("/other_robot/level", Float32, [(0.0, 2.0)], awaited=awaited),))
+        assert Speaker(bench, script, lambda moment: moment).ready() is not awaited
+
+
+def test_the_next_line_of_all_parts_is_what_is_waited_for(bench: Node) -> None:
+    level = says("/robot/level", Float32, [(BEFORE_START, 0.0), (1.0, 1.0), (3.0, 2.0)])
+    speaker = Speaker(
+        bench, Script((level, says("/robot/word", String, [(2.0, "stop")]))), lambda moment: moment
+    )
+    assert speaker.until_next(0.25) == 0.75
+    speaker.play(1.0)
+    assert speaker.until_next(1.0) == 1.0
+    speaker.play(2.5)
+    assert speaker.until_next(2.5) == 0.5
+    assert speaker.until_next(3.5) == 0.0
+    speaker.play(3.5)
+    assert speaker.until_next(3.5) == math.inf
+
+
+@pytest.mark.parametrize(
+    "part", [serves("/robot/reset", Trigger, [({}, 0.0)]), calls("/robot/reset", Trigger, [])]
+)
+def test_whoever_calls_or_is_called_may_come_at_any_moment(bench: Node, part: Part) -> None:
+    assert Speaker(bench, Script((part,)), lambda moment: moment).until_next(0.0) == SERVED_EVERY_S
 
 
 LATE = (

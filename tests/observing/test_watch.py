@@ -205,6 +205,36 @@ def test_a_best_effort_and_a_latched_publisher_are_heard(watched: Watched) -> No
     assert len(recording.topic("/status").arrivals) == 14
 
 
+HANDED_OVER = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float32, String
+
+rclpy.init()
+first, second = Node("first"), Node("second")
+battery = second.create_publisher(Float32, "/battery", 10)
+status = first.create_publisher(String, "/status", 10)
+
+
+def hand_over():
+    hand_over_once.cancel()
+    second.create_publisher(String, "/status", 10)
+    first.destroy_publisher(status)
+
+
+hand_over_once = second.create_timer(1.0, hand_over)
+rclpy.spin(second)
+"""
+
+
+def test_a_publisher_that_takes_the_place_of_another_is_noticed(watched: Watched) -> None:
+    recording = watched(HANDED_OVER, "wall")
+    gone, there = sorted(recording.topic("/status").publishers, key=lambda publisher: publisher.node)
+    assert (gone.node, there.node) == ("/first", "/second")
+    assert gone.last_seen is not None
+    assert there.last_seen is None
+
+
 def test_a_node_on_another_domain_is_told(watched: Watched, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("workbook.observing.watch.FIRST_SIGN_S", 6.0)
     with lease_domain() as other:

@@ -15,7 +15,7 @@ from pathlib import Path
 from workbook.observing.confinement import Confinement
 from workbook.observing.recording import ProcessRecord
 from workbook.observing.sandbox import ANSWER_FOLDER, HOME, Cage, exit_status, first_pid, program_pid
-from workbook.observing.tree import process_tree as process_tree
+from workbook.observing.tree import process_tree, read_proc
 from workbook.observing.usage import limits_told, memory_of, most_files
 from workbook.observing.warm_start import ForkServer, NoWarmStart, WarmProgram
 from workbook.ros.domains import domain_of_port
@@ -149,7 +149,7 @@ def processor_seconds(pids: Sequence[int]) -> float | None:
 
 def _stat(pid: int) -> str | None:
     try:
-        return Path(f"/proc/{pid}/stat").read_text()
+        return read_proc(f"/proc/{pid}/stat").decode(errors="replace")
     except OSError:
         return None
 

@@ -27,6 +27,7 @@ TOPICS_WATCHED = 64
 LARGEST_MESSAGE_BYTES = 4_000_000
 PARAMETER_SERVICES = ("rcl_interfaces/srv/", "type_description_interfaces/srv/")
 CLOCK_WAS_SET_S = 0.5
+LOOKS_PER_LISTING = 5
 _LOOK_AGAIN_S = 0.02
 _NODE_UNKNOWN = "_NODE_NAME_UNKNOWN_"
 
@@ -44,6 +45,14 @@ class _Watched:
     best_effort: bool = False
     matched_at: float | None = None
     not_kept: int = 0
+    endpoints: tuple[int, int] = (0, 0)
+    looks: int = 0
+
+    def is_known(self) -> bool:
+        """Whether all that can be known of its endpoints is known."""
+        ends: list[PublisherSeen | SubscriberSeen] = [*self.publishers.values(), *self.subscribers.values()]
+        named = not any(end.node.endswith(_NODE_UNKNOWN) for end in ends)
+        return named and (self.subscription is None or self.matched_at is not None)
 
 
 def _full_name(namespace: str, name: str) -> str:
@@ -141,6 +150,8 @@ class Recorder:
             if len(self._topics) >= TOPICS_WATCHED and topic not in self._judged:
                 return False
             watched = self._topics.setdefault(topic, _Watched(topic))
+        if not self._is_worth_a_look(watched):
+            return False
         new = self._update_publishers(watched)
         self._update_subscribers(watched)
         self._subscribe(watched)
@@ -149,6 +160,18 @@ class Recorder:
                 watched.matched_at = self._robot_now()
                 new = True
         return new
+
+    def _is_worth_a_look(self, watched: _Watched) -> bool:
+        """Whether its endpoints must be listed, which is dear: where their number or our knowledge says so.
+
+        Now and then in any case: one may have come in the moment in which another one went.
+        """
+        endpoints = (self._node.count_publishers(watched.name), self._node.count_subscribers(watched.name))
+        watched.looks += 1
+        if endpoints == watched.endpoints and watched.is_known() and watched.looks % LOOKS_PER_LISTING:
+            return False
+        watched.endpoints = endpoints
+        return True
 
     def _update_publishers(self, watched: _Watched) -> bool:
         present: set[bytes] = set()

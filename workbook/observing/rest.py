@@ -3,13 +3,12 @@
 import os
 import time
 from contextlib import suppress
-from pathlib import Path
 
-from workbook.observing.tree import process_tree
+from workbook.observing.tree import process_tree, read_proc
 
 LONGEST_WAIT_S = 0.25
 BUDGET_S = 4.0
-OWN_THREADS = "dds."
+OWN_THREADS = b"dds."
 _POLL_S = 0.0005
 _LIST_EVERY_S = 0.1
 
@@ -77,7 +76,7 @@ def _own_tasks() -> list[str]:
     found = []
     for task in _tasks(os.getpid()):
         with suppress(OSError):
-            if Path(f"/proc/self/task/{task}/comm").read_text().startswith(OWN_THREADS):
+            if read_proc(f"/proc/self/task/{task}/comm").startswith(OWN_THREADS):
                 found.append(task)
     return found
 

@@ -1,5 +1,6 @@
 """Plays a script to a program: publishes, answers and calls, without an executor."""
 
+import math
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -13,6 +14,8 @@ from workbook.observing.recording import CallSeen, Said
 from workbook.observing.script import BEFORE_START, Calls, Line, Says, Script, Serves
 from workbook.observing.values import plain
 from workbook.ros.messages import message_class, service_class
+
+SERVED_EVERY_S = 0.005
 
 
 def fill(message: Any, value: Mapping[str, Any]) -> Any:
@@ -104,6 +107,17 @@ class Speaker:
             self._serve(offered)
         for called in self._clients:
             self._collect(called)
+
+    def until_next(self, t: float) -> float:
+        """Robot seconds from `t` to the next line that is to be said or asked; infinite when there is none.
+
+        Whoever calls or is called may come at any moment: while there is a service, a short time at most.
+        """
+        due = [due.lines[0].at - t for _, _, due in self._publishers if due.lines]
+        due += [called.due.lines[0].at - t for called in self._clients if called.due.lines]
+        if self._services or self._clients:
+            due.append(SERVED_EVERY_S)
+        return max(0.0, min(due, default=math.inf))
 
     def said(self) -> tuple[Said, ...]:
         return tuple(self._said)

@@ -1,7 +1,15 @@
 """A process and what descends from it, as the kernel tells it."""
 
 import os
-from pathlib import Path
+
+
+def read_proc(path: str) -> bytes:
+    """What the kernel tells in a small file below /proc. Raises OSError when its process has ended.
+
+    Asked many times a second: a `Path` would cost three times as much.
+    """
+    with open(path, "rb", buffering=0) as file:
+        return file.read()
 
 
 def children(pid: int) -> list[int]:
@@ -13,7 +21,7 @@ def children(pid: int) -> list[int]:
     found: list[int] = []
     for task in tasks:
         try:
-            found += [int(child) for child in Path(f"/proc/{pid}/task/{task}/children").read_text().split()]
+            found += map(int, read_proc(f"/proc/{pid}/task/{task}/children").split())
         except OSError:
             continue
     return found

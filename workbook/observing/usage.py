@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from workbook.observing.sandbox import HOME, WRITABLE_BYTES
+from workbook.observing.tree import read_proc
 
 WRITABLE = ("/tmp", "/dev/shm", HOME)
 _PAGE = os.sysconf("SC_PAGE_SIZE")
@@ -30,7 +31,7 @@ def memory_of(pids: Sequence[int], worth_counting: int) -> int:
 
 def _resident(pid: int) -> int:
     try:
-        return int(Path(f"/proc/{pid}/statm").read_text().split()[1]) * _PAGE
+        return int(read_proc(f"/proc/{pid}/statm").split()[1]) * _PAGE
     except (OSError, IndexError):
         return 0
 

@@ -38,7 +38,7 @@ MATCH_S = 3.0
 NO_PUBLISHER_S = 8.0
 FOLLOW_S = 1.0
 POLL_S = 0.01
-TALK_POLL_S = 0.002
+TAKE_EVERY_S = 0.02
 GONE_S = 6.0
 GHOST_S = 20
 HELD_STEPS = 5
@@ -327,8 +327,8 @@ class Watch:
         end = time.monotonic() + seconds
         next_look = 0.0
         while (left := end - time.monotonic()) > 0 and self._process.is_running():
-            turn = min(TALK_POLL_S if self._plan.script else POLL_S, left)
             paused = time.monotonic()
+            turn = min(TAKE_EVERY_S, left, self._speaker.until_next(self._robot_time(paused)))
             self._pause(turn)
             self._held_up_s = max(self._held_up_s, time.monotonic() - paused - turn)
             self._speaker.play(self._robot_time(time.monotonic()))
