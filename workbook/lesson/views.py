@@ -39,6 +39,7 @@ class RobotView(_View):
         self.complaint = ""
         self._follower = Follower(ease)
         self._lamp: str | None = None
+        self._shown: object = None
         self.create_subscription(Float32MultiArray, "/robot/joint_positions", self._on_joints, 10)
         self.create_subscription(String, "/robot/status", self._on_status, 10)
 
@@ -53,12 +54,16 @@ class RobotView(_View):
     def _on_status(self, message: Any) -> None:
         self._lamp = message.data if message.data in ("operational", "error") else None
 
-    def frame(self) -> bytes:
-        if self.complaint:
-            return humanoid.placeholder(self.complaint)
-        if not self.received:
-            return humanoid.placeholder("waiting for /robot/joint_positions")
-        angles = self._follower.angles(time.monotonic())
+    def frame(self) -> bytes | None:
+        """The picture as it is now; None while it is the one before. A robot that stands still costs nothing."""
+        words = self.complaint or ("" if self.received else "waiting for /robot/joint_positions")
+        angles = () if words else tuple(self._follower.angles(time.monotonic()))
+        looks = (words, angles, self._lamp)
+        if looks == self._shown:
+            return None
+        self._shown = looks
+        if words:
+            return humanoid.placeholder(words)
         return humanoid.draw(angles, lamp=self._lamp)  # type: ignore[arg-type]
 
 
@@ -94,7 +99,9 @@ async def _show(view: Any, describe: str, seconds: float | None, fps: float) -> 
     figure = LiveFigure(describe)
 
     def refresh() -> None:
-        figure.show(view.frame())
+        picture = view.frame()
+        if picture is not None:
+            figure.show(picture)
 
     try:
         await run(view, seconds=seconds, each_frame=refresh, fps=fps)

@@ -26,6 +26,8 @@ from workbook.ros.twins import fresh as fresh
 LONGEST_WAIT_S = 0.02
 SHORTEST_WAIT_S = 0.0005
 LONGEST_TURN_S = 0.005
+REST_PER_FRAME = 3.0
+"""How many times as long as a picture has taken the nodes are alone before the next one."""
 _SYNC_WAIT_S = 0.05
 
 Condition = Callable[[], object] | Future | None
@@ -199,7 +201,8 @@ async def run(
 
     `until` is a function that is asked after each callback, or a Future, whose result is then returned;
     `seconds` is the limit. `seconds=None` runs until Stop is pressed. `each_frame` is called `fps` times a
-    second and once at the end; what it returns is awaited if it can be.
+    second and once at the end; what it returns is awaited if it can be. Where that takes long, it is called less often:
+    at most a quarter of the time goes into pictures, the rest belongs to the nodes.
 
     Raises what a callback raises, TimeoutError when `until` did not come true, Stopped on Interrupt.
     """
@@ -209,9 +212,10 @@ async def run(
         next_frame = this.start if each_frame is not None else math.inf
         try:
             while True:
-                if time.monotonic() >= next_frame:
+                if (begun := time.monotonic()) >= next_frame:
                     await _show(each_frame)
-                    next_frame = max(next_frame + 1.0 / fps, time.monotonic())
+                    shown = time.monotonic()
+                    next_frame = max(next_frame + 1.0 / fps, shown + REST_PER_FRAME * (shown - begun))
                 if this.over():
                     break
                 with this.interrupts:
