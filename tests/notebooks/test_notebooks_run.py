@@ -1,11 +1,10 @@
 """Every notebook runs from top to bottom and shows what is committed: strict nbval, lesson by lesson."""
 
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
+from workbook.authoring.comparing import compare
 from workbook.authoring.tree import Tree
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -20,8 +19,9 @@ def test_there_is_something_to_run() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("number", NUMBERS)
-def test_a_lesson_and_its_exercise_show_what_is_committed(number: str) -> None:
+def test_a_lesson_and_its_exercise_show_what_is_committed(
+    number: str, capfd: pytest.CaptureFixture[str]
+) -> None:
     """The lesson as it is, the exercise with the starter, and the exercise with the solution put in."""
-    command = [sys.executable, "-m", "workbook.authoring", "compare", number]
-    done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    assert done.returncode == 0, done.stdout
+    failed = compare(TREE, [number])
+    assert not failed, capfd.readouterr().out
