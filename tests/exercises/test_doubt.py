@@ -216,3 +216,9 @@ def test_the_judge_keeps_off_the_domain_that_an_answer_names() -> None:
     first = next(result for result in judgement.criteria if result.status == "failed")
     assert first.id == "program_runs"
     assert "domain 30" in first.saw + first.because
+
+
+def test_an_answer_that_names_every_domain_is_judged_like_any_other() -> None:
+    right = EXERCISE.source.solution_code + f"# domains: {' '.join(map(str, range(1, 102)))}\n"
+    with Observer() as observer:
+        assert Judge(observer).judge(EXERCISE, Answer(right), thorough=False).full_marks

@@ -50,6 +50,14 @@ def test_a_lease_is_exclusive_within_a_process(held: DomainLease) -> None:
         assert other.domain_id != held.domain_id
 
 
+def test_what_shall_be_avoided_is_taken_only_where_nothing_else_is() -> None:
+    for _ in range(5):
+        with lease_domain(avoid=range(1, 51)) as lease:
+            assert lease.domain_id > 50
+    with lease_domain(avoid=range(1, 102)) as lease:
+        assert 1 <= lease.domain_id <= 101
+
+
 def test_a_released_domain_can_be_had_again(held: DomainLease) -> None:
     held.release()
     held.release()

@@ -21,7 +21,7 @@ from workbook.observing.rest import Rest
 from workbook.observing.sandbox import Cage
 from workbook.observing.script import NOTHING_SAID, Script
 from workbook.observing.speaker import Speaker
-from workbook.ros.domains import DomainLease, lease_domain
+from workbook.ros.domains import DomainLease, NoDomainFree, lease_domain
 from workbook.ros.environment import is_prepared, prepare
 
 SPEEDS = (10.0, 20.0)
@@ -127,10 +127,14 @@ class Observer:
         self._stand()
 
     def keep_off(self, domains: Container[int]) -> None:
-        """Lease another domain if this is one of `domains`. Raises NoDomainFree when no other is left."""
+        """Move to another domain, if there is a free one, when this is one of `domains`."""
         if self.domain_id in domains:
+            try:
+                lease = lease_domain(avoid=domains)
+            except NoDomainFree:
+                return
             self.close()
-            self._stand(lease_domain(avoid=domains))
+            self._stand(lease)
 
     def __enter__(self) -> "Observer":
         return self

@@ -114,18 +114,19 @@ def _try_lease(domain_id: int) -> DomainLease | None:
 
 
 def lease_domain(preferred: int | None = None, avoid: Container[int] = ()) -> DomainLease:
-    """Lease a free domain from 1 to 101, `preferred` if it is free, and none of `avoid`.
+    """Lease a free domain from 1 to 101: `preferred` if it is free, one of `avoid` only if no other is.
 
     Skips domains that another process holds, that rest after a kill, or whose ports a stranger uses.
     Raises NoDomainFree when none is left.
     """
     candidates = list(range(FIRST_DOMAIN, LAST_DOMAIN + 1))
     random.shuffle(candidates)
+    candidates.sort(key=lambda domain_id: domain_id in avoid)
     if preferred is not None:
         candidates.insert(0, preferred)
     ports = udp_ports_in_use()
     for domain_id in candidates:
-        if domain_id in avoid or _is_resting(domain_id) or not ports.isdisjoint(dds_port_range(domain_id)):
+        if _is_resting(domain_id) or not ports.isdisjoint(dds_port_range(domain_id)):
             continue
         lease = _try_lease(domain_id)
         if lease is not None:
