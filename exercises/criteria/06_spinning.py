@@ -16,7 +16,7 @@ QUIET_HEARD = topic("/quiet/heard", Int32MultiArray)
 PUMP = topic("/driver/pump", String)
 
 BURST, AGAIN, SLOW, QUIET = 1, 2, 3, 4
-ASKED_S = {BURST: 1.5, AGAIN: 1.4, SLOW: 0.8, QUIET: 1.2}
+ASKED_S = {BURST: 1.5, AGAIN: 1.4, SLOW: 0.8, QUIET: 1.6}
 BURST_WORDS = range(1, 21)
 WAITING_WORDS = range(21, 26)
 JOBS = range(1, 8)
@@ -35,7 +35,7 @@ def ordered(at: float, order: str) -> list[tuple[float, str]]:
 
 
 WATCH = watching(
-    wall_seconds=8.0,
+    wall_seconds=8.5,
     script=[
         see.says(
             "/driver/go",
@@ -44,7 +44,7 @@ WATCH = watching(
                 *ordered(0.2, "1 robot 1.5"),
                 *ordered(2.2, "2 robot 1.4"),
                 *ordered(3.9, "3 robot 0.8"),
-                *ordered(5.2, "4 quiet_robot 1.2"),
+                *ordered(5.2, "4 quiet_robot 1.6"),
             ],
         ),
         see.says(
@@ -60,6 +60,7 @@ WATCH = watching(
             ],
         ),
         see.says("/robot/jobs", Int32, [(3.7, job) for job in JOBS]),
+        # Late enough to show a wait that begins anew, and half a second before the call is over.
         see.says("/quiet/words", Int32, [(6.2, 1), (6.3, 2)]),
     ],
 )
