@@ -30,7 +30,7 @@ def judged(recording: Recording) -> tuple[CriterionResult, ...]:
 
 
 def doubt(recording: Recording, on_robot_time: tuple[CriterionResult, ...] = ()) -> str:
-    return doubt_about(judged(recording), recording, EXERCISE.plan, on_robot_time)
+    return doubt_about(judged(recording), recording, EXERCISE.plan, EXERCISE.periods, on_robot_time)
 
 
 @pytest.mark.parametrize(
@@ -112,6 +112,9 @@ def test_a_single_late_message_leaves_a_doubt_and_a_wrong_pace_none() -> None:
     assert "0.70 s late" in doubt(one_late(good, "/robot/status", slice(2, None), 0.7))
     assert doubt(one_late(good, "/robot/status", slice(None, None, 2), 0.7)) == ""
     assert doubt(one_late(stored("period_for_frequency"), "/robot/status", slice(0), 0.0)) == ""
+    late = one_late(good, "/robot/status", slice(2, 3), 0.7)
+    rates = {name: period for name, period in EXERCISE.periods.items() if name != "/robot/status"}
+    assert doubt_about(judged(late), late, EXERCISE.plan, rates) == "", "no rate was asked for"
     on_robot_time = one_late(good, "/robot/status", slice(2, 3), 0.7)
     assert doubt(replace(on_robot_time, clock="simulated")) == ""
 

@@ -143,6 +143,13 @@ def test_a_card_is_readable_on_light_and_dark(judgement: Judgement) -> None:
     ]
 
 
+@pytest.mark.parametrize("has_rates", [True, False])
+def test_the_key_of_a_timeline_names_what_is_in_the_picture(has_rates: bool) -> None:
+    html = as_html(judged("period_for_frequency"), Extras(timeline=b"png", has_rates=has_rates))
+    assert "messages that came" in html
+    assert ("when one was due" in html) is has_rates
+
+
 @every_judgement
 def test_a_card_loads_nothing_from_anywhere(judgement: Judgement) -> None:
     html = as_html(judgement, Extras(timeline=b"png", timeline_text="arrivals"))

@@ -3,7 +3,7 @@
 Where it does not, the judgement is inconclusive: the answer deserves a second try.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from statistics import median
 
@@ -22,12 +22,13 @@ def doubt_about(
     judged: Sequence[CriterionResult],
     recording: Recording,
     plan: Plan,
+    periods: Mapping[str, float],
     on_robot_time: Sequence[CriterionResult] = (),
 ) -> str:
     """Why the judgement may do the answer wrong, as a sentence; empty when it is sound, or takes nothing away.
 
-    `on_robot_time`: what held and what did not when the same program was judged on robot time before, where both
-    speeds agreed.
+    `periods`: of the topics that have a rate, in s. `on_robot_time`: what held and what did not when the same program
+    was judged on robot time before, where both speeds agreed.
     """
     lost = [result for result in judged if result.status in ("failed", "partial")]
     if not lost:
@@ -39,7 +40,7 @@ def doubt_about(
         or _node_stayed(recording)
         or _clocks_contradict(lost, on_robot_time)
         or _held_up(lost, recording, plan)
-        or _late_once(lost, recording, plan)
+        or _late_once(lost, recording, periods)
     )
 
 
@@ -107,11 +108,14 @@ def _held_up(lost: Sequence[CriterionResult], recording: Recording, plan: Plan) 
     return ""
 
 
-def _late_once(lost: Sequence[CriterionResult], recording: Recording, plan: Plan) -> str:
-    """A publisher in step that is late once: it, or the message on its way, may have waited for the machine."""
+def _late_once(lost: Sequence[CriterionResult], recording: Recording, periods: Mapping[str, float]) -> str:
+    """A publisher in step that is late once: it, or the message on its way, may have waited for the machine.
+
+    Where no rate is asked for, nobody can tell what is late.
+    """
     if recording.clock != "wall" or not any(result.about_time for result in lost):
         return ""
-    for name in plan.topics:
+    for name in periods:
         gaps = [after.t - before.t for before, after in pairwise(recording.topic(name).arrivals)]
         if len(gaps) < 2 * FEW:
             continue

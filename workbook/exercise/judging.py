@@ -100,7 +100,8 @@ def _with_doubt(exercise: Exercise, judgement: Judgement, on_robot: Judgement | 
     if on_robot is not None and on_robot.recording is not None and on_robot.recording.follows_clock:
         if speeds_agree(on_robot.recording, tuple(exercise.periods)):
             before = on_robot.criteria
-    return replace(judgement, doubt=doubt_about(judgement.criteria, recording, exercise.plan, before))
+    doubt = doubt_about(judgement.criteria, recording, exercise.plan, exercise.periods, before)
+    return replace(judgement, doubt=doubt)
 
 
 class Judge:

@@ -14,17 +14,22 @@ BLUE = "#2f78d0"
 # JupyterLab aligns cells to the right and breaks lines of preformatted text inside words.
 _CELL = "text-align:left;vertical-align:top;padding:3px 14px 3px 0"
 _PRE = "white-space:pre-wrap;word-break:normal;overflow-wrap:anywhere;margin:4px 0"
-_TIMELINE_KEY = "Colored: messages that came. Thin and gray: when one was due."
+_TIMELINE_KEY = "Colored: messages that came."
+_TIMELINE_KEY_OF_RATES = "Thin and gray: when one was due."
 
 
 @dataclass(frozen=True)
 class Extras:
-    """What a card may carry besides the judgement. `timeline` is a PNG; `timeline_text` describes it."""
+    """What a card may carry besides the judgement.
+
+    `timeline` is a PNG and `timeline_text` describes it; `has_rates` says whether it shows when messages were due.
+    """
 
     file: str = ""
     review: str = ""
     timeline: bytes | None = None
     timeline_text: str = ""
+    has_rates: bool = True
     hints_left: int = 0
     exhibit: Exhibit | None = None
 
@@ -120,10 +125,11 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
             parts.append(_exhibit(extras.exhibit))
     if extras.timeline is not None:
         data = base64.b64encode(extras.timeline).decode()
+        key = f"{_TIMELINE_KEY} {_TIMELINE_KEY_OF_RATES}" if extras.has_rates else _TIMELINE_KEY
         parts.append(
             f'<p style="margin:0 0 8px 0"><img alt="{escape(extras.timeline_text)}" '
             f'src="data:image/png;base64,{data}"><br>'
-            f'<small style="color:{COLORS["skipped"]}">{_TIMELINE_KEY}</small></p>'
+            f'<small style="color:{COLORS["skipped"]}">{key}</small></p>'
         )
     parts.append(_table(judgement))
     later = wording.also_to_mend(judgement)

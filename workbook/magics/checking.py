@@ -88,6 +88,7 @@ def card_for(exercise: Exercise, answer: Answer, file: Path, judgement: Judgemen
             else "",
             timeline=timeline,
             timeline_text=timeline_text,
+            has_rates=bool(exercise.periods),
             hints_left=hints_left,
             exhibit=wording.exhibit_of(judgement),
         ),
