@@ -106,12 +106,12 @@ class Camera(Node):
 
 left = Camera()
 right = Camera()
+await until_seen("/camera", "/camera")
 
 # %%
 from workbook.lesson import recall
 from workbook.ros import node_list
 
-await until_seen("/camera", "/camera")
 print("the other process sees", reader.latest())
 print(node_list())
 recall("d", about="two eyes")
@@ -184,11 +184,11 @@ executor.add_node(camera)
 executor = SingleThreadedExecutor()
 for _ in range(3):
     exec(the_cell)  # as if you had pressed Shift+Enter
+await until_seen("/camera", "/camera", "/camera")
 
 # %% id="three-cameras"
 from workbook.ros import topic_info
 
-await until_seen("/camera", "/camera", "/camera")
 print(node_list())
 print("publishers on /camera/frame:", len(topic_info("/camera/frame").publishers))
 recall("b", about="three runs")

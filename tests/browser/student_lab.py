@@ -18,6 +18,13 @@ STOP_LIMIT_S = 20.0
 COURSE = ("notebooks", "exercises", "solutions")
 _ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/\S*token=\w+")
 _INHERITED = ("PATH", "LANG", "LC_ALL", "TMPDIR")
+# Whoever stops the tests does not let them tidy up: JupyterLab then ends with the process that started it.
+_ENDS_WITH_ITS_PARENT = (
+    "import ctypes, os, signal, sys; "
+    "PR_SET_PDEATHSIG = 1; "
+    "ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM); "
+    "os.execv(sys.argv[1], sys.argv[1:])"
+)
 
 
 def descendants(pid: int) -> set[int]:
@@ -82,8 +89,9 @@ class StudentLab:
         self.said: list[str] = []
         self._seen: set[int] = set()
         environ = {name: os.environ[name] for name in _INHERITED if name in os.environ}
+        command = [Path(sys.executable).with_name("workbook"), "lab", "--no-browser", "--port=0"]
         self._process = subprocess.Popen(
-            [Path(sys.executable).with_name("workbook"), "lab", "--no-browser", "--port=0"],
+            [sys.executable, "-c", _ENDS_WITH_ITS_PARENT, *command],
             env={**environ, "HOME": str(home), "WORKBOOK_COURSE": str(course)},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
