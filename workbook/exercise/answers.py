@@ -16,9 +16,6 @@ MOST_PARTS = 2_000_000
 ANSWER_MAGIC = "%%answer"
 _MAGIC_LINE = re.compile(r"^%%answer\s+(?P<stem>[\w-]+)\s*$")
 _CODING = re.compile(r"^([ \t\f]*#.*?coding[:=][ \t]*)[-\w.]+", re.ASCII)
-
-
-_ABOUT_DOMAINS = re.compile(r"domain", re.IGNORECASE)
 _NUMBER = re.compile(r"(?<![\w.])\d{1,3}(?![\w.])")
 
 
@@ -185,5 +182,5 @@ def read_answer(path: Path, stem: str) -> Answer:
 
 def domains_named(text: str) -> frozenset[int]:
     """Numbers in the lines of a program that are about domains: one of them may be a ROS domain of its own choice."""
-    lines = (line for line in text.splitlines() if _ABOUT_DOMAINS.search(line))
+    lines = (line for line in text.splitlines() if "domain" in line.lower())
     return frozenset(int(number) for line in lines for number in _NUMBER.findall(line))
