@@ -6,27 +6,31 @@ from typing import Any
 
 import pytest
 
-# Long waits first, so that no worker is left alone with one of them at the end.
+from workbook.observing.warm_start import own_server
+
+LESSONS = "test_notebooks_run"
+# Long ones first, so that no worker is left alone with one of them at the end.
 LONG_FIRST = (
     "test_proofs",
     "test_browser_lessons",
-    "test_notebooks_run",
+    LESSONS,
     "test_browser_exercise",
-    "test_hostile",
-    "test_farm",
-    "test_tiers",
-    "test_killed_grader",
     "test_nodes_with_timers",
 )
+# Lessons wait most of the time, these keep a processor busy: they begin after the lesson of this number.
+BETWEEN_LESSONS = {"test_hostile": 2, "test_farm": 5, "test_tiers": 8, "test_killed_grader": 11}
 BROWSERS = 2
 """How many JupyterLabs, each with a Chromium, share the lessons."""
+
+
+own_server.keep()  # a worker starts hundreds of programs
 
 
 def group_of(nodeid: str) -> str:
     """Tests of a group run one after another in one worker. Usually that is a file."""
     file, _, rest = nodeid.partition("::")
     stem = PurePath(file).stem
-    if stem == "test_notebooks_run":
+    if stem == LESSONS:
         return nodeid
     if stem == "test_browser_lessons":
         number = re.search(r"\[(\d\d)_", rest)
@@ -35,9 +39,14 @@ def group_of(nodeid: str) -> str:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    def rank(item: pytest.Item) -> int:
+    def rank(item: pytest.Item) -> tuple[int, float]:
         stem = PurePath(item.path).stem
-        return LONG_FIRST.index(stem) if stem in LONG_FIRST else len(LONG_FIRST)
+        if stem in BETWEEN_LESSONS:
+            return LONG_FIRST.index(LESSONS), BETWEEN_LESSONS[stem] + 0.5
+        if stem not in LONG_FIRST:
+            return len(LONG_FIRST), 0
+        number = re.search(r"\[(\d\d)\]", item.nodeid) if stem == LESSONS else None
+        return LONG_FIRST.index(stem), int(number[1]) if number else 0
 
     items.sort(key=rank)
 

@@ -187,7 +187,7 @@ for row, (label, moments) in enumerate(rows.items()):
 axes.axvline(spun_at - began, color="#787878", linestyle="--", zorder=0)
 axes.text(spun_at - began + 0.04, 1.5, "spin begins", va="center")
 axes.text(spun_at - began + 0.04, 0, "all ten at once", va="center")
-axes.set(xlabel="seconds", yticks=range(3), xlim=(-0.1, 2.6), ylim=(-0.6, 2.6))
+axes.set(xlabel="seconds", yticks=range(3), xlim=(-0.1, 3.1), ylim=(-0.6, 2.6))
 axes.set_yticklabels(rows)
 axes.grid(axis="y", visible=False)
 show(

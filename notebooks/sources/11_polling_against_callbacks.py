@@ -97,15 +97,15 @@ class Referee(Node):
         return [moment - self.touched[number] for number, moment in reports]
 
 
-async def match(**polling):
-    """Both monitors at work, until the hand has been touched 120 times."""
+async def match(touches=TOUCHES, **polling):
+    """Both monitors at work, until the hand has been touched so many times."""
     init()
     referee = fresh(Referee)
     start(polling_monitor, **polling)
     start(callback_monitor)
-    start(touch_sensor, touches=TOUCHES, listeners=3)
+    start(touch_sensor, touches=touches, listeners=3)
     await run(
-        referee, seconds=40, until=lambda: len(referee.touched) == len(set(referee.callback)) == TOUCHES
+        referee, seconds=40, until=lambda: len(referee.touched) == len(set(referee.callback)) == touches
     )
     await run(referee, seconds=0.5)  # for those who come late
     stop()
@@ -239,7 +239,7 @@ predict("...", about="no sleep")
 # %%
 from workbook.lesson import processor_seconds
 
-restless = await match(poll_s=0.0)
+restless = await match(touches=50, poll_s=0.0)
 used = {
     "by callback": processor_seconds(callback_monitor, seconds=3.0, with_start=False),
     "polling, every 50 ms": processor_seconds(polling_monitor, seconds=3.0, with_start=False, poll_s=0.05),

@@ -62,7 +62,7 @@ def await_end(pids: set[int], limit_s: float) -> dict[int, str]:
     for pid in pids:
         try:
             handle = os.pidfd_open(pid)
-        except ProcessLookupError:
+        except (ProcessLookupError, FileNotFoundError):  # gone, or going: the kernel says either
             continue
         try:
             select.select([handle], [], [], max(0.0, deadline - time.monotonic()))

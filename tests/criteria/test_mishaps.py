@@ -1,17 +1,20 @@
 """Common errors as they really look: each program runs once through the host, and its log is explained."""
 
-import subprocess
-import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 
-from workbook.criteria.mishaps import Mishap, ended_in_order, find_mishap, shutdown_overtaken
-from workbook.observing.process import HOST
+from workbook.criteria.mishaps import (
+    Mishap,
+    ended_in_order,
+    find_mishap,
+    shutdown_overtaken,
+    without_executors_end,
+)
+from workbook.observing.process import NodeProcess
 from workbook.ros.domains import lease_domain
-from workbook.ros.environment import child_environment
 
 HEAD = """\
 import rclpy
@@ -223,17 +226,9 @@ Humanoid()
 def run_through_host(case: Case, folder: Path, domain_id: int) -> str:
     program = folder / f"{case.name}.py"
     program.write_text(case.program)
-    done = subprocess.run(
-        [sys.executable, "-P", str(HOST), str(program)],
-        env=child_environment(domain_id, check_fields=case.check_fields, log_folder=folder),
-        cwd=folder,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        timeout=PATIENCE_S,
-    )
-    return done.stdout
+    with NodeProcess(program, domain_id, check_fields=case.check_fields) as process:
+        assert process.wait(PATIENCE_S)
+    return process.log.text()
 
 
 @pytest.fixture(scope="module")
@@ -273,6 +268,31 @@ def test_only_an_end_that_ctrl_c_overtook_is_an_end_in_order_with_a_traceback(lo
     assert ended_in_order(0, "[INFO] [humanoid]: good night\n")
     assert not ended_in_order(1, "")
     assert not ended_in_order(None, logs["overtaken"])
+
+
+EXECUTOR_LEFT = """\
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+
+rclpy.init()
+executor = SingleThreadedExecutor()
+executor._sigint_gc.destroy()  # what the garbage collector does when it comes to this first
+del executor
+rclpy.shutdown()
+print("good night")
+"""
+
+
+def test_an_executor_that_outlives_a_part_of_it_is_no_mishap(tmp_path: Path) -> None:
+    with lease_domain() as lease:
+        log = run_through_host(Case("left", EXECUTOR_LEFT, "", None, ""), tmp_path, lease.domain_id)
+    assert "Exception ignored in: <function Executor.__del__" in log and "InvalidHandle" in log
+    assert without_executors_end(log) == "good night\n"
+    assert find_mishap(log, "left.py") is None
+    assert ended_in_order(0, log) and not ended_in_order(1, log)
+    after = f"{log}Traceback (most recent call last):\n  File \"left.py\", line 3, in tick\nKeyError: 'x'\n"
+    assert not ended_in_order(0, after)
+    assert (found := find_mishap(after, "left.py")) is not None and found.error == "KeyError: 'x'"
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,9 @@
 """Which judgements are inconclusive: those that take points away for what may be no fault of the answer."""
 
+import os
+import subprocess
+import sys
+import time
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -12,6 +16,7 @@ from workbook.exercise.definition import load_exercise
 from workbook.exercise.doubt import doubt_about
 from workbook.exercise.judging import Judge, Judgement
 from workbook.observing.recording import ProcessRecord, PublisherSeen, Recording, TopicRecording
+from workbook.observing.tree import seconds_in_line
 from workbook.observing.watch import Observer, Watch
 from workbook.ros.domains import lease_domain
 
@@ -139,6 +144,36 @@ def judge_on_the_wall_clock(text: str) -> Judgement:
     object.__setattr__(on_the_wall, "source", replace(EXERCISE.source, clock="wall"))
     with Observer() as observer:
         return Judge(observer).judge(on_the_wall, Answer(text))
+
+
+def test_a_program_that_got_no_processor_leaves_a_doubt_about_all_it_did() -> None:
+    eleven = replace(stored("eleven_values"), clock="wall", robot_s=9.0, in_line_s=1.2)
+    assert "stood in line for 1.2 s of 9 s" in doubt(eleven)
+    assert doubt(replace(eleven, in_line_s=0.4)) == ""
+    assert doubt(replace(eleven, clock="simulated")) == ""
+    assert doubt(replace(stored("solution"), clock="wall", robot_s=9.0, in_line_s=1.2)) == ""
+
+
+def test_how_long_a_process_stood_in_line() -> None:
+    """Two that want the same processor all the time have half of it each."""
+    [core, *_] = os.sched_getaffinity(0)
+    greedy = [
+        sys.executable,
+        "-c",
+        f"import os; os.sched_setaffinity(0, [{core}]); print(1, flush=True)\nwhile 1: 0",
+    ]
+    with subprocess.Popen(greedy, stdout=subprocess.PIPE) as one, subprocess.Popen(greedy) as other:
+        try:
+            assert one.stdout is not None
+            one.stdout.readline()
+            deadline = time.monotonic() + 60.0
+            while seconds_in_line(one.pid) < 0.5:
+                assert time.monotonic() < deadline
+                time.sleep(0.05)
+        finally:
+            one.kill()
+            other.kill()
+    assert seconds_in_line(one.pid) == 0.0, "it has ended"
 
 
 def test_a_watch_knows_how_long_it_was_held_up(monkeypatch: pytest.MonkeyPatch) -> None:

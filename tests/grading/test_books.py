@@ -10,6 +10,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from workbook.cli.main import main
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judging import Judgement, judge_recording
 from workbook.grading.gradebook import grades_csv, safe_cell
@@ -148,6 +149,25 @@ def append(path: Path, *results: Result) -> None:
     for result in results:
         book.append(result)
     book.close()
+
+
+def test_two_graders_do_not_write_to_one_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out, answers = tmp_path / "out", tmp_path / "answers"
+    answers.mkdir()
+    (answers / f"{STEM}.py").write_text("def broken(:\n")
+    first = ResultsFile(out / "results.jsonl")
+    grade = ["grade", "--exercise", STEM, str(answers), "--out", str(out), "--isolation", "limits"]
+    assert main(grade) == 2
+    assert main(["grade", "--exercise", STEM, "--regrade", "--out", str(out)]) == 2
+    said = [line for line in capsys.readouterr().err.splitlines() if line.startswith("workbook grade:")]
+    assert [f"another grader is writing to {out}" in line and "--out" in line for line in said] == [
+        True,
+        True,
+    ]
+    assert not list(read_results(out / "results.jsonl"))
+    first.close()
+    assert main(grade) == 0
+    assert len(list(read_results(out / "results.jsonl"))) == 1
 
 
 def test_the_last_line_of_a_student_counts(tmp_path: Path) -> None:

@@ -60,7 +60,7 @@ HOGS = """
 import os, time
 for _ in range(4):
     if os.fork() == 0:
-        held = bytearray(b"x" * 200_000_000)
+        held = b"x" * 200_000_000
         time.sleep(600)
 time.sleep(600)
 """

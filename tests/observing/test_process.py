@@ -18,6 +18,7 @@ from workbook.observing.process import (
     plain_text,
     processes_marked,
 )
+from workbook.observing.warm_start import OwnServer, WarmProgram
 from workbook.ros import scratch
 from workbook.ros.domains import dds_port_range, lease_domain
 from workbook.ros.environment import library_path
@@ -45,14 +46,32 @@ def domain() -> Iterator[int]:
         yield lease.domain_id
 
 
-@pytest.fixture
-def start(tmp_path: Path, domain: int) -> Iterator[Start]:
+@pytest.fixture(scope="module")
+def server() -> Iterator[OwnServer]:
+    """Forks programs at once."""
+    own = OwnServer()
+    own.keep()
+    wait_until(own.ready)
+    yield own
+    pid = own.pid
+    own.close()
+    assert pid is not None and is_gone(pid)
+
+
+@pytest.fixture(params=["fresh", "forked"])
+def start(
+    request: pytest.FixtureRequest, tmp_path: Path, domain: int, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[Start]:
     """Starts programs; whatever the test does, none of them, no folder and no zombie is left."""
     started: list[NodeProcess] = []
+    forked = request.param == "forked"
+    own = request.getfixturevalue("server") if forked else OwnServer()
+    monkeypatch.setattr(process_module, "own_server", own)
 
     def start_it(text: str, *arguments: str, **options: object) -> NodeProcess:
         program = write(tmp_path, text, f"answer_{len(started)}.py")
         started.append(NodeProcess(program, domain, arguments, **options))  # type: ignore[arg-type]
+        assert isinstance(started[-1]._process, WarmProgram) is forked
         return started[-1]
 
     yield start_it

@@ -150,6 +150,25 @@ def test_the_next_line_of_all_parts_is_what_is_waited_for(bench: Node) -> None:
     assert speaker.until_next(3.5) == math.inf
 
 
+def test_lines_that_come_late_keep_their_pauses_where_nobody_can_stop_the_clock(bench: Node) -> None:
+    lines = [(1.0, 1.0), (1.1, 2.0), (1.1, 3.0), (1.2, 4.0)]
+    speaker = Speaker(bench, Script((says("/robot/level", Float32, lines),)), lambda moment: moment)
+    said: list[list[float]] = []
+    for moment in (0.99, 1.005, 1.5, 1.59, 1.61):  # held up from 1.005 s to 1.5 s
+        before = len(speaker.said())
+        speaker.play(moment, keep_pauses=True)
+        said.append([line.value["data"] for line in speaker.said()[before:]])
+    assert said == [[], [1.0], [2.0, 3.0], [], [4.0]]
+    assert speaker.late_s == pytest.approx(0.4)
+
+
+def test_on_robot_time_all_that_is_due_is_said(bench: Node) -> None:
+    script = Script((says("/robot/level", Float32, [(1.0, 1.0), (1.1, 2.0), (1.2, 3.0)]),))
+    speaker = Speaker(bench, script, lambda moment: moment)
+    speaker.play(1.15)
+    assert [line.value["data"] for line in speaker.said()] == [1.0, 2.0]
+
+
 @pytest.mark.parametrize(
     "part", [serves("/robot/reset", Trigger, [({}, 0.0)]), calls("/robot/reset", Trigger, [])]
 )

@@ -1,6 +1,7 @@
 """mypy as the bench runs it: what it finds, and what a program cannot do to keep it from finding."""
 
 import os
+import sys
 import textwrap
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from workbook.observing.typecheck import (
     UNFINISHED,
     TypeCheckFailed,
     evasions,
+    kept_folder,
     type_check,
     without_silencers,
 )
@@ -195,10 +197,49 @@ def test_settings_of_the_user_and_of_the_folder_do_not_count(
 
 
 def test_it_is_ended_when_it_takes_too_much_processor_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(typecheck, "_cache", None)  # the first check has most to do
-    (finding,) = type_check("import numpy, sensor_msgs.msg\n" + HUNGRY, processor_s=1)
+    monkeypatch.setattr(typecheck, "_cache", None)  # of these packages the environment keeps nothing
+    (finding,) = type_check("import numpy, matplotlib.pyplot\n" + HUNGRY, processor_s=1)
     assert (finding.probe, finding.line, finding.code) == ("", 0, UNFINISHED)
     assert "1 s of processor time" in finding.message
+
+
+@pytest.fixture
+def environment(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An environment in which mypy has not read anything, and a process that has checked nothing."""
+    monkeypatch.setattr(sys, "prefix", str(tmp_path))
+    monkeypatch.setattr(typecheck, "_cache", None)
+    return tmp_path
+
+
+def contents(folder: Path) -> dict[Path, bytes]:
+    return {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+def test_the_environment_keeps_what_mypy_knows_and_no_program_changes_it(
+    environment: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    outdated = environment / "share" / "rclpy-workbook" / "mypy" / "of_another_rclpy"
+    outdated.mkdir(parents=True)
+    good = NODE.format(period="2.0", value="99.5")
+    assert type_check(good) == ()
+    [kept] = outdated.parent.iterdir()
+    assert kept == kept_folder()
+    before = contents(kept)
+    assert sum(map(len, before.values())) > 1_000_000
+
+    monkeypatch.setattr(typecheck, "_cache", None)  # as in the next process
+    monkeypatch.setattr(typecheck, "_learn", lambda *_: pytest.fail("it is there"))
+    assert type_check("from rclpy.node import Node\n\nNode.publish = 1\n")[0].code == "attr-defined"
+    assert type_check(good) == ()
+    assert contents(kept) == before
+
+
+def test_where_the_environment_is_read_only_mypy_begins_from_nothing(
+    environment: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    assert codes(NODE.format(period='"2 s"', value="1.0")) == [(9, "arg-type")]
+    assert list(environment.iterdir()) == []
 
 
 def test_it_is_ended_after_minutes_whatever_it_does(monkeypatch: pytest.MonkeyPatch) -> None:

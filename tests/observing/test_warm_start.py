@@ -59,11 +59,14 @@ IMPORTS = (
     "import std_msgs.msg as messages; from rclpy import executors",
     "from rclpy.executors import SingleThreadedExecutor; import rclpy; rclpy.init(); rclpy.create_node('a_node')",
     "from sensor_msgs.msg import JointState",
+    "import numpy",
+    "from numpy.linalg import norm; import numpy as np; norm(np.eye(3)); np.random.default_rng(1)",
+    "from std_srvs.srv import Trigger; import rclpy; rclpy.init(); rclpy.create_node('a').create_client(Trigger, 'b')",
 )
 NAMES = """\
 {line}
 import hashlib, sys
-for package in ("rclpy", "std_msgs", "rosgraph_msgs", "rcl_interfaces", "sensor_msgs"):
+for package in ("rclpy", "std_msgs", "rosgraph_msgs", "rcl_interfaces", "sensor_msgs", "std_srvs", "numpy"):
     seen = [
         (name, module.__name__, getattr(module.__spec__, "name", None), sorted(vars(module)))
         for name, module in sorted(sys.modules.items())

@@ -207,6 +207,11 @@ _KNOWN = (
 _ERROR_LINE = re.compile(
     r"^(?P<name>[A-Za-z_][\w.]*(?:Error|Exception|Interrupt|Handle|Iteration|Exit))(?::.*)?$"
 )
+_EXECUTOR_LEFT = re.compile(
+    r"Exception ignored in: <function Executor\.__del__ at \S+>\n"
+    + re.escape(TRACEBACK)
+    + r":\n(?: .*\n)+\S*InvalidHandle: .*\n?"
+)
 _FRAME = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)')
 
 
@@ -215,6 +220,7 @@ def find_mishap(log: str, program_name: str = "") -> Mishap | None:
 
     Only frames of the student's own file (`program_name`) give the line number, when the name is known.
     """
+    log = without_executors_end(log)
     last = max(0, log.rfind(TRACEBACK))
     if TRACEBACK in log[:last] and re.search(_OVERTAKEN, log[last:]):
         return find_mishap(log[:last], program_name)  # what had gone wrong before that matters more
@@ -247,6 +253,16 @@ def find_mishap(log: str, program_name: str = "") -> Mishap | None:
     )
 
 
+def without_executors_end(log: str) -> str:
+    """The log without what rclpy says when an executor is thrown away after a part of it was.
+
+    Python may throw away an executor's guard condition before the executor, which then wants to give it back. That
+    changes nothing and is no fault of the program. Seen twice in some thousand ends.
+    Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/executors.py (Executor.__del__).
+    """
+    return _EXECUTOR_LEFT.sub("", log)
+
+
 def shutdown_overtaken(log: str) -> bool:
     """Whether the only error in a log is that Ctrl-C overtook `rclpy.try_shutdown()`.
 
@@ -255,14 +271,18 @@ def shutdown_overtaken(log: str) -> bool:
     processors with work for ten.
     Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py (Context.try_shutdown).
     """
+    log = without_executors_end(log)
     return log.count(TRACEBACK) == 1 and re.search(_OVERTAKEN, log) is not None
 
 
 def ended_in_order(exit_code: int | None, end_log: str) -> bool:
-    """Whether a program ended with exit code 0 and no traceback, or would have but for `shutdown_overtaken`."""
+    """Whether a program ended with exit code 0 and no traceback, or would have but for what rclpy itself does.
+
+    See `shutdown_overtaken` and `without_executors_end`.
+    """
     if exit_code == 1:
         return shutdown_overtaken(end_log)
-    return exit_code == 0 and TRACEBACK not in end_log
+    return exit_code == 0 and TRACEBACK not in without_executors_end(end_log)
 
 
 def failed_by_error(

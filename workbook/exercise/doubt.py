@@ -14,6 +14,8 @@ from workbook.observing.watch import Plan
 HELD_UP_SHARE = 0.25
 """Share of the shortest judged period. A gap of half a period more is what fails a rate."""
 LEAST_HELD_UP_S = 0.1
+IN_LINE_SHARE = 0.1
+"""Share of the watch for which a program may be ready to run without a processor."""
 FEW = 2
 """A message that comes late once makes one gap too long and the next too short."""
 
@@ -40,6 +42,7 @@ def doubt_about(
         or _node_stayed(recording)
         or _clocks_contradict(lost, on_robot_time)
         or _held_up(lost, recording, plan)
+        or _starved(recording)
         or _late_once(lost, recording, periods)
     )
 
@@ -105,6 +108,16 @@ def _held_up(lost: Sequence[CriterionResult], recording: Recording, plan: Plan) 
     about_time = any(result.about_time for result in lost)
     if recording.clock == "wall" and about_time and recording.held_up_s >= longest:
         return f"this machine was so busy that the judge itself had to wait for {recording.held_up_s:.2f} s"
+    return ""
+
+
+def _starved(recording: Recording) -> str:
+    """On the wall clock a program that stands in line for a processor is late with everything, whatever is judged."""
+    if recording.clock == "wall" and 0.0 < IN_LINE_SHARE * recording.robot_s <= recording.in_line_s:
+        return (
+            f"this machine was so busy that the program stood in line for {recording.in_line_s:.1f} s "
+            f"of {recording.robot_s:.0f} s"
+        )
     return ""
 
 

@@ -30,12 +30,12 @@ class Regraded:
 def regrade(out: Path, exercise: Exercise) -> list[Regraded]:
     """Judge the stored recording of every student again; new results are appended, nothing is run.
 
-    Results that were made under these very criteria are left as they are.
+    Results that were made under these very criteria are left as they are. Raises FolderInUse.
     """
-    known = last_results(out / RESULTS)
-    mine = [result for (_, stem), result in sorted(known.items()) if stem == exercise.stem]
     book = ResultsFile(out / RESULTS)
     try:
+        known = last_results(out / RESULTS)
+        mine = [result for (_, stem), result in sorted(known.items()) if stem == exercise.stem]
         return [_again(out, exercise, result, book) for result in mine if result["status"] == "graded"]
     finally:
         book.close()

@@ -14,6 +14,7 @@ from workbook.grading.hand_ins import HandIn, find_hand_ins
 from workbook.grading.pool import Isolation, Job, Judges, LocalSlots
 from workbook.grading.results import (
     RESULTS,
+    Done,
     Result,
     ResultsFile,
     done_before,
@@ -93,7 +94,7 @@ class Batch:
         self._exercise = exercise
         self._out = out
         self._judges = LocalSlots(slots, isolation) if judges is None else judges
-        self._earlier = done_before(out / RESULTS, exercise.stem)
+        self._earlier: dict[str, Done] = {}
 
     def _is_done(self, hand_in: HandIn, sha256: str) -> bool:
         known = self._earlier.get(hand_in.student)
@@ -142,11 +143,12 @@ class Batch:
         """Grade everything below `paths` that is new or changed.
 
         `progress` is called after each answer; `stop` is asked before each new one. Raises FileNotFoundError for a
-        path that is not there.
+        path that is not there, FolderInUse when another grader writes to the same folder.
         """
         began = time.monotonic()
         hand_ins = self.hand_ins(paths)
         book = ResultsFile(self._out / RESULTS)
+        self._earlier = done_before(self._out / RESULTS, self._exercise.stem)
         jobs: list[Job[HandIn]] = []
         kept = done = 0
         try:

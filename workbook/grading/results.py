@@ -1,5 +1,6 @@
 """`results.jsonl`: one line per judged answer, the one truth that every export is made from."""
 
+import fcntl
 import hashlib
 import json
 import os
@@ -213,15 +214,32 @@ def done_before(path: Path, exercise: str) -> dict[str, Done]:
     }
 
 
+class FolderInUse(OSError):
+    """Another grader writes to the same folder. The message says which, and what to do."""
+
+
 class ResultsFile:
-    """Appends results, each flushed to the disk before the next answer counts as done."""
+    """Appends results, each flushed to the disk before the next answer counts as done.
+
+    One at a time: raises FolderInUse while another process has it open.
+    """
 
     def __init__(self, path: Path) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
+        self._file = path.open("a", encoding="utf-8")
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            self._file.close()
+            raise FolderInUse(
+                f"another grader is writing to {path.parent}. Wait until it has finished, or name another folder "
+                "with --out"
+            ) from None
+        except OSError:
+            pass  # this file system knows no locks
         self._drop_torn_line(path)
         for half_written in (path.parent / "recordings").glob("*.part"):
             half_written.unlink(missing_ok=True)
-        self._file = path.open("a", encoding="utf-8")
 
     @staticmethod
     def _drop_torn_line(path: Path) -> None:

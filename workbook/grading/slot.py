@@ -25,7 +25,7 @@ from workbook.exercise.judging import Judge, Judgement
 from workbook.observing.orphans import StillThere, adopt_orphans, sweep_orphans
 from workbook.observing.tiers import Isolation, named_tier, walls
 from workbook.observing.uids import Ids
-from workbook.observing.warm_start import ForkServer
+from workbook.observing.warm_start import ForkServer, own_server
 from workbook.observing.watch import Observer
 from workbook.ros.environment import child_environment
 
@@ -102,6 +102,8 @@ def serve(isolation: Isolation, ids: Ids | None = None) -> None:
         limits["files"] = FILES
         cage = replace(cage, server=server)
         server.start(cage.environment(child_environment(0, log_folder=Path(os.devnull))))
+    else:
+        own_server.keep()
     with contextlib.closing(server), Observer(cage=cage, confinement=confinement) as observer:
         judge = Judge(observer, limits)
         send({"ready": os.getpid()})
@@ -122,7 +124,7 @@ def serve(isolation: Isolation, ids: Ids | None = None) -> None:
             except Exception as error:
                 message = {"final": True, "error": f"{type(error).__name__}: {error}"}
             try:
-                sweep_orphans(keep=server.pid)
+                sweep_orphans(keep=server.pid or own_server.pid)
             except StillThere as error:
                 message = {"final": True, "error": str(error)}
             send(message)

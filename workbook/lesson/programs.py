@@ -7,12 +7,13 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
 
-from workbook.criteria.mishaps import shutdown_overtaken
+from workbook.criteria.mishaps import shutdown_overtaken, without_executors_end
 from workbook.magics.readiness import wait_until_it_serves
 from workbook.magics.running import node_names, wait_for_nodes
 from workbook.observing.process import NodeProcess, ros_arguments
 from workbook.observing.process import processor_seconds as processor_time_of
 from workbook.observing.recording import Clock, ProcessRecord, Recording
+from workbook.observing.warm_start import own_server
 from workbook.observing.watch import SPEEDS, Observer, Plan
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
@@ -21,6 +22,7 @@ LOOK_S = 0.02
 AT_WORK_WITHIN_S = 30.0
 SETTLE_S = 1.0
 
+own_server.keep()  # a lesson runs many programs
 _started: dict[str, NodeProcess] = {}
 
 
@@ -145,10 +147,12 @@ def run_program(
     The program is ended after `seconds` at the latest, so nothing in it can hang the notebook. With `silence` it is
     ended when it has said nothing for so many seconds after its first words: how long it takes to start does not
     count. With `interrupt_at` it gets Ctrl-C (SIGINT) as soon as it has printed that text. It runs on a domain of its
-    own. Where rclpy itself spoiled the end (see `shutdown_overtaken`), the program is run once more.
+    own. Where rclpy itself spoiled the end (see `shutdown_overtaken` and `without_executors_end`), the program is run
+    once more.
     """
     ended = _run_once(code, seconds, arguments, interrupt_at, silence)
-    if shutdown_overtaken(ended.log + ended.end_log):
+    log = ended.log + ended.end_log
+    if shutdown_overtaken(log) or without_executors_end(log) != log:
         ended = _run_once(code, seconds, arguments, interrupt_at, silence)
     return ended
 

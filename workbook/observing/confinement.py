@@ -10,6 +10,7 @@ from pathlib import Path
 from workbook.observing.orphans import sweep_orphans
 from workbook.observing.sandbox import NOT_FOR_ANSWERS, SYSTEM_FILES, SYSTEM_FOLDERS, interpreter_folders
 from workbook.observing.uids import Ids
+from workbook.observing.warm_start import own_server
 
 CONFINE = Path(__file__).with_name("confine.py")
 READABLE_DEVICES = ("/dev/zero", "/dev/full", "/dev/random", "/dev/urandom")
@@ -24,7 +25,7 @@ class Confinement:
     """How programs are kept in. `ids`: whose user they run as; `landlock`: hide the files of the machine.
 
     With neither they have resource limits and nothing else. `adopts`: this process adopts what they leave behind (see
-    `adopt_orphans`), and has no other children.
+    `adopt_orphans`), and has no other children but its fork server.
     """
 
     ids: Ids | None = None
@@ -91,5 +92,5 @@ class Confinement:
         """
         left = self.ids is not None and self.ids.sweep()
         if self.adopts:
-            left = sweep_orphans() > 0 or left
+            left = sweep_orphans(keep=own_server.pid) > 0 or left
         return left

@@ -3,9 +3,10 @@
     python -P fork_server.py CHANNEL
 
 CHANNEL is the number of an inherited socket. On it comes one request after another (see `Request`), each with two
-descriptors: where the program's output goes, and where to tell what became of it. For each, an usher is forked, which
-joins the box that was made for the program and forks the program into it. The program is shut in before a line of the
-answer is read: in the name spaces of its box, without capabilities, with nothing open but its output.
+descriptors: where the program's output goes, and where to tell what became of it. For each, an usher is forked, and it
+forks the program, after joining the box that was made for it, if there is one. Such a program is shut in before a line
+of the answer is read: in the name spaces of its box, without capabilities, with nothing open but its output. A program
+without a box dies with its usher, and that with this process.
 
 A program must not notice that something was imported before it. So the modules are put on a shelf (`Shelf`) and come
 out only when the program imports them.
@@ -35,6 +36,9 @@ REQUEST_BYTES = 100_000
 PR_SET_PDEATHSIG = 1
 SIGSET_BYTES = 128
 FENCE = "--fence"
+MARK = b"WORKBOOK_RUN="
+MARK_BYTES = 80
+"""Room for the mark of a program (see `Mark`), which whoever starts this process leaves in its environment: blanks."""
 FAILED = 126
 NAMESPACES = 0x10000000 | 0x00020000 | 0x20000000 | 0x08000000 | 0x04000000 | 0x02000000
 """CLONE_NEWUSER, NEWNS, NEWPID, NEWIPC, NEWUTS, NEWCGROUP. The network is that of the observer, as for any answer."""
@@ -45,16 +49,27 @@ WARMED = (
     "rclpy.time_source",
     "rosgraph_msgs.msg",
     "std_msgs.msg",
+    "std_srvs.srv",
+    "numpy",  # every first node imports it: messages with arrays need it
 )
+TYPE_SUPPORT = (
+    "builtin_interfaces",
+    "rcl_interfaces",
+    "rosgraph_msgs",
+    "service_msgs",
+    "std_msgs",
+    "std_srvs",
+    "type_description_interfaces",
+)
+"""Packages whose compiled part is loaded when the first node, publisher, subscription or service is made."""
 CHECKS = "ros_python_check_fields"
-TYPES = ("Float32", "Float64", "Float64MultiArray", "Int32", "String")
 
 _libc = ctypes.CDLL(None, use_errno=True)
 
 
 @dataclass(frozen=True)
 class Request:
-    """One program to start: the first process of its box, and what `host.start` and the program are given."""
+    """One program to start: the first process of its box (0: none), and what `host.start` and the program are given."""
 
     box: int
     arguments: list[str]
@@ -100,6 +115,8 @@ class Shelf:
 
     def _note(self, name: str, importer: dict[str, Any], fromlist: Iterable[str], level: int) -> None:
         who = importer.get("__name__")
+        if who == "importlib._bootstrap":
+            who = _compiled_module_being_loaded()
         if not isinstance(who, str):
             return
         base = importlib.util.resolve_name("." * level + name, importer["__package__"]) if level else name
@@ -130,16 +147,26 @@ class Shelf:
                 importlib.import_module(name)
 
 
+def _compiled_module_being_loaded() -> str | None:
+    """Whose import a compiled module makes while it is loaded: the import system seems to ask for it itself."""
+    frame: types.FrameType | None = sys._getframe()
+    while frame is not None:
+        spec = frame.f_locals.get("spec")
+        if frame.f_globals.get("__name__") == "importlib._bootstrap" and isinstance(spec, ModuleSpec):
+            return spec.name
+        frame = frame.f_back
+    return None
+
+
 def import_what_answers_need() -> None:
-    """Import rclpy and the messages that most answers use.
+    """Import rclpy, what the first node loads, and the messages that most answers use.
 
     Not the middleware: which one it is, a program may choose with RMW_IMPLEMENTATION until it makes a context.
     """
     for name in WARMED:
         importlib.import_module(name)
-    messages = sys.modules["std_msgs.msg"]
-    for name in TYPES:
-        type(getattr(messages, name)).__import_type_support__()
+    for package in TYPE_SUPPORT:
+        importlib.import_module(f"{package}.{package}_s__rosidl_typesupport_c")
 
 
 def load(name: str) -> types.ModuleType:
@@ -180,6 +207,28 @@ class Tracer:
             self._library.ust_after_fork_child(self._signals)
 
 
+class Mark:
+    """The variable by which others find a program, and all that came of it, among the processes of the machine.
+
+    The kernel goes on showing the environment that this process was started with, from its memory: there the mark has
+    to be written.
+    """
+
+    def __init__(self) -> None:
+        with open("/proc/self/stat") as file:
+            fields = file.read().rsplit(")", 1)[1].split()
+        begin, end = (int(text) for text in fields[47:49])  # env_start and env_end, see proc(5)
+        place = ctypes.string_at(begin, end - begin).find(MARK + b" " * MARK_BYTES)
+        self._address = begin + place + len(MARK) if place >= 0 else 0
+
+    def write(self, mark: str) -> None:
+        """Show `mark` as the mark of this process. Raises ValueError when there is no room for it."""
+        text = mark.encode()
+        if not self._address or len(text) > MARK_BYTES:
+            raise ValueError(f"there is no room for the mark {mark!r}")
+        ctypes.memmove(self._address, text.ljust(MARK_BYTES, b"\0"), MARK_BYTES)
+
+
 def join_box(first: int) -> None:
     """Enter the name spaces of the process `first`; the process space takes effect for children.
 
@@ -192,12 +241,16 @@ def join_box(first: int) -> None:
         os.close(descriptor)
 
 
-def become_program(request: Request, output: int, tracer: Tracer) -> None:
+def become_program(request: Request, parent: int, output: int, tracer: Tracer, mark: Mark) -> None:
     """Turn this forked process into the one that runs the answer."""
     try:
-        powers.close_the_bounds()
-        powers.be_powerless()
-        powers.be_seen()
+        if request.box:
+            powers.close_the_bounds()
+            powers.be_powerless()
+            powers.be_seen()
+        else:
+            mark.write(request.environ[MARK.decode().rstrip("=")])
+            host.die_with_parent(parent)
         if FENCE in request.arguments:
             request.arguments.remove(FENCE)
             powers.fence()
@@ -210,35 +263,47 @@ def become_program(request: Request, output: int, tracer: Tracer) -> None:
         os.environ.clear()
         os.environ.update(request.environ)
     except BaseException as error:
-        os.write(output, f"the program could not be shut in: {error}\n".encode())
+        os.write(output, f"the program could not be started: {error}\n".encode())
         os._exit(FAILED)
 
 
-def usher(request: Request, output: int, status: int, tracer: Tracer) -> None:
+def tell(status: int, text: str) -> bool:
+    """Write to whoever waits for the program. Returns False when nobody does any more."""
+    try:
+        os.write(status, text.encode())
+    except OSError:
+        return False
+    return True
+
+
+def usher(request: Request, output: int, status: int, tracer: Tracer, mark: Mark) -> None:
     """In a fork: bring the program into its box. Returns in the program; the usher itself ends here.
 
     It writes the program's process number to `status`, and how it ended (as `os.waitpid` has it) when it has.
-    With the program all that it has started ends: the box goes.
+    With a program in a box all that it has started ends: the box goes.
     """
     code = 1
     try:
         _libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
-        join_box(request.box)
+        if request.box:
+            join_box(request.box)
+        parent = os.getpid()
         program = os.fork()
         if program == 0:
-            become_program(request, output, tracer)
+            become_program(request, parent, output, tracer, mark)
             return
         os.close(output)
-        os.write(status, f"{program}\n".encode())
+        if not tell(status, f"{program}\n"):
+            os.kill(program, signal.SIGKILL)
         _, ended = os.waitpid(program, 0)
-        with contextlib.suppress(
-            ProcessLookupError
-        ):  # whoever has ended the box has ended the program with it
-            os.kill(request.box, signal.SIGKILL)
-        os.write(status, f"{ended}\n".encode())
+        if request.box:
+            # Whoever has ended the box already has ended the program, too.
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(request.box, signal.SIGKILL)
+        tell(status, f"{ended}\n")
         code = 0
     except BaseException as error:
-        os.write(status, f"failed: {error}\n".encode())
+        tell(status, f"failed: {error}\n")
     os._exit(code)
 
 
@@ -251,7 +316,7 @@ def _reap() -> None:
         pass
 
 
-def serve(channel: socket.socket, tracer: Tracer) -> list[str] | None:
+def serve(channel: socket.socket, tracer: Tracer, mark: Mark) -> list[str] | None:
     """Fork a program for each request. Returns its arguments in the program, None when the channel is closed."""
     while True:
         try:
@@ -265,7 +330,7 @@ def serve(channel: socket.socket, tracer: Tracer) -> list[str] | None:
         tracer.before_fork()
         if os.fork() == 0:
             channel.detach()
-            usher(request, output, status, tracer)
+            usher(request, output, status, tracer, mark)
             return request.arguments
         tracer.after_fork_in_parent()
         os.close(output)
@@ -274,7 +339,6 @@ def serve(channel: socket.socket, tracer: Tracer) -> list[str] | None:
 
 
 def main() -> None:
-    host = load("host")
     importlib.import_module("rclpy.context")  # as the host does for every answer
     shelf = Shelf()
     shelf.fill(import_what_answers_need)
@@ -283,11 +347,12 @@ def main() -> None:
     channel.send(b"ready")
     gc.collect()
     gc.freeze()
-    arguments = serve(channel, Tracer())
+    arguments = serve(channel, Tracer(), Mark())
     if arguments is not None:
         host.start(arguments)
 
 
+host = load("host")
 powers = load("powers")
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from workbook.observing.confinement import Confinement
@@ -17,7 +18,7 @@ from workbook.observing.recording import ProcessRecord
 from workbook.observing.sandbox import ANSWER_FOLDER, HOME, Cage, exit_status, first_pid, program_pid
 from workbook.observing.tree import process_tree, read_proc
 from workbook.observing.usage import limits_told, memory_of, most_files
-from workbook.observing.warm_start import ForkServer, NoWarmStart, WarmProgram
+from workbook.observing.warm_start import RUN_MARK, ForkServer, NoWarmStart, WarmProgram, own_server
 from workbook.ros.domains import domain_of_port
 from workbook.ros.environment import child_environment, profile_with_lease
 from workbook.ros.scratch import remove_scratch, scratch_folder
@@ -25,7 +26,6 @@ from workbook.ros.scratch import remove_scratch, scratch_folder
 HOST = Path(__file__).with_name("host.py")
 LOG_KEPT_BYTES = 8_000
 LOG_LIMIT_BYTES = 50_000_000
-RUN_MARK = "WORKBOOK_RUN"
 PROFILE = "profile.xml"
 TURN_S = 0.05
 COUNT_EVERY_S = 0.05
@@ -190,6 +190,16 @@ def _place(name: str, files: Mapping[str, Path], cage: Cage | None) -> str:
     return str(files[name]) if cage is None else f"{ANSWER_FOLDER}/{name}"
 
 
+@dataclass(frozen=True)
+class _Order:
+    """A program to start: what the host is told, its files by name, its environment, and where its output goes."""
+
+    wanted: Sequence[str]
+    files: Mapping[str, Path]
+    environ: Mapping[str, str]
+    output_fd: int
+
+
 class NodeProcess:
     """A program that runs as its own process, in its own session, and whose whole tree ends with `stop`.
 
@@ -227,11 +237,7 @@ class NodeProcess:
         self._domains_used: tuple[int, ...] = ()
         self._processor: list[tuple[float, float]] = []
         self.killed = False
-        wanted: list[str] = []
-        if cage is None:  # a cage dies with us by itself, and its processes do not know our number
-            wanted += ["--parent", str(os.getpid())]
-        else:
-            wanted += ["--fence"]
+        wanted = ["--fence"] if cage is not None else []
         self._limits = limits = dict(limits or {})
         for name, value in (limits if cage else self._confinement.host_limits(limits)).items():
             if name != "files":  # the kernel has no such limit
@@ -253,10 +259,8 @@ class NodeProcess:
         self._box: subprocess.Popen[bytes] | None = None
         self.started_at = time.monotonic()
         try:
-            warm = None
-            if cage is not None and cage.server is not None and not check_fields:
-                warm = self._start_warm(cage, cage.server, wanted, files, environ, write_fd)
-            self._process = warm or self._start_fresh(cage, wanted, files, environ, write_fd)
+            order = _Order(wanted, files, environ, write_fd)
+            self._process = self._start_warm(cage, order) or self._start_fresh(cage, order)
         except OSError:
             os.close(read_fd)
             os.close(self._info_fd)
@@ -271,37 +275,39 @@ class NodeProcess:
             )
             guard.start()
 
-    def _start_fresh(
-        self,
-        cage: Cage | None,
-        wanted: Sequence[str],
-        files: Mapping[str, Path],
-        environ: Mapping[str, str],
-        output_fd: int,
-    ) -> subprocess.Popen[bytes]:
-        command = [sys.executable, "-P", str(HOST), *wanted]
+    def _start_fresh(self, cage: Cage | None, order: _Order) -> subprocess.Popen[bytes]:
+        environ = order.environ
         if cage is not None:
-            command = cage.command(command, files, environ, self._info_fd)
-        else:
+            command = [sys.executable, "-P", str(HOST), *order.wanted]
+            command = cage.command(command, order.files, order.environ, self._info_fd)
+        else:  # a cage dies with us by itself, and its processes do not know our number
+            command = [sys.executable, "-P", str(HOST), "--parent", str(os.getpid()), *order.wanted]
             command, environ = self._confinement.enter(
-                command, environ, self._limits, shelf=self._shelf, scratch=self._folder
+                command, order.environ, self._limits, shelf=self._shelf, scratch=self._folder
             )
-        return self._popen(command, environ, output_fd, output_fd)
+        return self._popen(command, environ, order.output_fd, order.output_fd)
 
-    def _start_warm(
-        self,
-        cage: Cage,
-        server: ForkServer,
-        wanted: Sequence[str],
-        files: Mapping[str, Path],
-        environ: Mapping[str, str],
-        output_fd: int,
-    ) -> WarmProgram | None:
+    def _start_warm(self, cage: Cage | None, order: _Order) -> WarmProgram | None:
+        """Fork the program from a Python that has loaded what programs need. None if that does not work here."""
+        if cage is not None and cage.server is not None:
+            return self._start_in_box(cage, cage.server, order)
+        server = None if cage is not None or self._confinement.shuts_in else own_server.ready()
+        if server is None:
+            return None
+        try:
+            return server.spawn(0, order.wanted, order.environ, str(self._folder), order.output_fd)
+        except NoWarmStart:
+            return None
+
+    def _start_in_box(self, cage: Cage, server: ForkServer, order: _Order) -> WarmProgram | None:
         """Make an empty box and fork the program into it. None if that does not work here."""
-        server.start(cage.environment(environ))
+        environ = cage.environment(order.environ)
+        server.start(environ)
         ready_fd, said_fd = os.pipe()
         try:
-            self._box = self._popen(cage.empty_box(files, self._info_fd), environ, said_fd, output_fd)
+            self._box = self._popen(
+                cage.empty_box(order.files, self._info_fd), order.environ, said_fd, order.output_fd
+            )
         finally:
             os.close(said_fd)
         with os.fdopen(ready_fd, "rb") as ready:
@@ -310,7 +316,7 @@ class NodeProcess:
         try:
             if first is None:
                 raise NoWarmStart("there is no box")
-            return server.spawn(first, wanted, cage.environment(environ), HOME, output_fd)
+            return server.spawn(first, order.wanted, environ, HOME, order.output_fd)
         except NoWarmStart:
             self._box.kill()
             self._box.wait()

@@ -10,6 +10,8 @@ LONGEST_WAIT_S = 0.25
 BUDGET_S = 4.0
 OWN_THREADS = b"dds."
 _POLL_S = 0.0005
+# Of the time waited so far. To look more often would only take the core that the program waits for.
+_POLL_SHARE = 0.2
 _LIST_EVERY_S = 0.1
 
 
@@ -28,6 +30,7 @@ class Rest:
         self._left = BUDGET_S
         self._listed = -_LIST_EVERY_S
         self._states: dict[str, int] = {}
+        self._suspect: int | None = None  # was at work when we last looked, and probably still is
 
     def wait(self) -> bool:
         """Return as soon as all is at rest, or when patience is at an end. Returns whether it was at rest."""
@@ -35,8 +38,8 @@ class Rest:
             return True
         began = time.monotonic()
         limit = min(LONGEST_WAIT_S, self._left)
-        while time.monotonic() - began < limit:
-            time.sleep(_POLL_S)
+        while (waited := time.monotonic() - began) < limit:
+            time.sleep(max(_POLL_S, _POLL_SHARE * waited))
             if self.now():
                 return True
         self._left = max(0.0, self._left - limit)
@@ -46,14 +49,18 @@ class Rest:
         """Whether all is at rest at this moment."""
         if time.monotonic() - self._listed >= _LIST_EVERY_S:
             self._list()
-        return not any(map(_is_at_work, self._states.values()))
+        if self._suspect is None or not _is_at_work(self._suspect):
+            self._suspect = next(filter(_is_at_work, self._states.values()), None)
+        return self._suspect is None
 
     def close(self) -> None:
+        self._suspect = None
         while self._states:
             os.close(self._states.popitem()[1])
 
     def _list(self) -> None:
         self._listed = time.monotonic()
+        self._suspect = None
         wanted = {f"/proc/self/task/{task}/stat" for task in _own_tasks()}
         for pid in process_tree(self._pid):
             wanted |= {f"/proc/{pid}/task/{task}/stat" for task in _tasks(pid)}

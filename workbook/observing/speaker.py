@@ -16,6 +16,7 @@ from workbook.observing.values import plain
 from workbook.ros.messages import message_class, service_class
 
 SERVED_EVERY_S = 0.005
+LATE_S = 0.02
 
 
 def fill(message: Any, value: Mapping[str, Any]) -> Any:
@@ -43,14 +44,26 @@ def _qos(part: Says) -> QoSProfile:
 
 @dataclass
 class _Due:
-    """Lines of a part that are still to come."""
+    """Lines of a part that are still to come, and by how much (s) they are later than planned."""
 
     lines: list[Line]
+    late_s: float = 0.0
+
+    def next_at(self) -> float:
+        return self.lines[0].at + self.late_s if self.lines else math.inf
 
     def take(self, t: float) -> list[Line]:
-        now = [line for line in self.lines if line.at <= t]
+        now = [line for line in self.lines if line.at + self.late_s <= t]
         self.lines = self.lines[len(now) :]
         return now
+
+    def take_apart(self, t: float) -> list[Line]:
+        """Only what is planned for one moment. If it comes late, so does all that follows: the pauses stay."""
+        if self.next_at() > t:
+            return []
+        if t - self.next_at() > LATE_S:
+            self.late_s = t - self.lines[0].at
+        return self.take(self.next_at())
 
 
 class Speaker:
@@ -93,13 +106,24 @@ class Speaker:
         )
         return heard and all(called.client.service_is_ready() for called in self._clients)
 
-    def play(self, t: float) -> None:
-        """Say all that is due at robot time `t` (s), and see to the services."""
-        self._say(t)
+    def play(self, t: float, *, keep_pauses: bool = False) -> None:
+        """Say all that is due at robot time `t` (s), and see to the services.
+
+        With `keep_pauses`, lines that are late are not said all at once, which nobody had planned: what follows one
+        that is late comes as much later.
+        """
+        take = _Due.take_apart if keep_pauses else _Due.take
+        self._say(t, take)
         for called in self._clients:
-            for line in called.due.take(t):
+            for line in take(called.due, t):
                 self._ask(called, line)
         self.poll()
+
+    @property
+    def late_s(self) -> float:
+        """How much later (s) than planned the last lines come."""
+        dues = [due for _, _, due in self._publishers] + [called.due for called in self._clients]
+        return max((due.late_s for due in dues), default=0.0)
 
     def poll(self) -> None:
         """Take requests and responses that have come, and send the responses that are due."""
@@ -113,8 +137,8 @@ class Speaker:
 
         Whoever calls or is called may come at any moment: while there is a service, a short time at most.
         """
-        due = [due.lines[0].at - t for _, _, due in self._publishers if due.lines]
-        due += [called.due.lines[0].at - t for called in self._clients if called.due.lines]
+        due = [due.next_at() - t for _, _, due in self._publishers]
+        due += [called.due.next_at() - t for called in self._clients]
         if self._services or self._clients:
             due.append(SERVED_EVERY_S)
         return max(0.0, min(due, default=math.inf))
@@ -129,9 +153,9 @@ class Speaker:
         moment = time.monotonic()
         return round(self._robot_time(moment), 6), round(moment - self.started_at, 4)
 
-    def _say(self, t: float) -> None:
+    def _say(self, t: float, take: Callable[[_Due, float], list[Line]] = _Due.take) -> None:
         for part, publisher, due in self._publishers:
-            for line in due.take(t):
+            for line in take(due, t):
                 message = fill(message_class(part.type)(), line.value)
                 now, wall = self._now()
                 if line.at <= BEFORE_START:

@@ -12,6 +12,17 @@ def read_proc(path: str) -> bytes:
         return file.read()
 
 
+def seconds_in_line(pid: int) -> float:
+    """How long (s) a process was ready to run and had no processor, up to now; zero when it has ended.
+
+    Counted for its first thread. Source: https://docs.kernel.org/scheduler/sched-stats.html (/proc/<pid>/schedstat).
+    """
+    try:
+        return int(read_proc(f"/proc/{pid}/schedstat").split()[1]) / 1e9
+    except (OSError, IndexError):
+        return 0.0
+
+
 def children(pid: int) -> list[int]:
     """Processes that `pid` has started, or adopted; none when it has ended."""
     try:

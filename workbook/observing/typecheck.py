@@ -9,13 +9,16 @@ import ast
 import hashlib
 import io
 import json
+import os
 import re
 import resource
+import shutil
 import signal
 import subprocess
 import sys
 import tokenize
 from collections.abc import Iterator, Mapping, Sequence
+from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -32,6 +35,25 @@ SILENCED, UNCHECKED, UNFINISHED, NOTE = "silenced", "unchecked", "unfinished", "
 PROCESSOR_S = 30  # what counts: on a busy machine a minute may pass before mypy has had two seconds of it
 PATIENCE_S = 300.0
 MEMORY_BYTES = 2_500_000_000
+# What most programs import, as far as mypy takes long to read it.
+COMMON = (
+    *(
+        "asyncio",
+        "dataclasses",
+        "json",
+        "random",
+        "threading",
+        "rclpy",
+        "rclpy.action",
+        "rclpy.event_handler",
+    ),
+    *("rclpy.lifecycle", "rclpy.node", "rclpy.executors", "rclpy.parameter", "rclpy.qos", "rclpy.signals"),
+    *(
+        f"{path.parent.name}.{path.name}"
+        for path in sorted(TYPINGS.glob("*/*/"))
+        if path.name in ("msg", "srv")
+    ),
+)
 
 _IGNORE = re.compile(
     r"#\s*type:\s*ignore\b"
@@ -69,11 +91,13 @@ def type_check(
     for number, (name, text) in enumerate((probes or {}).items()):
         texts[f"probe_{number}"] = text
         names[f"probe_{number}"] = name
+    cache = _own_cache(settings, stubs)
     folder = scratch_folder("types")
     try:
         for module, text in texts.items():
             (folder / f"{module}.py").write_text(text, encoding="utf-8")
-        found = _run_mypy(folder, [f"{module}.py" for module in texts], settings, stubs, notes, processor_s)
+        files = [f"{module}.py" for module in texts]
+        found = _run_mypy(folder, files, settings, stubs, cache, notes, processor_s)
     finally:
         remove_scratch(folder)
     of_mypy = [Finding(names[module], line, code, message) for module, line, code, message in found]
@@ -82,12 +106,18 @@ def type_check(
 
 
 def _run_mypy(
-    folder: Path, files: Sequence[str], settings: Sequence[str], stubs: bool, notes: bool, processor_s: int
+    folder: Path,
+    files: Sequence[str],
+    settings: Sequence[str],
+    stubs: bool,
+    cache: Path,
+    notes: bool = False,
+    processor_s: int = PROCESSOR_S,
 ) -> list[tuple[str, int, str, str]]:
     """Run mypy over files of a folder: module, line, code and message of all that it says."""
     command = [
         sys.executable, "-P", "-m", "mypy", *settings, "--output=json", "--no-error-summary", "--show-error-codes",
-        "--explicit-package-bases", f"--cache-dir={_own_cache(settings, stubs)}", *files,
+        "--explicit-package-bases", f"--cache-dir={cache}", *files,
     ]  # fmt: skip
     environ = child_environment(0, log_folder=folder)
     environ = {name: value for name, value in environ.items() if not name.startswith("MYPY")}
@@ -144,11 +174,62 @@ def _read(said: str, notes: bool) -> Iterator[tuple[str, int, str, str]]:
 
 
 def _own_cache(settings: Sequence[str], stubs: bool) -> Path:
-    """mypy's cache of this process for these settings: the first check reads rclpy, the later ones are quick."""
+    """mypy's cache of this process for these settings. It begins as a copy of what the environment keeps.
+
+    Nobody else writes to it: what mypy concludes from one person's program must not reach another's check.
+    """
     global _cache
     if _cache is None or not _cache.is_dir():
         _cache = scratch_folder("mypy")
-    return _cache / hashlib.sha256("\n".join((*settings, str(stubs))).encode()).hexdigest()[:12]
+    cache = _cache / hashlib.sha256("\n".join((*settings, str(stubs))).encode()).hexdigest()[:12]
+    if not cache.is_dir():
+        kept = kept_folder() / cache.name
+        if not kept.is_dir():
+            _learn(kept, settings, stubs)
+        try:
+            shutil.copytree(kept, cache)
+        except OSError:  # nothing is kept here: mypy begins from nothing
+            shutil.rmtree(cache, ignore_errors=True)
+    return cache
+
+
+def kept_folder() -> Path:
+    """Where the environment keeps what mypy knows of rclpy and the messages, in a folder for each choice of settings.
+
+    Its name changes with whatever is installed, and with the stubs of the course.
+    """
+    state = hashlib.sha256(version("mypy").encode())
+    rclpy = find_spec("rclpy")
+    installed = [Path(rclpy.origin)] if rclpy is not None and rclpy.origin is not None else []
+    for path in [*installed, *sorted(TYPINGS.rglob("*.*"))]:
+        state.update(f"{path} {path.stat().st_mtime_ns}".encode())
+    return Path(sys.prefix, "share", "rclpy-workbook", "mypy", state.hexdigest()[:12])
+
+
+def _learn(kept: Path, settings: Sequence[str], stubs: bool) -> None:
+    """Let mypy read what most programs import, and keep what it learned: in an environment of ours to write to."""
+    if sys.prefix == sys.base_prefix or not os.access(sys.prefix, os.W_OK):
+        return
+    folder = scratch_folder("types")
+    try:
+        (folder / "common.py").write_text("".join(f"import {name}\n" for name in COMMON), encoding="utf-8")
+        cache = folder / "cache"
+        if _run_mypy(folder, ["common.py"], settings, stubs, cache):
+            return  # whatever it says will be said of the program itself, or is none of its business
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        whole = kept.with_name(f"{folder.name}.part")
+        shutil.copytree(cache, whole)
+        try:
+            whole.rename(kept)
+        except OSError:  # another process was quicker
+            shutil.rmtree(whole, ignore_errors=True)
+        for outdated in kept.parents[1].iterdir():
+            if outdated != kept.parent:
+                shutil.rmtree(outdated, ignore_errors=True)
+    except OSError:
+        return
+    finally:
+        remove_scratch(folder)
 
 
 # --- what keeps mypy from looking -----------------------------------------------------------------------------

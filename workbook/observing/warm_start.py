@@ -1,5 +1,6 @@
-"""Starting shut-in programs by forking, instead of a fresh Python for each: the other side of `fork_server.py`."""
+"""Starting programs by forking, instead of a fresh Python for each: the other side of `fork_server.py`."""
 
+import atexit
 import contextlib
 import json
 import os
@@ -13,6 +14,12 @@ import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from workbook.ros.environment import child_environment
+
+RUN_MARK = "WORKBOOK_RUN"
+"""The variable by which a program and what came of it are found among all processes."""
+MARK_BYTES = 80
+"""Room for it in the environment of a server: a forked process has no other that others could read."""
 SERVER = Path(__file__).with_name("fork_server.py")
 START_S = 30.0
 ANSWER_S = 10.0
@@ -73,12 +80,10 @@ class WarmProgram:
 
 
 class ForkServer:
-    """The process from which programs are forked. It starts with the first of them and ends with its owner.
-
-    Not for two threads at once.
-    """
+    """The process from which programs are forked. It starts with the first of them and ends with its owner."""
 
     def __init__(self) -> None:
+        self._turn = threading.RLock()
         self._process: subprocess.Popen[bytes] | None = None
         self._channel: socket.socket | None = None
         self._ready = False
@@ -90,31 +95,44 @@ class ForkServer:
 
     def start(self, environ: Mapping[str, str]) -> None:
         """Start the server, if it does not run, without waiting for it. What programs must not see is not for it."""
-        if self._process is not None and self._process.poll() is None:
-            return
-        self.close()
-        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        with theirs:
-            self._process = subprocess.Popen(
-                [sys.executable, "-P", str(SERVER), str(theirs.fileno())],
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                env=dict(environ),
-                cwd="/",
-                pass_fds=[theirs.fileno()],
-            )
-        self._channel = ours
+        with self._turn:
+            if self._process is not None and self._process.poll() is None:
+                return
+            self.close()
+            ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+            with theirs:
+                self._process = subprocess.Popen(
+                    [sys.executable, "-P", str(SERVER), str(theirs.fileno())],
+                    stdin=subprocess.DEVNULL,
+                    stdout=subprocess.DEVNULL,
+                    env=dict(environ),
+                    cwd="/",
+                    pass_fds=[theirs.fileno()],
+                    start_new_session=True,  # Ctrl-C is for its owner
+                )
+            self._channel = ours
+
+    def is_ready(self) -> bool:
+        """Whether it can fork a program at once."""
+        with self._turn:
+            if self._channel is None or self._process is None or self._process.poll() is not None:
+                return False
+            try:
+                return self._ready or bool(select.select([self._channel], [], [], 0.0)[0])
+            except (OSError, ValueError):
+                return False
 
     def spawn(
         self, box: int, arguments: Sequence[str], environ: Mapping[str, str], folder: str, output_fd: int
     ) -> WarmProgram:
-        """Fork a program into the box whose first process is `box`. Raises NoWarmStart."""
+        """Fork a program into the box whose first process is `box`, or into none (0). Raises NoWarmStart."""
         request = {"box": box, "arguments": [*arguments], "environ": dict(environ), "folder": folder}
         read_fd, write_fd = os.pipe()
         try:
-            self._wait_until_ready()
-            assert self._channel is not None
-            socket.send_fds(self._channel, [json.dumps(request).encode()], [output_fd, write_fd])
+            with self._turn:
+                self._wait_until_ready()
+                assert self._channel is not None
+                socket.send_fds(self._channel, [json.dumps(request).encode()], [output_fd, write_fd])
         except OSError as error:
             os.close(read_fd)
             self.close()
@@ -144,11 +162,56 @@ class ForkServer:
 
     def close(self) -> None:
         """End the server."""
-        self._ready = False
-        if self._channel is not None:
-            self._channel.close()
-            self._channel = None
-        if self._process is not None:
-            self._process.kill()
-            self._process.wait()
-            self._process = None
+        with self._turn:
+            self._ready = False
+            if self._channel is not None:
+                self._channel.close()
+                self._channel = None
+            if self._process is not None:
+                self._process.kill()
+                self._process.wait()
+                self._process = None
+
+
+class OwnServer:
+    """The server of this process, for programs that need not be shut in. Most processes start one or two: not worth it.
+
+    Whoever will start many says so with `keep`.
+    """
+
+    def __init__(self) -> None:
+        self._wanted = False
+        self._owner = 0
+        self._server: ForkServer | None = None
+        self._turn = threading.Lock()
+
+    def keep(self) -> None:
+        """From now on have a server, which starts beside the first program."""
+        self._wanted = True
+
+    def ready(self) -> ForkServer | None:
+        """The server if it can fork a program at once; otherwise None, and it begins to start if it is wanted."""
+        if not self._wanted:
+            return None
+        with self._turn:
+            if self._server is None or self._owner != os.getpid():  # a fork of its owner has none
+                self._server, self._owner = ForkServer(), os.getpid()
+                atexit.register(self.close)
+            if self._server.is_ready():
+                return self._server
+            environ = child_environment(0, log_folder=Path(os.devnull))
+            self._server.start({**environ, RUN_MARK: " " * MARK_BYTES})
+            return None
+
+    @property
+    def pid(self) -> int | None:
+        """Its process number; None while there is none."""
+        return None if self._server is None else self._server.pid
+
+    def close(self) -> None:
+        """End the server. The next program starts another one."""
+        if self._server is not None and self._owner == os.getpid():
+            self._server.close()
+
+
+own_server = OwnServer()

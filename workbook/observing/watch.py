@@ -21,6 +21,7 @@ from workbook.observing.rest import Rest
 from workbook.observing.sandbox import Cage
 from workbook.observing.script import NOTHING_SAID, Script
 from workbook.observing.speaker import Speaker
+from workbook.observing.tree import seconds_in_line
 from workbook.ros.domains import DomainLease, NoDomainFree, lease_domain
 from workbook.ros.environment import is_prepared, prepare
 
@@ -236,6 +237,7 @@ class Watch:
         self._follows: bool | None = None
         self._matched_wall: float | None = None
         self._held_up_s = 0.0
+        self._in_line_s = 0.0
 
     def _robot_time(self, moment: float) -> float:
         if self._clock is not None:
@@ -330,26 +332,32 @@ class Watch:
     def _run_wall_time(self, seconds: float) -> None:
         end = time.monotonic() + seconds
         next_look = 0.0
+        before = in_line = seconds_in_line(self._process.pid)
         while (left := end - time.monotonic()) > 0 and self._process.is_running():
             paused = time.monotonic()
             turn = min(TAKE_EVERY_S, left, self._speaker.until_next(self._robot_time(paused)))
             self._pause(turn)
             self._held_up_s = max(self._held_up_s, time.monotonic() - paused - turn)
-            self._speaker.play(self._robot_time(time.monotonic()))
+            self._speaker.play(self._robot_time(time.monotonic()), keep_pauses=True)
             self._recorder.take()
             if time.monotonic() > next_look:
                 self._recorder.look()
                 self._process.note_processor_time()
+                in_line = max(in_line, seconds_in_line(self._process.pid))
                 next_look = time.monotonic() + LOOK_EVERY_S
+        self._in_line_s += in_line - before
         self._recorder.take()
 
     def _left_to_watch(self) -> float:
-        """On the wall clock: real seconds until also the topic that was matched last has had its full watch."""
+        """On the wall clock: real seconds until also the topic that was matched last has had its full watch.
+
+        What is said late because we were held up takes as much longer.
+        """
         now = self._robot_time(time.monotonic())
         topics = self._recorder.topics(now)
         begins = [topics[name].window for name in self._plan.topics if name in topics]
         latest = max((window[0] for window in begins if window is not None), default=0.0)
-        return latest + self._plan.wall_s - now
+        return max(latest, self._speaker.late_s) + self._plan.wall_s - now
 
     def observe(self) -> Recording:
         """Watch the program as planned and return the recording. Does not end the program."""
@@ -443,6 +451,7 @@ class Watch:
             services=self._recorder.services(),
             clients=self._recorder.clients(),
             held_up_s=round(self._held_up_s, 4),
+            in_line_s=round(self._in_line_s, 4),
         )
 
     def finish(

@@ -1,11 +1,12 @@
 # loses: joint_rate
-"""Right values, as fast as it can."""
+"""Right values, as fast as it can for four seconds, and then still a thousand a second."""
 
 import rclpy
 from rclpy.node import Node
 from std_msgs.msg import Float32, Float32MultiArray, String
 
 import threading
+import time
 
 rclpy.init()
 robot = Node("flood")
@@ -14,7 +15,10 @@ joints = robot.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
 
 def flood():
     count = 0
+    began = time.monotonic()
     while rclpy.ok():
+        if time.monotonic() > began + 4.0:
+            time.sleep(0.001)
         count += 1
         joints.publish(Float32MultiArray(data=[(count % 100) / 100.0] * 12))
 

@@ -1,7 +1,7 @@
-"""Three nodes, one rhythm each, in one executor of several threads."""
+"""Three nodes, one rhythm each, in one executor."""
 
 import rclpy
-from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from std_msgs.msg import Float32, String
 
@@ -19,7 +19,7 @@ class Reporter(Node):
 
 def main():
     rclpy.init()
-    executor = MultiThreadedExecutor(num_threads=3)
+    executor = SingleThreadedExecutor()
     for what, message, period_s in (
         ("heartbeat", String(data="alive"), 1.0),
         ("battery", Float32(data=64.0), 2.0),
