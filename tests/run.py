@@ -67,6 +67,9 @@ def environment() -> dict[str, str]:
     environ = {name: value for name, value in os.environ.items() if not is_leftover(name)}
     environ.pop("PYTHONDONTWRITEBYTECODE", None)
     environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), environ.get("PATH", os.defpath)])
+    environ.setdefault(
+        "OPENBLAS_NUM_THREADS", "1"
+    )  # hundreds of processes: each would start a thread per processor
     environ["MPLBACKEND"] = environ.get("MPLBACKEND", "agg")
     return environ
 

@@ -92,7 +92,7 @@ class StudentLab:
         command = [Path(sys.executable).with_name("workbook"), "lab", "--no-browser", "--port=0"]
         self._process = subprocess.Popen(
             [sys.executable, "-c", _ENDS_WITH_ITS_PARENT, *command],
-            env={**environ, "HOME": str(home), "WORKBOOK_COURSE": str(course)},
+            env={**environ, "HOME": str(home), "WORKBOOK_COURSE": str(course), "OPENBLAS_NUM_THREADS": "1"},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,

@@ -1,5 +1,7 @@
 """A real scheduler and real workers on loopback: who is lost is judged elsewhere, who is poison harms nobody else."""
 
+import asyncio
+import gc
 import json
 import os
 import re
@@ -274,6 +276,28 @@ def test_a_scheduler_without_workers(farm: LittleFarm, tmp_path: Path) -> None:
     assert code == 2
     assert "has no workers" in said
     assert f".venv/bin/dask worker {farm.address} --nthreads" in said
+
+
+def test_waits_that_nobody_receives_are_not_told_to_the_instructor(caplog: pytest.LogCaptureFixture) -> None:
+    from distributed.client import AllExit
+
+    from workbook.grading.farm import quiet_about_lost_waits
+
+    async def end_with(error: BaseException) -> None:
+        raise error
+
+    async def leave_behind(*errors: BaseException) -> None:
+        asyncio.get_running_loop().set_exception_handler(quiet_about_lost_waits)
+        for error in errors:
+            await asyncio.wait([asyncio.ensure_future(end_with(error))])
+        gc.collect()
+
+    asyncio.run(leave_behind(AllExit()))
+    assert not caplog.records
+    asyncio.run(leave_behind(AllExit(), ValueError("a fault of ours")))
+    said = caplog.text
+    assert "a fault of ours" in said
+    assert "AllExit" not in said
 
 
 # --- no farm ---------------------------------------------------------------------------------------------------------

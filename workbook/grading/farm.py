@@ -5,6 +5,7 @@ more answers than there are threads, so that a worker that dies takes few answer
 judged again elsewhere, each with a worker to itself: whoever takes that one down, too, harms nobody else.
 """
 
+import asyncio
 import json
 import logging
 import queue
@@ -353,7 +354,7 @@ def _connect(address: str) -> Any:
         security = Security()
         if address.startswith("tls:") and security.get_connection_args("client").get("ssl_context") is None:
             raise NoJudges("--farm tls://... needs certificates: see 'A farm' in environment.md")
-        return Client(
+        client = Client(
             address,
             security=security,
             timeout=CONNECT_S,
@@ -361,6 +362,8 @@ def _connect(address: str) -> Any:
             set_as_default=False,
             direct_to_workers=False,
         )
+        client.loop.asyncio_loop.set_exception_handler(quiet_about_lost_waits)
+        return client
     except NoJudges:
         raise
     except Exception as error:
@@ -368,6 +371,16 @@ def _connect(address: str) -> Any:
             f"no scheduler answers at {address} within {CONNECT_S:.0f} s ({_words(error)}). Start one in the course's "
             "folder, .venv/bin/dask scheduler, and look at the firewall between you and it"
         ) from error
+
+
+def quiet_about_lost_waits(loop: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:
+    """Handler of an event loop that says nothing of waits for replies that went away, and passes on all else.
+
+    When the worker that holds a reply is lost while the reply is fetched, distributed waits for it anew. We give up
+    after FETCH_S and cancel the reply; that wait then ends with AllExit, and nobody is left to receive it.
+    """
+    if type(context.get("exception")).__name__ != "AllExit":
+        loop.default_exception_handler(context)
 
 
 def _text_of(future: Any) -> str:
