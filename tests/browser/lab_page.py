@@ -11,7 +11,7 @@ from student_lab import StudentLab
 QUICK_MS = 120_000
 CELL_MS = 180_000
 LESSON_MS = 600_000
-LOOK_EVERY_MS = 500  # and not at every frame, which would make the browser draw all the time
+LOOK_EVERY_MS = 1500  # and not at every frame, which would make the browser draw all the time
 ROBOT = "a humanoid robot with twelve joints"
 _PANEL = ".jp-NotebookPanel:not(.lm-mod-hidden)"
 

@@ -57,11 +57,15 @@ class LittleFarm:
         self.started.append(process)
         return process
 
-    def worker(self, *options: object, **changes: str) -> "subprocess.Popen[bytes]":
-        """Start a worker that takes three answers at once. `changes`: of its environment."""
+    def worker(self, *options: object, nanny: bool = False, **changes: str) -> "subprocess.Popen[bytes]":
+        """Start a worker that takes three answers at once. `changes`: of its environment.
+
+        With a `nanny` it is started anew when it dies, and takes twice as long to start.
+        """
         place = self.folder / f"worker{len(self.started)}"
         process = self._start(
             *("worker", self.address, *LOOPBACK, "--nthreads", 3, "--local-directory", place, *options),
+            "--nanny" if nanny else "--no-nanny",
             changes=changes,
         )
         wait_until(lambda: "Registered to" in self.log(process) or process.poll() is not None)
@@ -90,30 +94,43 @@ class LittleFarm:
             found |= {Path(line.split()[5]) for line in maps.splitlines() if " /dev/shm/sem.mp-" in line}
         return found
 
-    def end(self) -> None:
-        """End what was started with Ctrl-C, workers first, and kill what does not go.
+    def end_workers(self) -> None:
+        """End the workers with Ctrl-C, kill what does not go, and wait until the scheduler has forgotten them.
 
         Whoever kills all at once kills those as well who would remove the shared memory of the dead.
         """
-        shared = self._shared_memory()
-        for process in reversed(self.started):
+        self._end([process for process in self.started if process is not self.scheduler])
+        if self.scheduler.poll() is None:
+            wait_until(lambda: self._said("Remove worker") == self._said("Register worker"))
+
+    def _said(self, words: str) -> int:
+        return self.log(self.scheduler).count(words)
+
+    def end(self) -> None:
+        """End what was started, workers first."""
+        self.end_workers()
+        self._end([self.scheduler])
+        wait_until(lambda: all(map(is_gone, self._seen)))
+
+    def _end(self, started: list["subprocess.Popen[bytes]"]) -> None:
+        running = [process for process in started if process.poll() is None]
+        shared = self._shared_memory() if running else set()
+        for process in reversed(running):
             process.send_signal(signal.SIGINT)
             try:
                 process.wait(GOES_WITHIN_S)
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()
-        wait_until(lambda: not self._group_is_there() or not any(map(Path.exists, shared)))
-        for process in self.started:
+        below = self._seen - {self.scheduler.pid}
+        wait_until(lambda: all(map(is_gone, below)) or not any(map(Path.exists, shared)))
+        for process in started:
             try:
                 os.killpg(process.pid, signal.SIGKILL)
             except ProcessLookupError:
                 pass
-        wait_until(lambda: all(map(is_gone, self._seen)))
+        wait_until(lambda: all(map(is_gone, below)))
         assert not [path for path in shared if path.exists()], "shared memory is left behind"
-
-    def _group_is_there(self) -> bool:
-        return not all(map(is_gone, self._seen))
 
     def grade(self, *arguments: object, **changes: str) -> "subprocess.Popen[str]":
         """`workbook grade ... --farm` of this farm."""

@@ -56,8 +56,23 @@ raise SystemExit(3)
 )
 
 
+@pytest.fixture(scope="module")
+def scheduler(tmp_path_factory: pytest.TempPathFactory) -> Iterator[LittleFarm]:
+    pytest.importorskip("distributed", reason="the extra `farm` is not installed")
+    with little_farm(tmp_path_factory.mktemp("shared") / "farm") as farm:
+        yield farm
+
+
 @pytest.fixture
-def farm(tmp_path: Path) -> Iterator[LittleFarm]:
+def farm(scheduler: LittleFarm) -> Iterator[LittleFarm]:
+    """A farm without workers; those that a test starts go with it."""
+    yield scheduler
+    scheduler.end_workers()
+
+
+@pytest.fixture
+def own_farm(tmp_path: Path) -> Iterator[LittleFarm]:
+    """A farm whose scheduler the test may kill."""
     pytest.importorskip("distributed", reason="the extra `farm` is not installed")
     with little_farm(tmp_path / "farm") as farm:
         yield farm
@@ -120,7 +135,7 @@ def test_a_killed_worker_loses_nothing(farm: LittleFarm, tmp_path: Path) -> None
         header = re.search(r"^# loses: (.*)$", text, re.MULTILINE)
         assert header is not None
         expected[name] = set(header[1].split(", "))
-    workers = {worker.pid: worker for worker in (farm.worker("--no-nanny"), farm.worker("--no-nanny"))}
+    workers = {worker.pid: worker for worker in (farm.worker(), farm.worker())}
 
     grader = farm.grade(folder, "--out", out, "--isolation", "limits")
     try:
@@ -154,7 +169,7 @@ def test_a_poison_answer_takes_no_neighbor_with_it(farm: LittleFarm, tmp_path: P
     (folder / "poison.py").write_text(POISON)
     for number in range(5):
         (folder / f"s{number}.py").write_text(f"{UNREADABLE}# {number}\n")
-    farm.worker()
+    farm.worker(nanny=True)
 
     code, said = finish(farm.grade(folder, "--out", out, "--isolation", "limits"))
     farm.processes()
@@ -197,16 +212,16 @@ def test_ctrl_c_ends_in_order_and_a_second_run_goes_on(farm: LittleFarm, tmp_pat
 
 
 @pytest.mark.slow
-def test_a_scheduler_that_goes_away_is_told_and_nothing_is_lost(farm: LittleFarm, tmp_path: Path) -> None:
+def test_a_scheduler_that_goes_away_is_told_and_nothing_is_lost(own_farm: LittleFarm, tmp_path: Path) -> None:
     folder, out, marks = tmp_path / "class", tmp_path / "out", tmp_path / "marks"
     folder.mkdir()
     (folder / "a.py").write_text(f"{UNREADABLE}\n")
     (folder / "b.py").write_text(slow_once(marks))
-    farm.worker("--nthreads", 1)
-    grader = farm.grade(folder, "--out", out, "--isolation", "limits")
+    own_farm.worker("--nthreads", 1)
+    grader = own_farm.grade(folder, "--out", out, "--isolation", "limits")
     wait_until(lambda: marks.exists() or grader.poll() is not None)
-    farm.processes()
-    farm.scheduler.kill()
+    own_farm.processes()
+    own_farm.scheduler.kill()
     code, said = finish(grader)
     assert code == 2, said
     assert "does not answer any more" in said

@@ -31,7 +31,7 @@ pytestmark = pytest.mark.slow
 ROOT = Path(__file__).resolve().parents[2]
 ANSWERS = Path(__file__).parent / "answers"
 STEM = "09_joint_positions"
-SLOTS = 4
+SLOTS = 2
 IS_ROOT = os.geteuid() == 0
 WEAKER: tuple[Isolation, ...] = ("uid", "landlock", "limits")
 SAYS_USER = "import os\nprint('user', os.getuid(), flush=True)\n"

@@ -9,7 +9,8 @@ import pytest
 from rclpy.context import Context
 from rclpy.node import Node
 
-from workbook.lesson import programs, run_program, start, stop
+from lesson_nodes import callback_monitor
+from workbook.lesson import processor_seconds, programs, run_program, start, stop
 from workbook.magics.running import node_names
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
@@ -133,3 +134,10 @@ def test_a_program_that_falls_silent_is_ended_and_one_that_starts_slowly_is_not(
 def test_ctrl_c_comes_when_the_words_are_there() -> None:
     end = run_program("import time\nprint('ready', flush=True)\ntime.sleep(600)\n", interrupt_at="ready")
     assert (end.ended_by, end.exit) == ("itself", 130)
+
+
+def test_processor_time_counts_the_time_in_line_for_a_busy_processor(monkeypatch: pytest.MonkeyPatch) -> None:
+    in_line = iter((1.0, 1.75))
+    monkeypatch.setattr(programs, "seconds_in_line", lambda pid: next(in_line))
+    used = processor_seconds(callback_monitor, seconds=0.2, with_start=False)
+    assert 0.75 <= used < 1.25

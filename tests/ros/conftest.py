@@ -144,10 +144,9 @@ def open_kernel(tmp_path: Path) -> Iterator[Callable[..., Kernel]]:
         return kernel
 
     yield open_one
-    for kernel in opened:
+    for kernel in opened:  # in order: the ghost of a killed one would be seen by whoever has its domain next
         if kernel.manager.has_kernel:
-            kernel.client.stop_channels()
-            kernel.manager.shutdown_kernel(now=True)
+            kernel.close()
 
 
 @pytest.fixture

@@ -376,11 +376,28 @@ def _connect(address: str) -> Any:
 def quiet_about_lost_waits(loop: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:
     """Handler of an event loop that says nothing of waits for replies that went away, and passes on all else.
 
-    When the worker that holds a reply is lost while the reply is fetched, distributed waits for it anew. We give up
-    after FETCH_S and cancel the reply; that wait then ends with AllExit, and nobody is left to receive it.
+    When the worker that holds a reply is lost while the reply is fetched, distributed waits for it anew. We give up and
+    cancel the reply; that wait then ends with AllExit, and nobody is left to receive it.
     """
     if type(context.get("exception")).__name__ != "AllExit":
         loop.default_exception_handler(context)
+
+
+def _fetch(future: Any) -> object:
+    """The reply of work that is finished. Raises RuntimeError as soon as its worker is seen to be lost."""
+
+    async def fetched() -> object:
+        return await future.client.gather(future, asynchronous=True)
+
+    deadline = time.monotonic() + FETCH_S
+    reply = asyncio.run_coroutine_threadsafe(fetched(), future.client.loop.asyncio_loop)
+    while True:
+        try:
+            return reply.result(timeout=MUSTER_EVERY_S)
+        except TimeoutError:
+            if future.status != "finished" or time.monotonic() > deadline:
+                reply.cancel()
+                raise RuntimeError("the worker was lost before it could hand over the judgement") from None
 
 
 def _text_of(future: Any) -> str:
@@ -388,7 +405,7 @@ def _text_of(future: Any) -> str:
     if future.status != "finished":
         error = future.exception(timeout=FETCH_S) if future.status == "error" else None
         raise RuntimeError(_words(error) if error is not None else f"the work was {future.status}")
-    text = future.result(timeout=FETCH_S)
+    text = _fetch(future)
     if not isinstance(text, str) or len(text) > LARGEST_REPLY:
         raise RuntimeError("the reply is not text, or far too much of it")
     return text

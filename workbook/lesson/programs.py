@@ -13,6 +13,7 @@ from workbook.magics.running import node_names, wait_for_nodes
 from workbook.observing.process import NodeProcess, ros_arguments
 from workbook.observing.process import processor_seconds as processor_time_of
 from workbook.observing.recording import Clock, ProcessRecord, Recording
+from workbook.observing.tree import seconds_in_line
 from workbook.observing.warm_start import own_server
 from workbook.observing.watch import SPEEDS, Observer, Plan
 from workbook.ros.scratch import remove_scratch, scratch_folder
@@ -103,18 +104,21 @@ def processor_seconds(
 ) -> float:
     """Processor time (s) that a program takes in its first `seconds` of real time on a domain of its own.
 
-    Without `with_start`: in `seconds` of real time once it is at work, a second after its node has come up.
+    Without `with_start`: in `seconds` of real time once it is at work, a second after its node has come up. It counts
+    then as well how long its first thread was ready and stood in line: on a busy machine it gets less than it takes.
     """
     with Observer() as observer:
         with NodeProcess(program_file(program), observer.domain_id, ros_arguments(parameters)) as process:
             before = 0.0
             if not with_start:
                 _wait_until_at_work(process, observer.domain_id)
-                before = processor_time_of([process.pid]) or 0.0
+                before = (processor_time_of([process.pid]) or 0.0) + seconds_in_line(process.pid)
             if process.wait(seconds):
                 raise RuntimeError(f"the program ended early:\n{process.record().log}")
-            used = processor_time_of([process.pid])
-    return (used or 0.0) - before
+            used = processor_time_of([process.pid]) or 0.0
+            if not with_start:
+                used += seconds_in_line(process.pid)
+    return used - before
 
 
 def _wait_until_at_work(process: NodeProcess, domain_id: int) -> None:
