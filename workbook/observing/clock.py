@@ -22,7 +22,8 @@ class SimulatedClock:
     """Publishes robot time on /clock in equal steps.
 
     `step_s` is the resolution of robot time in seconds. `advance` moves it by one step when that step is due at
-    the speed set (robot seconds per real second). Robot time never skips: if the machine is late, it waits.
+    the speed set (robot seconds per real second). Robot time never skips: if the machine is late, it waits. Where
+    nobody measures, it may take several steps at once (see `run_at`): each one costs whoever listens processor time.
     """
 
     def __init__(self, node: Any, step_s: float) -> None:
@@ -30,6 +31,7 @@ class SimulatedClock:
         self.step_ns = round(step_s * 1e9)
         self.now_ns = START_NS
         self._speed = 1.0
+        self._stride = 1
         self._due = time.monotonic()
         self._moments: list[float] = []
         self._times: list[float] = []
@@ -43,14 +45,15 @@ class SimulatedClock:
         """Programs that listen to /clock."""
         return int(self._publisher.get_subscription_count())
 
-    def run_at(self, speed: float) -> None:
-        """Set the speed; the next step is due one step from now."""
+    def run_at(self, speed: float, stride: int = 1) -> None:
+        """Set the speed, and how many steps are taken at once; the next are due when so much time has passed."""
         self._speed = speed
+        self._stride = stride
         self._due = time.monotonic() + self._real_step
 
     @property
     def _real_step(self) -> float:
-        return self.step_ns / 1e9 / self._speed
+        return self._stride * self.step_ns / 1e9 / self._speed
 
     def until_due(self) -> float:
         """Real seconds until the next step is due (zero when it is)."""
@@ -64,8 +67,8 @@ class SimulatedClock:
         self._publisher.publish(message)
 
     def advance(self) -> None:
-        """Move robot time on by one step and publish it."""
-        self.now_ns += self.step_ns
+        """Move robot time on by what is due at once, and publish it."""
+        self.now_ns += self._stride * self.step_ns
         self._due = max(self._due + self._real_step, time.monotonic() + self._real_step / 2)
         self.publish()
 

@@ -44,6 +44,8 @@ GONE_S = 6.0
 GHOST_S = 20
 HELD_STEPS = 5
 LOOK_EVERY_S = 0.1
+UNMEASURED_STRIDE = 5
+"""Steps of robot time at once while a program is only kept alive: half the shortest judged period."""
 PATIENCE_S = 0.7
 PATIENCE_WITH_THE_END_S = 4.0
 
@@ -405,17 +407,18 @@ class Watch:
     ) -> bool:
         """Let the program live until so many real seconds after it was matched, a simulated clock running at `speed`.
 
-        Returns early when it ends by itself, or when `enough` says so. Returns whether it was watched to the end.
+        The clock moves by half the shortest judged period at once: nobody measures the program now. Returns early when
+        it ends by itself, or when `enough` says so. Returns whether it was watched to the end.
         """
         until = (self._matched_wall or time.monotonic()) + wall_s_after_match
         if self._clock is not None:
-            self._clock.run_at(speed)
+            self._clock.run_at(speed, UNMEASURED_STRIDE)
         while (left := until - time.monotonic()) > 0 and self._process.is_running():
             if enough():
                 return False
-            if self._clock is None:
-                self._process.wait(min(left, LOOK_EVERY_S))
-            elif not self._process.wait(min(left, self._clock.until_due())):
+            due = LOOK_EVERY_S if self._clock is None else self._clock.until_due()
+            self._process.wait(min(left, due, LOOK_EVERY_S))
+            if self._clock is not None and self._clock.until_due() == 0.0:
                 self._clock.advance()
         return True
 
