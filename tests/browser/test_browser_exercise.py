@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -60,12 +61,16 @@ def screenshot(outputs: Locator, path: Path) -> None:
     outputs.screenshot(path=path)
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
+def in_both_themes(page: LabPage) -> Iterator[str]:
+    for theme in page.themes():
+        page.choose_theme(theme)
+        yield theme
+
+
 def test_a_wrong_answer_then_the_right_one(
-    theme: str, page: LabPage, lab: StudentLab, exercise: Exercise, artifacts: Path
+    page: LabPage, lab: StudentLab, exercise: Exercise, artifacts: Path
 ) -> None:
     page.open(NOTEBOOK)
-    page.choose_theme(theme)
     answer, check = page.cell("%%answer"), page.cell("%check")
     written = lab.work / "answers" / f"{STEM}.py"
     card = check.locator(".jp-OutputArea-output div[style*=border-left]")
@@ -81,8 +86,9 @@ def test_a_wrong_answer_then_the_right_one(
     expect(card).not_to_contain_text("Provisional", timeout=CELL_MS)
     expect(headline_of(card)).to_contain_text("8 of 10 points.")
     check_picture(card)
-    screenshot(check.locator(".jp-OutputArea"), artifacts / f"card_wrong_{theme}.png")
-    check_legibility(page, card)
+    for theme in in_both_themes(page):
+        screenshot(check.locator(".jp-OutputArea"), artifacts / f"card_wrong_{theme}.png")
+        check_legibility(page, card)
 
     page.write(answer, f"%%answer {STEM}\n{exercise.source.solution_code}")
     page.run(answer)
@@ -92,13 +98,15 @@ def test_a_wrong_answer_then_the_right_one(
     expect(card).not_to_contain_text("First to mend")
     expect(card).to_contain_text(f"Hand in this file: answers/{STEM}.py")
     expect(card).to_contain_text("real seconds had passed", timeout=CELL_MS)
-    screenshot(check.locator(".jp-OutputArea"), artifacts / f"card_right_{theme}.png")
-    page.page.screenshot(path=artifacts / f"exercise_{theme}.png")
+    for theme in in_both_themes(page):
+        screenshot(check.locator(".jp-OutputArea"), artifacts / f"card_right_{theme}.png")
+        page.page.screenshot(path=artifacts / f"exercise_{theme}.png")
     for fold in card.locator("summary").all():
         fold.click()
     expect(card.locator("pre").last).to_contain_text("THE TASK")
-    check_legibility(page, card)
-    page.page.screenshot(path=artifacts / f"exercise_unfolded_{theme}.png")
+    for theme in in_both_themes(page):
+        check_legibility(page, card)
+        page.page.screenshot(path=artifacts / f"exercise_unfolded_{theme}.png")
     expect(page.pop_ups()).to_have_count(0)
 
 
@@ -173,23 +181,22 @@ def untrusted_notebook(html: str) -> str:
     return json.dumps({"cells": [cell], "metadata": metadata, "nbformat": 4, "nbformat_minor": 5})
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
 def test_a_card_in_an_untrusted_notebook(
-    theme: str, page: LabPage, lab: StudentLab, exercise: Exercise, card_html: str, artifacts: Path
+    page: LabPage, lab: StudentLab, exercise: Exercise, card_html: str, artifacts: Path
 ) -> None:
-    (lab.work / "exercises" / f"from_a_friend_{theme}.ipynb").write_text(
+    (lab.work / "exercises" / "from_a_friend.ipynb").write_text(
         untrusted_notebook(card_html), encoding="utf-8"
     )
-    page.open(f"exercises/from_a_friend_{theme}.ipynb")
-    page.choose_theme(theme)
+    page.open("exercises/from_a_friend.ipynb")
     outputs = page.panel.locator(".jp-OutputArea-output")
     expect(outputs).to_have_count(2)
     expect(outputs.last).to_have_text("unchanged")
     card = outputs.first
     says_everything(card, exercise)
     check_picture(card)
-    check_legibility(page, card)
-    screenshot(card, artifacts / f"card_untrusted_{theme}.png")
+    for theme in in_both_themes(page):
+        check_legibility(page, card)
+        screenshot(card, artifacts / f"card_untrusted_{theme}.png")
 
 
 def test_a_card_without_any_styles(

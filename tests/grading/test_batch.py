@@ -496,3 +496,19 @@ def test_grade_ends_with_exit_code_1_when_something_was_our_fault(
     assert "the slot is gone" in said.out
     judges.ours_to_blame.clear()
     assert main(["grade", str(answer), "--out", str(tmp_path / "out")]) == 0
+
+
+def test_types_are_learned_once_before_slots_start_that_cannot_write(monkeypatch: pytest.MonkeyPatch) -> None:
+    done: list[str] = []
+
+    def judged(slot: object, job: Job[str], *_: object) -> tuple[None, Judgement]:
+        done.append("judged")
+        return None, Judgement(job.stem, job.answer.sha256, "infra_error", "nobody judges here", (), None)
+
+    monkeypatch.setattr(pool, "learn", lambda: done.append("learned"))
+    monkeypatch.setattr(pool, "judge_with_retry", judged)
+    answer = Answer("")
+    list(judge_all([Job("a", "09_joint_positions", answer)], 1))
+    assert done == ["judged"]
+    list(judge_all([Job("a", "07_typed_nodes", answer), Job("b", "07_typed_nodes", answer)], 1))
+    assert done == ["judged", "learned", "judged", "judged"]

@@ -96,6 +96,10 @@ def wait_until(
     It then says `what` was waited for, and what there is `instead`.
     """
     deadline = time.monotonic() + PATIENCE_S
-    while not condition():
-        assert time.monotonic() < deadline, f"waited {PATIENCE_S:.0f} s in vain: {what}; seen: {instead()}"
-        time.sleep(0.02)
+    while True:
+        began = time.monotonic()
+        if condition():
+            return
+        now = time.monotonic()
+        assert now < deadline, f"waited {PATIENCE_S:.0f} s in vain: {what}; seen: {instead()}"
+        time.sleep(min(1.0, max(0.02, 4 * (now - began))))  # a look at all processes is not for nothing

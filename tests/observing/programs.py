@@ -17,11 +17,19 @@ def write(folder: Path, text: str, name: str = "answer.py") -> Path:
 
 
 def wait_until(condition: Callable[[], object]) -> None:
-    """Wait until a condition holds; fail when it does not within two minutes."""
+    """Wait until a condition holds; fail when it does not within two minutes.
+
+    Whoever looks without a pause takes the processor from what is waited for: between two looks passes four times
+    what the last one took.
+    """
     deadline = time.monotonic() + PATIENCE_S
-    while not condition():
-        assert time.monotonic() < deadline, f"waited {PATIENCE_S} s in vain"
-        time.sleep(0.01)
+    while True:
+        began = time.monotonic()
+        if condition():
+            return
+        now = time.monotonic()
+        assert now < deadline, f"waited {PATIENCE_S} s in vain"
+        time.sleep(min(1.0, max(0.01, 4 * (now - began))))
 
 
 def is_gone(pid: int) -> bool:

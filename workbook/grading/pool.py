@@ -16,13 +16,14 @@ from pathlib import Path
 from typing import Any, Generic, Protocol, TypeVar
 
 from workbook.exercise.answers import Answer
-from workbook.exercise.definition import OWN_CRITERIA
+from workbook.exercise.definition import OWN_CRITERIA, load_exercise
 from workbook.exercise.exchange import judgement_from_json
 from workbook.exercise.judging import Judgement, Report
 from workbook.observing.orphans import StillThere
 from workbook.observing.process import kill_programs_of
 from workbook.observing.sandbox import outer_command
 from workbook.observing.tiers import Isolation as Isolation
+from workbook.observing.typecheck import TypeCheckFailed, learn
 from workbook.observing.uids import NoIds, lease_ids
 from workbook.ros.environment import child_environment
 
@@ -229,6 +230,13 @@ def judge_with_retry(
     return None, Judgement(job.stem, job.answer.sha256, "infra_error", reason, (), None)
 
 
+def _is_type_checked(stem: str) -> bool:
+    try:
+        return load_exercise(stem).source.kind == "static"
+    except Exception:  # what is wrong with it, its judgements tell
+        return False
+
+
 def judge_all(
     jobs: Iterable[Job[Key]],
     slots: int,
@@ -243,9 +251,14 @@ def judge_all(
     """
     waiting: queue.SimpleQueue[Job[Key]] = queue.SimpleQueue()
     total = 0
+    stems = set()
     for job in jobs:
         waiting.put(job)
+        stems.add(job.stem)
         total += 1
+    if any(_is_type_checked(stem) for stem in stems):
+        with contextlib.suppress(TypeCheckFailed):  # those who judge will say it
+            learn()
     done: queue.SimpleQueue[tuple[Job[Key], Judgement] | None] = queue.SimpleQueue()
 
     def work() -> None:

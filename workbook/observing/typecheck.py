@@ -29,6 +29,7 @@ from workbook.ros.scratch import remove_scratch, scratch_folder
 TYPINGS = Path(__file__).resolve().parents[1] / "typings"
 SETTINGS = TYPINGS / "mypy.ini"
 # Without stubs: what mypy knows of rclpy and its messages as they are installed.
+OURS = (f"--config-file={SETTINGS}",)
 BARE = ("--config-file=", "--disable-error-code=import-untyped")
 PROGRAM = "answer"
 SILENCED, UNCHECKED, UNFINISHED, NOTE = "silenced", "unchecked", "unfinished", "note"
@@ -73,7 +74,7 @@ def type_check(
     program: str,
     probes: Mapping[str, str] | None = None,
     *,
-    settings: Sequence[str] = (f"--config-file={SETTINGS}",),
+    settings: Sequence[str] = OURS,
     stubs: bool = True,
     notes: bool = False,
     processor_s: int = PROCESSOR_S,
@@ -181,16 +182,29 @@ def _own_cache(settings: Sequence[str], stubs: bool) -> Path:
     global _cache
     if _cache is None or not _cache.is_dir():
         _cache = scratch_folder("mypy")
-    cache = _cache / hashlib.sha256("\n".join((*settings, str(stubs))).encode()).hexdigest()[:12]
+    cache = _cache / _name_of(settings, stubs)
     if not cache.is_dir():
-        kept = kept_folder() / cache.name
-        if not kept.is_dir():
-            _learn(kept, settings, stubs)
+        learn(settings, stubs)
         try:
-            shutil.copytree(kept, cache)
+            shutil.copytree(kept_folder() / cache.name, cache)
         except OSError:  # nothing is kept here: mypy begins from nothing
             shutil.rmtree(cache, ignore_errors=True)
     return cache
+
+
+def _name_of(settings: Sequence[str], stubs: bool) -> str:
+    return hashlib.sha256("\n".join((*settings, str(stubs))).encode()).hexdigest()[:12]
+
+
+def learn(settings: Sequence[str] = OURS, stubs: bool = True) -> None:
+    """Let the environment keep what mypy knows, unless it does already or is not ours to write to.
+
+    Whoever starts processes that cannot write to it does this before: otherwise each of them begins from nothing.
+    Raises TypeCheckFailed.
+    """
+    kept = kept_folder() / _name_of(settings, stubs)
+    if not kept.is_dir() and find_spec("mypy") is not None:
+        _learn(kept, settings, stubs)
 
 
 def kept_folder() -> Path:
