@@ -12,7 +12,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.hostile.traces import Traces, wait_until
+from tests.hostile.traces import Traces
+from tests.observing.programs import wait_until
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judging import Judgement

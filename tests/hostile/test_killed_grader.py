@@ -12,7 +12,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.hostile.traces import Traces, wait_until
+from tests.hostile.traces import Traces
+from tests.observing.programs import wait_until
 from workbook.observing.sandbox import sandbox_problem
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.slow]

@@ -3,13 +3,10 @@
 import contextlib
 import os
 import re
-import time
 import weakref
-from collections.abc import Callable
 from pathlib import Path
 
 PLACES = (Path("/tmp"), Path("/dev/shm"))
-PATIENCE_S = 60.0
 _UUID = re.compile(
     r"[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}"
 )  # names by chance, of whomever: no process ids
@@ -86,20 +83,3 @@ def _network(pid: int) -> int | None:
         return os.stat(f"/proc/{pid}/ns/net").st_ino
     except OSError:
         return None
-
-
-def wait_until(
-    condition: Callable[[], object], what: str, instead: Callable[[], object] = lambda: "nothing"
-) -> None:
-    """Wait until a condition holds; fail when it does not within a minute.
-
-    It then says `what` was waited for, and what there is `instead`.
-    """
-    deadline = time.monotonic() + PATIENCE_S
-    while True:
-        began = time.monotonic()
-        if condition():
-            return
-        now = time.monotonic()
-        assert now < deadline, f"waited {PATIENCE_S:.0f} s in vain: {what}; seen: {instead()}"
-        time.sleep(min(1.0, max(0.02, 4 * (now - began))))  # a look at all processes is not for nothing

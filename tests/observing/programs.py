@@ -16,11 +16,15 @@ def write(folder: Path, text: str, name: str = "answer.py") -> Path:
     return path
 
 
-def wait_until(condition: Callable[[], object]) -> None:
+def wait_until(
+    condition: Callable[[], object],
+    what: str = "a condition",
+    instead: Callable[[], object] = lambda: "nothing",
+) -> None:
     """Wait until a condition holds; fail when it does not within two minutes.
 
-    Whoever looks without a pause takes the processor from what is waited for: between two looks passes four times
-    what the last one took.
+    It then says `what` was waited for, and what there is `instead`. Whoever looks without a pause takes the processor
+    from what is waited for: between two looks passes four times what the last one took.
     """
     deadline = time.monotonic() + PATIENCE_S
     while True:
@@ -28,7 +32,7 @@ def wait_until(condition: Callable[[], object]) -> None:
         if condition():
             return
         now = time.monotonic()
-        assert now < deadline, f"waited {PATIENCE_S} s in vain"
+        assert now < deadline, f"waited {PATIENCE_S:.0f} s in vain: {what}; seen: {instead()}"
         time.sleep(min(1.0, max(0.01, 4 * (now - began))))
 
 
