@@ -242,6 +242,15 @@ def test_where_the_environment_is_read_only_mypy_begins_from_nothing(
     assert list(environment.iterdir()) == []
 
 
+def test_without_mypy_there_is_nothing_to_learn_and_that_is_said(
+    environment: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(typecheck, "find_spec", lambda name: None)
+    with pytest.raises(TypeCheckFailed, match="make env"):
+        typecheck.learn()
+    assert list(environment.iterdir()) == []
+
+
 def test_it_is_ended_after_minutes_whatever_it_does(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(typecheck, "PATIENCE_S", 0.01)
     (finding,) = type_check("x = 1\n")

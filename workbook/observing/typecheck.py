@@ -62,6 +62,7 @@ _IGNORE = re.compile(
 _INLINE = re.compile(r"^# mypy: .*$", re.MULTILINE)
 _BROKE_DOWN = ("INTERNAL ERROR", "MemoryError", "RecursionError")
 _HIDING = ("TYPE_CHECKING", "MYPY")
+_NOT_INSTALLED = "mypy is not installed in this environment: `make env` brings it up to date"
 
 _cache: Path | None = None
 
@@ -86,7 +87,7 @@ def type_check(
     something that is not the program's.
     """
     if find_spec("mypy") is None:
-        raise TypeCheckFailed("mypy is not installed in this environment: `make env` brings it up to date")
+        raise TypeCheckFailed(_NOT_INSTALLED)
     texts = {PROGRAM: without_silencers(program)}
     names = {PROGRAM: ""}
     for number, (name, text) in enumerate((probes or {}).items()):
@@ -202,8 +203,10 @@ def learn(settings: Sequence[str] = OURS, stubs: bool = True) -> None:
     Whoever starts processes that cannot write to it does this before: otherwise each of them begins from nothing.
     Raises TypeCheckFailed.
     """
+    if find_spec("mypy") is None:
+        raise TypeCheckFailed(_NOT_INSTALLED)
     kept = kept_folder() / _name_of(settings, stubs)
-    if not kept.is_dir() and find_spec("mypy") is not None:
+    if not kept.is_dir():
         _learn(kept, settings, stubs)
 
 
