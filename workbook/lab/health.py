@@ -296,7 +296,13 @@ def check_machine_size() -> Finding:
 
 def chromium() -> str | None:
     """The Chromium that the browser tests use, if there is one."""
-    for name in ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable"):
+    for name in (
+        "chromium-headless-shell",
+        "chromium",
+        "chromium-browser",
+        "google-chrome",
+        "google-chrome-stable",
+    ):
         if found := shutil.which(name):
             return found
     return None
