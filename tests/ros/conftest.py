@@ -23,6 +23,8 @@ from workbook.ros.environment import prepare
 prepare({domain})
 from workbook.ros import kernel
 kernel.install({label!r})
+"""
+NAMES = """
 import asyncio, time, rclpy
 from rclpy.node import Node
 from std_msgs.msg import String
@@ -39,7 +41,11 @@ class Talker(Node):
         self.ticks = 0
     def tick(self):
         self.ticks += 1
-        self.pub.publish(String(data=f'tick {{self.ticks}}'))
+        self.pub.publish(String(data=f'tick {self.ticks}'))
+"""
+FORGET = """
+shutdown(); rclpy.try_shutdown()
+get_ipython().reset(new_session=False)
 """
 
 
@@ -124,24 +130,28 @@ class Kernel:
         return None if code is None else int(code)
 
 
+def launch(folder: Path, label: str = "lesson", *, domain: str = "", **environ: str) -> Kernel:
+    manager = KernelManager(kernel_name="python3")
+    manager.kernel_spec.argv = [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}"]
+    manager.kernel_spec.env = {}
+    ours = {name: value for name, value in os.environ.items() if name != "PYTEST_CURRENT_TEST"}
+    ours.pop("ROS_DOMAIN_ID", None)
+    manager.start_kernel(env=ours | environ, cwd=str(folder))
+    client = manager.client()
+    client.start_channels()
+    client.wait_for_ready(timeout=60)
+    kernel = Kernel(manager, client)
+    kernel.good(START.format(domain=domain, label=label) + NAMES)
+    return kernel
+
+
 @pytest.fixture
 def open_kernel(tmp_path: Path) -> Iterator[Callable[..., Kernel]]:
     opened: list[Kernel] = []
 
-    def open_one(label: str = "lesson", *, domain: str = "", **environ: str) -> Kernel:
-        manager = KernelManager(kernel_name="python3")
-        manager.kernel_spec.argv = [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}"]
-        manager.kernel_spec.env = {}
-        ours = {name: value for name, value in os.environ.items() if name != "PYTEST_CURRENT_TEST"}
-        ours.pop("ROS_DOMAIN_ID", None)
-        manager.start_kernel(env=ours | environ, cwd=str(tmp_path))
-        client = manager.client()
-        client.start_channels()
-        client.wait_for_ready(timeout=60)
-        kernel = Kernel(manager, client)
-        opened.append(kernel)
-        kernel.good(START.format(domain=domain, label=label))
-        return kernel
+    def open_one(label: str = "lesson", **options: str) -> Kernel:
+        opened.append(launch(tmp_path, label, **options))
+        return opened[-1]
 
     yield open_one
     for kernel in opened:  # in order: the ghost of a killed one would be seen by whoever has its domain next
@@ -152,6 +162,27 @@ def open_kernel(tmp_path: Path) -> Iterator[Callable[..., Kernel]]:
 @pytest.fixture
 def kernel(open_kernel: Callable[..., Kernel]) -> Kernel:
     return open_kernel()
+
+
+@pytest.fixture(scope="module")
+def kernels_at_hand() -> Iterator[list[Kernel]]:
+    """Kernels that have forgotten what an earlier test did in them."""
+    at_hand: list[Kernel] = []
+    yield at_hand
+    for kernel in at_hand:
+        assert kernel.close() == 0
+
+
+@pytest.fixture
+def used_kernel(kernels_at_hand: list[Kernel], tmp_path_factory: pytest.TempPathFactory) -> Iterator[Kernel]:
+    """A kernel like one in which another lesson ran before."""
+    kernel = kernels_at_hand.pop() if kernels_at_hand else launch(tmp_path_factory.mktemp("kernel"))
+    kernel.good(NAMES)
+    yield kernel
+    if kernel.run(FORGET).error:
+        kernel.close()
+    else:
+        kernels_at_hand.append(kernel)
 
 
 @pytest.fixture

@@ -3,6 +3,11 @@
 import pytest
 
 
+@pytest.fixture
+def kernel(used_kernel):
+    return used_kernel
+
+
 def test_running_a_node_cell_again_leaves_one_node_and_no_warning(kernel):
     kernel.good("init()")
     cell = "talker = fresh(Talker)\nkept = globals().setdefault('kept', [])\nkept.append(talker)\ntalker"
@@ -133,7 +138,8 @@ CELLS_TO_INTERRUPT = {
 
 
 @pytest.mark.parametrize("cell", CELLS_TO_INTERRUPT.values(), ids=CELLS_TO_INTERRUPT)
-def test_interrupt_ends_the_cell_and_leaves_the_kernel_usable(kernel, cell):
+def test_interrupt_ends_the_cell_and_leaves_the_kernel_usable(open_kernel, cell):
+    kernel = open_kernel()
     kernel.good("init()")
     request = kernel.start(cell)
     kernel.wait_for_text(request, "go")

@@ -1,6 +1,6 @@
 """Runs one answer as the main program. It needs nothing of the workbook, only rclpy.
 
-    python host.py [--parent PID] [--fence] [--limit NAME=VALUE]... [--driver DRIVER.py] ANSWER.py [--ros-args ...]
+    python host.py [--parent PID] [--attended] [--fence] [--limit NAME=VALUE]... [--driver DRIVER.py] ANSWER.py [...]
 
 Whatever reasonable shape an answer has is accepted. The file runs as `__main__`. Only if it ends normally and no
 context was ever initialized does the host help: it calls an argument-less `main()`, or else spins the one leaf
@@ -15,6 +15,7 @@ import importlib.util
 import inspect
 import os
 import resource
+import select
 import signal
 import sys
 import traceback
@@ -34,6 +35,14 @@ LIMITS = {
 def die_with_parent(parent: int) -> None:
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
     if os.getppid() != parent:
+        os._exit(1)
+
+
+def end_if_nobody_reads() -> None:
+    """End if nobody can read what we say any more: who started us was killed before our box was tied to it."""
+    pipe = select.poll()
+    pipe.register(1, 0)
+    if any(event & select.POLLERR for _, event in pipe.poll(0)):
         os._exit(1)
 
 
@@ -158,9 +167,9 @@ def run_with_driver(path: str, driver: str) -> None:
 
 def start(arguments: list[str]) -> None:
     driver = None
-    while arguments and arguments[0] in ("--parent", "--limit", "--driver", "--fence"):
-        if arguments[0] == "--fence":
-            fence()
+    while arguments and arguments[0] in ("--parent", "--attended", "--limit", "--driver", "--fence"):
+        if arguments[0] in ("--attended", "--fence"):
+            end_if_nobody_reads() if arguments[0] == "--attended" else fence()
             arguments = arguments[1:]
             continue
         if arguments[0] == "--parent":

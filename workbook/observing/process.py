@@ -278,7 +278,7 @@ class NodeProcess:
     def _start_fresh(self, cage: Cage | None, order: _Order) -> subprocess.Popen[bytes]:
         environ = order.environ
         if cage is not None:
-            command = [sys.executable, "-P", str(HOST), *order.wanted]
+            command = [sys.executable, "-P", str(HOST), "--attended", *order.wanted]
             command = cage.command(command, order.files, order.environ, self._info_fd)
         else:  # a cage dies with us by itself, and its processes do not know our number
             command = [sys.executable, "-P", str(HOST), "--parent", str(os.getpid()), *order.wanted]

@@ -68,8 +68,11 @@ class Cage:
         return {name: value for name, value in inside.items() if name not in NOT_FOR_ANSWERS}
 
     def empty_box(self, files: Mapping[str, Path], info_fd: int) -> list[str]:
-        """A box without a program. It says "ready" on standard output, and stays until its first process is killed."""
-        waiting = ("/bin/sh", "-c", "echo ready; exec sleep infinity >&-")
+        """A box without a program. It says "ready" on standard output, and stays until its first process is killed.
+
+        If nobody can hear that, it ends: who wanted it was killed before the box was tied to it.
+        """
+        waiting = ("/bin/sh", "-c", "echo ready && exec sleep infinity >&-")
         return self.command(waiting, files, {}, info_fd, ("--as-pid-1",))
 
     def command(

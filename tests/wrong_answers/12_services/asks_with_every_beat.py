@@ -1,5 +1,5 @@
 # loses: asks_every_second
-# says: 0.2 s apart
+# says: typically 0.2
 # says: One timer of 1.0 s
 """Asks the robot once a second to test itself, and tells the control room what came out."""
 
