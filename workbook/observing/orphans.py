@@ -11,6 +11,7 @@ from workbook.observing.tree import children
 
 PR_SET_CHILD_SUBREAPER = 36
 LONGEST_SWEEP_S = 20.0
+REAP_EVERY_S = 0.002
 
 
 class StillThere(RuntimeError):
@@ -70,8 +71,16 @@ def _signal(pids: Iterable[int], number: signal.Signals) -> None:
 
 
 def _reap(killed: set[int]) -> None:
-    """Wait for the dead. Their children come to us when they go, so that each of them is ours in the end."""
+    """Wait for the dead. Their children come to us when they go, so that each of them is ours in the end.
+
+    In any order: the first process of a box cannot be reaped before the others in it are.
+    """
     while mine := killed.intersection(children(os.getpid())):
+        reaped = 0
         for pid in mine:
-            with suppress(ChildProcessError):
-                os.waitpid(pid, 0)
+            try:
+                reaped += os.waitpid(pid, os.WNOHANG)[0]
+            except ChildProcessError:
+                killed.discard(pid)
+        if not reaped:
+            time.sleep(REAP_EVERY_S)

@@ -28,6 +28,7 @@ user number of root, without any capability: an answer has it when the grader is
 NOT_FOR_ANSWERS = ("WORKBOOK_RUN", "XDG_CACHE_HOME")
 """Variables of the bench that would tell a program that it is being judged."""
 _PACKAGE = Path(__file__).resolve().parents[1]
+KEEPER = Path(__file__).with_name("keeper.py")
 _SELF_TEST_S = 10.0
 
 
@@ -38,9 +39,12 @@ class NoSandbox(RuntimeError):
 def outer_command(command: Sequence[str]) -> list[str]:
     """`command` in a network of its own, with the files of the machine read-only and a private /dev/shm.
 
+    For children of this process: all ends with it, and with the thread that starts it.
+
     /proc must stay that of the machine: the kernel refuses a fresh one in the inner box otherwise.
     """
     return [
+        *(sys.executable, "-I", "-S", str(KEEPER), str(os.getpid())),
         _bwrap(),
         *("--unshare-user", "--unshare-net", "--unshare-ipc", "--die-with-parent"),
         *("--ro-bind", "/", "/", "--bind", "/proc", "/proc", "--dev-bind", "/dev", "/dev"),
