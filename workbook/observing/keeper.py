@@ -37,7 +37,10 @@ def keep(parent: int, command: list[str]) -> int:
         if ended:
             code = os.waitstatus_to_exitcode(status)
             break
-    orphans.sweep_orphans()
+    try:
+        orphans.sweep_orphans()
+    except orphans.StillThere as error:
+        print(error, file=sys.stderr, flush=True)
     return code
 
 
