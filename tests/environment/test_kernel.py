@@ -130,3 +130,16 @@ def test_files_go_where_jupyter_looks(tmp_path: Path) -> None:
     spec = json.loads((tmp_path / "share/jupyter/kernels/python3/kernel.json").read_text())
     assert spec["argv"][0] == "/env/bin/python"
     assert spec["env"]["_ROS_WHEELS_BOOTSTRAP_COMPLETE"] == ""
+
+
+def test_a_file_that_another_environment_has_too_stays_as_it_is_there(tmp_path: Path) -> None:
+    """uv installs by hard links to its cache, the kernel of ipykernel among them."""
+    name = "share/jupyter/kernels/python3/kernel.json"
+    ours, theirs = tmp_path / "ours" / name, tmp_path / "theirs" / name
+    jupyter_files.install(tmp_path / "theirs", "/their/bin/python")
+    ours.parent.mkdir(parents=True)
+    ours.hardlink_to(theirs)
+    jupyter_files.install(tmp_path / "ours", "/our/bin/python")
+    assert json.loads(ours.read_text())["argv"][0] == "/our/bin/python"
+    assert json.loads(theirs.read_text())["argv"][0] == "/their/bin/python"
+    assert sorted(path.name for path in ours.parent.iterdir()) == ["kernel.json"]

@@ -51,7 +51,11 @@ def kernel_spec(python: str) -> dict[str, object]:
 
 
 def install(prefix: Path, python: str) -> list[Path]:
-    """Write the settings below an environment's folder and return the files written."""
+    """Write the settings below an environment's folder and return the files written.
+
+    Each becomes a new file: uv links what it installs to its cache, so one that is written into would change in every
+    other environment as well.
+    """
     kernels = prefix / "share" / "jupyter" / "kernels" / "python3"
     files = {
         prefix / "etc" / "ipython" / "ipython_kernel_config.py": KERNEL_CONFIG,
@@ -62,7 +66,9 @@ def install(prefix: Path, python: str) -> list[Path]:
     }
     for path, text in files.items():
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text if text.endswith("\n") else text + "\n", encoding="utf-8")
+        partial = path.with_name(f"{path.name}.part")
+        partial.write_text(text if text.endswith("\n") else text + "\n", encoding="utf-8")
+        partial.replace(path)
     return list(files)
 
 
