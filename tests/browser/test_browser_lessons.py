@@ -17,6 +17,14 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 LESSONS = sorted(path.stem for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
 ROBOT_LESSON = "09_joint_positions"
 SEVERAL_FRAMES = 10
+# To change the theme under a long notebook costs seconds of processor time: lessons are shown in turn in one and the
+# other. WORKBOOK_THEMES=both shows each in both.
+BOTH_THEMES = os.environ.get("WORKBOOK_THEMES") == "both"
+
+
+def themes_of(stem: str, page: LabPage) -> tuple[str, ...]:
+    """The themes in which a lesson is looked at. (Those of one theme share a browser.)"""
+    return page.themes() if BOTH_THEMES else (("light", "dark")[int(stem[:2]) % 2],)
 
 
 def unexpected_errors(notebook: dict[str, list[dict[str, object]]]) -> list[str]:
@@ -79,6 +87,7 @@ def test_the_first_start_shows_the_first_lesson_and_asks_nothing(
 def test_a_lesson_runs_from_top_to_bottom(stem: str, page: LabPage, lab: StudentLab, artifacts: Path) -> None:
     path = f"notebooks/{stem}.ipynb"
     page.open(path)
+    page.choose_theme(themes_of(stem, page)[0])
     if stem == ROBOT_LESSON:
         page.count_frames()
     page.run_all(path)
@@ -104,7 +113,7 @@ def test_a_lesson_runs_from_top_to_bottom(stem: str, page: LabPage, lab: Student
     if stem == ROBOT_LESSON:
         check_robot(page, moments, artifacts)
     pictures = page.panel.locator(".jp-OutputArea img")
-    for theme in page.themes():
+    for theme in themes_of(stem, page):
         page.choose_theme(theme)
         if pictures.count():
             pictures.first.scroll_into_view_if_needed()

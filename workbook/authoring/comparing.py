@@ -1,12 +1,13 @@
 """Runs nbval over all notebooks in a scratch copy that looks like a student's folder."""
 
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+
+import nbformat
 
 from workbook.authoring import building
 from workbook.authoring.running import CELL_TIMEOUT_S
@@ -18,8 +19,8 @@ NBVAL = ("--nbval", "--nbval-current-env", f"--nbval-cell-timeout={CELL_TIMEOUT_
 def compare(tree: Tree, names: Iterable[str] = (), *, jobs: int = 1, extra: Sequence[str] = ()) -> int:
     """Run the named notebooks, or all, and compare what they show with what is committed.
 
-    Lessons run as they are, exercises with the starter and once more with the solution put in. `extra` goes to
-    pytest. Returns pytest's exit code.
+    Lessons run as they are, exercises as a student goes through them: with the starter, and then, in the same
+    kernel, with the solution put in. `extra` goes to pytest. Returns pytest's exit code.
 
     Raises:
         AuthoringError: a notebook is not built, or an exercise cannot be.
@@ -28,11 +29,12 @@ def compare(tree: Tree, names: Iterable[str] = (), *, jobs: int = 1, extra: Sequ
     with tempfile.TemporaryDirectory(prefix="notebooks-") as scratch:
         top = Path(scratch)
         for stem in lessons:
-            _copy(tree.notebooks / f"{stem}.ipynb", top / "lessons" / "notebooks")
+            built = tree.notebooks / f"{stem}.ipynb"
+            _put(top / "notebooks" / built.name, _read(built))
         for stem in exercises:
             building.build_exercise(tree, stem)
-            _copy(tree.exercises / f"{stem}.ipynb", top / "starters" / "exercises")
-            _copy(tree.solved / f"{stem}.ipynb", top / "solved" / "exercises")
+            built = tree.exercises / f"{stem}.ipynb"
+            _put(top / "exercises" / built.name, _one_after_the_other(built, tree.solved / built.name))
         (top / "pytest.ini").write_text(
             "[pytest]\nfilterwarnings = ignore::DeprecationWarning\n", encoding="utf-8"
         )
@@ -53,8 +55,22 @@ def compare(tree: Tree, names: Iterable[str] = (), *, jobs: int = 1, extra: Sequ
         ).returncode
 
 
-def _copy(path: Path, folder: Path) -> None:
+def _read(path: Path) -> nbformat.NotebookNode:
     if not path.is_file():
         raise AuthoringError(f"{path.parent.name}/{path.name} is not built: run `make notebooks`")
-    folder.mkdir(parents=True, exist_ok=True)
-    shutil.copy(path, folder)
+    notebook: nbformat.NotebookNode = nbformat.read(path, nbformat.NO_CONVERT)
+    return notebook
+
+
+def _one_after_the_other(starter: Path, solved: Path) -> nbformat.NotebookNode:
+    """Both in one notebook: to start a kernel and all that judges in it takes as long as to judge."""
+    first, second = _read(starter), _read(solved)
+    for cell in second.cells:
+        cell.id = f"solved-{cell.id}"
+    second.cells = [*first.cells, *second.cells]
+    return second
+
+
+def _put(path: Path, notebook: nbformat.NotebookNode) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    nbformat.write(notebook, path)

@@ -11,6 +11,7 @@ from workbook.exercise.judging import Judgement
 from workbook.feedback import wording
 from workbook.feedback.card import Card, Extras
 from workbook.feedback.review import review_prompt
+from workbook.feedback.timeline import judged_timeline
 from workbook.grading.pool import Slot, SlotBroken
 from workbook.grading.tries import until_sure
 
@@ -70,8 +71,6 @@ def _timeline(
     """A picture of the arrivals when the first thing to mend is about time."""
     if first is None or not first.about_time or judgement.recording is None:
         return None, ""
-    from workbook.feedback.timeline import judged_timeline
-
     return judged_timeline(exercise, judgement.recording)
 
 

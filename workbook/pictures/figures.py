@@ -6,6 +6,7 @@ from contextlib import AbstractContextManager
 from typing import Any
 
 import matplotlib
+import numpy as np
 from cycler import cycler
 from matplotlib.axis import Axis
 from matplotlib.colors import to_rgb
@@ -15,7 +16,7 @@ from matplotlib.spines import Spine
 from matplotlib.text import Text
 
 from workbook.pictures.palette import CYCLE, GREY
-from workbook.pictures.png import smaller
+from workbook.pictures.png import Pixels, encode_faithfully
 from workbook.pictures.stills import Still
 
 DOTS_PER_INCH = 192
@@ -61,13 +62,22 @@ def figure(width: float = 6.4, height: float = 3.0, rows: int = 1, columns: int 
 def render(fig: Figure) -> bytes:
     """A figure as PNG bytes, cropped to what is drawn. What is black in it turns grey, so that a dark page shows it."""
     _make_readable(fig)
-    file = io.BytesIO()
+    drawn = _Drawn()
     with style():
         fig.savefig(
-            file, format="png", dpi=DOTS_PER_INCH, transparent=True, bbox_inches="tight", pad_inches=0.06,
-            metadata={"Software": None},
-        )  # fmt: skip
-    return smaller(file.getvalue(), dots_per_pixel=DOTS_PER_INCH / 96)
+            drawn, format="rgba", dpi=DOTS_PER_INCH, transparent=True, bbox_inches="tight", pad_inches=0.06
+        )
+    return encode_faithfully(drawn.pixels, dots_per_pixel=DOTS_PER_INCH / 96)
+
+
+class _Drawn(io.BytesIO):
+    """A file for matplotlib's format "rgba", which is written in one piece: its pixels, shape (height, width, 4)."""
+
+    pixels: Pixels
+
+    def write(self, drawn: Any) -> int:
+        self.pixels = np.array(drawn, dtype=np.uint8)
+        return self.pixels.nbytes
 
 
 def still(picture: Figure | bytes, description: str) -> Still:

@@ -9,39 +9,49 @@ import numpy as np
 import numpy.typing as npt
 from PIL import Image
 
+Pixels = npt.NDArray[np.uint8]
+
 UNSEEN = 24
 """Steps of 255 by which a channel of a pixel may change, at an edge, without anybody seeing it."""
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 
-def encode(pixels: npt.NDArray[np.uint8], *, dots_per_pixel: float = 1.0) -> bytes:
+def encode(pixels: Pixels, *, dots_per_pixel: float = 1.0) -> bytes:
     """RGBA pixels, shape (height, width, 4), as PNG bytes: the same bytes for the same pixels.
 
     The colors are brought down to 256, which for drawings nobody sees and which makes the file four times smaller.
     `dots_per_pixel` is written into the file as its resolution: 2 for a picture drawn at twice its size on screen.
     """
+    return _bytes(_in_few_colors(pixels), dots_per_pixel, compress_level=4)
+
+
+def encode_faithfully(pixels: Pixels, *, dots_per_pixel: float = 1.0) -> bytes:
+    """As `encode`, but with all its colors if somebody would see the difference (a photo, a color map)."""
+    drawn = _in_few_colors(pixels)
+    shown = np.asarray(drawn.convert("RGBA"))
+    changed = (shown != pixels).any(axis=2)
+    before, after = _over_grey(pixels[changed]), _over_grey(shown[changed])
+    if np.abs(before - after).max(initial=0) <= UNSEEN:
+        return _bytes(drawn, dots_per_pixel, compress_level=4)
+    return _bytes(Image.fromarray(pixels), dots_per_pixel, compress_level=6)
+
+
+def _in_few_colors(pixels: Pixels) -> Image.Image:
     if pixels.ndim != 3 or pixels.shape[2] != 4:
         raise ValueError(f"pixels must be RGBA, shape (height, width, 4); this is {pixels.shape}")
     image = Image.fromarray(np.ascontiguousarray(pixels))
-    drawn = image.quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
+    return image.quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE)
+
+
+def _bytes(image: Image.Image, dots_per_pixel: float, compress_level: int) -> bytes:
     file = io.BytesIO()
-    drawn.save(file, "PNG", compress_level=4, dpi=(96 * dots_per_pixel, 96 * dots_per_pixel))
+    dots_per_inch = 96 * dots_per_pixel
+    image.save(file, "PNG", compress_level=compress_level, dpi=(dots_per_inch, dots_per_inch))
     return file.getvalue()
 
 
-def smaller(png: bytes, *, dots_per_pixel: float = 1.0) -> bytes:
-    """The same picture in 256 colors if nobody would see it, otherwise the picture as it is (a photo, a color map)."""
-    drawn = encode(_pixels(png), dots_per_pixel=dots_per_pixel)
-    before, after = (_over_grey(_pixels(picture)) for picture in (png, drawn))
-    return drawn if len(drawn) < len(png) and int(np.abs(before - after).max()) <= UNSEEN else png
-
-
-def _pixels(png: bytes) -> npt.NDArray[np.uint8]:
-    return np.asarray(Image.open(io.BytesIO(png)).convert("RGBA"))
-
-
-def _over_grey(pixels: npt.NDArray[np.uint8]) -> npt.NDArray[np.int16]:
+def _over_grey(pixels: Pixels) -> npt.NDArray[np.int16]:
     wide = pixels.astype(np.int16)
     opaque = wide[..., 3:]
     over: npt.NDArray[np.int16] = (wide[..., :3] - 128) * opaque // 255

@@ -1,5 +1,6 @@
 # loses: alive_at_end
 # skips: ends_cleanly
+# thorough: yes
 # says: the program ended by itself
 """A humanoid robot that reports its state once a second and its battery every two seconds."""
 

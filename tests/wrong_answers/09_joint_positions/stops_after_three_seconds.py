@@ -1,4 +1,5 @@
 # loses: alive_at_end
+# thorough: yes
 # says: ended by itself
 """The program ends after three real seconds."""
 
