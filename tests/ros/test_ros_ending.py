@@ -63,6 +63,15 @@ def test_a_script_that_forgets_to_shut_down_ends_with_zero(start_script, code):
     assert output == ""
 
 
+def test_what_was_written_into_a_file_that_nobody_closed_is_in_it(start_script, tmp_path):
+    path = tmp_path / "log.csv"
+    code = f"node.log = open({str(path)!r}, 'w'); node.itself = node; node.log.write('0.1, 85.5')"
+    process = start_script(START + code)
+    _, errors = process.communicate(timeout=30)
+    assert process.returncode == 0, errors
+    assert path.read_text() == "0.1, 85.5"
+
+
 IN_A_KERNEL = {
     "await": "await run(talker, seconds=0.2)",
     "daemon thread": "node = talker\n" + SCRIPTS["daemon thread"],
