@@ -17,8 +17,9 @@ LONG_FIRST = (
     "test_browser_exercise",
     "test_nodes_with_timers",
 )
-# Lessons wait most of the time, these keep a processor busy: they begin after the lesson of this number.
-BETWEEN_LESSONS = {"test_hostile": 2, "test_farm": 5, "test_tiers": 8, "test_killed_grader": 11}
+# Lessons wait most of the time, these keep a processor busy: they begin after the lesson of this number, when the
+# browsers, which are busy, too, are through most of theirs.
+BETWEEN_LESSONS = {"test_hostile": 5, "test_farm": 8, "test_tiers": 10, "test_killed_grader": 12}
 BROWSERS = 2
 """How many JupyterLabs, each with a Chromium, share the lessons."""
 

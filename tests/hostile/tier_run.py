@@ -5,6 +5,7 @@
 
 import json
 import sys
+from functools import partial
 from typing import Any
 
 from workbook.exercise.answers import Answer
@@ -20,8 +21,11 @@ def main() -> None:
     tier = named_tier(sys.argv[1])
     jobs = [Job(name, STEM, Answer(text)) for name, text in json.load(sys.stdin).items()]
     told: dict[str, Any] = {"problem": tier_problem(tier), "judgements": {}}
+    judge = partial(
+        LocalSlots(int(sys.argv[2]), tier).judge_all, thorough=False
+    )  # no tier shows in its real seconds
     if told["problem"] is None:
-        for job, tries in judge_until_sure(jobs, LocalSlots(int(sys.argv[2]), tier).judge_all):
+        for job, tries in judge_until_sure(jobs, judge):
             judgement = counting(tries)
             recording = judgement.recording
             told["judgements"][job.key] = {
