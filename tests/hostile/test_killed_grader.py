@@ -22,14 +22,14 @@ KILLS = 30
 KILLS_PER_CLASS = 10
 MOST_CLASSES = 100
 STUDENTS = 10
-SLOTS = 2
 
 
 @dataclass
 class Grading:
-    """One class, and the command that grades it."""
+    """One class, and the command that grades it on one or two slots."""
 
     folder: Path
+    slots: int = 2
 
     def __post_init__(self) -> None:
         answers = self.folder / "class"
@@ -59,7 +59,7 @@ class Grading:
                     "--out",
                     str(self.out),
                     "--slots",
-                    str(SLOTS),
+                    str(self.slots),
                     "--isolation",
                     "sandbox",
                 ),
@@ -108,7 +108,7 @@ def test_a_grader_killed_at_any_moment_leaves_nothing_and_loses_nothing(tmp_path
     moments = random.Random(4)
     kills = killed_at_work = 0
     for number in range(MOST_CLASSES):  # one class is enough for several kills, unless it is done before
-        grading = Grading(tmp_path / f"class {number}")
+        grading = Grading(tmp_path / f"class {number}", slots=1 + number % 2)
         for _ in range(KILLS_PER_CLASS):
             if kills == KILLS:
                 break

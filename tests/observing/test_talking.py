@@ -1,6 +1,8 @@
 """The bench speaks to a program: messages, services offered, services called, functions, and what stays behind."""
 
 import math
+import time
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -12,6 +14,7 @@ from rclpy.signals import SignalHandlerOptions
 from std_msgs.msg import Float32, String
 from std_srvs.srv import SetBool, Trigger
 
+from workbook.observing.recorder import Recorder
 from workbook.observing.recording import Clock, Recording
 from workbook.observing.script import BEFORE_START, Part, Script, calls, says, serves
 from workbook.observing.speaker import SERVED_EVERY_S, Speaker
@@ -44,6 +47,7 @@ class Robot(Node):
 """
     + SPIN
 )
+LATER_S = 0.3
 HANDED_OVER_S = 1.0  # what was said before comes a little after the match
 LEVELS = tuple(float(number) for number in range(20))
 
@@ -127,6 +131,26 @@ def bench(observer: Observer) -> Iterator[Node]:
         node.destroy_node()
     finally:
         rclpy.shutdown(context=context)
+
+
+def test_a_node_whose_name_comes_after_its_publisher_is_waited_for(
+    observer: Observer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What it is told next may end it, and then nobody would ever know of it."""
+    known = Recorder._present
+    published: list[float] = []
+
+    def known_later(recorder: Recorder) -> Counter[str]:
+        if recorder.any_publisher():
+            published.append(time.monotonic())
+        return known(recorder) if published and time.monotonic() - published[0] > LATER_S else Counter()
+
+    monkeypatch.setattr(Recorder, "_present", known_later)
+    fragile = ECHO.replace("self.echo.publish", "lambda level: self.show(level)")  # there is no such method
+    level = says("/robot/level", Float32, [(0.0, 1.0)])
+    recording = watch(observer, tmp_path, fragile, level, topics=("/robot/echo",))
+    assert recording.process.ended_by == "itself"
+    assert [node.name for node in recording.nodes] == ["/robot"]
 
 
 def test_what_is_not_awaited_holds_nothing_up(bench: Node) -> None:

@@ -278,7 +278,10 @@ class Watch:
         return used is not None and used < STARVED_PROCESSOR_S
 
     def _wait_for_matches(self) -> None:
-        """Wait until every judged topic is matched, or nothing new has come for a while."""
+        """Wait until every judged topic is matched and a node has a name, or nothing new has come for a while.
+
+        The names of nodes travel apart from their publishers, and on a busy machine come much later.
+        """
         looked = time.monotonic()
         deadline = looked + MATCH_S
         quiet_s = (
@@ -292,7 +295,7 @@ class Watch:
             looked = now
             following = self._clock is None or self._clock.followers() > 0
             matched = self._plan.topics and all(map(self._recorder.matched, self._plan.topics))
-            if following and matched and self._speaker.ready():
+            if following and matched and self._speaker.ready() and self._recorder.nodes():
                 return
             if (
                 quiet_s > (SETTLE_S if following else max(SETTLE_S, FOLLOW_S))
