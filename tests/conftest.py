@@ -41,7 +41,7 @@ def group_of(nodeid: str) -> str:
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     def rank(item: pytest.Item) -> tuple[int, float]:
-        stem = PurePath(item.path).stem
+        stem = item.path.stem
         if stem in BETWEEN_LESSONS:
             return LONG_FIRST.index(LESSONS), BETWEEN_LESSONS[stem] + 0.5
         if stem not in LONG_FIRST:

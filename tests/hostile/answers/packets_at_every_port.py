@@ -5,7 +5,7 @@ import socket
 import time
 
 out = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-until = time.monotonic() + 3.0
+until = time.monotonic() + 1.5
 while time.monotonic() < until:
     ports = [int(line.split()[1].rsplit(":", 1)[1], 16) for line in open("/proc/net/udp").readlines()[1:]]
     for port in [port for port in ports if 7400 <= port < 33000] * 50:

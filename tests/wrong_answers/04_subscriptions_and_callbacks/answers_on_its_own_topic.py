@@ -4,6 +4,8 @@
 # says: hears itself
 """Publishes where it listens, and so hears itself, again and again."""
 
+import time
+
 import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
@@ -21,6 +23,7 @@ class BatteryMonitor(Node):
 
     def on_battery(self, message: Float32) -> None:
         if 0.0 <= message.data <= 100.0:
+            time.sleep(0.005)  # smooths the reading
             self.battery_publisher.publish(message)
         else:
             self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
