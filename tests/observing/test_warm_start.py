@@ -18,10 +18,15 @@ LIMITS = {"memory": 2_500_000_000, "open_files": 512, "cpu": 60, "core": 0, "pro
 OF_ITSELF = """\
 import json, os, resource, signal, socket, sys, time
 
-began = time.monotonic()
-others = lambda: [pid for pid in os.listdir("/proc") if pid.isdigit() and int(pid) not in (1, os.getpid())]
-while others() and time.monotonic() < began + 10:
-    time.sleep(0.01)  # LTTng starts a process for a moment when it is loaded
+def others():
+    # Who stays: LTTng starts a process for a moment, some time after it was loaded.
+    began = time.monotonic()
+    seen = lambda: [pid for pid in os.listdir("/proc") if pid.isdigit() and int(pid) not in (1, os.getpid())]
+    while seen() and time.monotonic() < began + 10:
+        time.sleep(0.01)
+    return seen()
+
+others()
 
 def powers(thread):
     lines = open(f"/proc/self/task/{thread}/status").read().splitlines()
