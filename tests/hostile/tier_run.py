@@ -21,9 +21,8 @@ def main() -> None:
     tier = named_tier(sys.argv[1])
     jobs = [Job(name, STEM, Answer(text)) for name, text in json.load(sys.stdin).items()]
     told: dict[str, Any] = {"problem": tier_problem(tier), "judgements": {}}
-    judge = partial(
-        LocalSlots(int(sys.argv[2]), tier).judge_all, thorough=False
-    )  # no tier shows in its real seconds
+    # What a tier keeps a program from shows before its real seconds.
+    judge = partial(LocalSlots(int(sys.argv[2]), tier).judge_all, thorough=False)
     if told["problem"] is None:
         for job, tries in judge_until_sure(jobs, judge):
             judgement = counting(tries)

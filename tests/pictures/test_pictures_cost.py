@@ -1,9 +1,7 @@
 def test_a_frame_of_the_humanoid_costs_less_than_an_empty_matplotlib_figure() -> None:
     """A ratio of processor times, each the best of several: about a third; a slow machine is slow at both."""
-    from tests.pictures.benchmark import (
-        PICTURES,
-        cost,
-    )  # matplotlib: a second for everybody who collects tests
+    # It imports matplotlib: a second for everybody who collects tests.
+    from tests.pictures.benchmark import PICTURES, cost
 
     frame = min(cost(PICTURES["humanoid"], rounds=8))
     empty = min(cost(PICTURES["empty matplotlib figure"], rounds=8))
