@@ -532,6 +532,8 @@ rclpy.try_shutdown()
 
 # %% id="last-words"
 LAST_WORDS = """
+import time
+
 import rclpy
 from lesson_nodes.night_guard import NightGuard
 from rclpy.signals import SignalHandlerOptions
@@ -543,6 +545,7 @@ radio = guard.create_publisher(String, "/museum/radio", 10)
 try:
     rclpy.spin(guard)
 except KeyboardInterrupt:
+    time.sleep(0.5)
     print("the context is ok:", rclpy.ok())
     guard.get_logger().info("good night")
     radio.publish(String(data="good night"))
@@ -563,7 +566,8 @@ print("Python alone handles Ctrl-C:")
 show_end(run_program(LAST_WORDS.format(who="NO"), interrupt_at="round 1").log)
 
 # %% [markdown]
-# When the exception arrives, the context is down already. The log line still reaches your terminal, but no other program.
+# ROS ends the context in a thread of its own, at the same moment at which Python raises the exception; half a second later
+# it is down for sure. The log line still reaches your terminal, but no other program.
 # The publisher raises. With `SignalHandlerOptions.NO`, rclpy leaves the signal to Python, and the context stays up until
 # *you* shut it down. The price: nothing wakes up a `spin` that waits for nothing. This guard has a timer that ticks; a
 # node without one would sleep through its Ctrl-C. And SIGTERM then ends the process on the spot.

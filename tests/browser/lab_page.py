@@ -150,14 +150,18 @@ class LabPage:
         return ("light", "dark") if is_light else ("dark", "light")
 
     def save(self, path: str) -> dict[str, Any]:
-        """Ctrl+S; returns the notebook as it is on disk then."""
+        """Ctrl+S; returns the notebook as it is on disk then.
 
-        def is_save(response: Any) -> bool:
-            return response.request.method == "PUT" and f"/api/contents/{path}" in response.url
+        What counts is what is sent from now on: JupyterLab saves by itself, too, and that may still be under way.
+        """
 
-        with self.page.expect_response(is_save) as saved:
+        def is_save(request: Any) -> bool:
+            return request.method == "PUT" and f"/api/contents/{path}" in request.url
+
+        with self.page.expect_request(is_save) as asked:
             self.page.keyboard.press("Control+s")
-        assert saved.value.ok, saved.value.status_text
+        saved = asked.value.response()
+        assert saved is not None and saved.ok, saved and saved.status_text
         return self.lab.notebook(path)
 
     # --- cells -----------------------------------------------------------------------------------------------

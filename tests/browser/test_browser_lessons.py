@@ -17,6 +17,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow]
 LESSONS = sorted(path.stem for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
 ROBOT_LESSON = "09_joint_positions"
 SEVERAL_FRAMES = 10
+IS_WHOLE = "async image => { await image.decode().catch(() => {}); return image.complete && image.naturalWidth > 0; }"
 # To change the theme under a long notebook costs seconds of processor time: lessons are shown in turn in one and the
 # other. WORKBOOK_THEMES=both shows each in both.
 BOTH_THEMES = os.environ.get("WORKBOOK_THEMES") == "both"
@@ -56,7 +57,7 @@ def check_robot(page: LabPage, moments: list[float], artifacts: Path) -> None:
     page.cell("from lesson_nodes import joint_position_publisher").locator(".cm-content").click()
     robot = page.page.locator(f'img[alt^="{ROBOT}"]').first
     expect(robot).to_be_in_viewport(ratio=0.1)
-    assert robot.evaluate("image => image.complete && image.naturalWidth >= 300")
+    assert robot.evaluate(IS_WHOLE) and robot.evaluate("image => image.naturalWidth >= 300")
     for theme in page.themes():
         page.choose_theme(theme)
         page.page.screenshot(path=artifacts / f"robot_{theme}.png")
@@ -103,9 +104,7 @@ def test_a_lesson_runs_from_top_to_bottom(stem: str, page: LabPage, lab: Student
     code = {cell["id"] for cell in notebook["cells"] if cell["cell_type"] == "code"}
     assert set(load_cells(lab, stem)) == code, "what %progress knows of this lesson"
     for number, picture in enumerate(page.panel.locator(".jp-OutputArea img").all()):
-        assert picture.evaluate("image => image.complete && image.naturalWidth > 0"), (
-            f"picture {number} is broken"
-        )
+        assert picture.evaluate(IS_WHOLE), f"picture {number} is broken"
         assert (picture.get_attribute("alt") or "").strip(), (
             f"picture {number} has no text for those who cannot see it"
         )

@@ -5,7 +5,6 @@ import os
 import shutil
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import pytest
@@ -94,10 +93,8 @@ def test_first_run_installs_the_student_sections_and_a_second_does_nothing(check
     assert json.loads((checkout.venv / bootstrap.STAMP).read_text())["sections"] == ["build", "student"]
     assert not (checkout.venv / bootstrap.UNFINISHED).exists()
 
-    started = time.monotonic()
     second = checkout.make()
     assert (second.returncode, second.stdout, checkout.log("calls.log")) == (0, "", "")
-    assert time.monotonic() - started < 5
 
 
 def test_more_is_added_and_never_taken_away(checkout: Checkout) -> None:

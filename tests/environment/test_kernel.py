@@ -9,21 +9,21 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from jupyter_client.manager import KernelManager
 
+from workbook.authoring.kernels import PrivateKernelManager
 from workbook.lab import jupyter_files, kernel
 
 
 @pytest.fixture
 def run_cell(tmp_path: Path) -> Iterator[Callable[..., str]]:
     """Runs one cell in a new kernel that has only the configuration that `make env` writes."""
-    opened: list[tuple[KernelManager, Any]] = []
+    opened: list[tuple[PrivateKernelManager, Any]] = []
     profile = tmp_path / "profile_default"
     profile.mkdir()
     (profile / "ipython_kernel_config.py").write_text(jupyter_files.KERNEL_CONFIG)
 
     def run(code: str, **environ: str) -> str:
-        manager = KernelManager(kernel_name="python3")
+        manager = PrivateKernelManager(kernel_name="python3")
         assert manager.kernel_spec is not None
         manager.kernel_spec.argv = [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}"]
         manager.start_kernel(env=os.environ | {"IPYTHONDIR": str(tmp_path)} | environ)

@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from jupyter_client.manager import KernelManager
+
+from workbook.authoring.kernels import PrivateKernelManager
 
 PATIENCE_S = 90.0
 START = """
@@ -37,7 +38,7 @@ class Kernel:
         environ = {name: value for name, value in os.environ.items() if name != "PYTEST_CURRENT_TEST"}
         for name in ("ROS_DOMAIN_ID", "JPY_SESSION_NAME", "WORKBOOK_ANSWERS"):
             environ.pop(name, None)
-        self.manager = KernelManager(kernel_name="python3")
+        self.manager = PrivateKernelManager(kernel_name="python3")
         self.manager.kernel_spec.argv = [
             sys.executable,
             "-m",

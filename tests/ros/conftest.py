@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 from jupyter_client.manager import KernelManager
 
+from workbook.authoring.kernels import PrivateKernelManager
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment
 
@@ -131,7 +132,7 @@ class Kernel:
 
 
 def launch(folder: Path, label: str = "lesson", *, domain: str = "", **environ: str) -> Kernel:
-    manager = KernelManager(kernel_name="python3")
+    manager = PrivateKernelManager(kernel_name="python3")
     manager.kernel_spec.argv = [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}"]
     manager.kernel_spec.env = {}
     ours = {name: value for name, value in os.environ.items() if name != "PYTEST_CURRENT_TEST"}

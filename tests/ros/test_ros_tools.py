@@ -10,8 +10,11 @@ import sys
 import pytest
 
 from workbook.ros.environment import child_environment
+from workbook.ros.listening import rate_of
 from workbook.ros.presence import OpenNotebook, announce, open_notebooks, withdraw
 
+# Everybody here publishes ten times per second; a busy machine lets fewer through, or many at once.
+MOST_PER_SECOND = 40
 ROBOT = """
 import rclpy
 from rclpy.node import Node
@@ -140,10 +143,9 @@ def test_echo_and_rate_of_own_and_other_nodes(kernel, robot):
     assert "New publisher discovered on topic '/robot/joints', offering incompatible QoS" in warning
     assert messages == "data: tick 1\n---\ndata: tick 2\n"
     for topic in ("/robot/status", "/chatter"):
-        outcome = kernel.good(
-            f"rate = topic_hz('{topic}', 1.0)\nprint(8 <= rate.mean_hz <= 12, rate.count > 5)"
-        )
-        assert outcome.text == "True True\n"
+        outcome = kernel.good(f"rate = topic_hz('{topic}', 1.0)\nprint(rate.count, rate.mean_hz)")
+        count, mean_hz = map(float, outcome.text.split())
+        assert 2 <= count <= MOST_PER_SECOND and 1 < mean_hz < MOST_PER_SECOND
     silent = kernel.run("topic_echo('/robot/statuss', timeout=0.5)")
     assert silent.error == "NotFound"
     assert "Did you mean /robot/status?" in silent.message
@@ -153,13 +155,21 @@ def test_echo_and_rate_of_own_and_other_nodes(kernel, robot):
     assert "probe" not in kernel.good("print(node_list(hidden=True))").text
 
 
+def test_the_rate_is_that_of_the_arrivals():
+    rate = rate_of("/robot/status", [10.0, 10.1, 10.2, 10.4, 10.5], 1.0)
+    assert (rate.count, rate.mean_hz) == (5, pytest.approx(8.0))
+    assert (rate.shortest_gap, rate.longest_gap) == (pytest.approx(0.1), pytest.approx(0.2))
+    assert rate.spread == pytest.approx(0.0433, abs=0.0001)
+    assert rate_of("/robot/status", [10.0], 1.0).mean_hz is None
+
+
 def test_a_look_is_quick(kernel, robot):
     kernel.good(LISTENER + "node_list()")
     outcome = kernel.good(
         "times = []\nfor _ in range(5):\n    start = time.perf_counter()\n    graph()\n"
         "    times.append(time.perf_counter() - start)\nprint(sorted(times)[2])"
     )
-    assert float(outcome.text) < 1.0
+    assert float(outcome.text) < 2.0  # what a look waits for at the longest, where it knows nobody
 
 
 def command(*arguments, **environ):
@@ -187,7 +197,7 @@ def test_the_terminal_sees_nodes_and_topics(robot, domain):
         workbook("topic", "echo", "/robot/status", "--count=2", on).stdout == "data: operational\n---\n" * 2
     )
     rate = workbook("topic", "hz", "/robot/status", "--seconds=2", on)
-    assert 9.0 <= float(rate.stdout.splitlines()[1].split()[0]) <= 11.0
+    assert 1 < float(rate.stdout.splitlines()[1].split()[0]) < MOST_PER_SECOND
     missing = workbook("topic", "echo", "/robot/battery", "--timeout=0.5", on)
     assert missing.returncode == 1
     assert "There is: /robot/joints, /robot/status" in missing.stderr

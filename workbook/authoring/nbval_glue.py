@@ -3,8 +3,8 @@
 nbval by itself drops updates of a display and piles up cleared outputs, so that a picture that moves never equals
 the one committed. This plugin applies both as they come. Pictures inside HTML are not compared. It also sets the
 sanitize file unless another is given, compares only text in notebooks whose metadata says `workbook.compare: text`,
-fails a cell whose magic does not exist, and gives each notebook an answers folder of its own unless
-WORKBOOK_ANSWERS is set.
+fails a cell whose magic does not exist, talks to kernels over Unix sockets, and gives each notebook an answers folder
+of its own unless WORKBOOK_ANSWERS is set.
 """
 
 import json
@@ -16,9 +16,11 @@ from pathlib import Path
 from typing import Any
 
 import nbformat
+import nbval.kernel
 import pytest
 from nbval.plugin import IPyNbCell, IPyNbFile, NbCellError
 
+from workbook.authoring.kernels import PrivateKernelManager
 from workbook.authoring.outputs import SANITIZE, without_pictures
 
 OUTPUTS = ("display_data", "execute_result", "stream", "error")
@@ -29,6 +31,7 @@ _own_folder = pytest.StashKey[Path]()
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    nbval.kernel.KernelManager = PrivateKernelManager
     if getattr(config.option, "nbval_sanitize_with", SANITIZE) is None:
         config.option.nbval_sanitize_with = str(SANITIZE)
 

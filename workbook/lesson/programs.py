@@ -4,6 +4,7 @@ import atexit
 import os
 import time
 from collections.abc import Mapping, Sequence
+from contextlib import closing
 from pathlib import Path
 from types import ModuleType
 
@@ -13,6 +14,7 @@ from workbook.magics.running import node_names, wait_for_nodes
 from workbook.observing.process import NodeProcess, ros_arguments
 from workbook.observing.process import processor_seconds as processor_time_of
 from workbook.observing.recording import Clock, ProcessRecord, Recording
+from workbook.observing.rest import Rest
 from workbook.observing.tree import seconds_in_line
 from workbook.observing.warm_start import own_server
 from workbook.observing.watch import SPEEDS, Observer, Plan
@@ -150,9 +152,9 @@ def run_program(
 
     The program is ended after `seconds` at the latest, so nothing in it can hang the notebook. With `silence` it is
     ended when it has said nothing for so many seconds after its first words: how long it takes to start does not
-    count. With `interrupt_at` it gets Ctrl-C (SIGINT) as soon as it has printed that text. It runs on a domain of its
-    own. Where rclpy itself spoiled the end (see `shutdown_overtaken` and `without_executors_end`), the program is run
-    once more.
+    count. With `interrupt_at` it gets Ctrl-C (SIGINT) as soon as it has printed that text and waits. It runs on a
+    domain of its own. Where rclpy itself spoiled the end (see `shutdown_overtaken` and `without_executors_end`), the
+    program is run once more.
     """
     ended = _run_once(code, seconds, arguments, interrupt_at, silence)
     log = ended.log + ended.end_log
@@ -175,6 +177,8 @@ def _run_once(
                 if (log := process.log.text()) != said:
                     said, said_at = log, time.monotonic()
                 if interrupt_at is not None and interrupt_at in said:
+                    with closing(Rest(process.pid)) as rest:  # a person is slower than the rest of its turn
+                        rest.wait()
                     process.interrupt()
                     interrupt_at = None
                 if silence is not None and said and time.monotonic() - said_at > silence:

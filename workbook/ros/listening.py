@@ -3,7 +3,7 @@
 import itertools
 import statistics
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -195,10 +195,13 @@ def topic_hz(
         return bool(arrivals) and time.monotonic() - arrivals[0][0] >= seconds
 
     _, arrivals = _listen(topic, domain, nodes, 2 * seconds + 1.0, raw=True, enough=enough)
-    times = [moment for moment, _ in arrivals]
+    return rate_of(tools.absolute(topic), [moment for moment, _ in arrivals], seconds)
+
+
+def rate_of(topic: str, times: Sequence[float], seconds: float) -> Rate:
+    """The rate of messages that arrived at `times` (s), listened to for `seconds`."""
     gaps = [later - earlier for earlier, later in itertools.pairwise(times)]
     if not gaps:
-        return Rate(tools.absolute(topic), len(times), seconds, None, None, None, None)
+        return Rate(topic, len(times), seconds, None, None, None, None)
     mean = len(gaps) / (times[-1] - times[0])
-    spread = statistics.pstdev(gaps)
-    return Rate(tools.absolute(topic), len(times), seconds, mean, min(gaps), max(gaps), spread)
+    return Rate(topic, len(times), seconds, mean, min(gaps), max(gaps), statistics.pstdev(gaps))

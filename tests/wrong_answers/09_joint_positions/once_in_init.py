@@ -15,12 +15,12 @@ class HumanoidStatusPublisher(Node):
         super().__init__("humanoid_status_publisher")
         self.battery_level = 100.0
         self.step = 0
+        self.joint_pub = self.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
+        self.publish_joints()
         self.status_pub = self.create_publisher(String, "/robot/status", 10)
         self.battery_pub = self.create_publisher(Float32, "/robot/battery", 10)
-        self.joint_pub = self.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
         self.status_timer = self.create_timer(1.0, self.publish_status)
         self.battery_timer = self.create_timer(2.0, self.publish_battery)
-        self.publish_joints()
 
     def publish_status(self):
         self.status_pub.publish(String(data="operational"))
