@@ -7,6 +7,7 @@ import signal
 import socket
 import subprocess
 import sys
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -32,8 +33,6 @@ from workbook.observing.process import NodeProcess
 from workbook.observing.warm_start import WarmProgram, own_server
 
 own_server.keep()
-while own_server.ready() is None:
-    time.sleep(0.01)
 program = NodeProcess(Path(sys.argv[1]), int(sys.argv[2]))
 assert isinstance(program._process, WarmProgram)
 while "ready" not in program.log.text():
@@ -64,7 +63,6 @@ def start(tmp_path: Path, domain: int, server: OwnServer, monkeypatch: pytest.Mo
     started: list[NodeProcess] = []
 
     def start_it(text: str, *arguments: str, forked: bool = True, **options: object) -> NodeProcess:
-        wait_until(server.ready)
         monkeypatch.setattr(process_module, "own_server", server if forked else OwnServer())
         program = write(tmp_path, text)
         started.append(NodeProcess(program, domain, arguments, **options))  # type: ignore[arg-type]
@@ -110,11 +108,11 @@ def test_others_find_the_mark_of_this_program_and_of_no_other(start: Start) -> N
 
 
 def test_a_dead_server_costs_nothing_but_time(start: Start, server: OwnServer) -> None:
-    wait_until(server.ready)
+    assert server.ready() is not None
     first = server.pid
     assert first is not None
     os.kill(first, signal.SIGKILL)
-    wait_until(lambda: server.ready() is None)
+    os.waitid(os.P_PID, first, os.WEXITED | os.WNOWAIT)
     assert finished(start("print('alive')")) == "alive\n"
     assert server.pid not in (None, first)
 
@@ -125,12 +123,43 @@ def test_a_server_that_cannot_fork_is_no_obstacle(
     from tests.observing.test_warm_start import refuse
     from workbook.observing import warm_start
 
-    wait_until(server.ready)
+    assert server.ready() is not None
     monkeypatch.setattr(process_module, "own_server", server)
     monkeypatch.setattr(warm_start.ForkServer, "spawn", refuse)
     program = NodeProcess(write(tmp_path, "print('alive')"), domain)
     assert not isinstance(program._process, WarmProgram)
     assert finished(program) == "alive\n"
+
+
+def test_a_server_that_does_not_come_up_is_no_obstacle(
+    tmp_path: Path, domain: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from workbook.observing import warm_start
+
+    own = OwnServer()
+    own.keep()
+    monkeypatch.setattr(warm_start, "SERVER", write(tmp_path, "raise SystemExit(1)", "no_server.py"))
+    monkeypatch.setattr(process_module, "own_server", own)
+    program = NodeProcess(write(tmp_path, "print('alive')"), domain)
+    assert not isinstance(program._process, WarmProgram)
+    assert finished(program) == "alive\n"
+    own.close()
+
+
+def test_the_first_program_is_forked_too(
+    tmp_path: Path, domain: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    own = OwnServer()
+    own.keep()
+    monkeypatch.setattr(process_module, "own_server", own)
+    before = time.monotonic()
+    program = NodeProcess(write(tmp_path, "print('alive')"), domain)
+    assert isinstance(program._process, WarmProgram)
+    assert program.started_at - before > time.monotonic() - program.started_at, (
+        "the server's start counts as its own"
+    )
+    assert finished(program) == "alive\n"
+    own.close()
 
 
 def test_nobody_has_a_server_who_has_not_asked_for_one() -> None:
@@ -158,7 +187,7 @@ def test_nothing_outlives_whoever_has_started_it(tmp_path: Path, signal_number: 
 
 
 def test_ctrl_c_in_a_terminal_does_not_end_the_server(server: OwnServer) -> None:
-    wait_until(server.ready)
+    assert server.ready() is not None
     assert server.pid is not None
     assert os.getsid(server.pid) == server.pid
 
@@ -174,8 +203,7 @@ from workbook.observing.warm_start import own_server
 
 adopt_orphans()
 own_server.keep()
-while own_server.ready() is None:
-    time.sleep(0.01)
+assert own_server.ready() is not None
 first = own_server.pid
 for name in sys.argv[2:]:
     program = NodeProcess(Path(name), int(sys.argv[1]), confinement=Confinement(adopts=True))
@@ -198,7 +226,6 @@ def test_a_program_that_nobody_waits_for_ends_and_nobody_hears_of_it(
     server: OwnServer, tmp_path: Path, domain: int, capfd: pytest.CaptureFixture[str]
 ) -> None:
     """Its owner gives up waiting for the number of the program: then there is nobody who could end it."""
-    wait_until(server.ready)
     warm = server.ready()
     assert warm is not None and warm._channel is not None
     program = write(tmp_path, "import os, time\nprint(os.getpid(), flush=True)\ntime.sleep(600)\n")

@@ -294,6 +294,7 @@ class NodeProcess:
         server = None if cage is not None or self._confinement.shuts_in else own_server.ready()
         if server is None:
             return None
+        self.started_at = time.monotonic()  # not before: to wait for the server is no part of its life
         try:
             return server.spawn(0, order.wanted, order.environ, str(self._folder), order.output_fd)
         except NoWarmStart:

@@ -112,16 +112,6 @@ class ForkServer:
                 )
             self._channel = ours
 
-    def is_ready(self) -> bool:
-        """Whether it can fork a program at once."""
-        with self._turn:
-            if self._channel is None or self._process is None or self._process.poll() is not None:
-                return False
-            try:
-                return self._ready or bool(select.select([self._channel], [], [], 0.0)[0])
-            except (OSError, ValueError):
-                return False
-
     def spawn(
         self, box: int, arguments: Sequence[str], environ: Mapping[str, str], folder: str, output_fd: int
     ) -> WarmProgram:
@@ -130,7 +120,7 @@ class ForkServer:
         read_fd, write_fd = os.pipe()
         try:
             with self._turn:
-                self._wait_until_ready()
+                self.wait_until_ready()
                 assert self._channel is not None
                 socket.send_fds(self._channel, [json.dumps(request).encode()], [output_fd, write_fd])
         except OSError as error:
@@ -151,14 +141,16 @@ class ForkServer:
             raise NoWarmStart(first.decode(errors="replace") or "the fork server does not answer")
         return WarmProgram(int(first), read_fd, rest)
 
-    def _wait_until_ready(self) -> None:
-        if self._channel is None:
-            raise OSError("it was never started")
-        if not self._ready:
-            self._channel.settimeout(START_S)
-            if self._channel.recv(100) != b"ready":
-                raise OSError("it ended at once")
-            self._ready = True
+    def wait_until_ready(self) -> None:
+        """Wait until it can fork programs. Raises OSError when it was never started, or does not get that far."""
+        with self._turn:
+            if self._channel is None:
+                raise OSError("it was never started")
+            if not self._ready:
+                self._channel.settimeout(START_S)
+                if self._channel.recv(100) != b"ready":
+                    raise OSError("it ended at once")
+                self._ready = True
 
     def close(self) -> None:
         """End the server."""
@@ -186,22 +178,24 @@ class OwnServer:
         self._turn = threading.Lock()
 
     def keep(self) -> None:
-        """From now on have a server, which starts beside the first program."""
+        """From now on have a server. It starts with the first program, which would have to load the same things."""
         self._wanted = True
 
     def ready(self) -> ForkServer | None:
-        """The server if it can fork a program at once; otherwise None, and it begins to start if it is wanted."""
+        """The server, once it can fork a program; None when it is not wanted or cannot be had."""
         if not self._wanted:
             return None
         with self._turn:
             if self._server is None or self._owner != os.getpid():  # a fork of its owner has none
                 self._server, self._owner = ForkServer(), os.getpid()
                 atexit.register(self.close)
-            if self._server.is_ready():
-                return self._server
             environ = child_environment(0, log_folder=Path(os.devnull))
-            self._server.start({**environ, RUN_MARK: " " * MARK_BYTES})
-            return None
+            try:
+                self._server.start({**environ, RUN_MARK: " " * MARK_BYTES})
+                self._server.wait_until_ready()
+            except OSError:
+                return None
+            return self._server
 
     @property
     def pid(self) -> int | None:
