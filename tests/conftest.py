@@ -1,5 +1,6 @@
 """How the tests are spread over workers: a file stays together, long ones begin first, lessons go side by side."""
 
+import gc
 import re
 from pathlib import PurePath
 from typing import Any
@@ -21,10 +22,17 @@ LONG_FIRST = (
 # browsers, which are busy, too, are through most of theirs.
 BETWEEN_LESSONS = {"test_hostile": 5, "test_farm": 8, "test_tiers": 10, "test_killed_grader": 12}
 BROWSERS = 2
-"""How many JupyterLabs, each with a Chromium, share the lessons."""
+"""How many JupyterLabs, each with a Chromium, share the lessons. What else needs a browser goes to the first."""
 
 
 own_server.keep()  # a worker starts hundreds of programs
+gc.disable()  # until all tests are there: to collect garbage among them would take a tenth of the time
+
+
+def pytest_collection_finish() -> None:
+    """What is there now stays: nobody needs to look through it for garbage again."""
+    gc.freeze()
+    gc.enable()
 
 
 def group_of(nodeid: str) -> str:
@@ -33,9 +41,9 @@ def group_of(nodeid: str) -> str:
     stem = PurePath(file).stem
     if stem == LESSONS:
         return nodeid
-    if stem == "test_browser_lessons":
-        number = re.search(r"\[(\d\d)_", rest)
-        return f"{file}-{int(number[1]) % BROWSERS if number else 0}"
+    if stem.startswith("test_browser_"):
+        number = re.search(r"\[(\d\d)_", rest) if stem == "test_browser_lessons" else None
+        return f"browser {int(number[1]) % BROWSERS if number else 0}"
     return file
 
 

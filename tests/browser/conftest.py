@@ -11,11 +11,11 @@ from student_lab import ROOT, StudentLab, await_end
 
 from workbook.lab.health import chromium
 
-KERNEL_END_S = 15.0
+KERNEL_END_S = 60.0
 _failed = pytest.StashKey[bool]()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def artifacts() -> Path:
     """Where screenshots and measurements are kept (not in git)."""
     folder = ROOT / "artifacts" / "browser"
@@ -23,7 +23,7 @@ def artifacts() -> Path:
     return folder
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
     path = chromium()
     if path is None:
@@ -39,9 +39,9 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
         opened.close()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def lab(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[StudentLab]:
-    """One server for a module; when it ends, nothing of it may be left."""
+    """One server for all tests of a worker; when it ends, nothing of it may be left."""
     started = StudentLab(tmp_path_factory.mktemp("student"))
     left: dict[int, str] = {}
     try:
@@ -60,7 +60,7 @@ def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestR
 
 
 class OpenPage:
-    """The browser page of a module: JupyterLab stays open in it from test to test, as in a student's afternoon.
+    """The browser page of a worker: JupyterLab stays open in it from test to test, as in a student's afternoon.
 
     To load JupyterLab costs several seconds of processor time. After a test that failed the page is not used again.
     """
@@ -87,7 +87,7 @@ class OpenPage:
             self._kept.page.context.close()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def open_page(browser: Browser, lab: StudentLab) -> Iterator[OpenPage]:
     one = OpenPage(browser, lab)
     yield one

@@ -45,7 +45,7 @@ def test_criteria_that_crash_are_our_fault_and_stop_nobody(tmp_path: Path) -> No
         (answers / f"{student}.py").write_text(f"print({student!r})\n")
     command = [
         *(sys.executable, "-m", "workbook.cli.main", "grade", answers, "--exercise", STEM, "--out", out),
-        *("--slots", "3", "--criteria", own, "--isolation", "limits"),
+        *("--slots", "1", "--criteria", own, "--isolation", "limits"),
     ]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
     assert done.returncode == 1, done.stderr

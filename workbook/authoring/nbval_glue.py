@@ -7,6 +7,7 @@ fails a cell whose magic does not exist, talks to kernels over Unix sockets, and
 of its own unless WORKBOOK_ANSWERS is set.
 """
 
+import gc
 import json
 import os
 import shutil
@@ -32,6 +33,7 @@ _own_folder = pytest.StashKey[Path]()
 
 def pytest_configure(config: pytest.Config) -> None:
     nbval.kernel.KernelManager = PrivateKernelManager
+    gc.freeze()  # what is loaded stays; the messages of a kernel make the collector look through it again and again
     if getattr(config.option, "nbval_sanitize_with", SANITIZE) is None:
         config.option.nbval_sanitize_with = str(SANITIZE)
 
