@@ -30,6 +30,7 @@ class Rest:
         self._left = BUDGET_S
         self._listed = -_LIST_EVERY_S
         self._states: dict[str, int] = {}
+        self._own: set[str] = set()
         self._suspect: int | None = None  # was at work when we last looked, and probably still is
 
     def wait(self) -> bool:
@@ -61,7 +62,8 @@ class Rest:
     def _list(self) -> None:
         self._listed = time.monotonic()
         self._suspect = None
-        wanted = {f"/proc/self/task/{task}/stat" for task in _own_tasks()}
+        self._own = _own_tasks(self._own)
+        wanted = {f"/proc/self/task/{task}/stat" for task in self._own}
         for pid in process_tree(self._pid):
             wanted |= {f"/proc/{pid}/task/{task}/stat" for task in _tasks(pid)}
         for path in self._states.keys() - wanted:
@@ -78,13 +80,15 @@ def _tasks(pid: int) -> list[str]:
         return []
 
 
-def _own_tasks() -> list[str]:
-    """Our threads that receive messages; DDS names them."""
-    found = []
-    for task in _tasks(os.getpid()):
-        with suppress(OSError):
-            if read_proc(f"/proc/self/task/{task}/comm").startswith(OWN_THREADS):
-                found.append(task)
+def _own_tasks(known: set[str]) -> set[str]:
+    """Our threads that receive messages; DDS names them. `known` are those of the last time."""
+    there = _tasks(os.getpid())
+    found = known.intersection(there)
+    for task in there:
+        if task not in found:
+            with suppress(OSError):
+                if read_proc(f"/proc/self/task/{task}/comm").startswith(OWN_THREADS):
+                    found.add(task)
     return found
 
 
