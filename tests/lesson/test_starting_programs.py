@@ -10,6 +10,7 @@ from rclpy.context import Context
 from rclpy.node import Node
 
 from lesson_nodes import callback_monitor
+from tests.observing.programs import wait_until
 from workbook.lesson import processor_seconds, programs, run_program, start, stop
 from workbook.magics.running import node_names
 from workbook.ros.domains import lease_domain
@@ -134,6 +135,35 @@ def test_a_program_that_falls_silent_is_ended_and_one_that_starts_slowly_is_not(
 def test_ctrl_c_comes_when_the_words_are_there() -> None:
     end = run_program("import time\nprint('ready', flush=True)\ntime.sleep(600)\n", interrupt_at="ready")
     assert (end.ended_by, end.exit) == ("itself", 130)
+
+
+def test_ctrl_c_comes_when_the_program_waits_and_not_in_the_middle_of_its_work(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    waits = tmp_path / "waits"
+
+    class RestWhenItSaysSo:
+        def __init__(self, pid: int) -> None: ...
+
+        def wait(self) -> None:
+            wait_until(waits.exists)
+
+        def close(self) -> None: ...
+
+    monkeypatch.setattr(programs, "Rest", RestWhenItSaysSo)
+    code = """
+import pathlib, time
+where = "at work"
+try:
+    print("ready", flush=True)
+    time.sleep(0.5)
+    where = "waiting"
+    pathlib.Path(%r).touch()
+    time.sleep(600)
+except KeyboardInterrupt:
+    print(where)
+"""
+    assert run_program(code % str(waits), interrupt_at="ready").log.split() == ["ready", "waiting"]
 
 
 def test_processor_time_counts_the_time_in_line_for_a_busy_processor(monkeypatch: pytest.MonkeyPatch) -> None:
