@@ -16,14 +16,16 @@ ROBOT = "a humanoid robot with twelve joints"
 _PANEL = ".jp-NotebookPanel:not(.lm-mod-hidden)"
 
 # Every code cell has its number, or a cell failed that was not meant to. After a cell that was meant to raise,
-# JupyterLab shows the cells still waiting as if they were not: a missing asterisk says nothing.
+# JupyterLab shows the cells still waiting as if they were not: a missing asterisk says nothing. It puts cells on the
+# page when it has time: on a busy machine, the first ones have run before the last ones are there.
 _ALL_RAN = """
 ([panel, mayRaise]) => {
     const cells = [...document.querySelectorAll(panel + ' .jp-CodeCell')];
+    if (cells.length < mayRaise.length) return false;
     const error = '[data-mime-type="application/vnd.jupyter.stderr"] .ansi-red-fg';
     const ran = (cell) => /\\d/.test(cell.querySelector('.jp-InputPrompt').textContent);
-    if (cells.some((cell, index) => cell.querySelector(error) && ran(cell) && !mayRaise.includes(index))) return true;
-    return cells.length > 0 && cells.every(ran);
+    if (cells.some((cell, index) => cell.querySelector(error) && ran(cell) && !mayRaise[index])) return true;
+    return cells.every(ran);
 }
 """
 
@@ -175,12 +177,10 @@ class LabPage:
             _ALL_RAN, arg=[_PANEL, self._may_raise(path)], timeout=LESSON_MS, polling=LOOK_EVERY_MS
         )
 
-    def _may_raise(self, path: str) -> list[int]:
-        """Which code cells are marked as raising an error."""
+    def _may_raise(self, path: str) -> list[bool]:
+        """For each code cell, whether it is marked as raising an error."""
         code = [cell for cell in self.lab.notebook(path)["cells"] if cell["cell_type"] == "code"]
-        return [
-            index for index, cell in enumerate(code) if "raises-exception" in cell["metadata"].get("tags", [])
-        ]
+        return ["raises-exception" in cell["metadata"].get("tags", []) for cell in code]
 
     def cell(self, text: str) -> Locator:
         """The first code cell that holds this text."""
