@@ -11,7 +11,7 @@ from rclpy.node import Node
 from std_msgs.msg import String
 
 BEAT_PERIOD_S = 1.0
-LOOK_PERIOD_S = 1.8
+LOOK_PERIOD_S = 2.1
 
 
 class AttentiveRobot(Node):

@@ -144,7 +144,7 @@ for turn in range(4):
 # So spinning is no magic in the background. It is *your* thread, which goes round a loop. That is why it is called the
 # heartbeat of a node.
 #
-# Now with timers. The heart beats every 1.0 s, the robot looks around every 1.8 s, and three words are said. Then we
+# Now with timers. The heart beats every 1.0 s, the robot looks around every 2.1 s, and three words are said. Then we
 # look away for 2.2 s. Now much is ready: both timers are due and three words wait. We turn the crank eight times, and
 # note what ran in each turn and how long it waited.
 
@@ -178,7 +178,7 @@ above.set(yticks=range(3), yticklabels=ROWS, ylim=(-1.0, 2.6), xticks=range(1, 9
 below.set(xlabel="call of spin_once", ylabel="waited (s)", xticks=range(1, 9), xlim=(0.4, 8.6))
 for axes in (above, below):
     axes.grid(False, axis="x")
-show(fig, "calls 1 to 5 ran beat, look and three words at once; calls 6 to 8 waited for beat, look and beat")
+show(fig, "calls 1 to 5 ran beat, look and three words at once; calls 6 to 8 waited for beat, beat and look")
 
 # %%
 waits = [waited for _, _, waited in turns]
@@ -313,8 +313,8 @@ show(fig, "the loop with timeout 0 takes most of a processor for thousands of tu
 # %% id="busy-loop"
 soonest = min(took_s for _, took_s, _ in meters.values())
 print("nobody had twenty ticks before two seconds were over:", soonest > 1.9)
-busy = {timeout_s: busy_s for timeout_s, (_, _, busy_s) in meters.items()}
-print("timeout 0 took more than 5 times the processor time of 0.1 s:", busy[0] > 5 * busy[0.1])
+rounds = {timeout_s: turn_count for timeout_s, (turn_count, _, _) in meters.items()}
+print("timeout 0 went round more than 5 times as often as 0.1 s:", rounds[0] > 5 * rounds[0.1])
 recall("c", about="timeout 0")
 
 # %% [markdown]

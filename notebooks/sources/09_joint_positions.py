@@ -222,10 +222,10 @@ class HandTracker(Node):
 
 start(joint_position_publisher, period_s=0.05)
 tracker = fresh(HandTracker)
-await run(tracker, seconds=5)
+await run(tracker, seconds=60, until=lambda: len(tracker.heights) >= 100)
 stop()
 
-print("more than 80 heights:", len(tracker.heights) > 80)
+print("a hundred heights:", len(tracker.heights) >= 100)
 print("always above the shoulder:", min(tracker.heights) > 0)
 recall("a", about="the hand tracker")
 
