@@ -197,6 +197,7 @@ recall("c", about="four threads")
 predict("...", about="own group")
 
 # %%
+MOST = 0.6 * DUE  # on a calm machine it is nearly all of them
 counted["1 thread, own group"] = len(arrivals(watch(own_group=True), HEARTBEAT))
 rescued = watch(threads=4, own_group=True)
 counted["4 threads, own group"] = len(arrivals(rescued, HEARTBEAT))
@@ -204,7 +205,7 @@ counted["4 threads, own group"] = len(arrivals(rescued, HEARTBEAT))
 for name, count in counted.items():
     print(
         f"{name + ':':<22}",
-        "nearly all" if count >= 0.9 * DUE else "fewer than half" if count < DUE / 2 else count,
+        "most of them" if count >= MOST else "fewer than half" if count < DUE / 2 else count,
     )
 recall("b", about="own group")
 
@@ -213,16 +214,16 @@ from workbook.pictures.figures import figure
 from workbook.pictures.palette import GREEN, GREY, RED
 
 fig, axes = figure(6.4, 2.2)
-colors = [GREEN if count >= 0.9 * DUE else RED for count in counted.values()]
+colors = [GREEN if count >= MOST else RED for count in counted.values()]
 bars = axes.barh(list(counted), list(counted.values()), color=colors, height=0.6)
 axes.bar_label(
-    bars, [f"{'✓' if count >= 0.9 * DUE else '✗'} {count}" for count in counted.values()], padding=4
+    bars, [f"{'✓' if count >= MOST else '✗'} {count}" for count in counted.values()], padding=4
 )
 axes.axvline(DUE, linestyle="--", color=GREY)
 axes.set(xlabel="heartbeats that came, of 50 that were due", xlim=(0, 58))
 axes.grid(visible=False)
 axes.invert_yaxis()
-show(fig, "four bars: only four threads together with a group of its own bring nearly all heartbeats")
+show(fig, "four bars: only four threads together with a group of its own bring most heartbeats")
 
 # %% [markdown]
 # Threads give the *possibility* to run two callbacks at once, groups give the *permission*. You need both. Here is the
