@@ -21,9 +21,8 @@ class PrivateKernelManager(KernelManager):
 
     @default("ip")
     def _in_a_folder_of_their_own(self) -> str:
-        return str(
-            Path(tempfile.mkdtemp(prefix="kernel-"), "socket")
-        )  # short: 107 characters are all there is
+        # Short: 107 characters are all that the address of a socket may have.
+        return str(Path(tempfile.mkdtemp(prefix="kernel-"), "socket"))
 
     def cleanup_connection_file(self) -> None:
         super().cleanup_connection_file()
