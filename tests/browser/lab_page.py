@@ -152,10 +152,7 @@ class LabPage:
         return ("light", "dark") if is_light else ("dark", "light")
 
     def save(self, path: str) -> dict[str, Any]:
-        """Ctrl+S; returns the notebook as it is on disk then.
-
-        What counts is what is sent from now on: JupyterLab saves by itself, too, and that may still be under way.
-        """
+        """Ctrl+S; returns the notebook as it is on disk when what is sent from now on has been saved."""
 
         def is_save(request: Any) -> bool:
             return request.method == "PUT" and f"/api/contents/{path}" in request.url
