@@ -24,6 +24,8 @@ ALLOWED_SKIPS = ROOT / ".ci" / "allowed_skips"
 TYPED_FOLDERS = ("workbook", "lesson_nodes", "solutions", "exercises/criteria")
 # Lessons, browsers and judges wait most of the time: with fewer workers, the processors stand idle.
 JOBS = str(min(8, 2 * len(os.sched_getaffinity(0))))
+TESTS_LIMIT_S = 75 * 60.0
+SUMMARY_LIMIT_S = 120.0
 
 
 @dataclass(frozen=True)
@@ -129,9 +131,28 @@ def run(plan: Sequence[Step], say: Callable[[str], None]) -> list[str]:
         if step.report is not None:
             step.report.unlink(missing_ok=True)
             say(f"── {step.name}")
-            code = subprocess.run(step.command, cwd=ROOT, env=environ).returncode
-            failed += [f"{step.name} (exit {code})"] if code else []
+            failed += _run_tests(step, environ, TESTS_LIMIT_S)
     return failed
+
+
+def _run_tests(step: Step, environ: dict[str, str], limit_s: float) -> list[str]:
+    """Run the tests; after `limit_s` interrupt them as Ctrl-C does, so that they still say what has failed."""
+    running = subprocess.Popen(step.command, cwd=ROOT, env=environ)
+    try:
+        code = running.wait(limit_s)
+        return [f"{step.name} (exit {code})"] if code else []
+    except subprocess.TimeoutExpired:
+        running.send_signal(signal.SIGINT)
+        try:
+            running.wait(SUMMARY_LIMIT_S)
+        except subprocess.TimeoutExpired:
+            running.kill()
+            running.wait()
+        return [f"{step.name} (did not end within {limit_s:g} s)"]
+    except BaseException:
+        # Ctrl-C reaches the tests as well: let them say what they saw.
+        running.wait()
+        raise
 
 
 def _run_quick(step: Step, environ: dict[str, str], say: Callable[[str], None]) -> list[str]:

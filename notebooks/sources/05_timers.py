@@ -316,9 +316,11 @@ show(
 )
 
 # %%
+from statistics import median
+
 came = [sum(a - 0.1 < t < b - 0.1 for t in blinks) for a, b in pairwise(beeps[:4])]
-print("blinks due from one beep to the next: 10")
-print("blinks that came:                    ", came)
+print("blinks due from one beep to the next:", round(2.0 / 0.2))
+print("blinks that came, as a rule:         ", median(came))
 gaps = [b - a for a, b in pairwise(blinks)]
 print("any two of them at once, as in a burst:", any(gap < 0.02 for gap in gaps))
 recall("d", about="the long beep")

@@ -1,21 +1,25 @@
 """JupyterLab as a student starts it, and a Chromium to look at it."""
 
+import contextlib
 import os
 from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import pytest
-from lab_page import LabPage
 from playwright.sync_api import Browser, Page, sync_playwright
-from student_lab import ROOT, StudentLab, await_end
 
 from workbook.lab.health import chromium
 
+from .lab_page import LabPage
+from .student_lab import ROOT, StudentLab, await_end, descendants
+
 KERNEL_END_S = 60.0
+GIVES_WAY = 10
+"""Nice value of the browser: a picture may come later, what a lesson measures must not."""
 _failed = pytest.StashKey[bool]()
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def artifacts() -> Path:
     """Where screenshots and measurements are kept (not in git)."""
     folder = ROOT / "artifacts" / "browser"
@@ -23,11 +27,13 @@ def artifacts() -> Path:
     return folder
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
     path = chromium()
     if path is None:
         pytest.skip("no Chromium for the tests in a real browser (apt: chromium)")
+    others = descendants(os.getpid())
+    # A Playwright that is open keeps an event loop running in this thread: no other test could have one.
     with sync_playwright() as playwright:
         # In a container there may be neither user namespaces nor room in /dev/shm.
         opened = playwright.chromium.launch(
@@ -35,11 +41,14 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
             args=["--no-sandbox", "--disable-dev-shm-usage"],
             env={"PATH": os.environ["PATH"], "HOME": str(tmp_path_factory.mktemp("browser"))},
         )
+        for pid in descendants(os.getpid()) - others:
+            with contextlib.suppress(ProcessLookupError):
+                os.setpriority(os.PRIO_PROCESS, pid, GIVES_WAY)
         yield opened
         opened.close()
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def lab(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[StudentLab]:
     """One server for all tests of a worker; when it ends, nothing of it may be left."""
     started = StudentLab(tmp_path_factory.mktemp("student"))
@@ -87,7 +96,7 @@ class OpenPage:
             self._kept.page.context.close()
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def open_page(browser: Browser, lab: StudentLab) -> Iterator[OpenPage]:
     one = OpenPage(browser, lab)
     yield one

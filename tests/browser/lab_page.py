@@ -6,7 +6,8 @@ from typing import Any
 from urllib.parse import quote
 
 from playwright.sync_api import Locator, Page, expect
-from student_lab import StudentLab
+
+from .student_lab import StudentLab
 
 QUICK_MS = 120_000
 CELL_MS = 180_000

@@ -6,9 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from lab_page import CELL_MS, LabPage
 from playwright.sync_api import Locator, Page, expect
-from student_lab import ROOT, StudentLab
 
 from workbook.criteria.runner import CriterionResult
 from workbook.exercise.definition import Exercise, load_exercise
@@ -17,6 +15,9 @@ from workbook.feedback.card import Card, Extras
 from workbook.feedback.timeline import judged_timeline
 from workbook.feedback.wording import SIGNS, WORDS
 from workbook.observing.recording import Recording
+
+from .lab_page import CELL_MS, LabPage
+from .student_lab import ROOT, StudentLab
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 STEM = "09_joint_positions"

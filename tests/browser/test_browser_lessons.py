@@ -7,11 +7,12 @@ from pathlib import Path
 from statistics import median
 
 import pytest
-from lab_page import ROBOT, LabPage
 from playwright.sync_api import expect
-from student_lab import ROOT, StudentLab
 
 from workbook.lab.delivery import first_lesson
+
+from .lab_page import ROBOT, LabPage
+from .student_lab import ROOT, StudentLab
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 LESSONS = sorted(path.stem for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))

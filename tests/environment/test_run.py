@@ -1,6 +1,7 @@
 """The order and the strictness of `make test` itself."""
 
 import importlib.util
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -96,3 +97,10 @@ def test_the_ci_script_is_sound() -> None:
     script = RUN.parents[1] / ".ci" / "run"
     assert script.stat().st_mode & 0o111
     subprocess.run(["sh", "-n", str(script)], check=True)
+
+
+def test_tests_that_never_end_are_interrupted_and_fail(proof: ModuleType) -> None:
+    endless = proof.Step(
+        "pytest", "pytest", (sys.executable, "-c", "import threading; threading.Event().wait()")
+    )
+    assert proof._run_tests(endless, dict(os.environ), 0.5) == ["pytest (did not end within 0.5 s)"]

@@ -2,7 +2,7 @@
 
 import os
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,7 +21,9 @@ from workbook.observing.sandbox import sandbox_problem
 ROOT = Path(__file__).resolve().parents[2]
 # WORKBOOK_PROOFS=05_timers proves this exercise alone.
 STEMS = tuple(stem for stem in stems(ROOT / "solutions") if os.environ.get("WORKBOOK_PROOFS", stem) == stem)
-SLOTS = 3 * (os.cpu_count() or 1)
+SLOTS = os.cpu_count() or 1
+GIVES_WAY = 10
+"""Nice value of what is judged on robot time: it loses nothing by waiting, and whoever lives on the wall clock does."""
 HEADER = re.compile(r"^#\s*(loses|skips|says|thorough):\s*(.+)$")
 
 
@@ -71,12 +73,20 @@ MORE_TRIES = 5
 CALM_S = 0.05
 
 
+@dataclass(frozen=True)
+class Pool:
+    """Answers that are judged alike, on slots of their own."""
+
+    on_robot_time: bool
+    thorough: bool
+
+
 class Proofs:
     """All answers of all exercises, judged side by side as an instructor's run judges them."""
 
     def __init__(self) -> None:
-        self._quick: dict[Key, Job[Key]] = {}
-        self._thorough: dict[Key, Job[Key]] = {}
+        self._jobs: dict[Pool, dict[Key, Job[Key]]] = {}
+        self._pools: dict[Key, Pool] = {}
         self._isolation: Isolation = "limits" if sandbox_problem() else "sandbox"
         for stem in STEMS:
             source = load_exercise(stem, ROOT).source
@@ -91,23 +101,25 @@ class Proofs:
                     read_answer(path, stem),
                     thorough=expectation_of(path).thorough,
                 )
-        with ThreadPoolExecutor(2) as both:
-            halves = [both.submit(self._judge_all, self._quick), both.submit(self._judge_all, self._thorough)]
-        self._judgements = {key: judgement for half in halves for key, judgement in half.result().items()}
+        with ThreadPoolExecutor(len(self._jobs)) as side_by_side:
+            judged = side_by_side.map(self._judge_pool, self._jobs)
+            self._judgements = {key: judgement for pool in judged for key, judgement in pool.items()}
 
     def _add(self, stem: str, name: str, answer: Answer, *, thorough: bool = True) -> None:
-        jobs = self._thorough if thorough else self._quick
-        jobs[stem, name] = Job((stem, name), stem, answer)
+        on_robot_time = load_exercise(stem, ROOT).source.clock == "simulated"
+        pool = Pool(on_robot_time, thorough)
+        self._pools[stem, name] = pool
+        self._jobs.setdefault(pool, {})[stem, name] = Job((stem, name), stem, answer)
 
-    def _judge_all(self, jobs: Mapping[Key, Job[Key]]) -> dict[Key, Judgement]:
+    def _judge_pool(self, pool: Pool) -> dict[Key, Judgement]:
+        if pool.on_robot_time:
+            os.nice(GIVES_WAY)  # this thread, and all that it starts
+
         def judge(some: Sequence[Job[Key]]) -> Iterator[tuple[Job[Key], Judgement]]:
-            return self._judge(some, SLOTS // 2)
+            return judge_all(some, SLOTS, thorough=pool.thorough, isolation=self._isolation)
 
-        return {job.key: counting(tries) for job, tries in judge_until_sure([*jobs.values()], judge)}
-
-    def _judge(self, jobs: Sequence[Job[Key]], slots: int) -> Iterator[tuple[Job[Key], Judgement]]:
-        thorough = jobs[0].key in self._thorough
-        return judge_all(jobs, slots, thorough=thorough, isolation=self._isolation)
+        jobs = [*self._jobs[pool].values()]
+        return {job.key: counting(tries) for job, tries in judge_until_sure(jobs, judge)}
 
     def judgement(
         self, stem: str, name: str, as_expected: Callable[[Judgement], bool] = lambda _: True
@@ -122,8 +134,10 @@ class Proofs:
             judgement = self._judgements[key]
             if not was_busy(judgement) or as_expected(judgement):
                 break
-            job = self._thorough.get(key) or self._quick[key]
-            [(_, self._judgements[key])] = self._judge([job], 1)
+            pool = self._pools[key]
+            [(_, self._judgements[key])] = judge_all(
+                [self._jobs[pool][key]], 1, thorough=pool.thorough, isolation=self._isolation
+            )
         return self._judgements[key]
 
 

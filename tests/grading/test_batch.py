@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from tests.observing.programs import is_gone, wait_until
+from tests.observing.programs import CLIMB, is_gone, wait_until
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.judging import Judgement, judge_recording
@@ -265,13 +265,14 @@ def test_odd_hand_ins_are_ungradable_and_hang_nothing(
 def once(marks: Path, first: str) -> str:
     """An answer that does `first` the first time it is run; the second time it ends at once."""
     return f"""\
-import os, subprocess, sys, time
+{CLIMB}
+import subprocess
 marks = {str(marks)!r}
 if os.path.exists(marks):
     raise SystemExit(3)
 daemon = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(600)"], start_new_session=True)
 with open(marks + ".part", "w") as file:
-    print(os.getppid(), os.getpid(), daemon.pid, file=file)
+    print(judge(), os.getpid(), daemon.pid, file=file)
 os.rename(marks + ".part", marks)
 {first}
 """
@@ -359,7 +360,7 @@ def test_a_slot_that_is_killed_is_replaced_and_the_answer_is_judged(tmp_path: Pa
 
 
 def test_an_answer_that_kills_its_judge_twice_is_no_zero_and_stops_nobody(tmp_path: Path) -> None:
-    killer = "import os, signal\nos.kill(os.getppid(), signal.SIGKILL)\n"
+    killer = f"{CLIMB}os.kill(judge(), signal.SIGKILL)\n"
     jobs = [Job("killer", STEM, Answer(killer)), Job("next", STEM, Answer(UNREADABLE))]
     found = {job.key: judgement for job, judgement in judge_all(jobs, 1)}
     assert (found["killer"].status, found["killer"].score) == ("infra_error", None)

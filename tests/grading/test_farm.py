@@ -20,7 +20,7 @@ from typing import Any
 import pytest
 
 from tests.grading.farms import ROOT, LittleFarm, ancestors_of, little_farm
-from tests.observing.programs import wait_until
+from tests.observing.programs import CLIMB, wait_until
 from workbook.exercise.answers import Answer
 from workbook.exercise.course import course_sha256
 from workbook.exercise.definition import load_exercise
@@ -33,17 +33,6 @@ from workbook.observing.sandbox import sandbox_problem
 
 STEM = "09_joint_positions"
 UNREADABLE = "speed = = 3\n"
-CLIMB = """\
-import os, signal, sys, time
-
-def line_of_ancestors():
-    pid = os.getppid()
-    while pid > 1:
-        with open(f"/proc/{pid}/cmdline", "rb") as file:
-            yield pid, file.read()
-        with open(f"/proc/{pid}/stat") as file:
-            pid = int(file.read().rsplit(")", 1)[1].split()[1])
-"""
 POISON = (
     CLIMB
     + """

@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 
+from tests.observing.programs import CLIMB
 from workbook.exercise.answers import Answer
 from workbook.grading import pool
 from workbook.grading.pool import Job, Slot, judge_all
@@ -72,7 +73,7 @@ def test_criteria_that_crash_are_our_fault_and_stop_nobody(tmp_path: Path) -> No
 
 def test_a_slot_that_dies_again_and_again_is_named_with_its_answer() -> None:
     """Whatever ends a slot: here the answer does it, which it can do only where it is not shut in."""
-    killer = "import os, signal\nos.kill(os.getppid(), signal.SIGKILL)\n"
+    killer = f"{CLIMB}os.kill(judge(), signal.SIGKILL)\n"
     jobs = [Job("killer", STEM, Answer(killer)), Job("next", STEM, Answer("robot = = 1\n"))]
     found = {job.key: judgement for job, judgement in judge_all(jobs, 1)}
     assert (found["killer"].status, found["killer"].score) == ("infra_error", None)

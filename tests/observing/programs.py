@@ -7,6 +7,21 @@ from collections.abc import Callable
 from pathlib import Path
 
 PATIENCE_S = 120.0
+CLIMB = """\
+import os, signal, sys, time
+
+def line_of_ancestors():
+    pid = os.getppid()
+    while pid > 1:
+        with open(f"/proc/{pid}/cmdline", "rb") as file:
+            yield pid, file.read()
+        with open(f"/proc/{pid}/stat") as file:
+            pid = int(file.read().rsplit(")", 1)[1].split()[1])
+
+def judge():
+    return next(pid for pid, command in line_of_ancestors() if b"workbook.grading.slot" in command)
+"""
+"""For an answer that is not shut in: who started it, and the slot that judges it (another process forked it)."""
 
 
 def write(folder: Path, text: str, name: str = "answer.py") -> Path:

@@ -4,7 +4,7 @@ nbval by itself drops updates of a display and piles up cleared outputs, so that
 the one committed. This plugin applies both as they come. Pictures inside HTML are not compared. It also sets the
 sanitize file unless another is given, compares only text in notebooks whose metadata says `workbook.compare: text`,
 fails a cell whose magic does not exist, talks to kernels over Unix sockets, and gives each notebook an answers folder
-of its own unless WORKBOOK_ANSWERS is set.
+of its own unless WORKBOOK_ANSWERS is set. Nobody looks at what moves, and it is drawn twice a second only.
 """
 
 import gc
@@ -28,11 +28,13 @@ OUTPUTS = ("display_data", "execute_result", "stream", "error")
 NOT_TEXT = ("text/html", "text/markdown", "image/svg+xml")
 NO_MAGIC = "UsageError:"
 ANSWERS = "WORKBOOK_ANSWERS"
+MOST_PICTURES = "WORKBOOK_PICTURES_PER_SECOND"
 _own_folder = pytest.StashKey[Path]()
 
 
 def pytest_configure(config: pytest.Config) -> None:
     nbval.kernel.KernelManager = PrivateKernelManager
+    os.environ.setdefault(MOST_PICTURES, "2")
     gc.freeze()  # what is loaded stays; the messages of a kernel make the collector look through it again and again
     if getattr(config.option, "nbval_sanitize_with", SANITIZE) is None:
         config.option.nbval_sanitize_with = str(SANITIZE)

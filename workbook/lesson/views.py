@@ -1,6 +1,7 @@
 """Live views of the robot on this notebook's domain: the figure that moves, and the status dashboard."""
 
 import math
+import os
 import time
 from typing import Any
 
@@ -14,6 +15,8 @@ from workbook.pictures.stills import Still
 from workbook.ros.session import Stopped, run
 from workbook.ros.standing import standing_node
 
+MOST_PICTURES = "WORKBOOK_PICTURES_PER_SECOND"
+"""Environment variable: draw no more, whatever a cell asks for."""
 ROBOT_TEXT = "a humanoid robot with twelve joints, posed by the last message on /robot/joint_positions"
 
 
@@ -96,6 +99,7 @@ class StatusView(_View):
 
 
 async def _show(view: Any, describe: str, seconds: float | None, fps: float) -> LiveFigure:
+    fps = min(fps, float(os.environ.get(MOST_PICTURES, "inf")))
     figure = LiveFigure(describe)
 
     def refresh() -> None:
