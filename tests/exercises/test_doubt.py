@@ -16,6 +16,7 @@ from workbook.exercise.definition import load_exercise
 from workbook.exercise.doubt import doubt_about
 from workbook.exercise.judging import Judge, Judgement
 from workbook.observing.recording import ProcessRecord, PublisherSeen, Recording, TopicRecording
+from workbook.observing.standstill import Standstill
 from workbook.observing.tree import seconds_in_line
 from workbook.observing.watch import Observer, Watch
 from workbook.ros.domains import lease_domain
@@ -101,6 +102,10 @@ def test_only_lost_time_is_put_down_to_a_busy_machine() -> None:
     assert doubt(replace(slow, clock="simulated")) == "", "robot time waits for whom the machine holds up"
     assert doubt(replace(stored("eleven_values"), clock="wall", held_up_s=5.0)) == ""
     assert doubt(replace(stored("solution"), clock="wall", held_up_s=5.0)) == ""
+    taken = replace(slow, held_up_s=0.0, stood_still_s=0.6)
+    assert "its host gave one of its processors to others for 0.60 s" in doubt(taken)
+    assert doubt(replace(taken, stood_still_s=0.2)) == ""
+    assert Recording.from_json(taken.to_json()).stood_still_s == 0.6
 
 
 def one_late(recording: Recording, topic: str, which: slice, late_s: float) -> Recording:
@@ -174,6 +179,15 @@ def test_how_long_a_process_stood_in_line() -> None:
             one.kill()
             other.kill()
     assert seconds_in_line(one.pid) == 0.0, "it has ended"
+
+
+def test_a_watch_knows_of_a_processor_that_was_taken_away(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Standstill, "look", lambda _: 0.7)
+    wrong = (ROOT / "tests" / "wrong_answers" / STEM / "period_for_frequency.py").read_text(encoding="utf-8")
+    judgement = judge_on_the_wall_clock(wrong)
+    assert judgement.recording is not None
+    assert judgement.recording.stood_still_s == 0.7
+    assert judgement.doubt
 
 
 def test_a_watch_knows_how_long_it_was_held_up(monkeypatch: pytest.MonkeyPatch) -> None:

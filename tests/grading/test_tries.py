@@ -226,6 +226,14 @@ def test_a_student_who_checks_gets_the_second_try_at_once(second: Judgement, cou
     assert told == [judgement_as_provisional(DOUBTFUL)]
 
 
+@pytest.mark.parametrize(("third", "counts"), [(GOOD, GOOD), (DOUBTFUL, DOUBTFUL)])
+def test_a_student_who_checks_gets_a_third_try_and_no_fourth(third: Judgement, counts: Judgement) -> None:
+    tries, told = [DOUBTFUL, DOUBTFUL, third, GOOD], list[Judgement]()
+    assert until_sure(lambda: tries.pop(0), told.append) == counts
+    assert tries == [GOOD]
+    assert told == 2 * [judgement_as_provisional(DOUBTFUL)]
+
+
 @pytest.mark.parametrize("sure", [GOOD, POOR, LOST])
 def test_a_student_who_checks_waits_for_no_second_try_of_what_is_sure(sure: Judgement) -> None:
     tries, told = [sure, GOOD], list[Judgement]()

@@ -106,8 +106,15 @@ def _clocks_contradict(lost: Sequence[CriterionResult], on_robot_time: Sequence[
 def _held_up(lost: Sequence[CriterionResult], recording: Recording, plan: Plan) -> str:
     longest = max(LEAST_HELD_UP_S, HELD_UP_SHARE * plan.shortest_period)
     about_time = any(result.about_time for result in lost)
-    if recording.clock == "wall" and about_time and recording.held_up_s >= longest:
+    if recording.clock != "wall" or not about_time:
+        return ""
+    if recording.held_up_s >= longest:
         return f"this machine was so busy that the judge itself had to wait for {recording.held_up_s:.2f} s"
+    if recording.stood_still_s >= longest:
+        return (
+            "this is a virtual machine, and its host gave one of its processors to others for "
+            f"{recording.stood_still_s:.2f} s"
+        )
     return ""
 
 

@@ -6,6 +6,8 @@ from typing import TypeVar
 from workbook.exercise.judging import Judgement, Report, judgement_as_provisional
 from workbook.grading.pool import Job
 
+MOST_TRIES = 3
+"""For a person who waits. A grader tries again when all others are done: twice is enough there."""
 Key = TypeVar("Key")
 JudgeAll = Callable[[Sequence[Job[Key]]], Iterator[tuple[Job[Key], Judgement]]]
 
@@ -32,12 +34,15 @@ def judge_until_sure(
 
 
 def until_sure(judge: Callable[[], Judgement], report: Report) -> Judgement:
-    """Judge one answer, at once a second time when that is in doubt. `report` gets the doubtful one as provisional."""
-    first = judge()
-    if not first.doubt:
-        return first
-    report(judgement_as_provisional(first))
-    return counting((first, judge()))
+    """Judge one answer, and again as long as that is in doubt, three times at most.
+
+    `report` gets each doubtful one that is tried again, as provisional.
+    """
+    tries = [judge()]
+    while tries[-1].doubt and len(tries) < MOST_TRIES:
+        report(judgement_as_provisional(tries[-1]))
+        tries.append(judge())
+    return counting(tries)
 
 
 def counting(tries: Sequence[Judgement]) -> Judgement:

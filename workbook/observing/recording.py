@@ -178,8 +178,9 @@ class Phase:
 class Recording:
     """One watch of one program. `findings`: what the type checker said; None if it was not asked.
 
-    `held_up_s`: on the wall clock, the longest time (s) for which the watch itself got no processor; `in_line_s`: how
-    long (s) in all the program was ready to run and got none.
+    `held_up_s`: on the wall clock, the longest time (s) for which the watch itself got no processor; `stood_still_s`:
+    the longest for which the host of this virtual machine took a processor away; `in_line_s`: how long (s) in all the
+    program was ready to run and got none.
     """
 
     clock: Clock
@@ -199,6 +200,7 @@ class Recording:
     findings: tuple[Finding, ...] | None = None
     clients: tuple[ServiceSeen, ...] = ()
     held_up_s: float = 0.0
+    stood_still_s: float = 0.0
     in_line_s: float = 0.0
 
     def topic(self, name: str) -> TopicRecording:
@@ -311,5 +313,6 @@ def _recording(data: Mapping[str, Any]) -> Recording:
         findings=_findings(data.get("findings")),
         clients=tuple(ServiceSeen(**item) for item in data.get("clients", ())),
         held_up_s=data.get("held_up_s", 0.0),
+        stood_still_s=data.get("stood_still_s", 0.0),
         in_line_s=data.get("in_line_s", 0.0),
     )

@@ -21,6 +21,7 @@ from workbook.observing.rest import Rest
 from workbook.observing.sandbox import Cage
 from workbook.observing.script import NOTHING_SAID, Script
 from workbook.observing.speaker import Speaker
+from workbook.observing.standstill import Standstill
 from workbook.observing.tree import seconds_in_line
 from workbook.ros.domains import DomainLease, NoDomainFree, lease_domain
 from workbook.ros.environment import is_prepared, prepare
@@ -239,6 +240,7 @@ class Watch:
         self._follows: bool | None = None
         self._matched_wall: float | None = None
         self._held_up_s = 0.0
+        self._stood_still_s = 0.0
         self._in_line_s = 0.0
 
     def _robot_time(self, moment: float) -> float:
@@ -338,6 +340,7 @@ class Watch:
         end = time.monotonic() + seconds
         next_look = 0.0
         before = in_line = seconds_in_line(self._process.pid)
+        standstill = Standstill()
         while (left := end - time.monotonic()) > 0 and self._process.is_running():
             paused = time.monotonic()
             turn = min(TAKE_EVERY_S, left, self._speaker.until_next(self._robot_time(paused)))
@@ -349,6 +352,7 @@ class Watch:
                 self._recorder.look()
                 self._process.note_processor_time()
                 in_line = max(in_line, seconds_in_line(self._process.pid))
+                self._stood_still_s = max(self._stood_still_s, standstill.look())
                 next_look = time.monotonic() + LOOK_EVERY_S
         self._in_line_s += in_line - before
         self._recorder.take()
@@ -457,6 +461,7 @@ class Watch:
             services=self._recorder.services(),
             clients=self._recorder.clients(),
             held_up_s=round(self._held_up_s, 4),
+            stood_still_s=round(self._stood_still_s, 2),
             in_line_s=round(self._in_line_s, 4),
         )
 

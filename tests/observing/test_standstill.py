@@ -1,0 +1,40 @@
+"""Processors that the host takes away: from the kernel's table to the longest standstill."""
+
+from pathlib import Path
+
+from workbook.observing.standstill import Standstill, taken_away
+
+TABLE = """\
+cpu  10 0 10 1000 0 0 0 {both} 0 0
+cpu0 5 0 5 500 0 0 0 {first} 0 0
+cpu1 5 0 5 500 0 0 0 {second} 0 0
+intr 3 0 1
+ctxt 77
+"""
+
+
+def write(folder: Path, first: int, second: int) -> Path:
+    path = folder / "stat"
+    path.write_text(TABLE.format(both=first + second, first=first, second=second))
+    return path
+
+
+def test_the_longest_standstill_of_one_processor_since_the_last_look(tmp_path: Path) -> None:
+    standstill = Standstill(write(tmp_path, 100, 200))
+    assert standstill.look() == 0.0
+    write(tmp_path, 110, 280)
+    assert round(standstill.look(), 6) == 0.8
+    assert standstill.look() == 0.0
+    write(tmp_path, 150, 281)
+    assert round(standstill.look(), 6) == 0.4
+
+
+def test_where_nobody_tells_nothing_stands_still(tmp_path: Path) -> None:
+    assert taken_away(tmp_path / "absent") == {}
+    (tmp_path / "stat").write_text("cpu  1 2 3\ncpu0 1 2 3\n\n")
+    assert Standstill(tmp_path / "stat").look() == 0.0
+
+
+def test_this_machine_tells_of_each_of_its_processors() -> None:
+    assert all(seconds >= 0.0 for seconds in taken_away().values())
+    assert len(taken_away()) >= 1
