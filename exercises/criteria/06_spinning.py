@@ -60,8 +60,8 @@ WATCH = watching(
             ],
         ),
         see.says("/robot/jobs", Int32, [(3.7, job) for job in JOBS]),
-        # Late enough to show a wait that begins anew, and half a second before the call is over.
-        see.says("/quiet/words", Int32, [(6.2, 1), (6.3, 2)]),
+        # Late in the call, so that a wait that begins anew shows, even when the call itself began half a second late.
+        see.says("/quiet/words", Int32, [(6.55, 1), (6.62, 2)]),
     ],
 )
 

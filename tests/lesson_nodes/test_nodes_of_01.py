@@ -11,6 +11,7 @@ from rclpy.signals import SignalHandlerOptions
 
 from lesson_nodes import night_guard, radio_robot
 from lesson_nodes.radio_robot import RadioRobot
+from tests.lesson_nodes.ending import ended_well
 from workbook.criteria.mishaps import ended_in_order
 from workbook.lesson import arrivals, record, run_program, start, stop
 from workbook.lesson.programs import program_file
@@ -47,7 +48,7 @@ def test_the_guard_is_on_the_graph_by_its_name() -> None:
 
 def test_the_radio_speaks_four_times_a_second() -> None:
     recording = record(radio_robot, {HELLO: radio_robot.PERIOD_S}, seconds=10)
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
     assert 38 <= len(arrivals(recording, HELLO)) <= 41
 
 

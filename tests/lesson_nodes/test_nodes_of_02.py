@@ -9,7 +9,7 @@ from rclpy.node import Node
 from lesson_nodes import camera_driver, roll_call
 from lesson_nodes.camera_driver import CameraDriver
 from lesson_nodes.roll_call import RollReader
-from workbook.criteria.mishaps import ended_in_order
+from tests.lesson_nodes.ending import ended_well
 from workbook.lesson import arrivals, fresh, init, record, run_program, spin_for, start, stop, values
 from workbook.lesson.programs import program_file
 from workbook.ros.environment import prepare
@@ -57,7 +57,7 @@ def test_a_roll_call_without_a_pause_is_refused_in_words() -> None:
 
 def test_the_camera_takes_two_pictures_a_second_and_says_who_it_is() -> None:
     recording = record(camera_driver, {FRAME: 0.5, FAULTS: 1.0}, seconds=10)
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
     assert 19 <= len(arrivals(recording, FRAME)) <= 21
     assert set(values(recording, FAULTS)) == {"camera: none"}
     pictures = values(recording, FRAME)
@@ -74,7 +74,7 @@ def test_the_names_of_a_camera_follow_its_remapping() -> None:
 
 def test_the_roll_is_called_five_times_a_second_until_control_c() -> None:
     recording = record(roll_call, {roll_call.TOPIC: roll_call.PERIOD_S}, seconds=10)
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
     assert 48 <= len(arrivals(recording, roll_call.TOPIC)) <= 51
 
 

@@ -6,7 +6,7 @@ import pytest
 
 from lesson_nodes import figure_driver, tiny_camera
 from lesson_nodes.level_desk import LevelDesk
-from workbook.criteria.mishaps import ended_in_order
+from tests.lesson_nodes.ending import ended_well
 from workbook.lesson import arrivals, record, run_program, start
 from workbook.observing.recording import Recording
 
@@ -33,7 +33,7 @@ def test_an_eight_turns_left_and_then_right_and_comes_back() -> None:
     assert len(turns) == EIGHT
     assert [turn for turn, other in zip(turns, [0.0, *turns], strict=False) if turn != other] == [1.0, -1.0]
     assert math.hypot(*end_of(recording)) < 0.1
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
 
 
 def test_a_circle_goes_on_to_the_same_side() -> None:
@@ -59,7 +59,7 @@ def test_the_camera_sends_whole_pictures_of_a_ball_that_rolls() -> None:
         found = [place for place, pixel in enumerate(pixels) if pixel == tiny_camera.BALL]
         columns.append(sum(found) / len(found))
     assert columns == [2.0, 4.0, 6.0, 8.0, 10.0]
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
 
 
 def desk_that_heard(*heard: tuple[int, str | float]) -> LevelDesk:

@@ -10,7 +10,7 @@ from rclpy.node import Node
 from std_msgs.msg import Float32
 
 from lesson_nodes import battery_desk, black_box, careful_robot, distance_sensor
-from workbook.criteria.mishaps import ended_in_order
+from tests.lesson_nodes.ending import ended_well
 from workbook.lesson import record, start, values
 from workbook.lesson.programs import program_file
 from workbook.observing.recording import Recording
@@ -39,7 +39,7 @@ def test_the_sensor_walks_to_the_wall_and_back() -> None:
     assert min(distances) == pytest.approx(distance_sensor.NEAR_M, abs=0.01)
     assert max(distances) == pytest.approx(distance_sensor.FAR_M, abs=0.01)
     assert distances[4] < distances[0] > 1.0
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
 
 
 def test_the_robot_takes_one_posture_for_each_distance() -> None:
@@ -48,7 +48,7 @@ def test_the_robot_takes_one_posture_for_each_distance() -> None:
     shoulders = [pose[careful_robot.LEFT_SHOULDER] for pose in values(recording, JOINTS)]  # type: ignore[index]
     down, up = careful_robot.ARMS_DOWN_RAD, careful_robot.ARMS_UP_RAD
     assert shoulders == pytest.approx([down, down, (down + up) / 2, up, up, down], abs=1e-5)
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
 
 
 def test_the_black_box_counts_what_it_keeps() -> None:
@@ -56,7 +56,7 @@ def test_the_black_box_counts_what_it_keeps() -> None:
     counts = values(recording, KEPT)
     assert counts[-1] == 5
     assert counts == sorted(counts, key=str)
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
 
 
 @pytest.mark.parametrize("distance_m", [0.0, 0.2, 1.0, 2.0, 50.0])

@@ -9,7 +9,7 @@ from std_msgs.msg import String
 from lesson_nodes import attentive_robot, pump_watcher
 from lesson_nodes.attentive_robot import AttentiveRobot
 from lesson_nodes.pump_watcher import PumpWatcher
-from workbook.criteria.mishaps import ended_in_order
+from tests.lesson_nodes.ending import ended_well
 from workbook.lesson import arrivals, record, run_program, spin_for, start, values
 from workbook.ros.session import init, shutdown
 
@@ -22,7 +22,7 @@ def test_a_minute_of_the_attentive_robot() -> None:
     assert abs(deeds.count("beat") - 60) <= 1
     assert abs(deeds.count("look") - 20) <= 1
     assert len(arrivals(recording, DONE)) == len(deeds)
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
 
 
 def test_it_hears_and_remembers_each_word() -> None:

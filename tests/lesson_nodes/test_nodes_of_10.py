@@ -8,7 +8,7 @@ import pytest
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 
 from lesson_nodes import thinking_robot
-from workbook.criteria.mishaps import ended_in_order
+from tests.lesson_nodes.ending import ended_well
 from workbook.lesson import arrivals, record, start, stop, values
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
@@ -58,7 +58,7 @@ def test_only_threads_and_a_group_together_keep_the_heart_beating(
     silence = max(b - a for a, b in pairwise(beats))
     assert (silence > 0.9) == heart_stops
     assert set(values(recording, THOUGHT)) == {"done"}
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
 
 
 def test_the_arm_waves_with_each_beat() -> None:

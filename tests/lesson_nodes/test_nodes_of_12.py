@@ -6,7 +6,7 @@ import pytest
 from std_srvs.srv import SetBool, Trigger
 
 from lesson_nodes import heart_and_question, self_test_server, waves_when_asked
-from workbook.criteria.mishaps import ended_in_order
+from tests.lesson_nodes.ending import ended_well
 from workbook.lesson import arrivals, record, start
 from workbook.observing.recording import CallSeen, Recording
 from workbook.observing.script import Calls, Script, calls
@@ -54,7 +54,7 @@ def test_the_robot_waves_while_it_has_been_asked_to() -> None:
     for pose in at_rest:
         assert pose == pytest.approx(waves_when_asked.AT_REST)
     assert len({tuple(pose) for t, pose in poses if begins + 0.1 < t < ends - 0.1}) > 5
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
 
 
 def test_the_self_test_follows_its_pattern() -> None:
@@ -66,7 +66,7 @@ def test_the_self_test_follows_its_pattern() -> None:
     assert quick is not None and slow is not None
     assert slow >= 0.65
     assert recording.calls[4].answered_wall < recording.calls[2].answered_wall  # type: ignore[operator]
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
 
 
 @pytest.mark.parametrize(
@@ -109,7 +109,7 @@ def test_an_answer_needs_a_free_thread_and_a_free_group(
 def test_a_node_that_does_not_hang_ends_on_ctrl_c(way: str) -> None:
     recording = watched(heart_and_question, Script(), 1.0, *PERIODS, way=way, group="own")
     assert arrivals(recording, ANSWERED)
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
 
 
 def test_who_spins_inside_a_callback_belongs_to_nobody_afterwards() -> None:

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from lesson_nodes import blink_and_beep, two_arms
-from workbook.criteria.mishaps import ended_in_order
+from tests.lesson_nodes.ending import ended_well
 from workbook.lesson import arrivals, record, start, values
 
 BLINK, BEEP, JOINTS = "/robot/blink", "/robot/beep", "/robot/joint_positions"
@@ -34,7 +34,7 @@ def test_each_arm_moves_to_its_own_timer() -> None:
     right = [pose[two_arms.RIGHT_SHOULDER] for pose in poses]
     assert len(set(left)) > 25  # up and down pass through the same angles
     assert 4 <= len(set(right)) <= 8
-    assert ended_in_order(recording.process.exit, recording.process.end_log), recording.process.end_log
+    assert ended_well(recording), recording.process
     assert all(len(pose) == two_arms.JOINT_COUNT for pose in poses)
     assert all(math.isfinite(angle) for pose in poses for angle in pose)
 

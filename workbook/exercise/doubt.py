@@ -38,7 +38,7 @@ def doubt_about(
     return (
         _never_seen(recording)
         or _never_matched(recording, plan)
-        or _crashed_at_its_end(recording)
+        or crashed_at_its_end(recording)
         or _node_stayed(recording)
         or _clocks_contradict(lost, on_robot_time)
         or _held_up(lost, recording, plan)
@@ -70,7 +70,7 @@ def _never_matched(recording: Recording, plan: Plan) -> str:
     return ""
 
 
-def _crashed_at_its_end(recording: Recording) -> str:
+def crashed_at_its_end(recording: Recording) -> str:
     """rclpy's signal thread walks a list of guard conditions which its shutdown frees, and neither waits for the other.
 
     On a busy machine the thread may lose the processor in the middle, and any program in order crashes at Ctrl-C.
