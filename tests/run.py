@@ -24,7 +24,7 @@ ALLOWED_SKIPS = ROOT / ".ci" / "allowed_skips"
 TYPED_FOLDERS = ("workbook", "lesson_nodes", "solutions", "exercises/criteria")
 # Lessons, browsers and judges wait most of the time: with fewer workers, the processors stand idle.
 JOBS = str(min(8, 2 * len(os.sched_getaffinity(0)) + 1))
-TESTS_LIMIT_S = 75 * 60.0
+TESTS_LIMIT_S = 50 * 60.0
 SUMMARY_LIMIT_S = 120.0
 
 

@@ -24,6 +24,8 @@ STEMS = tuple(stem for stem in stems(ROOT / "solutions") if os.environ.get("WORK
 SLOTS = os.cpu_count() or 1
 GIVES_WAY = 10
 """Nice value of what is judged on robot time: it loses nothing by waiting, and whoever lives on the wall clock does."""
+MACHINE = ROOT / "artifacts" / "proofs.tsv"
+"""How busy the machine was in each judgement. An answer that was judged again has several lines."""
 HEADER = re.compile(r"^#\s*(loses|skips|says|thorough):\s*(.+)$")
 
 
@@ -104,12 +106,26 @@ class Proofs:
         with ThreadPoolExecutor(len(self._jobs)) as side_by_side:
             judged = side_by_side.map(self._judge_pool, self._jobs)
             self._judgements = {key: judgement for pool in judged for key, judgement in pool.items()}
+        MACHINE.parent.mkdir(exist_ok=True)
+        MACHINE.write_text(
+            "exercise\tanswer\tpoints\theld up\tstood still\tin line\tdoubt\n", encoding="utf-8"
+        )
+        for key in self._judgements:
+            self._note(key)
 
     def _add(self, stem: str, name: str, answer: Answer, *, thorough: bool = True) -> None:
         on_robot_time = load_exercise(stem, ROOT).source.clock == "simulated"
         pool = Pool(on_robot_time, thorough)
         self._pools[stem, name] = pool
         self._jobs.setdefault(pool, {})[stem, name] = Job((stem, name), stem, answer)
+
+    def _note(self, key: Key) -> None:
+        """Keep how the machine was when this answer was judged (s)."""
+        judgement = self._judgements[key]
+        seen = judgement.recording
+        waits = () if seen is None else (seen.held_up_s, seen.stood_still_s, seen.in_line_s)
+        with MACHINE.open("a", encoding="utf-8") as file:
+            print(*key, judgement.score, *waits, judgement.doubt, sep="\t", file=file)
 
     def _judge_pool(self, pool: Pool) -> dict[Key, Judgement]:
         if pool.on_robot_time:
@@ -138,6 +154,7 @@ class Proofs:
             [(_, self._judgements[key])] = judge_all(
                 [self._jobs[pool][key]], 1, thorough=pool.thorough, isolation=self._isolation
             )
+            self._note(key)
         return self._judgements[key]
 
 

@@ -1,6 +1,6 @@
 # loses: timers_tick
 # says: never sleep in between
-"""Now and then it handles all that is there, and sleeps in between."""
+"""Twice a second it handles all that is there, and sleeps in between."""
 
 import time
 
@@ -13,4 +13,4 @@ def pump(node, seconds):
         for _ in range(30):
             if time.monotonic() < end:
                 rclpy.spin_once(node, timeout_sec=0)
-        time.sleep(max(0.0, min(0.7, end - time.monotonic())))
+        time.sleep(max(0.0, min(0.5, end - time.monotonic())))
