@@ -15,7 +15,7 @@ from workbook.observing.script import BEFORE_START, Calls, Line, Says, Script, S
 from workbook.observing.values import plain
 from workbook.ros.messages import message_class, service_class
 
-SERVED_EVERY_S = 0.005
+SERVED_EVERY_S = 0.01
 LATE_S = 0.02
 
 
@@ -192,7 +192,7 @@ class Speaker:
                 self._calls.append(CallSeen(offered.part.service, "program", *self._now(), plain(request)))
                 if reply.after is not None:
                     offered.waiting.append((self._now()[0] + reply.after, index, header, reply.value))
-        now = self._now()[0]
+        now = self._now()[0] if offered.waiting else 0.0
         for due, index, header, value in [*offered.waiting]:
             if due <= now:
                 offered.waiting.remove((due, index, header, value))

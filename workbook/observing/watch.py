@@ -45,6 +45,7 @@ GONE_S = 6.0
 GHOST_S = 20
 HELD_STEPS = 5
 LOOK_EVERY_S = 0.1
+NOTE_EVERY_S = 0.2
 UNMEASURED_STRIDE = 5
 """Steps of robot time at once while a program is only kept alive: half the shortest judged period."""
 PATIENCE_S = 0.7
@@ -338,19 +339,25 @@ class Watch:
 
     def _run_wall_time(self, seconds: float) -> None:
         end = time.monotonic() + seconds
-        next_look = 0.0
+        next_take = next_look = next_note = 0.0
         before = in_line = seconds_in_line(self._process.pid)
         standstill = Standstill()
-        while (left := end - time.monotonic()) > 0 and self._process.is_running():
+        running = True
+        while running and (left := end - time.monotonic()) > 0:
             paused = time.monotonic()
             turn = min(TAKE_EVERY_S, left, self._speaker.until_next(self._robot_time(paused)))
             self._pause(turn)
             self._held_up_s = max(self._held_up_s, time.monotonic() - paused - turn)
             self._speaker.play(self._robot_time(time.monotonic()), keep_pauses=True)
-            self._recorder.take()
+            if time.monotonic() > next_take:
+                self._recorder.take()
+                running = self._process.is_running()
+                next_take = time.monotonic() + TAKE_EVERY_S
+            if time.monotonic() > next_note:
+                self._process.note_processor_time()
+                next_note = time.monotonic() + NOTE_EVERY_S
             if time.monotonic() > next_look:
                 self._recorder.look()
-                self._process.note_processor_time()
                 in_line = max(in_line, seconds_in_line(self._process.pid))
                 self._stood_still_s = max(self._stood_still_s, standstill.look())
                 next_look = time.monotonic() + LOOK_EVERY_S
