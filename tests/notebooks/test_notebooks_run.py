@@ -15,8 +15,8 @@ TREE = Tree(ROOT)
 STEMS = sorted({*TREE.lesson_stems(), *TREE.exercise_stems()})
 NUMBERS = sorted({stem[:2] for stem in STEMS})
 TRIES = 3
-MOST_TAKEN = 0.05
-"""Of the processors' time, by other machines on the same host: with more than that, a lesson cannot keep time."""
+MOST_TAKEN = 0.01
+"""Of the processors' time, by other machines on the same host: a standstill of a second is enough to upset a lesson."""
 
 
 def taken() -> float:
