@@ -124,7 +124,7 @@ def serve(isolation: Isolation, ids: Ids | None = None) -> None:
             except Exception as error:
                 message = {"final": True, "error": f"{type(error).__name__}: {error}"}
             try:
-                sweep_orphans(keep=server.pid or own_server.pid)
+                sweep_orphans()
             except StillThere as error:
                 message = {"final": True, "error": str(error)}
             send(message)

@@ -10,7 +10,6 @@ from pathlib import Path
 from workbook.observing.orphans import sweep_orphans
 from workbook.observing.sandbox import NOT_FOR_ANSWERS, SYSTEM_FILES, SYSTEM_FOLDERS, interpreter_folders
 from workbook.observing.uids import Ids
-from workbook.observing.warm_start import own_server
 
 CONFINE = Path(__file__).with_name("confine.py")
 READABLE_DEVICES = ("/dev/zero", "/dev/full", "/dev/random", "/dev/urandom")
@@ -92,5 +91,5 @@ class Confinement:
         """
         left = self.ids is not None and self.ids.sweep()
         if self.adopts:
-            left = sweep_orphans(keep=own_server.pid) > 0 or left
+            left = sweep_orphans() > 0 or left
         return left

@@ -13,6 +13,8 @@ PR_SET_CHILD_SUBREAPER = 36
 LONGEST_SWEEP_S = 20.0
 REAP_EVERY_S = 0.002
 
+_spared: set[int] = set()
+
 
 class StillThere(RuntimeError):
     """Programs do not end, or may not be ended. Says which."""
@@ -23,8 +25,18 @@ def adopt_orphans() -> None:
     ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1)
 
 
-def sweep_orphans(keep: int | None = None) -> int:
-    """Kill and reap every process that is left below this one, but for `keep`. Returns how many there were.
+def spare(pid: int) -> None:
+    """No sweep is to end this child of ours, nor what it has started."""
+    _spared.add(pid)
+
+
+def forget(pid: int) -> None:
+    """This child has ended: its number may come again."""
+    _spared.discard(pid)
+
+
+def sweep_orphans() -> int:
+    """Kill and reap every process that is left below this one, but for those to spare. Returns how many there were.
 
     Each is stopped as soon as it is seen, and only when no new one is found they are killed: what does not run cannot
     fork away. Raises StillThere after twenty seconds, when new ones still come faster than they can be stopped.
@@ -33,7 +45,7 @@ def sweep_orphans(keep: int | None = None) -> int:
     deadline = time.monotonic() + LONGEST_SWEEP_S
     while True:
         stopped: set[int] = set()
-        while time.monotonic() < deadline and (newcomers := _stop_below(os.getpid(), stopped, keep)):
+        while time.monotonic() < deadline and (newcomers := _stop_below(os.getpid(), stopped)):
             stopped |= newcomers
         if not stopped:
             return len(ended)
@@ -47,13 +59,13 @@ def sweep_orphans(keep: int | None = None) -> int:
             )
 
 
-def _stop_below(pid: int, known: set[int], keep: int | None) -> set[int]:
-    """Stop the descendants of `pid` that are not known yet, from the top down. Returns them. Not `keep` and its own."""
+def _stop_below(pid: int, known: set[int]) -> set[int]:
+    """Stop the descendants of `pid` that are not known yet, from the top down. Returns them. Not those to spare."""
     newcomers: set[int] = set()
     waiting, looked_at = [pid], set[int]()
     while waiting:
         for child in children(waiting.pop()):
-            if child == keep:
+            if child in _spared:
                 continue
             if child not in known and child not in newcomers:
                 _signal([child], signal.SIGSTOP)

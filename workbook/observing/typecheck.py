@@ -1,8 +1,8 @@
 """What a type checker says of a program, without running it.
 
-mypy runs in a child process behind a watchdog and under the settings of the bench alone. A program brings no settings
-of its own: comments that silence mypy are taken out before it looks, and are reported, as is code that it would not
-look at.
+mypy runs in a process of its own, behind a watchdog and under the settings of the bench alone. A program brings no
+settings of its own: comments that silence mypy are taken out before it looks, and are reported, as is code that it
+would not look at.
 """
 
 import ast
@@ -11,10 +11,8 @@ import io
 import json
 import os
 import re
-import resource
 import shutil
 import signal
-import subprocess
 import sys
 import tokenize
 from collections.abc import Iterator, Mapping, Sequence
@@ -22,6 +20,7 @@ from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
 
+from workbook.observing.mypy_runs import mypy_server
 from workbook.observing.recording import Finding
 from workbook.ros.environment import child_environment
 from workbook.ros.scratch import remove_scratch, scratch_folder
@@ -117,48 +116,33 @@ def _run_mypy(
     processor_s: int = PROCESSOR_S,
 ) -> list[tuple[str, int, str, str]]:
     """Run mypy over files of a folder: module, line, code and message of all that it says."""
-    command = [
-        sys.executable, "-P", "-m", "mypy", *settings, "--output=json", "--no-error-summary", "--show-error-codes",
-        "--explicit-package-bases", f"--cache-dir={cache}", *files,
+    arguments = [
+        *settings, "--output=json", "--no-error-summary", "--show-error-codes", "--explicit-package-bases",
+        f"--cache-dir={cache}", *files,
     ]  # fmt: skip
     environ = child_environment(0, log_folder=folder)
     environ = {name: value for name, value in environ.items() if not name.startswith("MYPY")}
     if stubs:
         environ["MYPYPATH"] = str(TYPINGS)
-    child = subprocess.Popen(
-        command,
-        cwd=folder,
-        env=environ,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        encoding="utf-8",
-        errors="replace",
-        start_new_session=True,
-    )
-    with child:
-        try:
-            resource.prlimit(child.pid, resource.RLIMIT_AS, (MEMORY_BYTES, MEMORY_BYTES))
-            resource.prlimit(child.pid, resource.RLIMIT_CPU, (processor_s, processor_s + 1))
-            said, complaint = child.communicate(timeout=PATIENCE_S)
-        except ProcessLookupError:
-            said, complaint = child.communicate()
-        except subprocess.TimeoutExpired:
-            return [(PROGRAM, 0, UNFINISHED, f"mypy had not finished after {PATIENCE_S:.0f} s")]
-        finally:
-            child.kill()
-    if -child.returncode in (signal.SIGXCPU, signal.SIGKILL):
+    try:
+        run = mypy_server.run(
+            arguments, folder, environ, processor_s=processor_s, memory=MEMORY_BYTES, patience_s=PATIENCE_S
+        )
+    except TimeoutError:
+        return [(PROGRAM, 0, UNFINISHED, f"mypy had not finished after {PATIENCE_S:.0f} s")]
+    except OSError as error:
+        raise TypeCheckFailed(f"mypy could not be started: {error}") from error
+    if -run.code in (signal.SIGXCPU, signal.SIGKILL):
         words = f"mypy had not finished after {processor_s} s of processor time"
         return [(PROGRAM, 0, UNFINISHED, words)]
-    found = list(_read(said, notes))
+    found = list(_read(run.said, notes))
     strangers = [module for module, *_ in found if f"{module}.py" not in files]
     if strangers:
-        raise TypeCheckFailed(f"mypy stumbled over {strangers[0]}, not over the program: {said.strip()}")
-    if child.returncode not in (0, 1) and not found:
-        if child.returncode < 0 or any(name in complaint for name in _BROKE_DOWN):
+        raise TypeCheckFailed(f"mypy stumbled over {strangers[0]}, not over the program: {run.said.strip()}")
+    if run.code not in (0, 1) and not found:
+        if run.code < 0 or any(name in run.complaint for name in _BROKE_DOWN):
             return [(PROGRAM, 0, UNFINISHED, "mypy itself broke down over this program")]
-        raise TypeCheckFailed(f"mypy ended with code {child.returncode}: {(complaint or said).strip()}")
+        raise TypeCheckFailed(f"mypy ended with code {run.code}: {(run.complaint or run.said).strip()}")
     return found
 
 

@@ -14,6 +14,7 @@ import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from workbook.observing.orphans import forget, spare
 from workbook.ros.environment import child_environment
 
 RUN_MARK = "WORKBOOK_RUN"
@@ -110,6 +111,7 @@ class ForkServer:
                     pass_fds=[theirs.fileno()],
                     start_new_session=True,  # Ctrl-C is for its owner
                 )
+            spare(self._process.pid)
             self._channel = ours
 
     def spawn(
@@ -162,6 +164,7 @@ class ForkServer:
             if self._process is not None:
                 self._process.kill()
                 self._process.wait()
+                forget(self._process.pid)
                 self._process = None
 
 

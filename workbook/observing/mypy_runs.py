@@ -1,0 +1,138 @@
+"""Running mypy in a process that has it ready: the other side of `mypy_server.py`."""
+
+import atexit
+import json
+import os
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from workbook.observing.orphans import forget, spare
+
+SERVER = Path(__file__).with_name("mypy_server.py")
+STATUS_BYTES = 100
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a run of mypy has ended (negative: the signal that ended it), what it said, and what it complained of."""
+
+    code: int
+    said: str
+    complaint: str
+
+
+class MypyServer:
+    """A process in which mypy is loaded: two thirds of the time that a run over a short program would take.
+
+    It starts with the first run and ends with its owner. Ctrl-C in the middle of a run ends it, too; the next run
+    starts another one.
+    """
+
+    def __init__(self) -> None:
+        self._turn = threading.Lock()
+        self._owner = 0
+        self._process: subprocess.Popen[bytes] | None = None
+        self._channel: socket.socket | None = None
+
+    @property
+    def pid(self) -> int | None:
+        """Its process number; None while there is none."""
+        return None if self._process is None else self._process.pid
+
+    def run(
+        self,
+        arguments: Sequence[str],
+        folder: Path,
+        environ: Mapping[str, str],
+        *,
+        processor_s: int,
+        memory: int,
+        patience_s: float,
+    ) -> Outcome:
+        """Run mypy in `folder`, for `processor_s` of processor time and with `memory` bytes at most.
+
+        Raises TimeoutError after `patience_s`, and OSError when there is no such process and none can be had.
+        """
+        request = {
+            "arguments": [*arguments],
+            "folder": str(folder),
+            "environ": dict(environ),
+            "processor_s": processor_s,
+            "memory": memory,
+        }
+        data = json.dumps(request).encode()
+        with self._turn, tempfile.TemporaryFile() as said, tempfile.TemporaryFile() as complaint:
+            descriptors = [said.fileno(), complaint.fileno()]
+            told = self._ask(data, descriptors, environ, patience_s)
+            if not told:  # it has ended since the last run
+                told = self._ask(data, descriptors, environ, patience_s)
+            if not told:
+                raise OSError("the process that runs mypy ends at once")
+            texts = []
+            for file in (said, complaint):
+                file.seek(0)
+                texts.append(file.read().decode(errors="replace"))
+        return Outcome(os.waitstatus_to_exitcode(int(told)), *texts)
+
+    def _ask(
+        self, data: bytes, descriptors: Sequence[int], environ: Mapping[str, str], patience_s: float
+    ) -> bytes:
+        """Send one request; what is told of its end, nothing when the server has ended."""
+        try:
+            channel = self._open(environ)
+            channel.settimeout(patience_s)
+            socket.send_fds(channel, [data], descriptors)
+            told = channel.recv(STATUS_BYTES)
+        except (BrokenPipeError, ConnectionResetError):
+            told = b""
+        except BaseException:
+            self._close()
+            raise
+        if not told:
+            self._close()
+        return told
+
+    def _open(self, environ: Mapping[str, str]) -> socket.socket:
+        if self._channel is not None and self._owner == os.getpid():  # a fork of its owner has none
+            return self._channel
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with theirs:
+            self._process = subprocess.Popen(
+                [sys.executable, "-P", str(SERVER), str(theirs.fileno())],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                env=dict(environ),
+                cwd="/",
+                pass_fds=[theirs.fileno()],
+                start_new_session=True,  # Ctrl-C is for its owner
+            )
+        if self._owner != os.getpid():
+            atexit.register(self.close)
+        self._owner, self._channel = os.getpid(), ours
+        spare(self._process.pid)
+        return ours
+
+    def close(self) -> None:
+        """End the process, if there is one. The next run starts another."""
+        with self._turn:
+            if self._owner == os.getpid():
+                self._close()
+
+    def _close(self) -> None:
+        if self._channel is not None:
+            self._channel.close()  # which also ends a run that is under way
+            self._channel = None
+        if self._process is not None:
+            self._process.wait()
+            forget(self._process.pid)
+            self._process = None
+
+
+mypy_server = MypyServer()
