@@ -146,6 +146,7 @@ class LabPage:
         if self.page.locator("body").get_attribute("data-jp-theme-light") != is_light:
             self.menu("Settings", "Theme", f"JupyterLab {theme.title()}")
         expect(self.page.locator("body")).to_have_attribute("data-jp-theme-light", is_light)
+        expect(self.page.locator("#jupyterlab-splash")).to_have_count(0)
 
     def themes(self) -> tuple[str, str]:
         """Both themes, the present one first."""

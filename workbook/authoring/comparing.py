@@ -39,17 +39,15 @@ def compare(tree: Tree, names: Iterable[str] = (), *, jobs: int = 1, extra: Sequ
             "[pytest]\nfilterwarnings = ignore::DeprecationWarning\n", encoding="utf-8"
         )
         spread = ["-n", str(jobs), "--dist", "loadfile"] if jobs > 1 else []
-        command = [
-            sys.executable,
-            "-m",
-            "pytest",
-            "-p",
-            "workbook.authoring.nbval_glue",
-            "-p",
-            "no:cacheprovider",
-        ]
+        plugins = [*(["xdist.plugin"] if jobs > 1 else []), "nbval.plugin", "workbook.authoring.nbval_glue"]
+        command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider"]
+        for plugin in plugins:
+            command += ["-p", plugin]
         environment = {k: v for k, v in os.environ.items() if not k.startswith("PYTEST_")}
         environment["IPYTHONDIR"] = str(top / "ipython")
+        environment["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = (
+            "1"  # what else is installed takes a third of the start
+        )
         return subprocess.run(
             [*command, "-q", *NBVAL, *spread, *extra, "."], cwd=top, env=environment, check=False
         ).returncode

@@ -47,7 +47,7 @@ def findings(file: str, pid: int, port: int) -> dict[str, object]:
 def main() -> None:
     found = json.dumps(findings(sys.argv[1], int(sys.argv[2]), int(sys.argv[3])))
     rclpy.init()
-    node = rclpy.create_node("tier_probe")
+    node = rclpy.create_node("tier_probe", enable_rosout=False, start_parameter_services=False)
     publisher = node.create_publisher(String, "/tier_probe", 10)
     node.create_timer(0.05, lambda: publisher.publish(String(data=found)))
     rclpy.spin(node)
