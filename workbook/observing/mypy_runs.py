@@ -28,7 +28,7 @@ class Outcome:
 
 
 class MypyServer:
-    """A process in which mypy is loaded: two thirds of the time that a run over a short program would take.
+    """A process in which mypy is loaded. To load it is two thirds of what a run over a short program takes.
 
     It starts with the first run and ends with its owner. Ctrl-C in the middle of a run ends it, too; the next run
     starts another one.
