@@ -17,7 +17,9 @@ from .student_lab import ROOT, StudentLab
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 LESSONS = sorted(path.stem for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
 ROBOT_LESSON = "09_joint_positions"
-SEVERAL_FRAMES = 10
+SEVERAL_FRAMES = 4
+"""A still has one, and what is drawn anew at the end two. How many more there are is for `frames.json`: a busy machine
+shows one a second."""
 IS_WHOLE = "async image => { await image.decode().catch(() => {}); return image.complete && image.naturalWidth > 0; }"
 # To change the theme under a long notebook costs seconds of processor time: lessons are shown in turn in one and the
 # other. WORKBOOK_THEMES=both shows each in both.
