@@ -5,6 +5,7 @@ import os
 from collections.abc import Generator, Iterator
 from pathlib import Path
 
+import psutil
 import pytest
 from playwright.sync_api import Browser, Page, sync_playwright
 
@@ -41,9 +42,9 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
             args=["--no-sandbox", "--disable-dev-shm-usage"],
             env={"PATH": os.environ["PATH"], "HOME": str(tmp_path_factory.mktemp("browser"))},
         )
-        for pid in descendants(os.getpid()) - others:
-            with contextlib.suppress(ProcessLookupError):
-                os.setpriority(os.PRIO_PROCESS, pid, GIVES_WAY)
+        for process in descendants(os.getpid()) - others:
+            with contextlib.suppress(psutil.NoSuchProcess):
+                process.nice(GIVES_WAY)
         yield opened
         opened.close()
 
@@ -110,7 +111,7 @@ def page(open_page: OpenPage, lab: StudentLab, request: pytest.FixtureRequest) -
     in_order = False
     try:
         yield one
-        started = set(lab.processes())
+        started = lab.processes()
         while one.panel.count():
             one.close_notebook()
         left = await_end(started, KERNEL_END_S)

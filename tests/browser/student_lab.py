@@ -1,5 +1,6 @@
 """A student's JupyterLab: `workbook lab` in a course folder and a home of its own, and what is left when it ends."""
 
+import contextlib
 import json
 import os
 import re
@@ -9,8 +10,11 @@ import subprocess
 import sys
 import threading
 import time
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
+
+import psutil
 
 ROOT = Path(__file__).resolve().parents[2]
 START_LIMIT_S = 90.0
@@ -27,48 +31,42 @@ _ENDS_WITH_ITS_PARENT = (
 )
 
 
-def descendants(pid: int) -> set[int]:
-    """All processes below `pid`, whatever session they moved to."""
-    children: dict[int, list[int]] = {}
-    for entry in Path("/proc").iterdir():
-        if entry.name.isdigit():
-            try:
-                parent = int((entry / "stat").read_text().rpartition(")")[2].split()[1])
-            except (OSError, ValueError):
-                continue
-            children.setdefault(parent, []).append(int(entry.name))
-    found: list[int] = list(children.get(pid, []))
-    for member in found:
-        found += children.get(member, [])
-    return set(found)
+def descendants(pid: int) -> set[psutil.Process]:
+    """All processes below `pid`, whatever session they moved to.
+
+    Not their numbers: in the course of all tests each number is given several times.
+    """
+    try:
+        return set(psutil.Process(pid).children(recursive=True))
+    except psutil.NoSuchProcess:
+        return set()
 
 
-def running(pids: set[int]) -> dict[int, str]:
-    """Those of `pids` that still run, with their command lines."""
+def running(processes: Iterable[psutil.Process]) -> dict[int, str]:
+    """Those of `processes` that still run, with their command lines."""
     found = {}
-    for pid in pids:
-        entry = Path("/proc") / str(pid)
-        try:
-            if (entry / "stat").read_text().rpartition(")")[2].split()[0] != "Z":
-                found[pid] = (entry / "cmdline").read_bytes().replace(b"\0", b" ").decode().strip()
-        except OSError:
-            continue
+    for process in processes:
+        with contextlib.suppress(psutil.NoSuchProcess):
+            if process.is_running() and process.status() != psutil.STATUS_ZOMBIE:
+                found[process.pid] = " ".join(process.cmdline())
     return found
 
 
-def await_end(pids: set[int], limit_s: float) -> dict[int, str]:
-    """Wait until all `pids` have ended, `limit_s` at most. Returns those that have not, with their command lines."""
+def await_end(processes: Iterable[psutil.Process], limit_s: float) -> dict[int, str]:
+    """Wait until all have ended, `limit_s` at most. Returns those that have not, with their command lines."""
     deadline = time.monotonic() + limit_s
-    for pid in pids:
+    processes = set(processes)
+    for process in processes:
         try:
-            handle = os.pidfd_open(pid)
+            handle = os.pidfd_open(process.pid)
         except (ProcessLookupError, FileNotFoundError):  # gone, or going: the kernel says either
             continue
         try:
-            select.select([handle], [], [], max(0.0, deadline - time.monotonic()))
+            if process.is_running():  # and its number has not gone to another one
+                select.select([handle], [], [], max(0.0, deadline - time.monotonic()))
         finally:
             os.close(handle)
-    return running(pids)
+    return running(processes)
 
 
 class StudentLab:
@@ -87,7 +85,7 @@ class StudentLab:
         self.work = course / "work"
         self.url = ""
         self.said: list[str] = []
-        self._seen: set[int] = set()
+        self._seen: set[psutil.Process] = set()
         environ = {name: os.environ[name] for name in _INHERITED if name in os.environ}
         command = [Path(sys.executable).with_name("workbook"), "lab", "--no-browser", "--port=0"]
         self._process = subprocess.Popen(
@@ -98,6 +96,7 @@ class StudentLab:
             text=True,
             start_new_session=True,
         )
+        self._itself = psutil.Process(self._process.pid)
         ready = threading.Event()
         self._reader = threading.Thread(target=self._read, args=(ready,), daemon=True)
         self._reader.start()
@@ -129,23 +128,22 @@ class StudentLab:
         content: dict[str, Any] = json.loads((self.work / path).read_text(encoding="utf-8"))
         return content
 
-    def processes(self) -> dict[int, str]:
-        """What runs below the server: kernels, slots, nodes, with their command lines."""
+    def processes(self) -> set[psutil.Process]:
+        """What runs below the server: kernels, slots, nodes."""
         below = descendants(self._process.pid)
         self._seen |= below
-        return running(below)
+        return below
 
     def close(self) -> dict[int, str]:
-        """Stop JupyterLab. Returns what of it still runs then, and ends that too."""
+        """Stop JupyterLab. Returns what of it still runs then, with its command lines, and ends that too."""
         self.processes()
-        everything = self._seen | {self._process.pid}
+        everything = self._seen | {self._itself}
         self._process.send_signal(signal.SIGTERM)
         left = await_end(everything, STOP_LIMIT_S)
-        for pid in left:
-            try:
-                os.kill(pid, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
+        for process in everything:
+            if process.pid in left:
+                with contextlib.suppress(psutil.NoSuchProcess):
+                    process.kill()
         self._process.wait()
         self._reader.join(5.0)
         if self._process.stdout is not None:
