@@ -19,6 +19,7 @@ import pytest
 from tests.observing.programs import is_gone, wait_until
 from workbook.cli.main import main
 from workbook.exercise.definition import load_exercise
+from workbook.grading import tier_check
 from workbook.observing import tiers
 from workbook.observing.confine import ABI_OF_SIGNALS, landlock_abi
 from workbook.observing.sandbox import interpreter_folders
@@ -185,7 +186,7 @@ def open_house() -> list[str]:
 
 def ids_can_be_lent() -> bool:
     """Whether programs can run under user ids of their own here."""
-    return IS_ROOT and (bool(open_house()) or tiers._closed_folder() is None)
+    return IS_ROOT and (bool(open_house()) or tiers.closed_folder() is None)
 
 
 @dataclass(frozen=True)
@@ -503,7 +504,7 @@ def test_a_killed_grader_takes_along_even_what_hides_from_it(
 
 def test_user_ids_alone_keep_answers_apart_and_traffic_on_this_machine(owner: House) -> None:
     if not ids_can_be_lent():
-        assert tiers.tier_problem("uid") is not None
+        assert tier_check.tier_problem("uid") is not None
         return
     run = f"alone_{os.getpid()}"
     done = owner.run([sys.executable, "-m", "tests.hostile.uid_alone", run])
@@ -573,16 +574,17 @@ def test_a_self_test_sees_another_user_and_a_group_too_many() -> None:
 
 @pytest.mark.parametrize("abi", [0, 1, 4, 6, 7])
 def test_an_older_kernel_leaves_more_open_and_that_is_said(abi: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(tiers, "landlock_abi", lambda: abi)
+    for module in (tiers, tier_check):
+        monkeypatch.setattr(module, "landlock_abi", lambda: abi)
     assert ("every user of this machine may read" in leaves_open("uid")) == (abi == 0)
     assert ("TCP is closed" in leaves_open("uid")) == (abi >= 4)
     if abi:
         assert ("your processes" in leaves_open("landlock")) == (abi < 6)
         assert ("lets no signal out" in covers("landlock")) == (abi >= 6)
     else:
-        tiers.tier_problem.cache_clear()
-        assert "has no Landlock" in str(tiers.tier_problem("landlock"))
-        tiers.tier_problem.cache_clear()
+        tier_check.tier_problem.cache_clear()
+        assert "has no Landlock" in str(tier_check.tier_problem("landlock"))
+        tier_check.tier_problem.cache_clear()
 
 
 @pytest.fixture
@@ -596,7 +598,7 @@ def test_auto_refuses_what_is_below_the_sandbox_and_names_the_best_that_works(
     answer: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     problems = {"sandbox": "bubblewrap is not installed", "uid": "only root can"}
-    monkeypatch.setattr(tiers, "tier_problem", problems.get)
+    monkeypatch.setattr(tier_check, "tier_problem", problems.get)
     assert main(["grade", str(answer), "--out", str(answer.parent / "out")]) == 2
     said = capsys.readouterr().err
     assert "bubblewrap is not installed" in said
@@ -608,7 +610,7 @@ def test_auto_refuses_what_is_below_the_sandbox_and_names_the_best_that_works(
 def test_a_tier_that_was_named_and_does_not_work_is_refused(
     answer: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(tiers, "tier_problem", lambda tier: f"no {tier} today")
+    monkeypatch.setattr(tier_check, "tier_problem", lambda tier: f"no {tier} today")
     for tier in BEST_FIRST[1:]:
         assert main(["grade", str(answer), "--out", str(answer.parent / "out"), "--isolation", tier]) == 2
         assert f"--isolation {tier} does not work on this machine: no {tier} today" in capsys.readouterr().err

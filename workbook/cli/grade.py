@@ -184,15 +184,9 @@ def _exercise_name(options: argparse.Namespace) -> str:
 
 def _isolation(wanted: str) -> "Isolation":
     """The sandbox, or the weaker tier that was accepted by its name. Raises NoSandbox when it does not work here."""
+    from workbook.grading.tier_check import best_below_sandbox, tier_problem
     from workbook.observing.sandbox import NoSandbox
-    from workbook.observing.tiers import (
-        BEST_FIRST,
-        best_below_sandbox,
-        covers,
-        leaves_open,
-        named_tier,
-        tier_problem,
-    )
+    from workbook.observing.tiers import BEST_FIRST, covers, leaves_open, named_tier
 
     isolation: Isolation = BEST_FIRST[0] if wanted == "auto" else named_tier(wanted)
     problem = tier_problem(isolation)

@@ -20,7 +20,7 @@ from workbook.exercise.answers import Answer
 from workbook.exercise.course import NoCourse, course_folder, course_sha256
 from workbook.exercise.exchange import judgement_to_json
 from workbook.grading.pool import Isolation, Job, Slot, judge_with_retry
-from workbook.observing.tiers import tier_problem
+from workbook.grading.tier_check import tier_problem
 from workbook.ros.scratch import scratch_folder
 
 IDLE_S = 60.0

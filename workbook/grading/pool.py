@@ -1,5 +1,6 @@
 """Slots as their owner sees them: start one, give it an answer, get a judgement, replace it when it breaks."""
 
+import atexit
 import contextlib
 import json
 import os
@@ -36,38 +37,57 @@ class SlotBroken(RuntimeError):
     """The slot died or did not answer in time. Says which; the answer was not judged."""
 
 
+def _environment(own_criteria: Path | None) -> dict[str, str]:
+    """What a slot is started with."""
+    # A slot makes its own log folder. One of ours would stay behind if we were killed.
+    environ = child_environment(0, log_folder=Path(os.devnull))
+    del environ["ROS_DOMAIN_ID"]
+    for name in ("WORKBOOK_COURSE", OWN_CRITERIA, "PYTHONPATH"):
+        if name in os.environ:
+            environ[name] = os.environ[name]
+    if own_criteria is not None:
+        environ[OWN_CRITERIA] = str(own_criteria)
+    environ.pop("ROS_LOG_DIR")
+    return environ
+
+
 class Slot:
     """A running slot process. Not for two threads at once.
 
     `isolation`: one of `workbook.observing.tiers`. `own_criteria`: the folder with an instructor's own criteria, where
-    it is not the one that this process was told of. Raises SlotBroken when "uid" finds no free user id.
+    it is not the one that this process was told of. `port`: of a listener on this machine; the slot then tries first
+    whether the tier isolates (see `problem`). Raises SlotBroken when "uid" finds no free user id.
     """
 
-    def __init__(self, isolation: Isolation = "limits", own_criteria: Path | None = None) -> None:
-        # A slot makes its own log folder. One of ours would stay behind if we were killed.
-        environ = child_environment(0, log_folder=Path(os.devnull))
-        del environ["ROS_DOMAIN_ID"]
-        for name in ("WORKBOOK_COURSE", OWN_CRITERIA, "PYTHONPATH"):
-            if name in os.environ:
-                environ[name] = os.environ[name]
-        if own_criteria is not None:
-            environ[OWN_CRITERIA] = str(own_criteria)
-        environ.pop("ROS_LOG_DIR")
+    def __init__(
+        self, isolation: Isolation = "limits", own_criteria: Path | None = None, *, port: int | None = None
+    ) -> None:
         command = [sys.executable, "-m", "workbook.grading.slot", isolation]
         try:
             self._ids = lease_ids() if isolation == "uid" else None
         except NoIds as error:
             raise SlotBroken(str(error)) from error
         if self._ids is not None:
-            command.append(str(self._ids.user))
+            command += ["--user", str(self._ids.user)]
+        if port is not None:
+            command += ["--try", str(port)]
+        self.environ = _environment(own_criteria)
         self._process = subprocess.Popen(
             outer_command(command) if isolation == "sandbox" else command,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            env=environ,
+            env=self.environ,
             start_new_session=True,
         )
         self._buffer = b""
+
+    def problem(self, timeout_s: float) -> str | None:
+        """Why its tier does not isolate here; None when it does. Only before the first job, of a slot that tries it.
+
+        Raises SlotBroken when it does not get that far within `timeout_s` s.
+        """
+        found = self._read_line(time.monotonic() + timeout_s)["problem"]
+        return None if found is None else str(found)
 
     @property
     def is_running(self) -> bool:
@@ -79,7 +99,7 @@ class Slot:
         while b"\n" not in self._buffer:
             left = deadline - time.monotonic()
             if left <= 0:
-                raise SlotBroken(f"the slot gave no judgement within {ANSWER_DEADLINE_S:.0f} s")
+                raise SlotBroken("the slot did not answer in time")
             if not select.select([descriptor], [], [], min(left, 1.0))[0]:
                 continue
             chunk = os.read(descriptor, 1 << 20)
@@ -162,6 +182,39 @@ class Slot:
         self.close()
 
 
+class _Spare:
+    """A slot that was started to try a tier, kept for the first answer that is judged in that tier."""
+
+    def __init__(self) -> None:
+        self._slots: dict[Isolation, Slot] = {}
+        self._owner = os.getpid()
+        atexit.register(self.close)
+
+    def keep(self, isolation: Isolation, slot: Slot) -> None:
+        """Keep a slot, in place of the one that was kept before."""
+        before = self._slots.pop(isolation, None)
+        if before is not None:
+            before.close()
+        self._slots[isolation] = slot
+
+    def take(self, isolation: Isolation, own_criteria: Path | None = None) -> Slot:
+        """The slot that was kept, if it is as good as a new one, or a new one. See `Slot`."""
+        slot = self._slots.pop(isolation, None)
+        if slot is not None:
+            if slot.is_running and slot.environ == _environment(own_criteria):
+                return slot
+            slot.close()
+        return Slot(isolation, own_criteria)
+
+    def close(self) -> None:
+        """End those that nobody took."""
+        while self._slots and self._owner == os.getpid():  # they are not those of a fork
+            self._slots.popitem()[1].close()
+
+
+spare = _Spare()
+
+
 @dataclass(frozen=True)
 class Job(Generic[Key]):
     """One answer to judge; `key` is handed back with the judgement."""
@@ -219,7 +272,7 @@ def judge_with_retry(
             if slot is not None and not slot.is_running:
                 slot.close()
                 slot = None
-            slot = slot or Slot(isolation, own_criteria)
+            slot = slot or spare.take(isolation, own_criteria)
             return slot, slot.judge(job.stem, job.answer, thorough=thorough)
         except Exception as error:  # whatever it is, the answer must not get lost
             reason = str(error) or type(error).__name__

@@ -9,9 +9,10 @@ from workbook.exercise.judging import Judgement
 from workbook.grading.hand_ins import HandIn
 from workbook.grading.pool import Isolation, Job, judge_all
 from workbook.grading.results import Result, graded_result, ungradable_result
+from workbook.grading.tier_check import tier_problem
 from workbook.grading.tries import counting, judge_until_sure
 from workbook.observing.sandbox import NoSandbox
-from workbook.observing.tiers import BEST_FIRST, named_tier, tier_problem
+from workbook.observing.tiers import BEST_FIRST, named_tier
 
 TIERS = {
     "sandbox": "shut in by bubblewrap, with a network of its own",

@@ -4,8 +4,13 @@
 
 comes in on standard input, judgements go out on standard output, the last one with `"final": true`. The line
 `{"enough": true}` cuts short the real seconds that a passing program is kept running for.
+
+    python -m workbook.grading.slot TIER [--user ID] [--try PORT]
+
+The first line that goes out says that it is ready and, with `--try`, what is wrong with the tier, if anything is.
 """
 
+import argparse
 import contextlib
 import ctypes
 import json
@@ -23,6 +28,7 @@ from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.exchange import judgement_to_json
 from workbook.exercise.judging import Judge, Judgement
 from workbook.observing.orphans import StillThere, adopt_orphans, sweep_orphans
+from workbook.observing.self_test import try_out
 from workbook.observing.tiers import Isolation, named_tier, walls
 from workbook.observing.uids import Ids
 from workbook.observing.warm_start import ForkServer, own_server
@@ -78,8 +84,11 @@ class _Inbox:
         self.jobs.put(None)
 
 
-def serve(isolation: Isolation, ids: Ids | None = None) -> None:
-    """Answer jobs until standard input is closed. With "uid" the programs run under `ids`, which the caller leased."""
+def serve(isolation: Isolation, ids: Ids | None = None, port: int | None = None) -> None:
+    """Answer jobs until standard input is closed. With "uid" the programs run under `ids`, which the caller leased.
+
+    `port`: of a listener on this machine, for trying out the tier first.
+    """
     channel = _private_output()
     adopt_orphans()
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
@@ -106,7 +115,8 @@ def serve(isolation: Isolation, ids: Ids | None = None) -> None:
         own_server.keep()
     with contextlib.closing(server), Observer(cage=cage, confinement=confinement) as observer:
         judge = Judge(observer, limits)
-        send({"ready": os.getpid()})
+        problem = None if port is None else try_out(isolation, observer, limits, port, ids)
+        send({"ready": os.getpid(), "problem": problem})
         while (job := inbox.jobs.get()) is not None:
             inbox.enough.clear()
             try:
@@ -130,5 +140,14 @@ def serve(isolation: Isolation, ids: Ids | None = None) -> None:
             send(message)
 
 
+def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("tier", type=named_tier)
+    parser.add_argument("--user", type=lambda text: Ids(int(text)))
+    parser.add_argument("--try", type=int, dest="port")
+    asked = parser.parse_args()
+    serve(asked.tier, asked.user, asked.port)
+
+
 if __name__ == "__main__":
-    serve(named_tier(sys.argv[1]), Ids(int(sys.argv[2])) if len(sys.argv) > 2 else None)
+    main()

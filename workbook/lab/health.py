@@ -320,7 +320,8 @@ def check_chromium() -> Finding:
 
 def check_sandbox() -> Finding:
     """How well other people's programs can be shut in: for instructors only."""
-    from workbook.observing.tiers import best_below_sandbox, covers, leaves_open, tier_problem
+    from workbook.grading.tier_check import best_below_sandbox, tier_problem
+    from workbook.observing.tiers import covers, leaves_open
 
     problem = tier_problem("sandbox")
     if problem is None:

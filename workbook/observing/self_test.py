@@ -1,13 +1,13 @@
-"""Whether a tier isolates here, and a message comes through: `python -m workbook.observing.self_test TIER PORT [ID]`.
+"""Whether a tier isolates here, and a message comes through: a slot asks before it judges its first answer.
 
-Runs a program that tries what must not work and publishes what came of it. Prints `{"problem": null | "..."}`.
+Runs a program that tries what must not work and publishes what came of it.
 """
 
 import json
 import os
 import shutil
-import sys
 import time
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -18,10 +18,9 @@ from std_msgs.msg import String
 
 from workbook.observing.confine import ABI_OF_SIGNALS, ABI_OF_TCP, landlock_abi
 from workbook.observing.process import NodeProcess
-from workbook.observing.tiers import Isolation, named_tier, walls
+from workbook.observing.tiers import Isolation
 from workbook.observing.uids import Ids
-from workbook.ros.domains import lease_domain
-from workbook.ros.environment import prepare
+from workbook.observing.watch import Observer
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
 PROBE = Path(__file__).with_name("tier_probe.py")
@@ -59,45 +58,53 @@ def problem_in(isolation: Isolation, found: dict[str, Any], ids: Ids | None) -> 
     return f"it does not isolate here: a program {', '.join(wrong)}" if wrong else None
 
 
-def try_out(isolation: Isolation, port: int, ids: Ids | None) -> str | None:
-    """Run the probe. Returns what is wrong with the tier, or None. `port`: of a listener on the machine."""
+def try_out(
+    isolation: Isolation, observer: Observer, limits: Mapping[str, int], port: int, ids: Ids | None
+) -> str | None:
+    """Run the probe as `observer` runs answers. Returns what is wrong with the tier, or None.
+
+    `port`: of a listener on the machine.
+    """
     folder, secrets = scratch_folder("probe"), scratch_folder("secret")
     secret = secrets / "secret"
     secret.write_text("secret")
     probe = folder / PROBE.name
     shutil.copyfile(PROBE, probe)
-    cage, confinement = walls(isolation, ids)
-    with lease_domain() as lease:
-        prepare(domain_id=lease.domain_id)
-        arguments = [str(secret), str(os.getpid()), str(port)]
-        context = Context()
-        rclpy.init(
-            context=context, domain_id=lease.domain_id, args=["--ros-args", "--disable-external-lib-logs"]
-        )
-        node = Node("tier_test", context=context, enable_rosout=False, start_parameter_services=False)
-        subscription = node.create_subscription(String, "/tier_probe", lambda _: None, 10)
-        process = NodeProcess(probe, lease.domain_id, arguments, cage=cage, confinement=confinement)
-        try:
-            deadline = time.monotonic() + PATIENCE_S
-            taken = None
-            while taken is None and process.is_running() and time.monotonic() < deadline:
-                with subscription.handle:
-                    taken = subscription.handle.take_message(String, False)
-                time.sleep(TURN_S)
-        finally:
-            process.stop()
-            node.destroy_node()
-            rclpy.shutdown(context=context)
-            remove_scratch(folder)
-            remove_scratch(secrets)
+    arguments = [str(secret), str(os.getpid()), str(port)]
+    context = Context()
+    rclpy.init(
+        context=context,
+        domain_id=observer.domain_id,
+        args=["--ros-args", "--disable-external-lib-logs"],
+    )
+    node = Node("tier_test", context=context, enable_rosout=False, start_parameter_services=False)
+    subscription = node.create_subscription(String, "/tier_probe", lambda _: None, 10)
+    process = NodeProcess(
+        probe,
+        observer.domain_id,
+        arguments,
+        limits=limits,
+        cage=observer.cage,
+        confinement=observer.confinement,
+    )
+    try:
+        deadline = time.monotonic() + PATIENCE_S
+        taken = None
+        while taken is None and process.is_running() and time.monotonic() < deadline:
+            with subscription.handle:
+                taken = subscription.handle.take_message(String, False)
+            time.sleep(TURN_S)
+    finally:
+        process.stop()
+        node.destroy_node()
+        rclpy.shutdown(context=context)
+        remove_scratch(folder)
+        remove_scratch(secrets)
+        if process.killed:
+            observer.move()
     if taken is not None:
         return problem_in(isolation, json.loads(taken[0].data), ids)
     said = process.record().log.strip()
     if said:
         return f"a program does not run there: {said[-300:]}"
     return f"a program runs there, but no message of it arrived within {PATIENCE_S:.0f} s"
-
-
-if __name__ == "__main__":
-    leased = Ids(int(sys.argv[3])) if len(sys.argv) > 3 else None
-    print(json.dumps({"problem": try_out(named_tier(sys.argv[1]), int(sys.argv[2]), leased)}))

@@ -4,27 +4,19 @@
 kernel grants no namespaces. "landlock": for an ordinary user; the kernel hides files. "limits": limits and a sweep.
 """
 
-import json
-import os
-import socket
 import stat
-import subprocess
 import sys
-from functools import cache
 from pathlib import Path
 from typing import Literal
 
 from workbook.observing.confine import ABI_OF_SIGNALS, ABI_OF_TCP, landlock_abi
 from workbook.observing.confinement import Confinement
-from workbook.observing.orphans import StillThere
 from workbook.observing.powers import filters_calls
-from workbook.observing.sandbox import Cage, interpreter_folders, outer_command, sandbox_problem
-from workbook.observing.uids import Ids, NoIds, lease_ids
-from workbook.ros.environment import child_environment
+from workbook.observing.sandbox import Cage, interpreter_folders
+from workbook.observing.uids import Ids
 
 Isolation = Literal["sandbox", "uid", "landlock", "limits"]
 BEST_FIRST: tuple[Isolation, ...] = ("sandbox", "uid", "landlock", "limits")
-SELF_TEST_S = 60.0
 _NETWORK = "the network of this machine and, through it, the ROS domains of other answers"
 _DISK = "the disk, which an answer can fill"
 _ENDLESS = "an answer that starts itself anew without a pause, which may go on running"
@@ -81,70 +73,10 @@ def leaves_open(isolation: Isolation) -> str:
     return f"Not protected: {'; '.join(most)}; and {last}."
 
 
-@cache
-def tier_problem(isolation: Isolation) -> str | None:
-    """Why a tier does not work here, and what to do; None when it does. Tries it, once: it takes two seconds."""
-    if isolation == "sandbox":
-        return sandbox_problem() or _try_out(isolation, None)
-    if isolation == "landlock" and landlock_abi() == 0:
-        return "this kernel has no Landlock, or it is switched off (Linux 5.13 or newer, lsm=landlock)"
-    if isolation != "uid":
-        return _try_out(isolation, None)
-    try:
-        ids = lease_ids()
-    except NoIds as error:
-        return str(error)
-    try:
-        closed = _closed_folder()
-        if closed is not None:
-            return f"other users may not enter {closed}, on the way to this Python: chmod o+x {closed}"
-        return _try_out(isolation, ids)
-    finally:
-        try:
-            ids.sweep()
-        except StillThere as error:
-            return str(error)
-        finally:
-            ids.release()
-
-
-def best_below_sandbox() -> Isolation:
-    """The best of the weaker tiers that works here."""
-    return next((name for name in BEST_FIRST[1:] if tier_problem(name) is None), "limits")
-
-
-def _closed_folder() -> Path | None:
+def closed_folder() -> Path | None:
     """A folder on the way to Python and its packages that other users may not enter."""
     for place in (*interpreter_folders(), Path(sys.executable), Path(sys.executable).resolve()):
         for folder in reversed(place.parents):
             if not folder.stat().st_mode & stat.S_IXOTH:
                 return folder
     return None
-
-
-def _try_out(isolation: Isolation, ids: Ids | None) -> str | None:
-    """Run a program of our own in this tier, in a process of its own: what can it do, and is it heard?"""
-    # The self-test makes its own log folder. One of ours would stay behind if we were killed.
-    environ = child_environment(0, log_folder=Path(os.devnull))
-    if "PYTHONPATH" in os.environ:
-        environ["PYTHONPATH"] = os.environ["PYTHONPATH"]
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        port = listener.getsockname()[1]
-        command = [sys.executable, "-m", "workbook.observing.self_test", isolation, str(port)]
-        if ids is not None:
-            command.append(str(ids.user))
-        try:
-            done = subprocess.run(
-                outer_command(command) if isolation == "sandbox" else command,
-                stdin=subprocess.DEVNULL,
-                capture_output=True,
-                text=True,
-                env=environ,
-                timeout=SELF_TEST_S,
-            )
-            problem = json.loads(done.stdout)["problem"]
-        except subprocess.TimeoutExpired:
-            return f"the self-test did not end within {SELF_TEST_S:.0f} s"
-        except (ValueError, KeyError):
-            return f"the self-test broke: {done.stderr.strip()[-300:] or f'exit code {done.returncode}'}"
-    return None if problem is None else str(problem)
