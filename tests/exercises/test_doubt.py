@@ -106,6 +106,10 @@ def test_only_lost_time_is_put_down_to_a_busy_machine() -> None:
     assert "its host gave one of its processors to others for 0.60 s" in doubt(taken)
     assert doubt(replace(taken, stood_still_s=0.2)) == ""
     assert Recording.from_json(taken.to_json()).stood_still_s == 0.6
+    often = replace(slow, held_up_s=0.0, robot_s=10.0, taken_s=1.6)
+    assert "gave its processors to others for 1.6 s of 10 s" in doubt(often)
+    assert doubt(replace(often, taken_s=1.0)) == ""
+    assert Recording.from_json(often.to_json()).taken_s == 1.6
 
 
 def one_late(recording: Recording, topic: str, which: slice, late_s: float) -> Recording:
@@ -154,7 +158,10 @@ def judge_on_the_wall_clock(text: str) -> Judgement:
 def test_a_program_that_got_no_processor_leaves_a_doubt_about_all_it_did() -> None:
     eleven = replace(stored("eleven_values"), clock="wall", robot_s=9.0, in_line_s=1.2)
     assert "stood in line for 1.2 s of 9 s" in doubt(eleven)
-    assert doubt(replace(eleven, in_line_s=0.4)) == ""
+    assert doubt(replace(eleven, in_line_s=0.6)) == ""
+    late = replace(stored("period_for_frequency"), clock="wall", robot_s=9.0, in_line_s=0.6)
+    assert "stood in line for 0.6 s of 9 s" in doubt(late), "where time was lost, less is enough"
+    assert doubt(replace(late, in_line_s=0.4)) == ""
     assert doubt(replace(eleven, clock="simulated")) == ""
     assert doubt(replace(stored("solution"), clock="wall", robot_s=9.0, in_line_s=1.2)) == ""
 

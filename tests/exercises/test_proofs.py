@@ -73,7 +73,8 @@ CASES = {
 Key = tuple[str, str]
 MORE_TRIES = 3
 CALM_S = 0.25
-IN_LINE_SHARE = 0.1
+IN_LINE_SHARE = 0.05
+TAKEN_SHARE = 0.1
 
 
 @dataclass(frozen=True)
@@ -109,7 +110,7 @@ class Proofs:
             self._judgements = {key: judgement for pool in judged for key, judgement in pool.items()}
         MACHINE.parent.mkdir(exist_ok=True)
         MACHINE.write_text(
-            "exercise\tanswer\tpoints\theld up\tstood still\tin line\tdoubt\n", encoding="utf-8"
+            "exercise\tanswer\tpoints\theld up\tstood still\ttaken\tin line\tdoubt\n", encoding="utf-8"
         )
         for key in self._judgements:
             self._note(key)
@@ -124,7 +125,7 @@ class Proofs:
         """Keep how the machine was when this answer was judged (s)."""
         judgement = self._judgements[key]
         seen = judgement.recording
-        waits = () if seen is None else (seen.held_up_s, seen.stood_still_s, seen.in_line_s)
+        waits = () if seen is None else (seen.held_up_s, seen.stood_still_s, seen.taken_s, seen.in_line_s)
         with MACHINE.open("a", encoding="utf-8") as file:
             print(*key, judgement.score, *waits, judgement.doubt, sep="\t", file=file)
 
@@ -173,7 +174,11 @@ def was_busy(judgement: Judgement) -> bool:
     if judgement.doubt or seen is None:
         return bool(judgement.doubt)
     longest = max(seen.held_up_s, seen.stood_still_s)
-    return longest > CALM_S or seen.in_line_s > IN_LINE_SHARE * seen.robot_s
+    return (
+        longest > CALM_S
+        or seen.in_line_s > IN_LINE_SHARE * seen.robot_s
+        or seen.taken_s > TAKEN_SHARE * seen.robot_s
+    )
 
 
 def explained(judgement: Judgement) -> str:

@@ -27,12 +27,14 @@ def test_the_longest_standstill_of_one_processor_since_the_last_look(tmp_path: P
     assert standstill.look() == 0.0
     write(tmp_path, 150, 281)
     assert round(standstill.look(), 6) == 0.4
+    assert round(standstill.in_all(), 6) == round((0.5 + 0.81) / 2, 6)
 
 
 def test_where_nobody_tells_nothing_stands_still(tmp_path: Path) -> None:
     assert taken_away(tmp_path / "absent") == {}
     (tmp_path / "stat").write_text("cpu  1 2 3\ncpu0 1 2 3\n\n")
     assert Standstill(tmp_path / "stat").look() == 0.0
+    assert Standstill(tmp_path / "stat").in_all() == 0.0
 
 
 def test_this_machine_tells_of_each_of_its_processors() -> None:

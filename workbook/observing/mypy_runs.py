@@ -5,14 +5,14 @@ import json
 import os
 import socket
 import subprocess
-import sys
 import tempfile
 import threading
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from workbook.observing.orphans import forget, spare
+from workbook.observing.helpers import start_helper
+from workbook.observing.orphans import forget
 
 SERVER = Path(__file__).with_name("mypy_server.py")
 STATUS_BYTES = 100
@@ -101,22 +101,10 @@ class MypyServer:
     def _open(self, environ: Mapping[str, str]) -> socket.socket:
         if self._channel is not None and self._owner == os.getpid():  # a fork of its owner has none
             return self._channel
-        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        with theirs:
-            self._process = subprocess.Popen(
-                [sys.executable, "-P", str(SERVER), str(theirs.fileno())],
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.DEVNULL,
-                env=dict(environ),
-                cwd="/",
-                pass_fds=[theirs.fileno()],
-                start_new_session=True,  # Ctrl-C is for its owner
-            )
+        self._process, ours = start_helper(SERVER, environ, quiet=True)
         if self._owner != os.getpid():
             atexit.register(self.close)
         self._owner, self._channel = os.getpid(), ours
-        spare(self._process.pid)
         return ours
 
     def close(self) -> None:

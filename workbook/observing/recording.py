@@ -179,8 +179,8 @@ class Recording:
     """One watch of one program. `findings`: what the type checker said; None if it was not asked.
 
     `held_up_s`: on the wall clock, the longest time (s) for which the watch itself got no processor; `stood_still_s`:
-    the longest for which the host of this virtual machine took a processor away; `in_line_s`: how long (s) in all the
-    program was ready to run and got none.
+    the longest for which the host of this virtual machine took a processor away; `taken_s`: how long (s) it did so in
+    all, the mean of all processors; `in_line_s`: how long (s) in all the program was ready to run and got none.
     """
 
     clock: Clock
@@ -201,6 +201,7 @@ class Recording:
     clients: tuple[ServiceSeen, ...] = ()
     held_up_s: float = 0.0
     stood_still_s: float = 0.0
+    taken_s: float = 0.0
     in_line_s: float = 0.0
 
     def topic(self, name: str) -> TopicRecording:
@@ -314,5 +315,6 @@ def _recording(data: Mapping[str, Any]) -> Recording:
         clients=tuple(ServiceSeen(**item) for item in data.get("clients", ())),
         held_up_s=data.get("held_up_s", 0.0),
         stood_still_s=data.get("stood_still_s", 0.0),
+        taken_s=data.get("taken_s", 0.0),
         in_line_s=data.get("in_line_s", 0.0),
     )

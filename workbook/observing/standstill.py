@@ -33,6 +33,7 @@ class Standstill:
     def __init__(self, stat: Path = STAT) -> None:
         self._stat = stat
         self._before: Mapping[str, float] = taken_away(stat)
+        self._at_first = self._before
 
     def look(self) -> float:
         """The longest time (s) for which a processor was taken away since the last look."""
@@ -40,3 +41,8 @@ class Standstill:
         found = [seconds - self._before[name] for name, seconds in now.items() if name in self._before]
         self._before = now
         return max(found, default=0.0)
+
+    def in_all(self) -> float:
+        """How long (s) a processor was taken away up to the last look: the mean of all processors."""
+        found = [seconds - self._at_first.get(name, seconds) for name, seconds in self._before.items()]
+        return sum(found) / len(found) if found else 0.0

@@ -8,13 +8,13 @@ import select
 import signal
 import socket
 import subprocess
-import sys
 import threading
 import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from workbook.observing.orphans import forget, spare
+from workbook.observing.helpers import start_helper
+from workbook.observing.orphans import forget
 from workbook.ros.environment import child_environment
 
 RUN_MARK = "WORKBOOK_RUN"
@@ -100,19 +100,7 @@ class ForkServer:
             if self._process is not None and self._process.poll() is None:
                 return
             self.close()
-            ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-            with theirs:
-                self._process = subprocess.Popen(
-                    [sys.executable, "-P", str(SERVER), str(theirs.fileno())],
-                    stdin=subprocess.DEVNULL,
-                    stdout=subprocess.DEVNULL,
-                    env=dict(environ),
-                    cwd="/",
-                    pass_fds=[theirs.fileno()],
-                    start_new_session=True,  # Ctrl-C is for its owner
-                )
-            spare(self._process.pid)
-            self._channel = ours
+            self._process, self._channel = start_helper(SERVER, environ)
 
     def spawn(
         self, box: int, arguments: Sequence[str], environ: Mapping[str, str], folder: str, output_fd: int

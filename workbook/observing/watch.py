@@ -242,6 +242,7 @@ class Watch:
         self._matched_wall: float | None = None
         self._held_up_s = 0.0
         self._stood_still_s = 0.0
+        self._taken_s = 0.0
         self._in_line_s = 0.0
 
     def _robot_time(self, moment: float) -> float:
@@ -362,6 +363,7 @@ class Watch:
                 self._stood_still_s = max(self._stood_still_s, standstill.look())
                 next_look = time.monotonic() + LOOK_EVERY_S
         self._in_line_s += in_line - before
+        self._taken_s += standstill.in_all()
         self._recorder.take()
 
     def _left_to_watch(self) -> float:
@@ -469,6 +471,7 @@ class Watch:
             clients=self._recorder.clients(),
             held_up_s=round(self._held_up_s, 4),
             stood_still_s=round(self._stood_still_s, 2),
+            taken_s=round(self._taken_s, 2),
             in_line_s=round(self._in_line_s, 4),
         )
 
