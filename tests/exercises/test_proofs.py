@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.host import await_calm
 from workbook.exercise.answers import Answer, read_answer
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judging import Judgement
@@ -71,7 +72,7 @@ CASES = {
     kind: [(stem, path) for stem in STEMS for path in answers(kind, stem)] for kind in ("right", "wrong")
 }
 Key = tuple[str, str]
-MORE_TRIES = 3
+MORE_TRIES = 4
 CALM_S = 0.25
 IN_LINE_SHARE = 0.05
 TAKEN_SHARE = 0.1
@@ -153,6 +154,7 @@ class Proofs:
             if not was_busy(judgement) or as_expected(judgement):
                 break
             pool = self._pools[key]
+            await_calm()
             [(_, self._judgements[key])] = judge_all(
                 [self._jobs[pool][key]], 1, thorough=pool.thorough, isolation=self._isolation
             )

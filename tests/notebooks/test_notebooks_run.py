@@ -2,13 +2,12 @@
 
 import time
 from pathlib import Path
-from statistics import fmean
 
 import pytest
 
+from tests.host import await_calm, taken_s
 from workbook.authoring.comparing import compare
 from workbook.authoring.tree import Tree
-from workbook.observing.standstill import taken_away
 
 ROOT = Path(__file__).resolve().parents[2]
 TREE = Tree(ROOT)
@@ -17,11 +16,6 @@ NUMBERS = sorted({stem[:2] for stem in STEMS})
 TRIES = 3
 MOST_TAKEN = 0.01
 """Of the processors' time, by other machines on the same host: a standstill of a second is enough to upset a lesson."""
-
-
-def taken() -> float:
-    """Seconds for which the host has given a processor of this machine to others so far: the mean of them all."""
-    return fmean(taken_away().values() or [0.0])
 
 
 def test_there_is_something_to_run() -> None:
@@ -38,9 +32,10 @@ def test_a_lesson_and_its_exercise_show_what_is_committed(
     What failed while the host gave the processors to others has shown nothing, and is run again.
     """
     for _ in range(TRIES):
-        began, before = time.monotonic(), taken()
+        began, before = time.monotonic(), taken_s()
         failed = compare(TREE, [number])
         output = capfd.readouterr().out
-        if not failed or taken() - before < MOST_TAKEN * (time.monotonic() - began):
+        if not failed or taken_s() - before < MOST_TAKEN * (time.monotonic() - began):
             break
+        await_calm()
     assert not failed, output
