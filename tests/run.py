@@ -1,6 +1,6 @@
 """Everything that `make test` proves, in order; pytest's own summary comes last.
 
-`python tests/run.py --only lint` (or style, types, notebooks, pytest) runs a part.
+`python tests/run.py --only lint` (or style, types, notebooks, collection, pytest) runs a part.
 With CI=true a skipped test that `.ci/allowed_skips` does not list is a failure.
 """
 
@@ -30,12 +30,13 @@ SUMMARY_LIMIT_S = 120.0
 
 @dataclass(frozen=True)
 class Step:
-    """One command of the proof."""
+    """One command of the proof. `quiet`: what it says matters only when it fails."""
 
     name: str
     group: str
     command: tuple[str, ...]
     report: Path | None = None
+    quiet: bool = False
 
 
 def steps() -> list[Step]:
@@ -50,6 +51,9 @@ def steps() -> list[Step]:
             found.append(Step(f"mypy {folder}", "types", (python, "-m", "mypy", folder)))
     authoring = (python, "-m", "workbook.authoring")
     found.append(Step("notebooks match their text", "notebooks", (*authoring, "check")))
+    # Beside mypy, which keeps one processor busy. What pytest makes of the tests' files then serves all its workers.
+    collect = (python, "-m", "pytest", "--collect-only", "-qq")
+    found.append(Step("tests can be collected", "collection", collect, quiet=True))
     tested = ARTIFACTS / "pytest.xml"
     spread = ("-n", JOBS)
     found.append(Step("pytest", "pytest", (python, "-m", "pytest", *spread, f"--junitxml={tested}"), tested))
@@ -162,7 +166,8 @@ def _run_quick(step: Step, environ: dict[str, str], say: Callable[[str], None]) 
         step.command, cwd=ROOT, env=environ, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     )
     how = "ok" if done.returncode == 0 else "FAILED"
-    told = f"{done.stdout.rstrip()}\n" if done.stdout.strip() else ""
+    silent = not done.stdout.strip() or (step.quiet and done.returncode == 0)
+    told = "" if silent else f"{done.stdout.rstrip()}\n"
     say(f"── {step.name}\n{told}   {how} ({time.monotonic() - started:.1f} s)")
     return [f"{step.name} (exit {done.returncode})"] if done.returncode else []
 
@@ -170,7 +175,7 @@ def _run_quick(step: Step, environ: dict[str, str], say: Callable[[str], None]) 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Exit code 0 when everything holds."""
     parser = argparse.ArgumentParser(description="What `make test` runs.")
-    parser.add_argument("--only", choices=("lint", "style", "types", "notebooks", "pytest"))
+    parser.add_argument("--only", choices=("lint", "style", "types", "notebooks", "collection", "pytest"))
     options = parser.parse_args(arguments)
     # In the background of a shell script Ctrl-C is ignored, by us and by every program that a test would interrupt.
     signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -55,8 +55,17 @@ def test_pytest_is_the_last_step_and_every_group_can_be_chosen(proof: ModuleType
     assert plan[-1].name == "pytest"
     assert {step.group for step in proof.chosen(plan, "lint")} == {"style", "types"}
     assert proof.chosen(plan, None) == plan
-    for group in ("style", "types", "notebooks", "pytest"):
+    for group in ("style", "types", "notebooks", "collection", "pytest"):
         assert proof.chosen(plan, group)
+
+
+@pytest.mark.parametrize("code", [0, 3])
+def test_a_quiet_step_says_why_it_failed_and_nothing_else(proof: ModuleType, code: int) -> None:
+    said: list[str] = []
+    speaks = f"print('two tests'); raise SystemExit({code})"
+    step = proof.Step("quiet", "style", (sys.executable, "-c", speaks), quiet=True)
+    assert bool(proof._run_quick(step, {**os.environ}, said.append)) == bool(code)
+    assert ("two tests" in said[0]) == bool(code)
 
 
 def test_a_failed_step_is_named_and_the_others_run(
