@@ -72,7 +72,7 @@ CASES = {
     kind: [(stem, path) for stem in STEMS for path in answers(kind, stem)] for kind in ("right", "wrong")
 }
 Key = tuple[str, str]
-MORE_TRIES = 4
+MORE_TRIES = 8
 CALM_S = 0.25
 IN_LINE_SHARE = 0.05
 TAKEN_SHARE = 0.1
