@@ -1,8 +1,12 @@
-"""How the tests are spread over workers: a file stays together, long ones begin first, lessons go side by side."""
+"""How the tests are spread over workers, and what tests of several folders need.
+
+A file stays together, long ones begin first, lessons go side by side.
+"""
 
 import gc
 import re
-from pathlib import PurePath
+import tempfile
+from pathlib import Path, PurePath
 from typing import Any
 
 import pytest
@@ -27,6 +31,16 @@ BROWSERS = 2
 
 own_server.keep()  # a worker starts hundreds of programs
 gc.disable()  # until all tests are there: to collect garbage among them would take a tenth of the time
+
+
+@pytest.fixture
+def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder in which this process and those that it starts put their temporary files."""
+    folder = tmp_path / "temporary"
+    folder.mkdir()
+    monkeypatch.setenv("TMPDIR", str(folder))
+    monkeypatch.setattr(tempfile, "tempdir", str(folder))
+    return folder
 
 
 def pytest_collection_finish() -> None:

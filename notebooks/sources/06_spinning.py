@@ -144,14 +144,16 @@ for turn in range(4):
 # So spinning is no magic in the background. It is *your* thread, which goes round a loop. That is why it is called the
 # heartbeat of a node.
 #
-# Now with timers. The heart beats every 1.0 s, the robot looks around every 2.1 s, and three words are said. Then we
-# look away for 2.2 s. Now much is ready: both timers are due and three words wait. We turn the crank eight times, and
-# note what ran in each turn and how long it waited.
+# Now with timers. The heart beats every 1.0 s, the robot looks around every 2.1 s, and three words are said. Then both
+# timers start anew (`reset`), and we look away for 2.2 s. Now much is ready: both timers are due and three words wait.
+# We turn the crank eight times, and note what ran in each turn and how long it waited.
 
 # %%
 robot = fresh(AttentiveRobot)
 say("stop", "wait", "turn")
-time.sleep(2.0)
+for timer in robot.timers:
+    timer.reset()
+time.sleep(2.2)
 
 turns = []
 for turn in range(1, 9):

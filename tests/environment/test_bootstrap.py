@@ -19,6 +19,8 @@ import os, pathlib, sys
 root = pathlib.Path(__file__).resolve().parents[1]
 with open(root / "calls.log", "a") as log:
     log.write(" ".join(sys.argv[1:]) + "\\n")
+if sys.argv[1] == "pip":
+    (pathlib.Path(os.environ["TMPDIR"]) / "uv.lock").touch()
 if sys.argv[1] == "venv":
     target = pathlib.Path(sys.argv[-1])
     (target / "bin").mkdir(parents=True, exist_ok=True)
@@ -53,6 +55,8 @@ class Checkout:
             f"#: {name}\n{line} \\\n    --hash=sha256:{name}\n\n" for name, line in sections.items()
         )
         (self.course / "requirements.lock").write_text(text)
+        self.temporary = folder / "temporary"
+        self.temporary.mkdir()
         (folder / "bin").mkdir()
         fake = folder / "bin" / "uv"
         fake.write_text(FAKE_UV.format(python=sys.executable))
@@ -61,7 +65,11 @@ class Checkout:
     def make(self, *arguments: str) -> "subprocess.CompletedProcess[str]":
         for log in ("calls.log", "installed.log"):
             (self.top / log).unlink(missing_ok=True)
-        environ = {"PATH": f"{self.top / 'bin'}:{os.defpath}", "HOME": str(self.top)}
+        environ = {
+            "PATH": f"{self.top / 'bin'}:{os.defpath}",
+            "HOME": str(self.top),
+            "TMPDIR": str(self.temporary),
+        }
         script = self.course / "workbook" / "lab" / "bootstrap.py"
         command = [sys.executable, "-I", str(script), *arguments]
         return subprocess.run(command, env=environ, capture_output=True, text=True, timeout=60)
@@ -103,6 +111,12 @@ def test_more_is_added_and_never_taken_away(checkout: Checkout) -> None:
     stamp = json.loads((checkout.venv / bootstrap.STAMP).read_text())
     assert stamp["sections"] == ["build", "student", "dev", "ai"]
     assert checkout.make().stdout == ""
+
+
+def test_no_temporary_file_is_left_whatever_the_installer_leaves(checkout: Checkout) -> None:
+    assert checkout.make().returncode == 0
+    assert "--editable" in checkout.log("calls.log")
+    assert list(checkout.temporary.iterdir()) == []
 
 
 def test_a_changed_lock_updates_in_place(checkout: Checkout) -> None:

@@ -30,6 +30,12 @@ def test_a_silent_second_process_is_told_with_what_it_said(
     assert finding.todo
 
 
+def test_a_kernel_starts_and_leaves_nothing_behind(temporary: Path) -> None:
+    finding = health.check_kernel()
+    assert (finding.status, "the magics" in finding.saw) == ("ok", True)
+    assert list(temporary.iterdir()) == []
+
+
 def test_the_rest_of_this_machine() -> None:
     assert health.check_loopback().status == "ok"
     assert health.check_domain().status == "ok"

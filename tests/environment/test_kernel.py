@@ -41,8 +41,8 @@ def run_cell(tmp_path: Path) -> Iterator[Callable[..., str]]:
 
     yield run
     for manager, client in opened:
+        manager.shutdown_kernel()
         client.stop_channels()
-        manager.shutdown_kernel(now=True)
 
 
 def test_ros_and_the_magics_are_there_before_the_first_cell(run_cell: Callable[..., str]) -> None:

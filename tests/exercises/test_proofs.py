@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.host import await_calm
+from tests.calm import await_calm
 from workbook.exercise.answers import Answer, read_answer
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judging import Judgement

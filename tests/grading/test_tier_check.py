@@ -95,8 +95,8 @@ def test_what_a_program_could_do_there_is_the_problem(
         "tiers.walls = lambda *_, **more: (None, Confinement(adopts=True))\n"
     )
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
-    if tier_check._known_problem("landlock") is not None:
-        pytest.skip("this kernel has no Landlock")
+    # Without walls it does not matter what this kernel has.
+    monkeypatch.setattr(tier_check, "landlock_abi", lambda: 1)
     problem = tier_check.tier_problem("landlock")
     assert problem is not None
     assert "it does not isolate here" in problem

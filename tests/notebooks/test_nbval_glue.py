@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.observing.programs import wait_until
 from workbook.authoring.building import build_exercise
 from workbook.authoring.comparing import NBVAL, compare
 from workbook.authoring.document import Cell, Document, as_notebook, to_text, with_ids
@@ -132,7 +133,10 @@ def test_a_magic_that_does_not_exist_fails_even_where_nothing_is_compared(tmp_pa
 
 
 def test_an_exercise_is_run_with_the_starter_and_with_the_solution(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+    tmp_path: Path,
+    temporary: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
 ) -> None:
     monkeypatch.setenv("WORKBOOK_COURSE", str(tmp_path))
     tree = Tree(tmp_path)
@@ -144,6 +148,8 @@ def test_an_exercise_is_run_with_the_starter_and_with_the_solution(
     said = capfd.readouterr().out
     assert "1 failed, 11 passed" in said
     assert "exercises/21_horn.ipynb::Cell 9" in said
+    # Helpers of a killed kernel see that it is gone, and clean up in their own time.
+    wait_until(lambda: not list(temporary.iterdir()), "no temporary folder is left")
 
 
 def test_a_notebook_that_is_not_built_is_named(tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.host import await_calm, taken_s
+from tests.calm import await_calm, taken_s
 from workbook.authoring.comparing import compare
 from workbook.authoring.tree import Tree
 

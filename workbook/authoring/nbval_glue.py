@@ -23,6 +23,7 @@ from nbval.plugin import IPyNbCell, IPyNbFile, NbCellError
 
 from workbook.authoring.kernels import PrivateKernelManager
 from workbook.authoring.outputs import SANITIZE, without_pictures
+from workbook.ros.scratch import sweep_scratch
 
 OUTPUTS = ("display_data", "execute_result", "stream", "error")
 NOT_TEXT = ("text/html", "text/markdown", "image/svg+xml")
@@ -44,6 +45,7 @@ def pytest_unconfigure(config: pytest.Config) -> None:
     folder = config.stash.get(_own_folder, None)
     if folder is not None:
         shutil.rmtree(folder, ignore_errors=True)
+    sweep_scratch()  # nbval kills its kernels
 
 
 @pytest.hookimpl(tryfirst=True)

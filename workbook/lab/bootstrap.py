@@ -164,9 +164,12 @@ def clean_environ() -> dict[str, str]:
     return environ
 
 
-def run(command: list[Any], what: str) -> None:
-    """Run a command with its output shown; Problem when it fails."""
-    done = subprocess.run([str(part) for part in command], cwd=str(ROOT), env=clean_environ())
+def run(command: list[Any], what: str, temporary: str | None = None) -> None:
+    """Run a command with its output shown and temporary files in a folder; Problem when it fails."""
+    environ = clean_environ()
+    if temporary is not None:
+        environ["TMPDIR"] = temporary
+    done = subprocess.run([str(part) for part in command], cwd=str(ROOT), env=environ)
     if done.returncode:
         raise Problem(
             "{} failed (exit {}; the lines above say why). No network, a full disk and a proxy are the usual "
@@ -218,8 +221,9 @@ def install(uv: str | None, names: list[str]) -> None:
         for number, part in enumerate((["build"], names)):
             listed = Path(folder) / "requirements-{}.txt".format(number)
             listed.write_text(requirements(sections, part))
-            run([*pip, "--require-hashes", "-r", listed], "Installing the packages")
-    run([*pip, "--no-deps", "--editable", ROOT], "Installing the workbook")
+            run([*pip, "--require-hashes", "-r", listed], "Installing the packages", folder)
+        # uv leaves the lock of what it builds where temporary files are.
+        run([*pip, "--no-deps", "--editable", ROOT], "Installing the workbook", folder)
     run([python, "-m", "workbook.lab.jupyter_files"], "Setting up Jupyter")
 
 

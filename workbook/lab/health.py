@@ -268,8 +268,9 @@ def check_kernel() -> Finding:
         )["content"]
         took = time.monotonic() - started
     finally:
+        manager.shutdown_wait_time = KERNEL_LIMIT_S  # one that is killed leaves its folders
+        manager.shutdown_kernel()
         client.stop_channels()
-        manager.shutdown_kernel(now=True)
     told = reply.get("user_expressions", {}).get("said", {})
     said = str(
         told.get("data", {}).get("text/plain") or told.get("evalue") or reply.get("evalue") or ""
