@@ -6,11 +6,13 @@ A file stays together, long ones begin first, lessons go side by side.
 import gc
 import re
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path, PurePath
 from typing import Any
 
 import pytest
 
+from workbook.grading.pool import spare
 from workbook.observing.warm_start import own_server
 
 LESSONS = "test_notebooks_run"
@@ -31,6 +33,14 @@ BROWSERS = 2
 
 own_server.keep()  # a worker starts hundreds of programs
 gc.disable()  # until all tests are there: to collect garbage among them would take a tenth of the time
+
+
+@pytest.fixture(autouse=True)
+def no_spare_slot() -> Iterator[None]:
+    """No test judges in a slot that another one has left: what it changes of slots would have no effect."""
+    spare.close()  # a fixture of the file may have left one
+    yield
+    spare.close()
 
 
 @pytest.fixture

@@ -18,10 +18,8 @@ pytestmark = pytest.mark.slow
 @pytest.fixture(autouse=True)
 def untried() -> Iterator[None]:
     """No tier has been tried yet, and nothing is known of this test afterwards."""
-    spare.close()
     tier_check.tier_problem.cache_clear()
     yield
-    spare.close()
     tier_check.tier_problem.cache_clear()
 
 
