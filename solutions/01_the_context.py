@@ -110,11 +110,12 @@ if __name__ == "__main__":
 # [The chapter on errors of the Python tutorial](https://docs.python.org/3/tutorial/errors.html#defining-clean-up-actions)
 # has that place.
 # %% [hint]
-# - `rclpy.spin(guard)` does not return on Ctrl-C. It raises `KeyboardInterrupt`. If somebody else shuts the context
-#   down, it raises `ExternalShutdownException`, from `rclpy.executors`. One `except` takes both: `except (A, B):`.
+# - `rclpy.spin(guard)` does not return on Ctrl-C. It raises `KeyboardInterrupt`. On SIGTERM it raises
+#   `ExternalShutdownException`, from `rclpy.executors`. One `except` takes both: `except (A, B):`. (Where another thread
+#   shuts the context down, it may also simply return.)
 # - What stands in `finally` runs after the `except`, and also when another error comes.
-# - When the exception arrives, rclpy has shut the context down already. `rclpy.shutdown()` would raise then;
-#   `rclpy.try_shutdown()` does not.
+# - On Ctrl-C rclpy shuts the context down by itself, at about the moment at which the exception arrives.
+#   `rclpy.shutdown()` would raise then; `rclpy.try_shutdown()` does not.
 # - Let `main()` come to its end. `os._exit()` and a second Ctrl-C leave a ghost of the node on the graph.
 # %% [hint]
 # ```python
@@ -133,7 +134,8 @@ if __name__ == "__main__":
 # ## Other good ways
 #
 # - **`if rclpy.ok(): rclpy.shutdown()`** instead of `rclpy.try_shutdown()`. It says more plainly what is meant. Between
-#   the question and the call something else could shut the context down; in a program with one thread nothing does.
+#   the question and the call something else may shut the context down, and on Ctrl-C a thread of rclpy's is about to.
+#   `try_shutdown()` has the same gap inside; either falls into it very rarely.
 # - **`contextlib.suppress(KeyboardInterrupt, ExternalShutdownException)`** around the spin. Shorter by two lines, and good if
 #   there is nothing to do in the `except`. The cleaning up then simply follows, so other errors skip it.
 # - **Parking in `destroy_node`.** Override it in the class, park there and call `super().destroy_node()`. Whoever uses

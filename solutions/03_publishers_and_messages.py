@@ -173,7 +173,7 @@ class BatteryPublisher(Node):
 # - **`Float32(data=float(level), check_fields=True)`.** Field checks for this one message, wherever the program runs. They
 #   catch a wrong type and a number too large for 32 bits. They do not mind nan, and after `float()` nothing else is left
 #   to find.
-# - **`ROS_PYTHON_CHECK_FIELDS=1` for the whole robot.** Good as a second net, and free. As the only net it refuses honest
+# - **`ROS_PYTHON_CHECK_FIELDS=1` for the whole robot.** Good as a second net, and cheap. As the only net it refuses honest
 #   ints, and it is gone on a robot where nobody set it, or where Python runs with `-O`.
 # - **Send `nan` for "not known".** `sensor_msgs/msg/BatteryState` does so, and says it in its definition. Without such a
 #   rule a listener that asks `level < 20` gets False, and believes that all is well.

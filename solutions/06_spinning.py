@@ -65,6 +65,10 @@ import time
 import rclpy
 from rclpy.node import Node
 
+# [solution]
+TURN_S = 0.05  # the same timeout in each turn lets the executor serve all that is ready before it begins again
+
+# [end]
 
 def pump(node: Node, seconds: float) -> None:
     """Run the callbacks of a node for some time, then come back.
@@ -76,7 +80,7 @@ def pump(node: Node, seconds: float) -> None:
     # [solution]
     end = time.monotonic() + seconds
     while (left := end - time.monotonic()) > 0:
-        rclpy.spin_once(node, timeout_sec=left)
+        rclpy.spin_once(node, timeout_sec=min(left, TURN_S))
     # [starter]
     # | # TODO 1: note the moment at which the time is up
     # | # TODO 2: go on until that moment, and never wait longer than is left of the time
@@ -106,7 +110,8 @@ def pump(node: Node, seconds: float) -> None:
 #   `time.monotonic()` is a clock that nobody sets back.
 # - A turn that may wait longer than is left comes back too late from a quiet node. A turn that may not wait at all
 #   (`timeout_sec=0`) keeps the processor busy.
-# - `timeout_sec=None`, or none at all, waits forever.
+# - `timeout_sec=None`, none at all, or a *negative* one waits forever. So work out what is left once, and look at it
+#   before you use it.
 # - You were handed the node, so leave it: no `destroy_node`, no `shutdown`, no thread that goes on.
 #
 # The calls: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
@@ -128,9 +133,12 @@ def pump(node: Node, seconds: float) -> None:
 # %% [alternatives]
 # ## Other good ways
 #
-# - **Short slices.** `while time.monotonic() < end: rclpy.spin_once(node, timeout_sec=0.05)`. Simpler, late by a slice
-#   at most, and twenty wake-ups a second cost next to nothing. In a notebook or a window it is the better one: between
-#   two slices the program can do something else.
+# - **Slices without `min`.** `while time.monotonic() < end: rclpy.spin_once(node, timeout_sec=0.05)`. Simpler, and late
+#   by a slice at most. Twenty wake-ups a second cost next to nothing, and between two slices the program can do something
+#   else.
+# - **`timeout_sec=left`.** Shorter, no needless wake-up, and full marks here. But with another timeout each time the
+#   executor begins each turn anew, with the first timer. One that takes longer than its period then gets every turn, and
+#   messages wait for good. The lesson shows it.
 # - **`rclpy.spin_until_future_complete(node, Future(), timeout_sec=seconds)`.** Nobody completes this future, so the
 #   timeout ends it. One line, and the loop with the clock is rclpy's. But the reader has to know the trick.
 # - **A timer that completes a future after `seconds`.** Elegant when the end is an event anyway. Destroy the timer

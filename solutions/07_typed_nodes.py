@@ -13,6 +13,7 @@
 # out_of_scope:
 #   - how the program ends on Ctrl-C (lesson 01 judges that)
 #   - subscriptions, services and parameters
+#   - True, nan and the numbers of NumPy (exercise 03 judges those)
 #   - other type checkers; what is said here holds for pyright as well, in other words
 # ---
 # %% [markdown]
@@ -20,7 +21,7 @@
 #
 # The node below reports battery and status of your humanoid, and it works. From next week on two other teams will call
 # it: charging calls `send_battery`, the planner calls `send_status`. They have never met you, and they write their code
-# on the train. Yesterday one of them sent `"full"`, and all night the dashboard showed 0 %. Make a node of it that
+# on the train. In a trial last night one of them sent `"full"`, and the dashboard showed 0 %. Make a node of it that
 # cannot be misused without a loud word: from mypy, while they type, and from the node itself, when they do not use mypy.
 #
 # **About 30 minutes · difficulty 3 of 5 · 10 points.** You need lesson [07](../notebooks/07_typed_nodes.ipynb).
@@ -55,7 +56,8 @@
 #
 # `# type: ignore` is not heeded, and `Any` may not be written: neither makes the node safer.
 #
-# **Not part of it:** the end on Ctrl-C, subscriptions, services, parameters.
+# **Not part of it:** the end on Ctrl-C, subscriptions, services, parameters. What becomes of `True`, `nan` and the numbers
+# of NumPy is up to you; exercise 03 was about those.
 # %% [answer]
 """Reports battery and status of a humanoid. Others send through it, too, and cannot get the types wrong unnoticed."""
 

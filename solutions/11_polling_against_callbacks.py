@@ -32,7 +32,7 @@
 # | `/robot/touch` | received | `Int32` | the number of a touch: 1, 2, 3 … |
 # | `/monitor/seen` | published | `Int32` | the same number, for each touch, once, at once |
 #
-# Touches may come alone, or ten in one moment.
+# Touches may come alone, or a dozen in one moment.
 #
 # ## What is judged
 #
@@ -168,7 +168,7 @@ if __name__ == "__main__":
 # - `on_touch` gets the message. It can publish: `self.seen_publisher.publish(...)` works in any callback.
 # - When it does, `last`, `reported` and `look` have nothing left to do. Neither has the loop in `main`.
 # - Without the loop, the main thread is free to do what the other thread does. Then you need no other thread.
-# - Keep the depth of 100: up to ten touches may wait at the same time.
+# - Keep the depth of 100: a dozen touches may wait at the same time.
 #
 # What a node offers: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
 # %% [hint]

@@ -50,6 +50,10 @@ await watch_robot(seconds=6, ease=0.1)
 # **Predict, run, change.** Before something happens, you say what will happen. Then you run it and look. Then you turn a
 # knob. A wrong prediction is worth more than a right one: it shows which belief has to change.
 #
+# **`await`.** You will see this word before some calls: let this run, and keep the notebook alive meanwhile, so that
+# pictures move and the stop button works. Just write it where you see it. It belongs to notebook cells and to functions
+# that begin with `async def`; in an ordinary program there is another way. (Lesson 12 says what is behind it.)
+#
 # This notebook is your own copy. Change whatever you like in it. First, stop the robot's program:
 
 # %%
@@ -380,8 +384,8 @@ print("it names the domain of this notebook:", f"ROS_DOMAIN_ID={domain} " in joi
 stop()
 
 # %% [markdown]
-# From lesson 05 on there is an exercise to most lessons. You write a program, `%start` runs it beside the notebook, and
-# `%check` watches what it does on its topics and says in about two seconds what is right and what to mend first.
+# From the next lesson on there is an exercise to each lesson. You write a program, `%start` runs it beside the notebook,
+# and `%check` watches what it does on its topics and says, usually after some seconds, what is right and what to mend first.
 
 # %% [markdown]
 # ## Check yourself

@@ -31,7 +31,7 @@ print("after the end:  ", node_list())
 # %% [markdown]
 # ## Predict
 #
-# Three calls frame every rclpy program:
+# `init` and `shutdown` frame every rclpy program. Between them stand a node and, here, its voice:
 #
 # ```python
 # rclpy.init()                                                  # ROS, please
@@ -215,9 +215,9 @@ for row, action in enumerate(actions):
     print(line(action, [column[row] for column in columns.values()]))
 
 # %% [markdown]
-# Three names of errors, and each tells you which ground is missing. `NotInitializedException`: there is no context.
-# `RCLError`: the context is not valid any more. `InvalidHandle`: the context is fine, but this node was destroyed.
-# (`rcl` is the C library below rclpy, as you saw in lesson 00.)
+# Three names of errors, and here each tells you which ground is missing. `NotInitializedException`: there is no context.
+# `RCLError`: the C library below rclpy (`rcl`, as you saw in lesson 00) has refused; its text says why, and here it is that
+# the context is not valid any more. `InvalidHandle`: the context is fine, but this node was destroyed.
 
 # %% [markdown]
 # ## Change it
@@ -392,13 +392,15 @@ recall("c", about="Ctrl-C")
 # crash every evening.
 #
 # **seasoned** asks politely. `rclpy.try_shutdown()` shuts down what is up, and says nothing if there is nothing to do.
+# (Very rarely, on a busy computer, rclpy's answer to Ctrl-C slips in between its question and its deed, and the end is that
+# of `careful`. That is a flaw of this rclpy; the judge of the exercise knows it and does not count it.)
 
 # %% [markdown]
 # ### Experiment 3: told by somebody else
 #
-# Nobody sits at the keyboard of a robot in the field. `systemctl stop`, `docker stop` and a launch file that ends send
-# another signal, **SIGTERM**. Or some other thread of your program calls `rclpy.shutdown()`. What comes out of
-# `rclpy.spin(guard)` on SIGTERM?
+# Nobody sits at the keyboard of a robot in the field. `systemctl stop` and `docker stop` send another signal, **SIGTERM**,
+# and so does a launch file to a program that has not ended on its Ctrl-C. Or some other thread of your program calls
+# `rclpy.shutdown()`. What comes out of `rclpy.spin(guard)` on SIGTERM?
 #
 # - **a** `KeyboardInterrupt`, as for Ctrl-C
 # - **b** `ExternalShutdownException`
@@ -406,6 +408,10 @@ recall("c", about="Ctrl-C")
 
 # %%
 predict("...", about="SIGTERM")
+
+# %% [markdown]
+# We try each cause with `rclpy.spin(guard)`, and with the same by hand: `rclpy.spin` gives the node to an **executor**,
+# which lets it work (lesson 06). One can make an executor oneself and call its `spin()`.
 
 # %% id="what-comes-out-of-spin" tags=["nbval-ignore-output"]
 CAUSES = {
@@ -457,6 +463,10 @@ recall("b", about="SIGTERM")
 # So this is why `seasoned` catches two exceptions. `ExternalShutdownException` means: the context was shut down from
 # outside, while you were spinning. Whatever the cause, the context is down afterwards, so `try_shutdown` is the right call
 # at the end.
+#
+# Look for *it returned* in the table. When another thread shuts the context down, `rclpy.spin` may find out between two
+# turns, and then it simply comes back: no exception at all, and neither `except` runs. What must happen in any case
+# belongs in `finally`.
 #
 # An honest word on SIGTERM. Run the cell some ten times: now and then it looks different, an `RCLError` for example. In
 # this rclpy the signal wakes up `spin` a moment *before* it shuts the context down, and who comes first is a race. With an
@@ -572,8 +582,9 @@ show_end(run_program(LAST_WORDS.format(who="NO"), interrupt_at="round 1").log)
 # *you* shut it down. The price: nothing wakes up a `spin` that waits for nothing. This guard has a timer that ticks; a
 # node without one would sleep through its Ctrl-C. And SIGTERM then ends the process on the spot.
 #
-# **In a notebook it is different.** There the kernel answers to SIGINT, which is what the stop button (■) sends. Your
-# nodes survive it. We press the button from within:
+# **In these notebooks it is different.** Here rclpy is kept from answering to SIGINT, which is what the stop button (■)
+# sends, and only Python answers. Your nodes survive it. (In a plain Jupyter notebook the context is shut down if `init` stands
+# in the very cell that you stop.) We press the button from within:
 
 # %% id="interrupt-in-the-kernel"
 import os
@@ -775,7 +786,7 @@ print("box locked: ", "box locked" in end.log)
 #
 # <details><summary>a) It is still up</summary>
 #
-# ✓ The kernel owns that signal. Your nodes are usable in the next cell.
+# ✓ Here Python alone answers to that signal. Your nodes are usable in the next cell.
 #
 # </details>
 # <details><summary>b) It is shut down, as after Ctrl-C in a terminal</summary>
@@ -799,8 +810,8 @@ print("box locked: ", "box locked" in end.log)
 #
 # <details><summary>What a good answer contains</summary>
 #
-# With the default of rclpy, SIGINT shuts the context down before Python sees the exception. Then nothing can be published
-# and no timer runs, so neither the slow movement nor the message can happen there. Options: `SignalHandlerOptions.NO`, so
+# With the default of rclpy, SIGINT shuts the context down at about the moment at which Python raises the exception. From
+# then on nothing can be published and no timer runs, so neither the slow movement nor the message can happen there. Options: `SignalHandlerOptions.NO`, so
 # that the context stays up until the program shuts it down. Then spin on in the `except` branch until the arm has
 # arrived, publish, wait until it has got out, and `try_shutdown()`. Mind that something (a timer) must wake up the spin. Or make the movement
 # not depend on the end at all: a service or topic "park", which is called first, and Ctrl-C after it. A good answer also asks

@@ -125,8 +125,9 @@ right.destroy_node()
 #
 # A **node** is an entry in the **graph**: all the nodes, and who talks to whom. There is no register where names are
 # handed out, and nobody who could say no. Each process tells the others what it has, and believes what it is told. So two
-# nodes may well have one name. They are called **twins**, and they are trouble: a tool that asks for `/camera` reaches one
-# of them, by chance. You saw the answer of rclpy, too: no error, one warning. We come back to it.
+# nodes may well have one name. They are called **twins**, and they are trouble: what is asked of `/camera`, both
+# of them do, and you get the answer that comes first. You saw the answer of rclpy, too: no error, one warning. We come
+# back to it.
 #
 # A node is not a process. Above, this one process had two of them. And a class is not a node: it is a plan, from which
 # you can make as many as you like.
@@ -143,9 +144,10 @@ print("offers", len(found.serves), "services, for example", found.serves[2][0])
 bare.destroy_node()
 
 # %% [markdown]
-# `/rosout` takes its log lines to all who care. `/parameter_events` and the seven services are for its **parameters**:
-# numbers that can be set from outside, as you did with `start(..., period_s=0.5)`. This is why you call
-# `super().__init__(name)` first in a class of your own. Whatever makes it a node happens there.
+# `/rosout` takes its log lines to all who care. `/parameter_events` and six of the seven services are for its
+# **parameters**: numbers, texts and switches that can be set from outside, as you did with `start(..., period_s=0.5)`. (The
+# seventh tells what its messages look like.) This is why you call `super().__init__(name)` first in a class of your own.
+# Whatever makes it a node happens there.
 #
 # A node that does something adds a timer, a publisher, a subscription. This is the driver of a camera, as you could buy
 # it. Look at its names, not at its messages; those are for the next lessons.
@@ -195,8 +197,8 @@ recall("b", about="three runs")
 
 # %% [markdown]
 # The *name* `camera` was overwritten. The *object* lives as long as somebody holds it, and the executor holds all three.
-# They all publish on one topic, so three times as many pictures come in, and nothing looks wrong. Lists, callbacks and
-# `Out[7]` hold nodes just as well.
+# Each has a publisher on the one topic. As soon as that executor spins, three times as many pictures come in, and nothing
+# looks wrong. Lists, callbacks and `Out[7]` hold nodes just as well.
 #
 # The line of the warning in the output above is the only sign. To be rid of them you need to get hold of them once more:
 
@@ -333,8 +335,9 @@ for camera in (front, rear):
     print(camera.get_fully_qualified_name(), "publishes on", camera.frame_publisher.topic_name)
 
 # %% [markdown]
-# `namespace=` works here because this driver hands its `**settings` on to `Node`. Where a class does not, `cli_args` cannot
-# get in either, and the command line (or a context of its own) is the way.
+# `cli_args=` works here because this driver hands its `**settings` on to `Node`, and in a program `namespace=` would come
+# in the same way. (`fresh` can give any node a namespace.) Where a class hands nothing on, the command line is the way,
+# with a process for each camera.
 
 # %%
 from workbook.ros import shutdown

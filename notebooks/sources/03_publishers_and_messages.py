@@ -84,7 +84,7 @@ draw_path(heard, "the path of the robot: a lying eight, a circle to the left and
 # The first line says: messages of type `Float32`, on the topic `/robot/battery`. (The `10` has its turn later.) The second
 # line makes a message, puts 80 into its only field, `data`, and sends it.
 #
-# The program runs on ROS as it comes out of the box. A screen listens to the topic. What does it show?
+# The program runs on the ROS of this course as it comes out of the box. A screen listens to the topic. What does it show?
 #
 # - **a** 80.0, because Python turns 80 into 80.0 wherever a float is wanted.
 # - **b** Nothing, because `Float32(data=80)` raises an error: 80 is no float.
@@ -100,7 +100,7 @@ predict("...", about="an int in a float field")
 # ## Run it
 #
 # The program below publishes one level after the other, twice a second. (A timer calls `publish_next`; timers are lesson
-# 05.) It runs as a process of its own, on stock ROS. We write down what arrives.
+# 05.) It runs as a process of its own, on **stock ROS**: with the settings of the box. We write down what arrives.
 
 # %%
 from pathlib import Path
@@ -153,17 +153,20 @@ recall("d", about="an int in a float field")
 
 # %% [markdown]
 # No error and no warning. The program means 80, and the world hears 0.0: an empty battery. What about other values?
-# Go through the list and guess before you run the next cell: which of them arrive as 80.0?
+# Go through the list and guess before you run the next cell: which of them arrive as the number that was meant?
 
 # %% id="given-arrived"
-given = ["80.0", "80", "True", "'80'", "None", "[80.0]", "np.int64(80)", "np.float32(80)", "np.float64(80)", "float(80)"]
+given = [
+    "80.0", "80", "True", "'80'", "None", "[80.0]",
+    "np.int64(80)", "np.int64(-80)", "np.float32(80)", "np.float64(80)", "float(80)",
+]  # fmt: skip
 arrived = what_arrives(*given)
 
 for one, other in zip(given, arrived, strict=True):
     print(f"gave {one:<15} arrived {other}")
 
 # %%
-fig, axes = figure(5.6, 3.6)
+fig, axes = figure(5.6, 3.9)
 for row, (one, other) in enumerate(zip(given, arrived, strict=True)):
     color, sign = (GREEN, "✓") if other == 80.0 else (RED, "✗")
     axes.text(0.0, row, one, family="monospace", va="center")
@@ -174,11 +177,19 @@ axes.text(0.0, -1.0, "what I gave", va="center")
 axes.text(0.77, -1.0, "what arrived", va="center")
 axes.set(xlim=(0, 1), ylim=(len(given) - 0.5, -1.5))
 axes.axis("off")
-show(fig, "ten values and what arrived: only the Python float, np.float64 and float(80) arrive as 80.0, all others as 0.0")
+show(
+    fig,
+    "eleven values and what arrived: only the Python float, np.float64 and float(80) arrive as 80.0; np.int64(-80) arrives "
+    "as nan, all others as 0.0",
+)
 
 # %% [markdown]
-# Three of ten arrive. Look at the two from NumPy: `np.float64` is fine, `np.float32` is not. That pair bites everybody who
-# sends what a neural network has computed.
+# Three of eleven arrive. One comes out as `nan`, *not a number*, and the rest as zero. Look at the two floats from NumPy:
+# `np.float64` is fine, `np.float32` is not. That pair bites everybody who sends what a neural network has computed.
+#
+# You may meet ROS in another build, whose C code does look. There the whole process ends at this line, with a text such as
+# ``Assertion `PyFloat_Check(field)' failed``, and no `except` can catch it
+# ([a report](https://github.com/ros2/rclpy/issues/1297)). The cure is the same, and comes in a moment.
 
 # %% [markdown]
 # ## Look inside
@@ -199,7 +210,7 @@ print(Float32())
 # The message travels as bytes, which any other program can read, in whatever language. `publish` writes these bytes. For
 # a `float32` field it takes the eight bytes that are the number in a Python float, and makes four of them. And it takes
 # them **without a look at what kind of object it has**. An `int` has something else in this place. Read as a float, that is
-# a number so tiny that 32 bits make it zero.
+# mostly a number so tiny that 32 bits make it zero. (Below zero it may also read as `nan`, as you saw.)
 #
 # You can do the same by hand. (For the curious; nothing else in this lesson depends on it.)
 
@@ -371,7 +382,7 @@ predict("...", about="whose queue")
 # %%
 from rclpy.node import Node
 
-from workbook.lesson import fresh, init, spin_for
+from workbook.lesson import fresh, init, spin_for  # spin_for: what `await run(...)` does, in an ordinary function
 
 init()  # rclpy.init(), made so that a cell can be run again
 
@@ -442,8 +453,8 @@ print(table)
 Float32(data=80)
 
 # %% [markdown]
-# The switch is the environment variable `ROS_PYTHON_CHECK_FIELDS=1`. Stock ROS has it off, since the checks take time. Set
-# it while you develop.
+# The switch is the environment variable `ROS_PYTHON_CHECK_FIELDS=1`. It is off in stock ROS, since the checks take time.
+# Set it while you develop.
 #
 # It must be set **before** the message class is imported. A program could do that itself, in its first lines. Here are two
 # that try.
@@ -501,7 +512,7 @@ voice.create_publisher("String", "/robot/mood", 10)
 
 # %% [markdown]
 # You never had a ROS 1 on this machine, so do not go looking for it. The text means: *this is no message class*. Here it
-# is the name in quotes. It would be the same with the Python type `str`. The cure is an import and no quotes:
+# is the name in quotes. With the Python type `str` it says `type` in place of `str`. The cure is an import and no quotes:
 # `from std_msgs.msg import String`, and `create_publisher(String, ...)`.
 
 # %% [markdown]
@@ -555,6 +566,9 @@ state.percentage = 0.8  # a share, from 0 to 1: the definition says so
 state.voltage = 47.9
 state.power_supply_status = BatteryState.POWER_SUPPLY_STATUS_DISCHARGING
 state.present = True
+state.header.stamp = voice.get_clock().now().to_msg()
+for field in ("current", "temperature", "charge", "capacity", "design_capacity"):
+    setattr(state, field, math.nan)  # not measured: the definition says how to say so
 
 joints = JointState()
 joints.name = ["left_shoulder", "left_elbow"]
@@ -565,9 +579,9 @@ print("BatteryState has:", ", ".join(list(BatteryState.get_fields_and_field_type
 print("JointState has:  ", ", ".join(JointState.get_fields_and_field_types()))
 
 # %% [markdown]
-# A time stamp, names, units that are written down, and "not known" is told apart from zero. Dashboards, loggers and
-# planners of other people understand these messages without asking you. They are filled like every other message, field by
-# field.
+# A time stamp, names, units that are written down, and "not known" can be told apart from zero, *if you say it*: these
+# fields, too, begin with 0.0, and nobody has measured 0 °C. Dashboards, loggers and planners of other people understand
+# these messages without asking you. They are filled like every other message, field by field.
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -645,7 +659,7 @@ else:
 # %% [markdown]
 # ## Check yourself
 #
-# **1. On stock ROS, a node publishes `Float32(data=np.float32(55.5))`. What does a listener get?**
+# **1. On the stock ROS of this course, a node publishes `Float32(data=np.float32(55.5))`. What does a listener get?**
 #
 # <details><summary>a) 55.5</summary>
 #
@@ -762,7 +776,8 @@ else:
 # ## Take away
 #
 # - `create_publisher(MessageClass, "/topic", depth)`, once, in `__init__`; then `publish(message)`, as often as you like.
-# - A float field wants a Python float. An int, `np.float32`, `None` or a text goes out as 0.0, without a word: `float(...)`.
+# - A float field wants a Python float. An int, `np.float32`, `None` or a text goes out as 0.0 or worse, without a word:
+#   `float(...)`.
 # - `ROS_PYTHON_CHECK_FIELDS=1` makes ROS look, if it is set before the message class is imported.
 # - 32 bits hold about seven digits: never `==`, always "close to".
 # - One topic, one type. In two programs, two types on one topic are silent. For what stays, take messages with meaning.

@@ -302,8 +302,8 @@ show(
 # wrong: that messages are lost when nobody looks (all 60 were there for the reader with depth 100), and that they are
 # all kept (they are kept up to the depth).
 #
-# The sender has a depth as well, the last argument of `create_publisher`: so many messages may wait there until they
-# are delivered. That is why the camera got 100, too.
+# The sender has a depth as well, the last argument of `create_publisher`. It is another matter (lesson 03): so many
+# messages it keeps for sending again. The camera got 100, so that nothing here can depend on it.
 
 # %% [markdown]
 # ### Experiment 2: how old is a message
@@ -353,7 +353,7 @@ for depth, marker, line in ((50, "s", "--"), (1, "o", "-")):
 axes.set(xlabel="callback", ylabel="age of its message (s)", xticks=range(0, 21, 5))
 axes.legend(loc="upper left")
 show(
-    fig, "with depth 50 each message is older than the one before, up to seconds; with depth 1 all are fresh"
+    fig, "with depth 50 the messages grow older and older, up to seconds; with depth 1 all are fresh"
 )
 
 # %% id="message-age"

@@ -93,7 +93,10 @@ def slow_robot():
 
 def say(*words):
     """Say words to the robot, once it listens, and let them arrive."""
+    end = time.monotonic() + 10.0
     while mouth.get_subscription_count() == 0:
+        if time.monotonic() > end:
+            raise TimeoutError("nobody listens on /robot/words")
         time.sleep(0.01)
     for word in words:
         mouth.publish(String(data=word))
@@ -363,7 +366,7 @@ recall("c", about="after spin")
 
 # %% [markdown]
 # `spin` does not come back while ROS is up. And on Ctrl-C it does not come back either: it is *left*, by a
-# `KeyboardInterrupt`, and the line after it is jumped over. What must be done at the end belongs into `finally`:
+# `KeyboardInterrupt`, and the line after it is jumped over. What must be done at the end belongs in `finally`:
 
 # %%
 _ = try_out(
@@ -472,8 +475,8 @@ rclpy.shutdown()
 """)
 
 # %% [markdown]
-# `generator already executing` is Python's way to say: two threads are inside of one executor. `rclpy.spin` always uses
-# the same **global executor**, and that one cannot be shared. The second thread dies, its node is deaf, and the
+# `generator already executing` is Python's way to say: two threads are inside of one executor. Unless you hand it another
+# one, `rclpy.spin` uses the same **global executor** each time, and that one cannot be shared. The second thread dies, its node is deaf, and the
 # program goes on as if nothing had happened.
 #
 # One executor can serve many nodes. One thread is enough:
@@ -519,7 +522,7 @@ _ = try_out(LEFT)
 # dumped)`, and a service manager sees a crash at each stop. A node without timers may get away with it, which makes it
 # a nasty bug.
 #
-# Who starts a thread ends it: first shut the executor down, so that `spin` comes back, then wait for the thread.
+# Whoever starts a thread ends it: first shut the executor down, so that `spin` comes back, then wait for the thread.
 
 # %%
 _ = try_out("""
@@ -538,10 +541,47 @@ rclpy.shutdown()
 """)
 
 # %% [markdown]
+# **A timer that takes every turn.** It is due every 10 ms, and its callback takes 20 ms. So it is always ready. Five
+# messages wait, and we spin for two seconds. In the first loop a turn may wait for all the time that is left, in the second
+# for 50 ms.
+
+# %% id="unfair-turns"
+BUSY = """
+from std_msgs.msg import String
+
+heard = []
+node.create_timer(0.01, lambda: time.sleep(0.02))
+node.create_subscription(String, "/robot/words", lambda message: heard.append(message.data), 10)
+mouth = node.create_publisher(String, "/robot/words", 10)
+while mouth.get_subscription_count() == 0:
+    time.sleep(0.01)
+for word in ("stop", "wait", "turn", "wave", "walk"):
+    mouth.publish(String(data=word))
+time.sleep(0.2)  # by now the words are there, and the timer is overdue
+
+end = time.monotonic() + 2.0
+while (left := end - time.monotonic()) > 0:
+    rclpy.spin_once(node, timeout_sec=TIMEOUT)
+print("heard:", len(heard), "of 5")
+"""
+
+print("timeout_sec=left")
+_ = try_out(BUSY.replace("TIMEOUT", "left"))
+print("timeout_sec=0.05")
+_ = try_out(BUSY.replace("TIMEOUT", "0.05"))
+
+# %% [markdown]
+# When several things are ready, the executor serves all of them, one per call, before it looks again: timers first, then
+# subscriptions. But it begins a new round whenever it is called with *another timeout* than the time before. With `left`
+# that is each time, and each round begins with the timer. So give it the same timeout in each turn. (And a timer whose
+# callback takes longer than its period is a bug of its own: lesson 10.)
+
+# %% [markdown]
 # ## From a worked example to your own
 #
 # **Worked.** "Wait until the robot has heard a word, but at most two seconds." Three things make such a loop
-# safe: a condition that ends it, a moment that ends it, and a wait that is never longer than what is left.
+# safe: a condition that ends it, a moment that ends it, and waits that are short and never longer than what is left.
+# (What is left is worked out once per turn, and looked at. A *negative* timeout waits for good, as none at all does.)
 
 # %%
 def wait_until(node, is_so, seconds):
@@ -551,7 +591,7 @@ def wait_until(node, is_so, seconds):
         left = end - time.monotonic()
         if left <= 0:
             return False
-        rclpy.spin_once(node, timeout_sec=left)
+        rclpy.spin_once(node, timeout_sec=min(left, 0.1))
     return True
 
 
@@ -642,10 +682,10 @@ else:
 #
 # <details><summary>a) <code>rclpy.spin(left)</code>, and in the next line <code>rclpy.spin(right)</code></summary>
 #
-# ✗ The next line is reached when the first spin is over, that is, when the robot is switched off.
+# ✗ The next line is not reached while ROS is up, and Ctrl-C jumps over it. `right` is never spun.
 #
 # </details>
-# <details><summary>b) Two threads, each with <code>rclpy.spin</code></summary>
+# <details><summary>b) Two threads, one with <code>rclpy.spin(left)</code> and one with <code>rclpy.spin(right)</code></summary>
 #
 # ✗ Both use the global executor. The second thread dies with "generator already executing".
 #
@@ -681,9 +721,9 @@ else:
 #
 # - Callbacks run while somebody spins, in the thread of the one who spins, and at no other time.
 # - `spin_once` runs one callback, and returns nothing; `spin` is a loop of it that ends with ROS.
-# - Give every `spin_once` a timeout that fits: none at all blocks for good, 0 burns a processor.
+# - Give every `spin_once` a timeout that fits: none at all, or a negative one, blocks for good; 0 burns a processor.
 # - Do not spin or sleep inside a callback. Come back, and let another callback go on.
-# - One executor can serve many nodes. Who spins in a thread shuts the executor down and joins the thread.
+# - One executor can serve many nodes. Whoever spins in a thread shuts the executor down and joins the thread.
 #
 # **Before:** [05 · Timers](05_timers.ipynb)
 #

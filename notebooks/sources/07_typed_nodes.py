@@ -282,10 +282,11 @@ print(*(finding.message for finding in with_typed_publisher.findings if "publish
 # %% [markdown]
 # Read `make_publisher` slowly. `Message` stands for some type, and it is the same one in both places: for
 # `kind=Float32` the result is a `Sends[Float32]`. `contravariant=True` says that `Taken` only goes in, as an argument;
-# mypy asks you for the word if you forget it. From Python 3.12 on one writes `class Sends[Taken]` and
+# mypy asks you for the word if you forget it. From Python 3.12 on one writes `class Sends[Taken](Protocol)` and
 # `def make_publisher[Message]`, and the two lines with `TypeVar` can go.
 #
-# All of it together, each dot a mistake that was really made and really found in this notebook:
+# All of it together. Each mistake was really made in this notebook; a full dot says that it was found, or ended in an
+# error, there:
 
 # %%
 checked = run_program(CHECKED, seconds=30)
@@ -449,8 +450,8 @@ recall("c", about="a whole number")
 
 # %% [markdown]
 # For mypy an int is a float: wherever a `float` is asked for, it lets an `int` pass, because Python can count with both.
-# The message cannot. Its code in C asks for a Python float, and takes 0.0 otherwise. So convert at the border, where
-# values enter the message:
+# The message cannot. Its code in C takes the eight bytes that stand where a Python float keeps its value (lesson 03), and
+# in an int that is something else. So convert at the border, where values enter the message:
 
 # %%
 print("float(level):    ", run_program(LEVEL.format(value="float(level)", given="100"), seconds=20).log.strip())
@@ -576,7 +577,7 @@ print(run_program(guarded, seconds=20).log.strip().splitlines()[-1])
 
 # %% [markdown]
 # Why not `float(level)` alone? It makes 87.5 of the text `"87.5"`. That looks friendly, until the next text says
-# `"87 %"`.
+# `"87 %"`. (This guard lets `True` and `nan` pass, and refuses NumPy's `float32`. Exercise 03 went further.)
 #
 # **Silence, made by hand.** `# type: ignore` at the end of a line makes mypy quiet about it, and `Any` makes it quiet
 # about everything that a value touches. Sometimes one needs that, with a reason beside it. It never mends anything.

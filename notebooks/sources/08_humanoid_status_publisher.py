@@ -204,7 +204,7 @@ print(inspect.getsource(HumanoidStatusPublisher))
 # - **Topics in the docstring**, with type, rate and meaning. It is the contract with everybody who listens.
 # - **Type hints** (`-> None`, `battery_level: float`). Your editor and mypy read them. ROS does not: they will not stop a
 #   wrong value in a message. You will see that below.
-# - **A unit in each name or comment** (`STATUS_PERIOD_S`, percent). Half of all bugs with rates are seconds taken for
+# - **A unit in each name or comment** (`STATUS_PERIOD_S`, percent). Many bugs with rates are seconds taken for
 #   hertz.
 
 # %% [markdown]
@@ -714,7 +714,7 @@ print("exit code", outcome.exit)
 # </details>
 # <details><summary>c) The level in the message is no Python float</summary>
 #
-# ✓ An int, a str or a bool in a float field is sent as 0.0, without a word, unless field checks are on.
+# ✓ An int, a str or a bool in a float field is sent as garbage, mostly as 0.0, without a word, unless field checks are on.
 #
 # </details>
 #
@@ -777,7 +777,7 @@ print("exit code", outcome.exit)
 #
 # - Each topic needs a publisher, a timer and a short callback; many fit into one thread.
 # - `create_timer` takes seconds: 0.5 Hz is 2.0.
-# - Only a Python `float` arrives in a float field; anything else becomes 0.0 without a word.
+# - Only a Python `float` arrives in a float field; anything else becomes garbage without a word, mostly 0.0.
 # - An exception in a background spin makes a node deaf, not dead: spin in the main thread, and watch for silence.
 # - End with `except (KeyboardInterrupt, ExternalShutdownException)` and `rclpy.try_shutdown()`.
 #

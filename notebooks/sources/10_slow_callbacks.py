@@ -172,7 +172,7 @@ recall("c", about="four threads")
 #
 # Each callback belongs to a **callback group**. If you name none, it is the node's default group, the same for all of
 # them. And this group is *mutually exclusive*: of its callbacks one may run at a time, however many threads there are.
-# That is a safe default. Your callbacks never meet, so you need no locks.
+# That is a safe default. The callbacks of your timers, subscriptions and services never meet, so you need no locks.
 #
 # You have to *say* which callbacks may meet.
 

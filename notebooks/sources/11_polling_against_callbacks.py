@@ -37,12 +37,16 @@ stop()
 # def keep(message):                          def on_touch(message):
 #     monitor.last = message.data                 report(message.data)
 #
-# while rclpy.ok():                           node.create_subscription(
-#     if monitor.last != monitor.reported:        Int32, "/robot/touch", on_touch, 100)
-#         monitor.reported = monitor.last     rclpy.spin(node)
+# Thread(target=spin, args=(monitor,)).start()
+#                                             node.create_subscription(
+# while rclpy.ok():                               Int32, "/robot/touch", on_touch, 100)
+#     if monitor.last != monitor.reported:    rclpy.spin(node)
+#         monitor.reported = monitor.last
 #         report(monitor.reported)
 #     time.sleep(0.05)
 # ```
+#
+# In A a second thread spins the node, so `keep` is called for each touch. The loop itself only looks.
 #
 # The hand closes around things: there are pauses, and then several touches in one moment. 120 touches in about five
 # seconds. In that time A looks about 100 times. How many of the 120 touches does A report?
@@ -165,7 +169,7 @@ show(
 # the fifth is in `monitor.last`, and the other four were there only for a moment. It is not a matter of bad luck: of each
 # bunch a look can find one.
 #
-# And what it finds, it finds late. The next picture has both monitors on one axis, each step ten times the one before:
+# And what it finds, it finds late. The time from an event to the reaction is called **latency**. The next picture has both monitors on one axis, each step ten times the one before:
 
 # %%
 import numpy as np
@@ -265,7 +269,7 @@ print(
 recall("b", about="no sleep")
 
 # %% [markdown]
-# It looks without a pause, and is *slower* than the one that sleeps. Why? The loop holds Python's lock, the GIL, and the
+# It looks without a pause, and is *slower* than the callback, which sleeps until it is woken. Why? The loop holds Python's lock, the GIL, and the
 # thread that receives has to beg for a turn: a few milliseconds each time. Whoever asks "is it there yet?" all the time
 # keeps the postman from the door.
 #
@@ -364,7 +368,7 @@ for look in range(1, 11):
 outcome = run_program(RATE, silence=4)
 print(outcome.log.strip().splitlines()[0])
 print("looks:", outcome.log.count("look "))
-print("ended by:", outcome.ended_by)
+print("ended by:", "the watchdog" if outcome.ended_by == "bench" else "itself")
 
 # %% [markdown]
 # Not one look, and no error. `rate.sleep()` waits for a *timer* of the node. Timers tick when somebody spins, and the only
@@ -399,7 +403,7 @@ class Walker(Node):
     def __init__(self) -> None:
         super().__init__("walker")
         self.stops: list[str] = []
-        self.distance = 0.0
+        self.distance: float | None = None
         self.steered_by: list[float] = []
         self.create_subscription(String, "/walker/stop", self.on_stop, 10)
         self.create_subscription(Float32, "/walker/distance", self.on_distance, 10)
@@ -412,7 +416,8 @@ class Walker(Node):
         self.distance = message.data  # a state: keep the newest
 
     def steer(self) -> None:
-        self.steered_by.append(self.distance)
+        if self.distance is not None:  # before the first message nobody knows where the wall is
+            self.steered_by.append(self.distance)
 
 
 walker = fresh(Walker)
@@ -429,6 +434,10 @@ await run(walker, seconds=10, until=lambda: len(walker.steered_by) >= 3 and walk
 
 print("stops:", walker.stops)
 print("steers by:", walker.steered_by[-1])
+
+# %% [markdown]
+# A value that is kept says nothing of its age. If the sensor dies, this robot steers by its last word for ever. So note
+# the time with the value, and stop when it is too old (lesson 13).
 
 # %% [markdown]
 # **Faded.** This door robot polls a bell. Two visitors ring within one sleep, and one of them is left standing. Turn it
@@ -560,8 +569,10 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 # The bumper is an event: up to 20 ms late by looking, and two bumps within 20 ms are one. A callback is quicker and complete.
 # The camera is a state for most purposes: only the newest picture counts, so a queue of depth 1 and a callback, or a timer at
 # the pace of what uses it. The battery is slow, and looking fifty times a second finds nothing new in 99 of 100 looks. The
-# wish behind the loop is fair: one place, one order. But an executor with one thread gives just that: callbacks run one
-# after the other, never at once, and no locks are needed. Good answers mention what the loop does to the processor, and
+# wish behind the loop is fair: one place, one order. One place an executor with one thread gives as well: callbacks run
+# one after the other, never at once, and no locks are needed. The order in which things happened, neither of the two gives:
+# of what waits, the loop takes what it checks first, and the executor takes timers before messages. Whoever needs the order
+# compares time stamps. Good answers mention what the loop does to the processor, and
 # what happens when checking one of the three takes long (lesson 10): the loop stands still for all three, just as callbacks
 # in one thread do.
 #

@@ -371,9 +371,11 @@ recall("d", about="a slow server")
 # %% [markdown]
 # `call` and `await` get their answer, because the *client* has a group of its own. But the callback that waits is still
 # inside the default group, and the heart is in there, too. Either put the question into another group as well, or
-# do not wait: the done callback leaves the group at once.
+# do not wait: a callback that only asks and returns leaves the group at once.
 #
-# For most nodes that is the advice: **`call_async`, a done callback, return.** No threads, no groups, no deadlock.
+# For most nodes that is the advice: **`call_async`, a done callback, return.** No threads, no groups, no deadlock. (The
+# done callback itself is in *no* group. With one thread that does not matter. With several it may meet any other callback,
+# so what they share needs a lock.)
 
 # %% [markdown]
 # ### Experiment 3: the server dies
@@ -550,8 +552,9 @@ show(
 )
 
 # %% [markdown]
-# `rclpy.spin_until_future_complete` takes the node away from its executor, spins it with another one, and lets it go when it
-# is done. Nobody spins it after that. In `main()`, before `spin`, the function is at its place. In a callback it is not.
+# `rclpy.spin_until_future_complete` spins with the *global* executor. The node had an executor of its own, is taken away
+# from it, and is let go when the future is done. Nobody spins it after that. In `main()`, before `spin`, the function is at
+# its place. In a callback it is not.
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -622,6 +625,7 @@ class LooseGripper(Node):
         self.requests += 1
         if self.requests % 3 == 0:
             await Future()  # nobody ever completes it
+        response.success = True
         response.message = "closed" if request.data else "open"
         return response
 

@@ -204,6 +204,12 @@ def test_a_missing_file_is_found(course: Tree, name: str, says: str) -> None:
     assert any(says in words for words in told(course)), told(course)
 
 
+def test_what_looks_like_a_link_in_code_is_none(course: Tree) -> None:
+    code = "# `class Sends[Taken](Protocol)`\n#\n# ```python\n# nets[0](picture)\n# ```\n#\n"
+    change(course.root / "notebooks/sources/21_beeps.py", "# A period of zero", f"{code}# A period of zero")
+    assert not any("leads nowhere" in words for words in told(course)), told(course)
+
+
 @pytest.mark.parametrize(
     ("name", "old", "new", "says"),
     [

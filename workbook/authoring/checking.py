@@ -27,6 +27,7 @@ _MARKERS = re.compile(
     r"PYTEST_VALIDATE_IGNORE_OUTPUT)\b",
     re.MULTILINE,
 )
+_CODE = re.compile(r"(`+).+?\1", re.DOTALL)
 _LINK = re.compile(r"(?P<image>!?)\[(?P<text>[^\]]*)\]\(\s*(?P<target>[^)\s]+)[^)]*\)")
 
 
@@ -204,7 +205,7 @@ def dead_links(tree: Tree, folder: Path, wanted: document.Document) -> Iterator[
     for cell in wanted.cells:
         if cell.kind != "markdown":
             continue
-        for link in _LINK.finditer(cell.source):
+        for link in _LINK.finditer(_CODE.sub("", cell.source)):
             target = link["target"].split("#", 1)[0]
             if link["image"] and not link["text"].strip():
                 yield f"cell {cell.id}: the picture {target} has no alternative text"
