@@ -306,6 +306,7 @@ def test_a_killed_grader_goes_on_and_leaves_no_process(tmp_path: Path) -> None:
     with workbook(*command) as grader:
         everything = {*pids_in(marks), *process_tree(grader.pid)}
         assert not any(map(is_gone, everything))
+        wait_until(lambda: len(lines(out)) == 3)  # what s2 got is written while s3 runs already
         grader.kill()
         wait_until(lambda: all(map(is_gone, everything - {grader.pid})))
     first = lines(out)

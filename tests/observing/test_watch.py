@@ -12,6 +12,7 @@ from workbook.observing.recording import Phase, Recording
 from workbook.observing.watch import SPEEDS, Observer, Plan, speeds_agree
 from workbook.ros.domains import lease_domain
 
+TRIES = 8
 PLAN = Plan(("/battery", "/status"), shortest_period=0.5, longest_period=1.0)
 TWO_TIMERS = """
 import rclpy
@@ -81,6 +82,14 @@ def watched(observer: Observer, tmp_path: Path) -> Watched:
             return watch.finish(watch.observe())
 
     return watch_it
+
+
+def real_speed(recording: Recording, phase: Phase) -> float:
+    """Seconds of robot time in a real second, from the first message of a phase to its last; 0 if nobody can tell."""
+    heard = [one for one in recording.topic("/battery").arrivals if phase.start < one.t <= phase.end]
+    if len(heard) < 2:
+        return 0.0
+    return (heard[-1].t - heard[0].t) / (heard[-1].wall - heard[0].wall)
 
 
 def test_two_timers_on_robot_time_are_recorded_exactly(watched: Watched) -> None:
@@ -155,9 +164,19 @@ def test_the_wall_clock_gives_real_seconds(watched: Watched) -> None:
 
 
 def test_a_program_on_its_own_clock_is_not_judged_on_robot_time(watched: Watched) -> None:
-    """A thread that sleeps goes at real speed, so robot time sees it slow down when robot time is faster."""
-    recording = watched(OWN_CLOCK.format(options=""))
-    assert not (recording.follows_clock and speeds_agree(recording, PLAN.topics))
+    """A thread that sleeps goes at real speed, so robot time sees it slow down when robot time is faster.
+
+    On a machine so busy that robot time cannot go faster the second time, nobody could tell: that is watched again.
+    """
+    for _ in range(TRIES):
+        recording = watched(OWN_CLOCK.format(options=""))
+        slow, fast = (real_speed(recording, phase) for phase in recording.phases)
+        if fast > 1.5 * slow:
+            break
+    else:
+        pytest.fail(f"robot time never went faster the second time; at last {fast:.1f} after {slow:.1f}")
+    assert recording.follows_clock
+    assert not speeds_agree(recording, PLAN.topics)
 
 
 def test_a_program_that_does_not_listen_to_the_clock_is_noticed(watched: Watched) -> None:
