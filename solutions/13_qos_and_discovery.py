@@ -37,7 +37,7 @@
 #
 # | topic | type | when | content |
 # |---|---|---|---|
-# | `/dashboard/line` | `String` | 2 Hz, always | the last status that it knows, for example `status: error`; `unknown` only before that |
+# | `/dashboard/line` | `String` | 2 Hz, always | the last status that it knows, for example `status: error`; `unknown` only before that; never two of these words |
 # | `/dashboard/alarm` | `Bool` | when it changes, or more often | see below; kept for those who come later |
 #
 # The alarm is raised (`True`) when no beat has come for about 2 s: never before 1 s, and 3 s after the last beat at the

@@ -39,7 +39,8 @@ def pictures_of(recording: Recording, one: Topic, node: str) -> Verdict:
         return see.failed(
             f"{node} is there, but it takes no pictures",
             f"pictures on {one.name}, two a second",
-            "Nobody lets this node work. rclpy.spin(front) serves that one node and no other.",
+            "Nobody lets this node work. An executor serves the nodes that were added to it, and rclpy.spin(node) "
+            "that one node and no other.",
             "Add both nodes to one executor: return both from make_cameras and leave main as it was.",
         )
     return see.rate(recording, one)
@@ -60,14 +61,14 @@ def both_report(recording: Recording) -> Verdict:
         return see.failed(
             f"{words(found)} on {FAULTS.name}; somebody reports on {' and '.join(outside)}",
             expected,
-            "A relative name follows the namespace, and one of the cameras is in another one.",
-            'Make both cameras with namespace="/robot".',
+            "The name of this topic was edited or remapped. As delivered, it follows the namespace of each camera.",
+            "Leave the driver as it was delivered, and remap __node only.",
         )
     return see.failed(
         f"{words(found)} on {FAULTS.name}",
         expected,
-        "Only one of the two cameras is there, or both have the same name.",
-        "Make two cameras in the namespace /robot, one of them remapped to rear_camera.",
+        "The name of this topic was edited or remapped, or one camera reports no faults any more.",
+        "Leave the driver as it was delivered, and remap __node only.",
     )
 
 
@@ -108,12 +109,17 @@ def program_runs(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="/robot/camera is on the graph, once", needs=[program_runs])
 def front_node(recording: Recording) -> Verdict:
-    return see.on_the_graph(recording, FRONT)
+    return see.on_the_graph(
+        recording, FRONT, beside=[REAR], how="Make it so: CameraDriver(namespace='/robot')."
+    )
 
 
 @criterion(points=2, title="/robot/rear_camera is on the graph, once", needs=[program_runs])
 def rear_node(recording: Recording) -> Verdict:
-    return see.on_the_graph(recording, REAR)
+    how = (
+        "Make it so: CameraDriver(namespace='/robot', cli_args=['--ros-args', '-r', '__node:=rear_camera'])."
+    )
+    return see.on_the_graph(recording, REAR, beside=[FRONT], how=f"{how} Then return both cameras.")
 
 
 @criterion(points=1, title="The front camera takes pictures at 2 Hz", needs=[front_node])

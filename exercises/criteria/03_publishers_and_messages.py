@@ -207,7 +207,8 @@ def not_refused(call: Call) -> Verdict:
     return failed(
         saw,
         expected,
-        "A message is sent for a value that is none. Stock ROS sends 0.0 for what is no float, or your method does.",
+        "A message is sent for something that is no number. Stock ROS sends 0.0 for what is no float, or your method "
+        "does.",
         "raise TypeError if the value is no number, before you make the message.",
     )
 

@@ -323,7 +323,7 @@ def easy_on_the_processor(recording: Recording) -> Verdict:
     return see.failed(
         f"{share:.0%} of one processor, most of it for waiting",
         f"less than {PROCESSOR_SHARE:.0%}",
-        "A loop with timeout_sec=0 never waits: it asks again and again whether there is work.",
+        "A loop with timeout_sec=0, or a very short one, hardly waits: it asks again and again whether there is work.",
         "Let spin_once wait for the time that is left. It wakes up by itself when a callback is ready.",
     )
 

@@ -63,9 +63,21 @@ def alarms(recording: Recording, begin: float, end: float) -> list[tuple[float, 
     return [(one.t, bool(one.value["data"])) for one in heard if begin <= one.t < end]
 
 
+def two_words(seen: str, expected: str) -> Verdict:
+    """The line names the right status, and another one, too."""
+    return see.failed(
+        seen,
+        expected,
+        "The line names the right status and another one of the three words, too. Nobody can tell which one holds.",
+        f"Let exactly one of {', '.join(WORDS)} stand on the line.",
+    )
+
+
 def why_not_at_once(recording: Recording, seen: str) -> Verdict:
     """Why a line does not name what was said before the program started."""
     expected = f'"{FIRST}" on every line, from {AT_ONCE_S:g} s on'
+    if FIRST in seen.lower():
+        return two_words(seen, expected)
     asked = [one for one in recording.topic(STATUS.topic).subscribers if one.type == STATUS.type]
     if all(one.durability == "volatile" for one in asked):
         return see.failed(
@@ -141,6 +153,8 @@ def status_follows(recording: Recording) -> Verdict:
     wrong = wrong_line(recording, since, recording.robot_s, THEN)
     if lines and wrong is None:
         return see.passed(f'"{THEN}" on each of {len(lines)} lines after the change')
+    if wrong is not None and THEN in wrong[1].lower():
+        return two_words(f'"{wrong[1]}" on {LINE.name}', f'"{THEN}" on the line')
     saw = f'still "{wrong[1]}"' if wrong is not None else "no line"
     return see.failed(
         f'{saw} a second after the robot had said "{THEN}"',

@@ -386,7 +386,7 @@ for threads in (1, 4):
 
 # %% [markdown]
 # Only one thread at a time may run Python code: the GIL again. Waiting overlaps, computing does not, and four threads
-# that take turns are a little slower than one that works. Computing that must not disturb the heartbeat belongs into
+# that take turns are a little slower than one that works. Computing that must not disturb the heartbeat belongs in
 # **another process**: a node of its own. That is what nodes are for. (NumPy, and most AI libraries, let go of the GIL while
 # they compute. Measure before you choose.)
 #
@@ -666,8 +666,8 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 #
 # - While a callback runs, its thread does nothing else. Timers that fall due meanwhile are dropped, not caught up.
 # - A MultiThreadedExecutor alone changes nothing. Slow work needs a callback group of its own **and** a second thread.
-# - What shares data belongs into one mutually exclusive group, or behind a lock, or into a queue.
-# - Python threads overlap waiting, not computing. Heavy computing belongs into a process of its own.
+# - What shares data belongs in one mutually exclusive group, or behind a lock, or into a queue.
+# - Python threads overlap waiting, not computing. Heavy computing belongs in a process of its own.
 # - Whoever moves work into a thread must look after its errors there.
 #
 # **Before:** [09 · The joint positions](09_joint_positions.ipynb)

@@ -137,7 +137,31 @@ Humanoid()
         "message_callback_called",
         "self.create_subscription(String, '/s', Humanoid.tick(), 10)",
         "TypeError",
-        "Hand callbacks over without parentheses",
+        "self.on_battery, 10), without parentheses",
+    ),
+    in_node("no_callback", "self.create_timer(1.0)", "TypeError", "create_timer(1.0, self.on_timer)"),
+    Case(
+        "no_name_for_the_node",
+        HEAD
+        + """\
+class Humanoid(Node):
+    def __init__(self):
+        super().__init__()
+rclpy.init()
+Humanoid()
+""",
+        "TypeError",
+        6,
+        "super().__init__('your_node_name')",
+    ),
+    Case(
+        "timer_with_a_message",
+        IN_NODE.format(body="self.create_timer(0.05, self.tick)").replace(
+            "def tick(self)", "def tick(self, msg)"
+        ),
+        "TypeError",
+        None,
+        "For a timer: def on_timer(self)",
     ),
     in_node("no_message_class", "self.create_publisher(str, '/s', 10)", "AttributeError", "the class itself"),
     in_node(

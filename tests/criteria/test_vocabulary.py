@@ -275,7 +275,7 @@ def test_rate_accepts_its_whole_tolerance() -> None:
     ("times", "words"),
     [
         (every(0.5, 27), ("2 Hz", "0.5 s", "27 messages", "Period and frequency are mixed up")),
-        (every(0.1, 140), ("10 Hz", "20 times too fast")),
+        (every(0.1, 140), ("10 Hz", "too fast by a factor of 20")),
         (every(4.0, 3), ("0.25 Hz", "3 messages", "Too slow")),
         ([1.0, 5.0, 9.0], ("0.25 Hz", "3 messages", "Too slow")),
         (every(2.9, 4), ("0.34 Hz", "Too slow", "create_timer(2.0, ...)")),
@@ -367,13 +367,14 @@ def test_finite() -> None:
 def test_within() -> None:
     accepts(
         see.within(joints([-math.pi, math.pi + 5e-7]), JOINTS, -math.pi, math.pi, "rad"),
-        "-3.142 to 3.142 rad",
+        "-π to π rad",
     )
     refuses(
         see.within(joints([0.0, 90.0]), JOINTS, -math.pi, math.pi, "rad"),
         "90 rad in message 1, element 1",
         "degrees",
         "math.radians()",
+        "max(-math.pi, min(math.pi, value))",  # rounded, the bound would be a value beyond it
     )
     refuses(see.within(battery([2.0, 4.0], [99.0, -0.5]), BATTERY, 0.0, 100.0, "%"), "-0.5 % in message 2")
     refuses(see.within(battery([2.0], [math.inf]), BATTERY, 0.0, 100.0), "inf", "division by zero")

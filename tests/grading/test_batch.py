@@ -230,6 +230,39 @@ def test_a_course_of_nbgrader_is_graded_and_goes_back_into_its_gradebook(
     assert "it is the name of a folder" in capsys.readouterr().err
 
 
+def test_lateness_is_taken_off_in_the_gradebook_and_who_has_no_time_is_named(
+    tmp_path: Path, judges: Judges, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from workbook.cli.main import main
+
+    for student, stamp in (
+        ("ada", "2025-01-31 23:59:00.5 UTC\n"),
+        ("bob", "2025-02-01 00:01:00.5 UTC\n"),
+        ("eve", ""),
+    ):
+        place = tmp_path / "class" / student
+        place.mkdir(parents=True)
+        (place / "problem.py").write_text(f"robot = {student!r}\n")
+        (place / "timestamp.txt").write_text(stamp)
+    out = tmp_path / "out"
+    command = [
+        "grade",
+        str(tmp_path / "class"),
+        "--exercise",
+        STEM,
+        "--out",
+        str(out),
+        "--isolation",
+        "limits",
+    ]
+    command += ["--deadline", "2025-02-01T00:00+00:00", "--late-per-day", "0.1"]
+    for _ in range(2):  # the second time everything is there already
+        assert main(command) == 0, capsys.readouterr()
+        rows = {row["student"]: row["score"] for row in csv.DictReader((out / "grades.csv").open(newline=""))}
+        assert rows == {"ada": "9", "bob": "8", "eve": "9"}
+        assert "1 of 3 (eve)" in capsys.readouterr().out
+
+
 def test_odd_hand_ins_are_ungradable_and_hang_nothing(
     exercise: Exercise, tmp_path: Path, judges: Judges
 ) -> None:

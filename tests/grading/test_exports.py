@@ -227,12 +227,20 @@ def test_lateness_counts_days_begun_and_never_goes_below_zero(tmp_path: Path) ->
         "2026-05-01T12:00:01": 9.0,
         "2026-05-02T14:00:00+02:00": 9.0,
         "2026-05-02T12:00:01Z": 8.0,
+        "2026-05-01 12:00:00.123456 UTC": 9.0,
+        "2026-05-02 12:00:01 GMT": 8.0,
+        "2026-05-02 12:00:01 CEST": 10.0,
         "2026-07-01T00:00:00Z": 0.0,
         "yesterday": 10.0,
     }
     raw = [result(tmp_path, "ada", submitted_at=moment) for moment in moments]
     assert [one["score"] for one in with_lateness(raw, late)] == list(moments.values())
     assert {one["score"] for one in raw} == {10.0}
+    assert [one["submitted_at"] for one in late.unknown(raw)] == [
+        None,
+        "2026-05-02 12:00:01 CEST",
+        "yesterday",
+    ]
     assert with_lateness([refused("bob")], late)[0]["score"] is None
 
 

@@ -333,6 +333,8 @@ def _grade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -> 
             signal.signal(signal.SIGINT, before)
             screen.finish()
     written = _write(options.out, exercise, books, summary.everything)
+    for line in _about_time(summary.results, books.lateness):
+        print(line)
     return _conclude(summary, options.out, written)
 
 
@@ -368,8 +370,11 @@ def _regrade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -
         print(f"  {_printable(one.student)}: {one.before:g} → {one.after:g}")
     for one in troubled:
         print(f"  {_printable(one.student)}: not judged again: {_printable(one.problem)}")
-    for path in _write(options.out, exercise, books, last_results(options.out / RESULTS)):
+    results = last_results(options.out / RESULTS)
+    for path in _write(options.out, exercise, books, results):
         print(f"Written: {path}")
+    for line in _about_time(list(results.values()), books.lateness):
+        print(line)
     return 1 if troubled else 0
 
 
@@ -412,6 +417,18 @@ def _about_tries(results: "Sequence[Result]") -> list[str]:
         "Both tries are kept."
     ]
     return lines + [f"  {_printable(one['student'])}: {_printable(tried_twice(one))}" for one in differ]
+
+
+def _about_time(results: "Sequence[Result]", lateness: "Lateness | None") -> list[str]:
+    """Whose lateness nobody can tell, where it counts."""
+    unknown = [] if lateness is None else lateness.unknown(results)
+    if not unknown:
+        return []
+    names = ", ".join(_printable(one["student"]) for one in unknown[:5]) + (", …" if len(unknown) > 5 else "")
+    return [
+        f"Nothing was taken off for lateness where no timestamp.txt says when it was handed in: {len(unknown)} of "
+        f"{len(results)} ({names})."
+    ]
 
 
 def _conclude(summary: "BatchSummary", out: Path, written: "list[Path]") -> int:

@@ -79,10 +79,21 @@ _KNOWN = (
         "Give it one argument besides self: def on_battery(self, message: Float32).",
     ),
     _Known(
+        r"missing 1 required positional argument: 'node_name'",
+        "A node needs a name, and Node.__init__ was given none.",
+        "Write super().__init__('your_node_name').",
+    ),
+    _Known(
+        r"create_timer\(\) missing 1 required positional argument: 'callback'",
+        "A timer needs a period and a function to call, and it was given one of the two.",
+        "Write create_timer(1.0, self.on_timer), without parentheses after the function.",
+    ),
+    _Known(
         r"missing 1 required positional argument: '\w+'",
-        "A function was called without an argument that it needs. If it is a callback, it was called where it should "
-        "be handed over.",
-        "Hand callbacks over without parentheses: create_subscription(Float32, '/robot/battery', self.on_battery, 10).",
+        "A function was called without an argument that it needs. The callback of a timer is called with none; that of "
+        "a subscription is called with the message, and must be handed over, not called.",
+        "For a timer: def on_timer(self). For a subscription: create_subscription(Float32, '/robot/battery', "
+        "self.on_battery, 10), without parentheses.",
     ),
     _Known(
         r"'NoneType' object is not callable",
@@ -155,7 +166,7 @@ _KNOWN = (
         r"ModuleNotFoundError: No module named '([\w.]+)'|ImportError: cannot import name",
         "A module or a name that the program imports is not there.",
         "Check the spelling of the import. Messages come from, for example, std_msgs.msg. Code of a second file of "
-        "yours belongs into the answer: only one file is run.",
+        "yours belongs in the answer: only one file is run.",
     ),
     _Known(
         r"NameError: name '(\w+)' is not defined",

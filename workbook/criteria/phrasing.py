@@ -7,7 +7,7 @@ MOST_NAMES = 12
 
 
 def number(value: float) -> str:
-    """A number as a person would say it: 0.5, 12, 3.1416."""
+    """A number as a person would say it: 0.5, 12, 3.142."""
     if not math.isfinite(value):
         return str(value)
     return f"{value:.4g}"

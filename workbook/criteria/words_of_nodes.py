@@ -1,6 +1,7 @@
 """Words about the nodes of a program on the graph."""
 
 import difflib
+from collections.abc import Collection
 
 from workbook.criteria.mishaps import failed_by_error
 from workbook.criteria.phrasing import count, listing
@@ -8,8 +9,13 @@ from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.observing.recording import Recording
 
 
-def on_the_graph(recording: Recording, name: str) -> Verdict:
-    """A node of the full name `name`, such as "/robot/left_camera", is on the graph, once."""
+def on_the_graph(
+    recording: Recording, name: str, *, beside: Collection[str] = (), how: str | None = None
+) -> Verdict:
+    """A node of the full name `name`, such as "/robot/left_camera", is on the graph, once.
+
+    `beside`: other nodes of a right program, which are no misspelled one. `how`: what to do when it has another name.
+    """
     expected = f"one node {name}"
     found = {node.name: node for node in recording.nodes}
     if name in found and found[name].most == 1:
@@ -18,7 +24,8 @@ def on_the_graph(recording: Recording, name: str) -> Verdict:
         return failed(
             f"{found[name].most} nodes are called {name}",
             expected,
-            "ROS does not refuse a name that is taken; tools and parameters then meet one of them by chance.",
+            "ROS does not refuse a name that is taken: each of them does what is asked of that name, and the answer "
+            "that comes first is taken.",
             "Give each node a name of its own, or make only one of them.",
         )
     blamed = failed_by_error(recording, f"no node {name}", expected)
@@ -32,9 +39,9 @@ def on_the_graph(recording: Recording, name: str) -> Verdict:
             "Call rclpy.init(), then make the node.",
         )
     seen = listing(sorted(found))
-    return failed(
-        f"no node {name}; there is {seen}", expected, _why_other_node(name, sorted(found)), _how(name)
-    )
+    others = sorted(found.keys() - set(beside))
+    because = _why_other_node(name, others) if others else "It was never made, or nobody keeps it."
+    return failed(f"no node {name}; there is {seen}", expected, because, how or _how(name))
 
 
 def _why_other_node(wanted: str, seen: list[str]) -> str:

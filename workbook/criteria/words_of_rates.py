@@ -144,7 +144,9 @@ def _why_rate(topic: Topic, hz: float) -> str:
         )
     if hz > topic.hz:
         times = hz / topic.hz
-        return f"That is {hertz(times)} times too fast: the period given to create_timer is too short."
+        return (
+            f"That is too fast by a factor of {hertz(times)}: the period given to create_timer is too short."
+        )
     return "Too slow: the period is too long, or a slow callback holds up the timer."
 
 

@@ -29,7 +29,7 @@ def calls_service(recording: Recording, service: str, service_type: str) -> Verd
     if blamed is not None:
         return blamed
     names = sorted(name for name, _ in seen)
-    near = misspelled(service, names)
+    near = misspelled(recording, service, names)
     if near is not None:
         return failed(
             f"your node calls {near}, and not {service}",

@@ -40,7 +40,9 @@ def listens(recording: Recording, topic: Topic) -> Verdict:
     blamed = failed_by_error(recording, f"nobody listens to {topic.name}", expected)
     if blamed is not None:
         return blamed
-    near = misspelled(topic.name, [name for name, other in recording.topics.items() if other.subscribers])
+    near = misspelled(
+        recording, topic.name, [name for name, other in recording.topics.items() if other.subscribers]
+    )
     if near is not None:
         return failed(
             f"your node listens to {near}, and not to {topic.name}",

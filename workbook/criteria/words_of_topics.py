@@ -44,10 +44,12 @@ def publishes(recording: Recording, topic: Topic) -> Verdict:
 def _not_published(recording: Recording, topic: Topic, expected: str) -> Verdict:
     own = [other for other in recording.published() if not other.name.startswith(OF_THE_DRIVER)]
     names = [other.name for other in own]
-    same_type = [other for other in own if topic.type in other.types and other.name != topic.name]
-    near = difflib.get_close_matches(topic.name, names, 1, 0.75)
+    strange = [other for other in own if other.name not in recording.wanted]
+    same_type = [other for other in strange if topic.type in other.types and other.name != topic.name]
+    others = [other.name for other in strange]
+    near = difflib.get_close_matches(topic.name, others, 1, 0.75)
     base = topic.name.rsplit("/", 1)[-1]
-    suspect = next((name for name in names if name.rsplit("/", 1)[-1] == base), near[0] if near else None)
+    suspect = next((name for name in others if name.rsplit("/", 1)[-1] == base), near[0] if near else None)
     if suspect is None and len(same_type) == 1 and similar_share(same_type[0].name, topic.name) > 0.5:
         suspect = same_type[0].name
     if suspect is not None:
@@ -73,9 +75,10 @@ def similar_share(one: str, other: str) -> float:
     return difflib.SequenceMatcher(None, one, other).ratio()
 
 
-def misspelled(wanted: str, names: Iterable[str]) -> str | None:
+def misspelled(recording: Recording, wanted: str, names: Iterable[str]) -> str | None:
     """The name that was probably meant to be `wanted`; None if none is alike enough."""
-    near = max(sorted(names), key=lambda name: similar_share(name, wanted), default=None)
+    strange = sorted(set(names).difference(recording.wanted))
+    near = max(strange, key=lambda name: similar_share(name, wanted), default=None)
     return near if near is not None and similar_share(near, wanted) > ALIKE else None
 
 

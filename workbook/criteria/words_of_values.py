@@ -136,6 +136,13 @@ def really_arrives(recording: Recording, topic: Topic) -> Verdict:
     )
 
 
+def _bound(value: float, pi: str = "π") -> str:
+    """A bound as one says it. Rounded, π would be a value beyond itself."""
+    if math.isclose(abs(value), math.pi):
+        return f"-{pi}" if value < 0 else pi
+    return number(value)
+
+
 def within(
     recording: Recording, topic: Topic, low: float, high: float, unit: str = "", slack: float = 1e-6
 ) -> Verdict:
@@ -144,7 +151,7 @@ def within(
     if nothing is not None:
         return nothing
     unit = f" {unit}" if unit else ""
-    span = f"{number(low)} to {number(high)}{unit}"
+    span = f"{_bound(low)} to {_bound(high)}{unit}"
     bad = _first_bad(
         recording,
         topic,
@@ -164,7 +171,7 @@ def within(
         f"{number(value)}{unit} in {_place(message, place)} ({count(affected, 'message')} affected)",
         f"values from {span}",
         reason,
-        f"Limit it: max({number(low)}, min({number(high)}, value))"
+        f"Limit it: max({_bound(low, 'math.pi')}, min({_bound(high, 'math.pi')}, value))"
         + ("; math.radians() turns degrees into radians." if "degrees" in reason else "."),
     )
 
@@ -188,7 +195,8 @@ def varies(recording: Recording, topic: Topic, at_least: int, by: float, what: s
         return passed(f"{len(moving)} of {width} {what}s move")
     saw = f"only {what} {moving[0]} moves" if moving else f"no {what} moves: every message is the same"
     reason = (
-        "The values are set once, outside the callback."
+        "The values are set once, outside the callback; or the movement repeats with the period of the timer, so that "
+        "each message catches the same pose."
         if not moving
         else "Only one element is ever changed."
     )

@@ -2,6 +2,7 @@
 
 import csv
 import math
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -17,6 +18,8 @@ from workbook.grading.results import Result
 GRADES = "grades.csv"
 DAY_S = 86_400.0
 
+_SAYS_UTC = re.compile(r" ?(UTC|GMT)$")
+
 
 class BadOption(ValueError):
     """An option or a file that comes with it cannot be used. The message says why."""
@@ -29,6 +32,12 @@ class Lateness:
     deadline: datetime
     share: float
 
+    def unknown(self, results: Iterable[Result]) -> list[Result]:
+        """Results of which nobody knows when they were handed in: nothing is taken off."""
+        return [
+            one for one in results if one["score"] is not None and parse_moment(one["submitted_at"]) is None
+        ]
+
     def taken_off(self, result: Result) -> float:
         """Points that lateness costs this result; 0 when nobody knows when it was handed in."""
         moment = parse_moment(result["submitted_at"])
@@ -39,9 +48,9 @@ class Lateness:
 
 
 def parse_moment(text: str | None) -> datetime | None:
-    """An ISO 8601 date, in UTC where it names no zone; None for what is none."""
+    """An ISO 8601 date, in UTC where it names no zone or says so, as nbgrader does; None for what is none."""
     try:
-        moment = datetime.fromisoformat((text or "").strip())
+        moment = datetime.fromisoformat(_SAYS_UTC.sub("+00:00", (text or "").strip()))
     except ValueError:
         return None
     return moment if moment.tzinfo is not None else moment.replace(tzinfo=UTC)

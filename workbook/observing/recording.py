@@ -176,7 +176,8 @@ class Phase:
 
 @dataclass(frozen=True)
 class Recording:
-    """One watch of one program. `findings`: what the type checker said; None if it was not asked.
+    """One watch of one program. `findings`: what the type checker said; None if it was not asked. `wanted`: topics and
+    services that a right program has, so that none of them is taken for a misspelled other one.
 
     `held_up_s`: on the wall clock, the longest time (s) for which the watch itself got no processor; `stood_still_s`:
     the longest for which the host of this virtual machine took a processor away; `taken_s`: how long (s) it did so in
@@ -203,6 +204,7 @@ class Recording:
     stood_still_s: float = 0.0
     taken_s: float = 0.0
     in_line_s: float = 0.0
+    wanted: tuple[str, ...] = ()
 
     def topic(self, name: str) -> TopicRecording:
         """The recording of a topic; an empty one if nothing of that name was seen."""
@@ -317,4 +319,5 @@ def _recording(data: Mapping[str, Any]) -> Recording:
         stood_still_s=data.get("stood_still_s", 0.0),
         taken_s=data.get("taken_s", 0.0),
         in_line_s=data.get("in_line_s", 0.0),
+        wanted=tuple(data.get("wanted", ())),
     )

@@ -78,6 +78,12 @@ class Script:
         return bool(self.parts)
 
     @property
+    def names(self) -> tuple[str, ...]:
+        """Topics and services that a program needs for it; not those that it should leave alone."""
+        says = [part.topic for part in self.parts if isinstance(part, Says) and part.awaited]
+        return *says, *(part.service for part in self.parts if not isinstance(part, Says))
+
+    @property
     def last_at(self) -> float:
         """When the last line is due (s)."""
         lines = [line.at for part in self.parts if not isinstance(part, Serves) for line in part.lines]

@@ -473,6 +473,7 @@ class Watch:
             stood_still_s=round(self._stood_still_s, 2),
             taken_s=round(self._taken_s, 2),
             in_line_s=round(self._in_line_s, 4),
+            wanted=(*self._plan.topics, *self._plan.script.names),
         )
 
     def finish(

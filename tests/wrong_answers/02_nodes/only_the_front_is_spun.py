@@ -1,6 +1,6 @@
 # loses: rear_pictures
 # says: it takes no pictures
-# says: rclpy.spin(front) serves that one node
+# says: rclpy.spin(node) that one node and no other
 """Two cameras on one robot, in front and in the back, with one driver."""
 
 from typing import Any

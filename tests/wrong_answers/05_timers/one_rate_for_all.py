@@ -1,6 +1,6 @@
 # loses: battery_count, tilt_count
 # says: 1 Hz
-# says: 2 times too fast
+# says: too fast by a factor of 2
 """One timer at 1 Hz does everything."""
 
 import rclpy
