@@ -109,9 +109,8 @@ def program_runs(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="/robot/camera is on the graph, once", needs=[program_runs])
 def front_node(recording: Recording) -> Verdict:
-    return see.on_the_graph(
-        recording, FRONT, beside=[REAR], how="Make it so: CameraDriver(namespace='/robot')."
-    )
+    how = "Make it so: CameraDriver(namespace='/robot'). Rename the other camera alone, by its cli_args."
+    return see.on_the_graph(recording, FRONT, beside=[REAR], how=how)
 
 
 @criterion(points=2, title="/robot/rear_camera is on the graph, once", needs=[program_runs])

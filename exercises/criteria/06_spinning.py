@@ -115,7 +115,7 @@ def came_back(recording: Recording, number: int) -> Verdict | None:
             "the call before it never came back",
             expected,
             "Something waits without an end.",
-            "Give every wait the time that is left: timeout_sec=...",
+            "Give every wait a timeout_sec that is not longer than the time that is left.",
         )
     if call.raised is not None:
         return see.failed(
@@ -324,7 +324,8 @@ def easy_on_the_processor(recording: Recording) -> Verdict:
         f"{share:.0%} of one processor, most of it for waiting",
         f"less than {PROCESSOR_SHARE:.0%}",
         "A loop with timeout_sec=0, or a very short one, hardly waits: it asks again and again whether there is work.",
-        "Let spin_once wait for the time that is left. It wakes up by itself when a callback is ready.",
+        "Let spin_once wait, 0.05 s for example, but not longer than is left. It wakes up by itself when a callback is "
+        "ready.",
     )
 
 

@@ -384,8 +384,9 @@ print("it names the domain of this notebook:", f"ROS_DOMAIN_ID={domain} " in joi
 stop()
 
 # %% [markdown]
-# From the next lesson on there is an exercise to each lesson. You write a program, `%start` runs it beside the notebook,
-# and `%check` watches what it does on its topics and says, usually after some seconds, what is right and what to mend first.
+# From the next lesson on, each lesson has an exercise. You write a program, `%start` runs it beside the notebook, and
+# `%check` watches what it does on its topics and says, usually after some seconds, what is right and what to mend
+# first.
 
 # %% [markdown]
 # ## Check yourself

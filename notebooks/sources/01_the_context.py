@@ -465,7 +465,7 @@ recall("b", about="SIGTERM")
 # at the end.
 #
 # Look for *it returned* in the table. When another thread shuts the context down, `rclpy.spin` may find out between two
-# turns, and then it simply comes back: no exception at all, and neither `except` runs. What must happen in any case
+# turns, and then it simply comes back: no exception at all, and the `except` does not run. What must happen in any case
 # belongs in `finally`.
 #
 # An honest word on SIGTERM. Run the cell some ten times: now and then it looks different, an `RCLError` for example. In
@@ -582,9 +582,9 @@ show_end(run_program(LAST_WORDS.format(who="NO"), interrupt_at="round 1").log)
 # *you* shut it down. The price: nothing wakes up a `spin` that waits for nothing. This guard has a timer that ticks; a
 # node without one would sleep through its Ctrl-C. And SIGTERM then ends the process on the spot.
 #
-# **In these notebooks it is different.** Here rclpy is kept from answering to SIGINT, which is what the stop button (■)
-# sends, and only Python answers. Your nodes survive it. (In a plain Jupyter notebook the context is shut down if `init` stands
-# in the very cell that you stop.) We press the button from within:
+# **In these notebooks it is different.** Here rclpy is kept from answering to SIGINT, which is what the stop button
+# (■) sends, and only Python answers. Your nodes survive it. (In a plain Jupyter notebook the context is shut down if
+# `init` stands in the very cell that you stop.) We press the button from within:
 
 # %% id="interrupt-in-the-kernel"
 import os
@@ -810,13 +810,14 @@ print("box locked: ", "box locked" in end.log)
 #
 # <details><summary>What a good answer contains</summary>
 #
-# With the default of rclpy, SIGINT shuts the context down at about the moment at which Python raises the exception. From
-# then on nothing can be published and no timer runs, so neither the slow movement nor the message can happen there. Options: `SignalHandlerOptions.NO`, so
-# that the context stays up until the program shuts it down. Then spin on in the `except` branch until the arm has
-# arrived, publish, wait until it has got out, and `try_shutdown()`. Mind that something (a timer) must wake up the spin. Or make the movement
-# not depend on the end at all: a service or topic "park", which is called first, and Ctrl-C after it. A good answer also asks
-# what happens when the process is killed or the computer loses its power: then no `finally` runs. What must be safe must
-# be safe in the motor controller, which notices that its commands have ceased.
+# With the default of rclpy, SIGINT shuts the context down at about the moment at which Python raises the exception.
+# From then on nothing can be published and no timer runs, so neither the slow movement nor the message can happen
+# there. Options: `SignalHandlerOptions.NO`, so that the context stays up until the program shuts it down. Then spin
+# on in the `except` branch until the arm has arrived, publish, wait until it has got out, and `try_shutdown()`. Mind
+# that something (a timer) must wake up the spin. Or make the movement not depend on the end at all: a service or
+# topic "park", which is called first, and Ctrl-C after it. A good answer also asks what happens when the process is
+# killed or the computer loses its power: then no `finally` runs. What must be safe must be safe in the motor
+# controller, which notices that its commands have ceased.
 #
 # </details>
 
@@ -826,7 +827,7 @@ print("box locked: ", "box locked" in end.log)
 # - A context is what a process shares of ROS. It goes once from not initialized to ok to shut down, and never back.
 # - `rclpy.init()` once, in `main`; nodes after it; nothing of them works after `shutdown` or `destroy_node`.
 # - The domain decides who hears whom. It is set outside of the program, by `ROS_DOMAIN_ID`.
-# - On Ctrl-C rclpy shuts the context down by itself, then `spin` raises. Clean up in `finally`, with `try_shutdown()`.
+# - On Ctrl-C rclpy shuts the context down by itself, and `spin` raises. Clean up in `finally`, with `try_shutdown()`.
 # - How a program ends is seen from outside: its exit code, its log, and whether its node is gone.
 #
 # **Before:** [00 · Start here](00_start_here.ipynb)

@@ -382,9 +382,9 @@ for name in ("left_camera", "left-camera", "left camera", "2nd_camera", "/robot/
         print(f"✗ {error}")
 
 # %% [markdown]
-# Letters of English, digits, underscores, and no digit first. The caret points at the culprit. The fifth is the most common:
-# the name of a node has no slash, because the folder goes extra, `Node("camera", namespace="/robot")`. For the namespace
-# itself:
+# Letters of English, digits, underscores, and no digit first. The caret points at the culprit. The fifth is the most
+# common: the name of a node has no slash, because the folder goes extra, `Node("camera", namespace="/robot")`. For
+# the namespace itself:
 
 # %% id="bad-namespaces"
 for namespace in ("/robot", "robot", "/robot/head", "/robot/"):
@@ -472,7 +472,8 @@ logger = quiet.get_logger()
 logger.info("battery at %d %%", 80)
 
 # %% [markdown]
-# It takes one text: `logger.info(f"battery at {80} %")`. A number alone is no text, and the message about it is a wall; write
+# It takes one text: `logger.info(f"battery at {80} %")`. A number alone is no text, and the message about it is a
+# wall; write
 # `logger.info(str(80))`. And then there is this one, a small helper for tidy people:
 
 # %% id="logger-severity" tags=["raises-exception"]
@@ -484,9 +485,9 @@ say("info", "battery fine")
 say("warning", "battery low")
 
 # %% [markdown]
-# rclpy remembers for each *line of code* with which severity it logs, so that `once=True` and the like can work. One line, two
-# severities: error. Write an `if` with two lines. Apart from that the logger is a good friend. It carries the name
-# of the node with its namespace, and every line goes to `/rosout` as well:
+# rclpy remembers for each *line of code* with which severity it logs, so that `once=True` and the like can work. One
+# line, two severities: error. Write an `if` with two lines. Apart from that the logger is a good friend. It carries
+# the name of the node with its namespace, and every line goes to `/rosout` as well:
 
 # %%
 logger.info("all well")
@@ -499,8 +500,8 @@ print("its name:", fresh(Node, "camera", namespace="/robot").get_logger().name)
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** Two arms of one robot, `/robot/left/arm` and `/robot/right/arm`, from one class. The class has a plain name and
-# a private topic. The places are given when the nodes are made.
+# **Worked.** Two arms of one robot, `/robot/left/arm` and `/robot/right/arm`, from one class. The class has a plain
+# name and a private topic. The places are given when the nodes are made.
 
 # %%
 from std_msgs.msg import String
@@ -646,12 +647,13 @@ else:
 #
 # <details><summary>What a good answer contains</summary>
 #
-# A namespace per robot (`/robot_07`), given from outside when its nodes are started: by a launch file, a remapping or an
-# environment variable, never in the code. Inside, relative names for what the robot's nodes share and private names for what
-# belongs to one node; absolute names only for what all share, such as a common stop or a map. The dashboard finds robots by
-# asking the graph for namespaces or topics, and takes the namespace as the robot's name. A good answer also asks how many
-# nodes may see each other (300 in one domain; a domain per robot and a bridge may be better), what happens when two robots get one
-# number by mistake (twins: check for it at the start), and that names in frames of coordinates need a prefix of their own.
+# A namespace per robot (`/robot_07`), given from outside when its nodes are started: by a launch file, a remapping or
+# an environment variable, never in the code. Inside, relative names for what the robot's nodes share and private
+# names for what belongs to one node; absolute names only for what all share, such as a common stop or a map. The
+# dashboard finds robots by asking the graph for namespaces or topics, and takes the namespace as the robot's name. A
+# good answer also asks how many nodes may see each other (300 in one domain; a domain per robot and a bridge may be
+# better), what happens when two robots get one number by mistake (twins: check for it at the start), and that names
+# in frames of coordinates need a prefix of their own.
 #
 # </details>
 

@@ -66,8 +66,8 @@ def draw_path(recording, description):
 draw_path(heard, "the path of the robot: a lying eight, a circle to the left and then one to the right")
 
 # %% [markdown]
-# 127 small messages, and the robot has driven an eight, lying on its side. Change something: `record(figure_driver, {DRIVE: 0.1},
-# seconds=12.7, turn_radps=2.0)`, and run both cells again.
+# 127 small messages, and the robot has driven an eight, lying on its side. Change something: `record(figure_driver,
+# {DRIVE: 0.1}, seconds=12.7, turn_radps=2.0)`, and run both cells again.
 #
 # Now you will send messages of your own. And you will see that a message can say something else than you gave.
 
@@ -99,8 +99,9 @@ predict("...", about="an int in a float field")
 # %% [markdown]
 # ## Run it
 #
-# The program below publishes one level after the other, twice a second. (A timer calls `publish_next`; timers are lesson
-# 05.) It runs as a process of its own, on **stock ROS**: with the settings of the box. We write down what arrives.
+# The program below publishes one level after the other, twice a second. (A timer calls `publish_next`; timers are
+# lesson 05.) It runs as a process of its own, on **stock ROS**: with the settings with which it is delivered. We
+# write down what arrives.
 
 # %%
 from pathlib import Path
@@ -352,8 +353,8 @@ for one, other in zip(numbers, (half, tenth, large, huge), strict=True):
 recall("b", about="a tenth")
 
 # %% [markdown]
-# 32 bits hold about seven digits. 0.5 is a sum of powers of two and fits exactly, 0.1 does not. Above 16 777 216 not even each
-# whole number fits. And what is larger than 3.4e38 becomes infinite, without a word.
+# 32 bits hold about seven digits. 0.5 is a sum of powers of two and fits exactly, 0.1 does not. Above 16 777 216 not
+# even each whole number fits. And what is larger than 3.4e38 becomes infinite, without a word.
 #
 # So never ask whether such a number *is* 0.1. Ask whether it is close:
 
@@ -761,14 +762,15 @@ else:
 #
 # <details><summary>What a good answer contains</summary>
 #
-# First look at the wire, not at the code: does 0.0 really arrive on the topic, and does only one node publish there? If so,
-# print `type(level)` beside `level` right before `publish`, or start the node with `ROS_PYTHON_CHECK_FIELDS=1`: the line
-# that gives a field something else than a float then raises an error. Suspects are an `int` when the charge is a whole
-# number, `None` when the library has no value, and `np.float32` from the smoothing. The mending: one place where values
-# come in, `float(level)` for numbers, an error for everything else, `math.isfinite` against nan. Making it stay: a test that
-# publishes each of these kinds and looks at what arrives, and the checks switched on in the tests. Good answers ask what the
-# node should do when there is no value (an error, silence, or a message that can say "not known", such as `BatteryState`),
-# and warn of an assistant that proposes type hints: ROS does not read them.
+# First look at the wire, not at the code: does 0.0 really arrive on the topic, and does only one node publish there?
+# If so, print `type(level)` beside `level` right before `publish`, or start the node with
+# `ROS_PYTHON_CHECK_FIELDS=1`: the line that gives a field something else than a float then raises an error. Suspects
+# are an `int` when the charge is a whole number, `None` when the library has no value, and `np.float32` from the
+# smoothing. The mending: one place where values come in, `float(level)` for numbers, an error for everything else,
+# `math.isfinite` against nan. Making it stay: a test that publishes each of these kinds and looks at what arrives,
+# and the checks switched on in the tests. Good answers ask what the node should do when there is no value (an error,
+# silence, or a message that can say "not known", such as `BatteryState`), and warn of an assistant that proposes type
+# hints: ROS does not read them.
 #
 # </details>
 

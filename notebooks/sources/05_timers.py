@@ -540,11 +540,11 @@ else:
 # <details><summary>What a good answer contains</summary>
 #
 # The distance timer is due every 50 ms. While a picture is saved, its ticks wait: the first one comes late, and up to
-# three are dropped. So there is a hole of up to a quarter of a second (the work and one period), once a second, and no
-# burst afterwards. Whether that matters depends on how fast the robot drives: at 1 m/s it is 25 cm. Ways out: make the callback short (hand the
-# picture to a thread or to another process that saves it), or let the two callbacks run in different threads (another
-# executor and callback group, lesson 10). Making the timer faster does not help. Good answers also ask whether the
-# picture must be saved on this robot at all.
+# three are dropped. So there is a hole of up to a quarter of a second (the work and one period), once a second, and
+# no burst afterwards. Whether that matters depends on how fast the robot drives: at 1 m/s it is 25 cm. Ways out: make
+# the callback short (hand the picture to a thread or to another process that saves it), or let the two callbacks run
+# in different threads (another executor and callback group, lesson 10). Making the timer faster does not help. Good
+# answers also ask whether the picture must be saved on this robot at all.
 #
 # </details>
 

@@ -476,8 +476,8 @@ rclpy.shutdown()
 
 # %% [markdown]
 # `generator already executing` is Python's way to say: two threads are inside of one executor. Unless you hand it another
-# one, `rclpy.spin` uses the same **global executor** each time, and that one cannot be shared. The second thread dies, its node is deaf, and the
-# program goes on as if nothing had happened.
+# one, `rclpy.spin` uses the same **global executor** each time, and that one cannot be shared. The second thread
+# dies, its node is deaf, and the program goes on as if nothing had happened.
 #
 # One executor can serve many nodes. One thread is enough:
 
@@ -708,8 +708,8 @@ else:
 #
 # The loop never spins, so the emergency stop would wait in its queue for good. Three ways. (1) Turn the loop into a
 # timer of 20 ms and call `rclpy.spin`: the usual answer; reading the joystick must then never block. (2) Keep the loop,
-# and replace the sleep by spinning for what is left of the 20 ms: `spin_once` with the remaining time, again and again,
-# for one call runs only one callback. The stop is then handled within one callback's time. With `timeout_sec=0` in
+# and replace the sleep by spinning until the 20 ms are over: `spin_once` with a short timeout, again and again, for one
+# call runs only one callback. The stop is then handled within one callback's time. With `timeout_sec=0` in
 # place of the sleep it would burn a processor. (3) Spin in a thread of its own, with an executor of its own, and end it
 # with `shutdown` and `join`: right when the library that reads the joystick blocks. Then two threads touch the same
 # data. A good answer also asks how fast the robot must stop, and whether a stop should hang on one Python loop at all.

@@ -106,8 +106,8 @@ recall("b", about="two timers")
 # %% [markdown]
 # ### Step 1: one topic
 #
-# Find the three things in `__init__` and below it. `init()` joins this notebook to ROS, as `rclpy.init()` does for a program;
-# here the cell may be run again.
+# Find the three things in `__init__` and below it. `init()` joins this notebook to ROS, as `rclpy.init()` does for a
+# program; here the cell may be run again.
 
 # %%
 from rclpy.node import Node

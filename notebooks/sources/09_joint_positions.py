@@ -238,8 +238,9 @@ axes.set(xlabel="real time since the first height (s)", ylabel="hand above shoul
 show(fig, "the height of the waving hand, computed from the joint angles, goes up and down")
 
 # %% [markdown]
-# A hundred heights in about five seconds, one for each message. The subscriber needs no timer: a message *is* its clock. This is how most of a robot works. A node takes one topic,
-# makes something more useful of it, and publishes that.
+# A hundred heights in about five seconds, one for each message. The subscriber needs no timer: a message *is* its
+# clock. This is how most of a robot works. A node takes one topic, makes something more useful of it, and publishes
+# that.
 
 # %% [markdown]
 # ### Experiment 3: 100 Hz instead of 0.5 Hz
@@ -287,11 +288,11 @@ axes.margins(y=0.2)
 show(fig, "processor time of the publisher at 0.5, 10 and 100 Hz: it grows, but far less than the number of messages")
 
 # %% [markdown]
-# At 0.5 Hz nearly all of it has nothing to do with messages: a context and a node are made, and DDS keeps in touch with
-# others. Then each message costs about the same, here half a millisecond to one: ten times the messages, ten times that.
-# 100 Hz is affordable for *one* publisher. But every subscriber pays as well, and a robot has many topics. Two hundred times
-# the data for an angle that nobody reads faster than once a second is waste. And a Python node that is busy with one
-# topic is late for the others: that is lesson 10.
+# At 0.5 Hz nearly all of it has nothing to do with messages: a context and a node are made, and DDS keeps in touch
+# with others. Then each message costs about the same, here between half a millisecond and a whole one. So ten times
+# the messages cost ten times as much. 100 Hz is affordable for *one* publisher. But every subscriber pays as well,
+# and a robot has many topics. Two hundred times the data for an angle that nobody reads faster than once a second is
+# waste. And a Python node that is busy with one topic is late for the others: that is lesson 10.
 
 # %% [markdown]
 # ## When it goes wrong

@@ -169,7 +169,8 @@ show(
 # the fifth is in `monitor.last`, and the other four were there only for a moment. It is not a matter of bad luck: of each
 # bunch a look can find one.
 #
-# And what it finds, it finds late. The time from an event to the reaction is called **latency**. The next picture has both monitors on one axis, each step ten times the one before:
+# And what it finds, it finds late. The time from an event to the reaction is called **latency**. The next picture has
+# both monitors on one axis, each step ten times the one before:
 
 # %%
 import numpy as np
@@ -269,9 +270,9 @@ print(
 recall("b", about="no sleep")
 
 # %% [markdown]
-# It looks without a pause, and is *slower* than the callback, which sleeps until it is woken. Why? The loop holds Python's lock, the GIL, and the
-# thread that receives has to beg for a turn: a few milliseconds each time. Whoever asks "is it there yet?" all the time
-# keeps the postman from the door.
+# It looks without a pause, and is *slower* than the callback, which sleeps until it is woken. Why? The loop holds
+# Python's lock, the GIL, and the thread that receives has to beg for a turn: a few milliseconds each time. Whoever
+# asks "is it there yet?" all the time keeps the postman from the door.
 #
 # And the processor that it burns is missing elsewhere. On a battery robot it is missing as minutes of walking.
 
@@ -298,8 +299,9 @@ recall("b", about="a queue")
 # Nothing is lost any more. But now you have built by hand what the subscription has anyway: it *is* a queue, and the
 # executor calls you as soon as something is in it. The loop adds nothing but the delay.
 #
-# **When looking is right.** There is an honest use of it. A controller that steers five times a second does not want to know of every distance that
-# the sensor has sent. It wants the *newest*, at *its own* moments. So it keeps the last value in a callback, and a
+# **When looking is right.** There is an honest use of it. A controller that steers five times a second does not want
+# to know of every distance that the sensor has sent. It wants the *newest*, at *its own* moments. So it keeps the
+# last value in a callback, and a
 # **timer** looks at it. Then "only the last one" is a feature.
 #
 # Ask yourself: is each message an **event** (a touch, a button, an alarm), or is it a **state** of which only the newest
@@ -566,15 +568,15 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The bumper is an event: up to 20 ms late by looking, and two bumps within 20 ms are one. A callback is quicker and complete.
-# The camera is a state for most purposes: only the newest picture counts, so a queue of depth 1 and a callback, or a timer at
-# the pace of what uses it. The battery is slow, and looking fifty times a second finds nothing new in 99 of 100 looks. The
-# wish behind the loop is fair: one place, one order. One place an executor with one thread gives as well: callbacks run
-# one after the other, never at once, and no locks are needed. The order in which things happened, neither of the two gives:
-# of what waits, the loop takes what it checks first, and the executor takes timers before messages. Whoever needs the order
-# compares time stamps. Good answers mention what the loop does to the processor, and
-# what happens when checking one of the three takes long (lesson 10): the loop stands still for all three, just as callbacks
-# in one thread do.
+# The bumper is an event: up to 20 ms late by looking, and two bumps within 20 ms are one. A callback is quicker and
+# complete. The camera is a state for most purposes: only the newest picture counts, so a queue of depth 1 and a
+# callback, or a timer at the pace of what uses it. The battery is slow, and looking fifty times a second finds
+# nothing new in 99 of 100 looks. The wish behind the loop is fair: one place, one order. An executor with one thread
+# gives you the one place as well: callbacks run one after the other, never at once, and no locks are needed. Neither
+# of the two gives you the order in which things happened: of what waits, the loop takes what it checks first, and the
+# executor takes timers before messages. Whoever needs the order compares time stamps. Good answers mention what the
+# loop does to the processor, and what happens when checking one of the three takes long (lesson 10): the loop stands
+# still for all three, just as callbacks in one thread do.
 #
 # </details>
 

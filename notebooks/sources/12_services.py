@@ -648,9 +648,9 @@ else:
     print("Two requests were not answered. The arm noted", arm.done.count("no answer"), "of them.")
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/12_services.ipynb) a node asks its robot for a self-test every second, tells the
-# control room what came out, and keeps a heartbeat that must not miss a beat, whether the answer is quick, slow or
-# never comes.
+# **Your own.** In the [exercise](../exercises/12_services.ipynb) a node asks its robot for a self-test every second,
+# tells the control room what came out, and keeps a heartbeat that must not miss a beat, whether the answer is quick,
+# slow or never comes.
 
 # %% [markdown]
 # ## Check yourself
@@ -739,13 +739,13 @@ else:
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The callback that awaits stays in the node's default group. The client is in the same group, so the response cannot be
-# taken in, and so is the balance timer, which is why it stops, too. A client in a group of its own lets the response in;
-# but while the arms take their time, balance still waits, unless the stumble callback (or the timer) gets another group
-# as well. A `MultiThreadedExecutor` alone changes nothing. The simplest change is not to wait: `call_async`, a done callback
-# that publishes "caught", return. Good answers add a time limit (what if `/arms` has crashed?), what to do when it has
-# passed, and whether a service is the right thing for a reflex at all: a message on a topic needs no answer and waits for
-# nobody.
+# The callback that awaits stays in the node's default group. The client is in the same group, so the response cannot
+# be taken in, and so is the balance timer, which is why it stops, too. A client in a group of its own lets the
+# response in; but while the arms take their time, balance still waits, unless the stumble callback (or the timer)
+# gets another group as well. A `MultiThreadedExecutor` alone changes nothing. The simplest change is not to wait:
+# `call_async`, a done callback that publishes "caught", return. Good answers add a time limit (what if `/arms` has
+# crashed?), what to do when it has passed, and whether a service is the right thing for a reflex at all: a message on
+# a topic needs no answer and waits for nobody.
 #
 # </details>
 

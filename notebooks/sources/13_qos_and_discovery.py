@@ -126,8 +126,8 @@ for name, profile in (("10", QoSProfile(depth=10)), ("qos_profile_sensor_data", 
 # | durability | `VOLATILE` | `TRANSIENT_LOCAL` | only what is said from now on / the last messages, too, for those who come late (**late joiners**) |
 # | deadline | none | short | never longer than this from one message to the next |
 #
-# `depth` is missing in the table. It is the length of one's own queue, a private matter, and the other side never
-# learns of it.
+# `depth` has no line of its own. It is the length of one's own queue, a private matter, and the other side never learns
+# of it.
 #
 # You need not learn this by heart, because rclpy can be asked. The first argument is what is offered, the second what
 # is requested:
@@ -141,8 +141,9 @@ print(verdict.name)
 print(reason)
 
 # %% [markdown]
-# (`OK` would mean that they fit. `WARNING` means that they seem to, but something was left to the system.) On a running
-# robot you do not have the profiles at hand, but each node announces its own. `topic_info` collects them and asks rclpy for every pair:
+# (`OK` would mean that they fit. `WARNING` means that they seem to, but something was left to the system.) On a
+# running robot you do not have the profiles at hand, but each node announces its own. `topic_info` collects them and
+# asks rclpy for every pair:
 
 # %% id="topic-info"
 from workbook.ros import topic_info
@@ -384,8 +385,8 @@ recall("c", about="the first words")
 
 # %% [markdown]
 # Run the two cells above a few times. Where this was written, between none and two thirds of the words arrived while
-# the machine had nothing else to do. With all processors busy it was all 18: the program was so slow itself that discovery was faster.
-# This is the kind of fault that is there at home and gone when you show it to somebody.
+# the machine had nothing else to do. With all processors busy it was all 18: the program was so slow itself that
+# discovery was faster. This is the kind of fault that is there at home and gone when you show it to somebody.
 #
 # `publish` asks nobody whether somebody listens. A word that is said before the match is said to nobody, and a volatile
 # publisher does not keep it. *Reliable* is a promise to those who are matched. Here are three cures:
@@ -721,11 +722,13 @@ class AlarmPanel(Panel):
     def __init__(self) -> None:
         super().__init__()
         self.alarms: list[bool] = []
+        self.beats = 0
         self.last_beat = time.monotonic()  # no beat yet, but the silence is counted from here
         # TODO: subscribe to /robot/heartbeat with a QoS that fits; the callback is self.on_beat
         self.create_timer(0.25, self.look_at_the_clock)
 
     def on_beat(self, message: String) -> None:
+        self.beats += 1
         self.last_beat = time.monotonic()
 
     def look_at_the_clock(self) -> None:
@@ -738,6 +741,7 @@ if LIMIT_S is ...:
 else:
     alarm_panel = fresh(AlarmPanel)
     await run(alarm_panel, seconds=9)
+    print("beats heard:", alarm_panel.beats or "none: is the subscription there, and does its QoS fit?")
     print("alarms:", alarm_panel.alarms.count(True), " all well:", alarm_panel.alarms.count(False))
 
 # %%

@@ -373,7 +373,8 @@ def _regrade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -
     results = last_results(options.out / RESULTS)
     for path in _write(options.out, exercise, books, results):
         print(f"Written: {path}")
-    for line in _about_time(list(results.values()), books.lateness):
+    ours = [result for result in results.values() if result["exercise"] == exercise.stem]
+    for line in _about_time(ours, books.lateness):
         print(line)
     return 1 if troubled else 0
 
@@ -426,7 +427,7 @@ def _about_time(results: "Sequence[Result]", lateness: "Lateness | None") -> lis
         return []
     names = ", ".join(_printable(one["student"]) for one in unknown[:5]) + (", …" if len(unknown) > 5 else "")
     return [
-        f"Nothing was taken off for lateness where no timestamp.txt says when it was handed in: {len(unknown)} of "
+        f"Nothing was taken off for lateness where no timestamp.txt told when it was handed in: {len(unknown)} of "
         f"{len(results)} ({names})."
     ]
 

@@ -1,12 +1,12 @@
 """Words about the nodes of a program on the graph."""
 
 import difflib
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from workbook.criteria.mishaps import failed_by_error
 from workbook.criteria.phrasing import count, listing
 from workbook.criteria.verdict import Verdict, failed, passed
-from workbook.observing.recording import Recording
+from workbook.observing.recording import NodeSeen, Recording
 
 
 def on_the_graph(
@@ -39,9 +39,16 @@ def on_the_graph(
             "Call rclpy.init(), then make the node.",
         )
     seen = listing(sorted(found))
-    others = sorted(found.keys() - set(beside))
-    because = _why_other_node(name, others) if others else "It was never made, or nobody keeps it."
+    because = _why_not_there(found, name, beside)
     return failed(f"no node {name}; there is {seen}", expected, because, how or _how(name))
+
+
+def _why_not_there(found: Mapping[str, NodeSeen], wanted: str, beside: Collection[str]) -> str:
+    twins = next((name for name in beside if name in found and found[name].most > 1), None)
+    if twins is not None:
+        return f"It was given the name of another one: {found[twins].most} nodes are called {twins}."
+    others = sorted(found.keys() - set(beside))
+    return _why_other_node(wanted, others) if others else "It was never made, or nobody keeps it."
 
 
 def _why_other_node(wanted: str, seen: list[str]) -> str:

@@ -1,6 +1,8 @@
 # loses: front_node, rear_node, nobody_else
 # skips: front_pictures, rear_pictures, shared_faults
 # says: no node /robot/camera
+# says: It was given the name of another one: 2 nodes are called /robot/rear_camera
+# says: Rename the other camera alone
 """Two cameras on one robot, in front and in the back, with one driver."""
 
 import sys

@@ -1,5 +1,5 @@
 # loses: easy_on_the_processor
-# says: A loop with timeout_sec=0 never waits
+# says: A loop with timeout_sec=0, or a very short one, hardly waits
 """Asks again and again, without a wait."""
 
 import time
