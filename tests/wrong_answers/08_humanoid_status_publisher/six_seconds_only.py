@@ -53,7 +53,7 @@ def main(args: list[str] | None = None) -> None:
     rclpy.init(args=args)
     humanoid = HumanoidStatusPublisher()
     try:
-        end = time.monotonic() + 5.0
+        end = time.monotonic() + 6.0
         while time.monotonic() < end:
             rclpy.spin_once(humanoid, timeout_sec=0.2)
     except KeyboardInterrupt:
