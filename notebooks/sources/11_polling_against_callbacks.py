@@ -33,14 +33,13 @@ stop()
 # When people first hear of callbacks, many ask: why not simply a loop? Here are both monitors in short:
 #
 # ```python
-# # A: a loop that looks                      # B: a callback
-# def keep(message):                          def on_touch(message):
-#     monitor.last = message.data                 report(message.data)
+# # A: a loop that looks                            # B: a callback
+# def keep(message):                                def on_touch(message):
+#     monitor.last = message.data                       report(message.data)
 #
-# Thread(target=spin, args=(monitor,)).start()
-#                                             node.create_subscription(
-# while rclpy.ok():                               Int32, "/robot/touch", on_touch, 100)
-#     if monitor.last != monitor.reported:    rclpy.spin(node)
+# Thread(target=spin, args=(monitor,)).start()      node.create_subscription(
+# while rclpy.ok():                                     Int32, "/robot/touch", on_touch, 100)
+#     if monitor.last != monitor.reported:          rclpy.spin(node)
 #         monitor.reported = monitor.last
 #         report(monitor.reported)
 #     time.sleep(0.05)
