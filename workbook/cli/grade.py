@@ -333,7 +333,7 @@ def _grade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -> 
             signal.signal(signal.SIGINT, before)
             screen.finish()
     written = _write(options.out, exercise, books, summary.everything)
-    for line in _about_time(summary.results, books.lateness):
+    for line in _about_lateness(summary.results, books.lateness):
         print(line)
     return _conclude(summary, options.out, written)
 
@@ -374,7 +374,7 @@ def _regrade(options: argparse.Namespace, exercise: "Exercise", books: _Books) -
     for path in _write(options.out, exercise, books, results):
         print(f"Written: {path}")
     ours = [result for result in results.values() if result["exercise"] == exercise.stem]
-    for line in _about_time(ours, books.lateness):
+    for line in _about_lateness(ours, books.lateness):
         print(line)
     return 1 if troubled else 0
 
@@ -420,7 +420,7 @@ def _about_tries(results: "Sequence[Result]") -> list[str]:
     return lines + [f"  {_printable(one['student'])}: {_printable(tried_twice(one))}" for one in differ]
 
 
-def _about_time(results: "Sequence[Result]", lateness: "Lateness | None") -> list[str]:
+def _about_lateness(results: "Sequence[Result]", lateness: "Lateness | None") -> list[str]:
     """Whose lateness nobody can tell, where it counts."""
     unknown = [] if lateness is None else lateness.unknown(results)
     if not unknown:
