@@ -16,7 +16,7 @@ BOOTSTRAP = "$(PYTHON)" -I workbook/lab/bootstrap.py $(CHOSEN)
 HAVE_PYTHON = command -v "$(PYTHON)" >/dev/null || { \
 	echo "make: $(PYTHON) was not found. Python 3.11 to 3.14 is needed; see 'A suitable Python' in environment.md." >&2; exit 1; }
 
-.PHONY: help env lab progress test bench notebooks notebooks-check lint lock clean
+.PHONY: help env lab progress test bench mutants notebooks notebooks-check lint lock clean
 
 help:  ## list the commands
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | while IFS="$$(printf '\t')" read -r name what; do \
@@ -56,6 +56,11 @@ bench:  ## measure how fast and how steady judging is, as a table
 	@$(HAVE_PYTHON)
 	@$(BOOTSTRAP) --extras dev
 	@$(VENV)/python tests/bench.py $(ARGS)
+
+mutants:  ## say which small faults the judges let through (ARGS='--only 05' for one exercise)
+	@$(HAVE_PYTHON)
+	@$(BOOTSTRAP) --extras dev
+	@$(VENV)/python -m workbook.authoring mutants $(ARGS)
 
 lock:  ## resolve the dependencies anew and write requirements.lock (needs uv)
 	@$(HAVE_PYTHON)

@@ -30,8 +30,8 @@
 #
 # | when | what is wanted |
 # |---|---|
-# | at the start | one node, `/night_guard`, is on the graph |
-# | all night | it walks its rounds, for as long as nobody stops it |
+# | at the start | one node, `/night_guard`, is on the graph, and no other |
+# | all night | it walks its rounds and logs each of them, for as long as nobody stops it |
 # | on Ctrl-C | `park()` is called, which says `arms parked` |
 # | then | the program ends by itself: exit code 0, no traceback, no node left |
 #
@@ -40,17 +40,19 @@
 #
 # ## What is judged
 #
-# Your program runs as a process of its own for some two seconds. Then it gets the signal that Ctrl-C sends.
+# Your program runs as a process of its own for some 4 s, in which 4 lines in its log are enough. Then it gets the signal
+# that Ctrl-C sends.
 #
 # | points | criterion |
 # |---:|---|
-# | 2 | the program runs until it is told to end |
+# | 1 | the program runs until it is told to end |
+# | 1 | the guard walks its rounds |
 # | 1 | `/night_guard` is on the graph, once |
 # | 2 | the arms are parked after Ctrl-C, and not before |
 # | 3 | Ctrl-C ends it with exit code 0 and no traceback |
 # | 2 | its node is gone from the graph |
 #
-# **Not part of it:** SIGTERM, topics, and how the guard walks.
+# **Not part of it:** SIGTERM, topics, what the guard says on its rounds, and whether it parks more than once.
 # %% [answer]
 """A guard that walks through the museum at night, and parks its arms when the night is over."""
 

@@ -10,7 +10,7 @@
 #   - run one class twice under two names, without editing it
 #   - tell from the outside, by the graph, who is there and who should not be
 # out_of_scope:
-#   - what is in the messages, and real cameras
+#   - what is in the pictures, and real cameras
 #   - launch files, and remapping single topics
 #   - how spin and executors work (lesson 06), which the program does for you
 # ---
@@ -29,17 +29,19 @@
 #
 # Two nodes from the class `CameraDriver`, in one program:
 #
-# | node | its pictures, 2 Hz | its faults |
+# | node | its pictures, 2 Hz | its fault reports, 1 Hz |
 # |---|---|---|
 # | `/robot/camera` | `/robot/camera/frame` | `/robot/faults` |
 # | `/robot/rear_camera` | `/robot/rear_camera/frame` | `/robot/faults` |
 #
-# All these names follow from the two names of the nodes, because the driver uses private and relative names. Change
+# All these names follow from the two names of the nodes, because the driver uses private and relative names. Both cameras
+# report on one topic, so each report begins with the name of its camera: `rear_camera: none`. Change
 # `make_cameras`. The class stays as it is, and `main` need not change either.
 #
 # ## What is judged
 #
-# Your program runs as a process of its own. Another process looks at the graph and listens.
+# Your program runs as a process of its own. Another process looks at the graph and listens. A rate may be 20 % higher or
+# lower than asked, and no gap may be longer than 1.5 periods.
 #
 # | points | criterion |
 # |---:|---|
@@ -47,11 +49,11 @@
 # | 2 | `/robot/rear_camera` is on the graph, once |
 # | 1 | pictures of the front camera come at 2 Hz |
 # | 2 | pictures of the rear camera come at 2 Hz |
-# | 1 | both report on `/robot/faults` |
+# | 1 | both report on `/robot/faults`, each once a second |
 # | 2 | nobody else is there: no twin, no third node, none outside of `/robot` |
 # | 1 | the program is still running at the end of the watch |
 #
-# **Not part of it:** what is in the messages, launch files, and how your program ends.
+# **Not part of it:** what is in the pictures, launch files, and how your program ends.
 # %% [answer]
 """Two cameras on one robot, in front and in the back, with one driver."""
 

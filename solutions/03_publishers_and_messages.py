@@ -12,6 +12,7 @@
 # out_of_scope:
 #   - timers and rates; somebody else calls your method
 #   - whether a charge makes sense (below 0 or above 100 %); only numbers from 0 to 100 are tried
+#   - bools, texts and arrays of NumPy, and bytes
 #   - how the program starts and ends
 # ---
 # %% [markdown]
@@ -32,39 +33,42 @@
 # |---|---|
 # | class | `BatteryPublisher`, a `Node` that is made without arguments |
 # | topic | `/robot/battery`, type `Float32` of `std_msgs.msg` |
-# | method | `publish_level(level)`: sends one message, at once, with the charge in percent |
+# | method | `publish_level(level)`: sends one message, before it returns, with the charge in percent |
 #
 # `level` is whatever the driver delivers:
 #
 # | given | for example | your method |
 # |---|---|---|
 # | a float | `87.25`, `0.1`, and `0.0` for an empty battery | sends it |
-# | another number | `64`, `np.float32(12.5)`, `np.float64(33.25)`, `np.int64(7)` | sends that number as a float |
+# | another number, of Python's or NumPy's types | `64`, `np.float32(12.5)`, `np.float64(33.25)`, `np.int64(7)` | sends that number as a float |
 # | no number | `None`, `'full'`, `[50.0]` | raises an error and sends nothing |
 # | what only looks like one | `True`, and `'50'`: texts stay texts | raises an error and sends nothing |
-# | no measurement | `nan`, `inf` | raises an error and sends nothing |
+# | no measurement | `nan`, `inf`, `-inf`, also in one of NumPy's types | raises an error and sends nothing |
+#
+# Each call counts, whatever came before it: a number that was sent already is sent again, and after an error the next
+# number goes out as usual.
 #
 # Which error you raise is up to you. `TypeError` for a wrong type and `ValueError` for a wrong value are usual.
 #
 # ## What is judged
 #
-# Your file is imported by a driver, which makes one `BatteryPublisher` and calls `publish_level` with eighteen values,
-# one after the other. It notes whether the call came back or raised an error. We listen to the topic, and compare.
-# As on any robot out of the box, ROS checks no field.
+# Your file is imported by a driver, which makes one `BatteryPublisher` and calls `publish_level` with 35 values, one
+# after the other: some of those above, others of the same kinds, and some more than once. It notes whether the call came
+# back or raised an error. We listen to the topic, and compare. As on any robot out of the box, ROS checks no field.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/battery` carries `Float32` |
 # | 2 | floats arrive within 0.00001, each of them once |
 # | 1 | a `0.0` that is meant arrives |
-# | 2 | other numbers arrive as their number |
-# | 1 | `None`, a word and a list are refused with an error |
-# | 1 | `True` and `'50'` are refused with an error |
-# | 1 | `nan` and `inf` are refused with an error |
+# | 2 | other numbers arrive as their number, within 0.00001 |
+# | 1 | `None`, words, a list and a tuple are refused with an error |
+# | 1 | bools and texts such as `'50'` are refused with an error |
+# | 1 | `nan`, `inf` and `-inf` are refused with an error |
 # | 1 | no `0.0` on the wire that nobody meant |
 #
-# **Not part of it:** timers, charges below 0 or above 100, and how a program starts and ends. There is no `main()`:
-# somebody else makes your node, and spins it.
+# **Not part of it:** timers, charges below 0 or above 100, NumPy's bools, texts and arrays, bytes, and how a program starts
+# and ends. There is no `main()`: somebody else makes your node, and spins it.
 # %% [answer]
 """A node that reports the charge of the battery, and nothing but the charge."""
 

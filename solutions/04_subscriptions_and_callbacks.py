@@ -33,36 +33,37 @@
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
-# | `/robot/battery` | `Float32` | listens | charge in percent, about ten times a second |
-# | `/monitor/battery` | `Float32` | speaks | each good reading: the same number, at once, in the same order |
-# | `/monitor/alarm` | `String` | speaks | one text for each bad reading, with its value in it, such as `bad reading: -3.0` |
+# | `/robot/battery` | `Float32` | listens | charge in percent, about ten times a second, sometimes four at the same moment |
+# | `/monitor/battery` | `Float32` | speaks | each good reading: the same number, at once (within 0.5 s), in the same order |
+# | `/monitor/alarm` | `String` | speaks | one text for each bad reading, with its value in it, such as `bad reading: -3.0`; one decimal is enough |
 #
 # | a reading is | when | your node |
 # |---|---|---|
 # | good | it is from 0 to 100 %, both included, whatever came before it | passes it on, raises no alarm |
-# | bad | it is anything else: below 0, above 100, or not a number (`nan`) | does not pass it on, raises one alarm |
+# | bad | it is anything else: below 0, above 100 (`inf`, too), or not a number (`nan`) | does not pass it on, raises one alarm |
 #
 # The message types are those of `std_msgs.msg`.
 #
 # ## What is judged
 #
-# Your program runs as a process of its own. The judge says twenty readings on `/robot/battery`, one of them bad, and
-# then some on `/other_robot/battery`. It compares what it hears with what it said.
+# Your program runs as a process of its own. The judge publishes about fifty readings on `/robot/battery`, good and bad
+# ones, and a few on `/other_robot/battery`. Then it compares what your program published with what it said.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | it listens to `/robot/battery`, with the type `Float32` |
 # | 1 | `/monitor/battery` carries `Float32` |
-# | 2 | all 19 good readings are passed on, in the right order |
-# | 1 | the bad reading is not passed on, and nothing in its place |
+# | 2 | all good readings are passed on, at once, in the right order |
+# | 1 | no bad reading is passed on, and nothing in its place |
 # | 1 | `/monitor/alarm` carries `String` |
-# | 2 | one alarm for the bad reading, naming it |
+# | 2 | one alarm for each bad reading, with its value |
 # | 1 | no alarm for good readings |
 # | 1 | it is silent about `/other_robot/battery` |
 #
-# Any shape of program will do: a class, a function as a callback, two nodes, another executor.
+# Any shape of program will do: a class, a function as a callback, two nodes, another executor. On a busy machine one
+# good reading in ten may come later than 0.5 s.
 #
-# **Not part of it:** rates, repairing bad readings, and how your program ends on Ctrl-C.
+# **Not part of it:** rates, how fast an alarm comes, repairing bad readings, and how your program ends on Ctrl-C.
 # %% [answer]
 """Listens to the battery sensor, passes on what can be, and raises an alarm at what cannot."""
 

@@ -29,17 +29,20 @@
 #
 # | topic | type | rate | content |
 # |---|---|---:|---|
-# | `/robot/heartbeat` | `String` | 1 Hz | a sign of life, for example `alive` |
+# | `/robot/heartbeat` | `String` | 1 Hz | a sign of life: any text, for example `alive`, but not an empty one |
 # | `/robot/battery` | `Float32` | 0.5 Hz | charge in percent |
 # | `/robot/tilt` | `Float32` | 5 Hz | how far the body leans, in rad |
 #
 # The message types are those of `std_msgs.msg`. The heartbeat is there already. Battery and tilt are yours,
-# and so are their values: any floats will do. What counts is the rhythm.
+# and so are their values: any floats will do, but floats they must be. (An `int` arrives as 0.0.) What counts is the
+# rhythm.
 #
 # ## What is judged
 #
 # Your program runs as a process of its own for one minute of robot time, which is over in a few seconds, and
-# every message is counted. One more or one less may fall on the edge of the minute.
+# every message is counted. One more or one less may fall on the edge of the minute. *Evenly* means: one period from one
+# message to the next, on average within 4 %, and never more than one and a half periods. Programs that do not follow
+# robot time are counted in the same way, for at least 8.5 real seconds; there a tenth of a period is allowed.
 #
 # | points | criterion |
 # |---:|---|
@@ -53,7 +56,7 @@
 #
 # Any shape of program will do: three timers, one timer that counts, several nodes, another executor.
 #
-# **Not part of it:** real sensors, slow callbacks, and how your program ends on Ctrl-C.
+# **Not part of it:** real sensors, slow callbacks, other topics, and how your program ends on Ctrl-C.
 # %% [answer]
 """The vital signs of a humanoid: heartbeat, battery and tilt, each in its own rhythm."""
 

@@ -34,10 +34,11 @@
 # |---|---|---|
 # | `battery_publisher` | has `publish`, for a `Float32` and nothing else | sends on `/robot/battery` |
 # | `status_publisher` | has `publish`, for a `String` and nothing else | sends on `/robot/status` |
-# | `send_battery(level)` | a number, `55.25` or `42` | sends it as a float; anything else raises an error and sends nothing |
-# | `send_status(word)` | `"operational"` or `"error"` | sends it; anything else raises an error and sends nothing |
+# | `send_battery(level)` | a number, such as `55.25`, `42` or `0.0` | sends it as a float; anything else raises an error and sends nothing |
+# | `send_status(word)` | `"operational"` or `"error"`, letter by letter | sends it; anything else raises an error and sends nothing |
 #
-# The node goes on reporting by itself: the battery at 1 Hz, the status at 0.5 Hz.
+# The node goes on reporting by itself: the battery at 1 Hz, the status at 0.5 Hz, 20 % more or less, and without a silence
+# of more than one and a half periods.
 #
 # ## What is judged
 #
@@ -49,8 +50,8 @@
 # | 1 | the node reports as before |
 # | 2 | mypy --strict finds nothing in your program |
 # | 2 | mypy objects to a message of the wrong type |
-# | 1 | mypy objects to a value of the wrong type and to a misspelled word |
-# | 1 | every number arrives as that number, `42` too |
+# | 1 | mypy objects to a value of the wrong type and to any other word |
+# | 1 | every number arrives as that number, `42` and `0.0` too |
 # | 2 | at run time a wrong value or message raises an error, and nothing is sent |
 # | 1 | at run time a word that is not agreed raises an error, and is not sent |
 #

@@ -30,29 +30,33 @@
 #
 # | topic | type | rate | content |
 # |---|---|---|---|
-# | `/robot/status` | `String` | 1 Hz | `operational`, or `error` once the battery is empty |
+# | `/robot/status` | `String` | 1 Hz | `operational` while the battery has charge, `error` once it is empty |
 # | `/robot/battery` | `Float32` | 0.5 Hz | percent, from 100 downwards, never below 0, never rising |
 #
 # On Ctrl-C the program ends with exit code 0 and without a traceback.
 #
 # ## What is judged
 #
-# Your program runs as a process of its own. It is judged by what it publishes, and by how it ends when it gets the
-# signal that Ctrl-C sends.
+# Your program runs as a process of its own, for 36 s of robot time. It is judged by what it publishes, and by how it
+# ends when it gets the signal that Ctrl-C sends.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/battery` carries `Float32` |
-# | 2 | the charge really arrives, from 0 to 100 %, and falls |
+# | 2 | the charge really arrives: 100 % at first, or one drain less, then falling, and never below 0 |
 # | 2 | the battery comes at 0.5 Hz, evenly (0.4 to 0.6 Hz, no gap over 3 s) |
-# | 1 | `/robot/status` is as it was: `String`, 1 Hz, one of the two words |
+# | 1 | `/robot/status` is as it was: `String`, 1 Hz (0.8 to 1.2 Hz, no gap over 1.5 s), and the word that fits the charge |
 # | 1 | the program runs until it is told to end |
 # | 3 | Ctrl-C ends it with exit code 0 and no traceback |
 #
 # Run the program below first, as it is: the dashboard shows you two of the complaints, `%check` the third. Whether you
 # change three places or write it anew is up to you.
 #
-# **Not part of it:** new topics, real batteries, other signals than that of Ctrl-C.
+# The battery of this program is worn: it is empty within half a minute, so that the change of the word is seen as well.
+# The word may change from the last charge above 0 on, and has changed when the battery says 0 for the second time.
+#
+# **Not part of it:** new topics, real batteries, other signals than that of Ctrl-C, what you log, and how fast the
+# battery drains. (If yours lasts longer than the watch, nobody sees it empty.)
 # %% [answer]
 """A humanoid robot that reports its state once a second and its battery every two seconds."""
 
@@ -71,7 +75,7 @@ BATTERY_PERIOD_S = 2.0  # 0.5 Hz: one message every two seconds
 # [starter]
 # | BATTERY_PERIOD_S = 0.5  # 0.5 Hz
 # [end]
-DRAIN_PERCENT = (0.5, 1.5)
+DRAIN_PERCENT = (7.0, 10.0)  # a worn battery: empty within half a minute
 
 
 class HumanoidStatusPublisher(Node):
@@ -141,7 +145,7 @@ if __name__ == "__main__":
 # %% [hint]
 # Do not read the code yet. Look at the dashboard, and take one complaint at a time.
 #
-# - **0 %.** The log says 99 %, the topic says 0. So the level is right in `self.battery_level` and is lost on its way
+# - **0 %.** The log says 92 %, the topic says 0. So the level is right in `self.battery_level` and is lost on its way
 #   into the message. Which single line lies between the two?
 # - **Too busy.** Count the battery messages in ten seconds. How many should it be at 0.5 Hz?
 # - **The crash.** `%check` shows the last lines of the log after Ctrl-C. Read the very last one first.
@@ -149,7 +153,7 @@ if __name__ == "__main__":
 # What a publisher and a timer do, step by step: [Writing a simple publisher and
 # subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)
 # %% [hint]
-# - **0 %.** Ask Python: `type(round(99.4))`. Then look up which Python type a `float32` field wants. (`round` with a
+# - **0 %.** Ask Python: `type(round(92.4))`. Then look up which Python type a `float32` field wants. (`round` with a
 #   second argument gives another type.)
 # - **Too busy.** `create_timer` takes a *period* in seconds. The comment beside the number names a *frequency*. One is
 #   1 divided by the other.

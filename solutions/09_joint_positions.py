@@ -32,34 +32,36 @@
 # | topic | type | rate | content |
 # |---|---|---|---|
 # | `/robot/joint_positions` (new) | `Float32MultiArray` | 0.5 Hz | 12 angles in rad, within ±π, that move |
-# | `/robot/status` (as it is) | `String` | 1 Hz | `operational` or `error` |
-# | `/robot/battery` (as it is) | `Float32` | 0.5 Hz | percent, 0 to 100, never rising |
+# | `/robot/status` (as it is) | `String` | 1 Hz | `operational` while the battery has charge, `error` once it is empty |
+# | `/robot/battery` (as it is) | `Float32` | 0.5 Hz | percent, 0 to 100, falling, never rising |
 #
 # The figure on the screen takes the angles in this order: neck, waist, left shoulder, left elbow, right
 # shoulder, right elbow, left hip, left knee, left ankle, right hip, right knee, right ankle.
 #
 # The message types are those of `std_msgs.msg`. You choose how the simulated joints move: a sine, a random
-# walk, a wave of the hand. Two joints at least must change from message to message.
+# walk, a wave of the hand. Two joints at least must change from message to message. (One message in four may repeat
+# the one before, when a movement turns around.)
 #
 # ## What is judged
 #
-# Your program runs as a process of its own, and only what it publishes counts.
+# Your program runs as a process of its own for 26 s of robot time, and only what it publishes counts.
 #
 # | points | criterion |
 # |---:|---|
 # | 2 | `/robot/joint_positions` exists and carries `Float32MultiArray` |
 # | 1 | every message has exactly 12 values |
 # | 1 | every value is a finite number within ±π rad |
-# | 1 | at least two joints move |
+# | 1 | at least two joints move from message to message |
 # | 2 | the joint positions come at 0.5 Hz, evenly (0.4 to 0.6 Hz, no gap over 3 s) |
-# | 1 | `/robot/status` is as it was |
-# | 1 | `/robot/battery` is as it was |
+# | 1 | `/robot/status` is as it was (0.8 to 1.2 Hz, no gap over 1.5 s; the word fits the charge) |
+# | 1 | `/robot/battery` is as it was (0.4 to 0.6 Hz, no gap over 3 s; falling) |
 # | 1 | the program is still running at the end of the watch |
 #
 # All of this takes a program that starts: one that never gets a publisher onto the graph is told why, and
 # the rest waits. Any shape of program will do: one class, several nodes, another executor.
 #
-# **Not part of it:** motors, real encoders, URDF, and how your program ends on Ctrl-C.
+# **Not part of it:** motors, real encoders, URDF, other topics, which joint stands at which place, the charge at
+# which the battery begins and how fast it drains, and how your program ends on Ctrl-C.
 # %% [answer]
 """The humanoid status publisher: state, battery and the angles of twelve joints."""
 

@@ -37,17 +37,21 @@
 #
 # | topic | type | when | content |
 # |---|---|---|---|
-# | `/dashboard/line` | `String` | 2 Hz, always | the last status that it knows, for example `status: error`; `unknown` only before that; never two of these words |
+# | `/dashboard/line` | `String` | 2 Hz, always | the last status that it has heard of, for example `status: error`; `unknown` only before that; never two of these words |
 # | `/dashboard/alarm` | `Bool` | when it changes, or more often | see below; kept for those who come later |
 #
+# What was said before the program started stands on the line at the latest 1 s after the start, and a new status at the
+# latest 0.8 s after the robot has said it.
+#
 # The alarm is raised (`True`) when no beat has come for about 2 s: never before 1 s, and 3 s after the last beat at the
-# latest. It ends (`False`) at the latest 1.5 s after the heart beats again. Before the first beat it may say what it likes.
+# latest. It lasts until the heart beats again, and ends (`False`) at the latest 1.5 s after that. Before the first beat it
+# may say what it likes.
 #
 # ## What is judged
 #
-# Your program runs as a process of its own, for eight real seconds. The bench plays the robot. It has said `operational`
-# before your program starts. Later it says `error` once, its heart stops for almost four seconds, and then it
-# beats again.
+# Your program runs as a process of its own, for eleven real seconds. The judge plays the robot. It has said its status
+# before your program starts, and changes it now and then. One beat comes late, and twice the heart stops for almost four
+# seconds. In between it beats again.
 #
 # | points | criterion |
 # |---:|---|
@@ -61,7 +65,11 @@
 # | 1 | no alarm before it is due |
 # | 1 | the alarm ends when the heart beats again |
 #
-# **Not part of it:** what happens after the alarm, and how your program ends.
+# What a busy machine may cost: 2 Hz means 1.8 to 2.2 Hz, typically one line every 0.45 to 0.55 s, and no silence over
+# 1.25 s. Alarms may be raised, and end, 0.2 s later than said above.
+#
+# **Not part of it:** what the line says in the first second, and whether it comes then; whether the alarm is published more
+# often than it changes; and how your program ends.
 # %% [answer]
 """A dashboard that may come late: it knows the last status at once, and notices when the robot falls silent."""
 

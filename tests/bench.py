@@ -23,23 +23,36 @@ from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
+from workbook.authoring.tree import Tree
+from workbook.authoring.wrong_answers import read_wrong_answer
+from workbook.cli.grade_options import SLOTS_PER_CORE
 from workbook.exercise.answers import Answer, read_answer
 from workbook.exercise.definition import Exercise, load_exercise
-from workbook.exercise.judging import Judgement
-from workbook.grading.pool import Isolation, Job, Slot, judge_all
+from workbook.exercise.judgement import Judgement
+from workbook.grading.judges import Job
+from workbook.grading.local import judge_all
+from workbook.grading.pool import Slot
 from workbook.grading.single import best_isolation
-from workbook.observing.process import NodeProcess
-from workbook.observing.sandbox import Cage, sandbox_problem
-from workbook.observing.warm_start import ForkServer
-from workbook.observing.watch import Observer
+from workbook.isolation.bubblewrap import sandbox_problem
+from workbook.isolation.sandbox import SandboxTier
+from workbook.isolation.tiers import Isolation
+from workbook.programs.process import NodeProcess
+from workbook.programs.spec import ProgramSpec
+from workbook.programs.tier import Tier
+from workbook.programs.warm_start import ForkServer
+from workbook.recording.recording import Recording
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment
+from workbook.watching.observer import Observer
 
 ROOT = Path(__file__).resolve().parents[1]
 ARTIFACTS = ROOT / "artifacts"
 STEM = "09_joint_positions"
 SOLUTION = ROOT / "solutions" / f"{STEM}.py"
 WRONG = ("eleven_values", "one_joint_moves", "status_at_half_hertz", "pairs", "wrong_name")
+WRONG_RATE = "status_at_half_hertz"
+NEVER_AT_REST = ("multi_threaded_executor", "spin_thread_and_rate")
+"""Right answers with more than one thread."""
 CORES = len(os.sched_getaffinity(0))
 BARE_NODE = (
     "import rclpy; rclpy.init(); node = rclpy.create_node('bare'); node.destroy_node(); rclpy.shutdown()"
@@ -66,11 +79,12 @@ class Size:
     wall_runs: int
     repeats: int
     answers: int
+    thorough: int
     gradings: int
 
 
-FULL = Size(runs=9, wall_runs=3, repeats=200, answers=40, gradings=500)
-QUICK = Size(runs=7, wall_runs=1, repeats=24, answers=12, gradings=32)
+FULL = Size(runs=9, wall_runs=3, repeats=200, answers=40, thorough=120, gradings=500)
+QUICK = Size(runs=5, wall_runs=1, repeats=24, answers=12, thorough=40, gradings=32)
 
 
 def of_times(name: str, times: Sequence[float], aim_s: float | None = None, unit: str = "s") -> Figure:
@@ -118,6 +132,17 @@ def bare_node(times: int) -> tuple[list[float], float]:
         return spent, (cpu_of_children() - before) / times
 
 
+def wrong_answer(name: str) -> Answer:
+    """A wrong answer of the tests."""
+    tree = Tree(ROOT)
+    return read_wrong_answer(tree, tree.wrong_answers / STEM / f"{name}.py").answer
+
+
+def right_answer(name: str) -> Answer:
+    """A right answer of the tests."""
+    return read_answer(ROOT / "tests" / "right_answers" / STEM / f"{name}.py", STEM)
+
+
 def slot_start(times: int, isolation: Isolation) -> float:
     """Processor seconds of a slot that starts and ends without judging anything."""
     before = cpu_of_children()
@@ -127,13 +152,13 @@ def slot_start(times: int, isolation: Isolation) -> float:
     return (cpu_of_children() - before) / times
 
 
-def empty_program(cage: Cage | None) -> float:
+def empty_program(tier: Tier | None) -> float:
     """Seconds from the start of a program that does nothing to its end."""
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "answer.py"
         program.write_text("import rclpy\n", encoding="utf-8")
         began = time.monotonic()
-        with NodeProcess(program, 0, cage=cage) as process:
+        with NodeProcess(ProgramSpec(program), 0, tier) as process:
             process.wait(60.0)
             return time.monotonic() - began
 
@@ -143,16 +168,29 @@ def empty_program(cage: Cage | None) -> float:
 
 def check(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
     """`workbook check` as a command, beside the least that any ROS program takes to start."""
-    command = [str(Path(sys.executable).with_name("workbook")), "check", "joint_positions", str(SOLUTION)]
 
-    def whole_command() -> None:
+    def whole_command(file: Path, passes: bool) -> None:
+        command = [str(Path(sys.executable).with_name("workbook")), "check", "joint_positions", str(file)]
         done = subprocess.run(command, capture_output=True, text=True)
-        if done.returncode != 0:
-            raise SystemExit(f"bench: the solution did not pass:\n{done.stdout}{done.stderr}")
+        if (done.returncode == 0) != passes:
+            raise SystemExit(
+                f"bench: {file.stem} was not judged as it should be:\n{done.stdout}{done.stderr}"
+            )
 
-    whole_command()
-    times = [timed(whole_command) for _ in range(size.runs)]
-    yield of_times("workbook check joint_positions, whole command", times, 2.0)
+    whole_command(SOLUTION, True)
+    times = [timed(lambda: whole_command(SOLUTION, True)) for _ in range(size.runs)]
+    yield of_times("workbook check joint_positions, whole command", times, 1.4)
+    with tempfile.TemporaryDirectory() as folder:
+        wrong: list[float] = []
+        for name in WRONG:
+            file = Path(folder, f"{name}.py")
+            file.write_text(wrong_answer(name).text, encoding="utf-8")
+            wrong += [timed(lambda file=file: whole_command(file, False)) for _ in range(size.runs)]  # type: ignore[misc]
+    yield of_times("  the same for a wrong rate, value, type or name", wrong, 2.5)
+    slow = statistics.quantiles(wrong, n=20)[-1]
+    yield Figure(
+        "  95 of 100 of them take no longer than", f"{slow:.2f} s", "", "< 4 s", slow < 4.0, {"seconds": slow}
+    )
     bare, _ = bare_node(size.runs)
     yield of_times("  beside it: Python, import rclpy, one node", bare)
     ratio = statistics.median(times) / statistics.median(bare)
@@ -161,31 +199,25 @@ def check(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
 
 def warm(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
     """%check in a notebook: until the card shows. Then the same answer on the wall clock."""
-    times, speeds = [], []
     with Slot() as slot:
-        for run in range(size.runs + 1):
-            shown: list[float] = []
-
-            def report(judgement: Judgement, shown: list[float] = shown) -> None:
-                shown.append(time.monotonic())
-                slot.enough()
-
-            began = time.monotonic()
-            judgement = slot.judge(STEM, answer, thorough=True, report=report)
-            if not judgement.full_marks or judgement.recording is None:
-                raise SystemExit(f"bench: the solution did not pass on a warm slot: {judgement.reason}")
-            if run and judgement.recording.clock == "simulated":
-                times.append(shown[0] - began)
-                speeds.append(judgement.recording.robot_s / (shown[0] - began))
+        right = cards(slot, answer, size.runs)
+        wrong = cards(slot, wrong_answer(WRONG_RATE), size.runs)
+        threads = [cards(slot, right_answer(name), size.runs) for name in NEVER_AT_REST]
+    times = [seconds for seconds, recording in right if recording.clock == "simulated"]
+    speeds = [one.robot_s / seconds for seconds, one in right if one.clock == "simulated"]
     if not times:
         raise SystemExit("bench: this machine is too busy for robot time; every run went to the wall clock")
-    yield of_times("%check on a warm slot, until the card shows", times, 1.5)
+    yield of_times("%check on a warm slot, until the card shows", times, 0.7)
+    yield of_times("  the same for a wrong rate", [seconds for seconds, _ in wrong], 0.7)
+    yield of_times(
+        "  the same for right answers with several threads", [one for some in threads for one, _ in some], 4.0
+    )
     with Observer() as observer, tempfile.TemporaryDirectory() as folder:
         program = Path(folder, f"{STEM}.py")
         program.write_text(answer.text, encoding="utf-8")
 
         def on_the_wall_clock() -> None:
-            with observer.watch(program, exercise.plan, "wall") as watch:
+            with observer.watch(ProgramSpec(program), exercise.plan, "wall") as watch:
                 watch.finish(watch.observe())
 
         wall = [timed(on_the_wall_clock) for _ in range(size.wall_runs)]
@@ -195,12 +227,24 @@ def warm(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
     yield of_times("robot seconds per real second, start of the program included", speeds, unit="s/s")
 
 
-def expected_verdict(file: Path) -> frozenset[str] | None:
-    """Criteria that a wrong answer loses, by its `# loses:` line; None for a right answer (nothing is lost)."""
-    for line in file.read_text(encoding="utf-8").splitlines():
-        if line.startswith("# loses:"):
-            return frozenset(name.strip() for name in line.partition(":")[2].split(",") if name.strip())
-    return None
+def cards(slot: Slot, answer: Answer, times: int) -> list[tuple[float, Recording]]:
+    """Judge an answer again and again as `%check` does: seconds until the card shows, and what was seen."""
+    found = []
+    for run in range(times + 1):
+        shown: list[float] = []
+
+        def report(judgement: Judgement, shown: list[float] = shown) -> None:
+            if not judgement.provisional:
+                shown.append(time.monotonic())
+                slot.enough()
+
+        began = time.monotonic()
+        judgement = slot.judge(STEM, answer, thorough=True, report=report)
+        if judgement.recording is None:
+            raise SystemExit(f"bench: not judged: {judgement.reason}")
+        if run:  # the first one fills the caches
+            found.append(((shown or [time.monotonic()])[0] - began, judgement.recording))
+    return found
 
 
 def lost(judgement: Judgement) -> frozenset[str]:
@@ -210,11 +254,11 @@ def lost(judgement: Judgement) -> frozenset[str]:
 
 def steadiness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
     """The same answers again and again, with more slots than processors."""
-    folder = ROOT / "tests" / "wrong_answers" / STEM
-    wrong = {name: folder / f"{name}.py" for name in WRONG}
+    tree = Tree(ROOT)
+    wrong = {name: read_wrong_answer(tree, tree.wrong_answers / STEM / f"{name}.py") for name in WRONG}
     each = max(1, size.repeats // 20)
     jobs = [Job("solution", STEM, answer) for _ in range(size.repeats - each * len(wrong))]
-    jobs += [Job(name, STEM, read_answer(file, STEM)) for name, file in wrong.items() for _ in range(each)]
+    jobs += [Job(name, STEM, one.answer) for name, one in wrong.items() for _ in range(each)]
     slots = 4 * CORES
     flips: Counter[str] = Counter()
     on_the_wall = ours = 0
@@ -224,7 +268,7 @@ def steadiness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
             ours += 1
             print(f"  not judged: {judgement.reason}", file=sys.stderr)
             continue
-        should = frozenset[str]() if job.key == "solution" else expected_verdict(wrong[job.key])
+        should = frozenset[str]() if job.key == "solution" else wrong[job.key].header.loses
         if lost(judgement) != should:
             flips[job.key] += 1
             print(
@@ -321,19 +365,19 @@ def tell_unfair(number: int, name: str, judgement: Judgement) -> None:
         judgement.recording.save(folder / f"{number:04d}-{name}.json")
 
 
-def shutting_in(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
-    """What it costs to shut a program in, beside the start of the same program outside, each in turn."""
+def sandboxing(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
+    """What it costs to sandbox a program, beside the start of the same program outside, each in turn."""
     problem = sandbox_problem()
     if problem is not None:
-        yield Figure("shutting a program in", "not here", problem)
+        yield Figure("sandboxing a program", "not here", problem)
         return
     server = ForkServer()
-    boxes = {"outside": None, "in a box": Cage(), "in a box, forked": Cage(server=server)}
-    times: dict[str, list[float]] = {name: [] for name in boxes}
+    tiers = {"outside": None, "in a sandbox": SandboxTier(), "in a sandbox, forked": SandboxTier(server)}
+    times: dict[str, list[float]] = {name: [] for name in tiers}
     try:
         for number in range(size.runs * 3 + 1):
-            for name, cage in boxes.items():
-                spent = empty_program(cage)
+            for name, tier in tiers.items():
+                spent = empty_program(tier)
                 if number:  # the first of each fills the caches, and starts the server
                     times[name].append(spent)
     finally:
@@ -360,38 +404,32 @@ def throughput(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
     yield Figure(
         "processor time of starting a slot", f"{slot_cpu:.2f} s", values={"cpu_s": round(slot_cpu, 4)}
     )
-    for word, thorough, wanted in (("plain", False, 4 * CORES), ("thorough", True, 8 * CORES)):
-        slots = min(wanted, size.answers)
+    slots = SLOTS_PER_CORE[exercise.source.clock] * CORES
+    for word, number in (("plain", size.answers), ("thorough", size.thorough)):
         before = cpu_of_children()
         began = time.monotonic()
-        jobs = [Job(number, STEM, answer) for number in range(size.answers)]
+        jobs = [Job(one, STEM, answer) for one in range(number)]
         passed = sum(
             judgement.full_marks
-            for _, judgement in judge_all(jobs, slots, thorough=thorough, isolation=isolation)
+            for _, judgement in judge_all(jobs, slots, thorough=word == "thorough", isolation=isolation)
         )
-        seconds = time.monotonic() - began
-        used = cpu_of_children() - before
-        cpu = (used - slots * slot_cpu) / size.answers
-        per_minute = 60 * size.answers / seconds
+        per_minute = 60 * number / (time.monotonic() - began)
+        cpu = (cpu_of_children() - before) / number
         yield Figure(
-            f"answers per minute, {word}, {slots} slots",
+            f"answers per minute, {word}, {slots} at work at once",
             f"{per_minute:.0f}",
-            f"{passed} of {size.answers} passed, {isolation}",
-            "≥ 150" if not thorough else "",
-            per_minute >= 150 if not thorough else None,
-            {"per_minute": round(per_minute, 1), "passed": passed, "answers": size.answers},
+            f"{passed} of {number} passed, {isolation}",
+            "≥ 150",
+            per_minute >= 150,
+            {"per_minute": round(per_minute, 1), "passed": passed, "answers": number},
         )
         yield Figure(
             f"  processor time per answer, {word}, in bare nodes",
             f"{cpu / bare_cpu:.1f} ×",
-            f"{cpu:.2f} s; with the start of {slots} slots {used / size.answers:.2f} s",
+            f"{cpu:.2f} s, the start of slots included",
             "≤ 2 ×",
             cpu <= 2 * bare_cpu,
-            {
-                "cpu_s": round(cpu, 4),
-                "with_slots_s": round(used / size.answers, 4),
-                "ratio": round(cpu / bare_cpu, 3),
-            },
+            {"cpu_s": round(cpu, 4), "ratio": round(cpu / bare_cpu, 3)},
         )
 
 
@@ -411,7 +449,7 @@ PARTS: dict[str, Callable[[Size, Exercise, Answer], Iterator[Figure]]] = {
     "check": check,
     "warm": warm,
     "steadiness": steadiness,
-    "isolation": shutting_in,
+    "isolation": sandboxing,
     "throughput": throughput,
     "tests": last_test_run,
     "fairness": fairness,

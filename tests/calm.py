@@ -3,7 +3,7 @@
 import time
 from statistics import fmean
 
-from workbook.observing.standstill import taken_away
+from workbook.inside.proc import stolen_s
 
 CALM_SHARE = 0.1
 LOOK_S = 1.0
@@ -12,7 +12,7 @@ LONGEST_S = 60.0
 
 def taken_s() -> float:
     """Seconds for which the host has taken a processor away so far: the mean of all processors."""
-    return fmean(taken_away().values() or [0.0])
+    return fmean(stolen_s().values() or [0.0])
 
 
 def await_calm(longest_s: float = LONGEST_S) -> bool:

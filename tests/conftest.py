@@ -11,26 +11,40 @@ from pathlib import Path, PurePath
 from typing import Any
 
 import pytest
+from hypothesis import HealthCheck, settings
 
-from workbook.grading.pool import spare
-from workbook.observing.warm_start import own_server
+from workbook.exercise.definition import load_exercise
+from workbook.exercise.source import stems
+from workbook.grading.pool import standby
+from workbook.programs.warm_start import own_server
 
 LESSONS = "test_notebooks_run"
+PROOFS = "test_proofs"
 # Long ones first, so that no worker is left alone with one of them at the end.
+ROOT = Path(__file__).resolve().parents[1]
 LONG_FIRST = (
-    "test_proofs",
+    PROOFS,
     "test_browser_lessons",
     LESSONS,
     "test_browser_exercise",
     "test_nodes_with_timers",
 )
-# Lessons wait most of the time, these keep a processor busy: they begin after the lesson of this number, when the
+# Lessons wait most of the time, these keep a processor busy: they begin after this share of the lessons, when the
 # browsers, which are busy, too, are through most of theirs.
-BETWEEN_LESSONS = {"test_hostile": 5, "test_farm": 8, "test_tiers": 10, "test_killed_grader": 12}
+BETWEEN_LESSONS = {"test_hostile": 0.35, "test_farm": 0.55, "test_tiers": 0.7, "test_killed_grader": 0.85}
+ON_THE_WALL_CLOCK = {
+    stem[:2] for stem in stems(ROOT / "solutions") if load_exercise(stem, ROOT).source.clock == "wall"
+}
+"""Exercises whose proofs come last, when the machine is calm."""
 BROWSERS = 2
 """How many JupyterLabs, each with a Chromium, share the lessons. What else needs a browser goes to the first."""
 
 
+# Property tests: the same examples in every run, and no deadline that a busy machine could miss.
+settings.register_profile(
+    "workbook", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("workbook")
 own_server.keep()  # a worker starts hundreds of programs
 gc.disable()  # until all tests are there: to collect garbage among them would take a tenth of the time
 
@@ -38,9 +52,9 @@ gc.disable()  # until all tests are there: to collect garbage among them would t
 @pytest.fixture(autouse=True)
 def no_spare_slot() -> Iterator[None]:
     """No test judges in a slot that another one has left: what it changes of slots would have no effect."""
-    spare.close()  # a fixture of the file may have left one
+    standby.close()  # a fixture of the file may have left one
     yield
-    spare.close()
+    standby.close()
 
 
 @pytest.fixture
@@ -59,10 +73,20 @@ def pytest_collection_finish() -> None:
     gc.enable()
 
 
+def is_on_the_wall_clock(nodeid: str) -> bool:
+    """Whether a test looks at an answer that is judged on the wall clock."""
+    number = re.search(r"\[(\d\d)_", nodeid)
+    return (
+        PurePath(nodeid.partition("::")[0]).stem == PROOFS and bool(number) and number[1] in ON_THE_WALL_CLOCK
+    )
+
+
 def group_of(nodeid: str) -> str:
     """Tests of a group run one after another in one worker. Usually that is a file."""
     file, _, rest = nodeid.partition("::")
     stem = PurePath(file).stem
+    if is_on_the_wall_clock(nodeid):
+        return f"{file} on the wall clock"
     if stem == LESSONS:
         return nodeid
     if stem.startswith("test_browser_"):
@@ -72,14 +96,19 @@ def group_of(nodeid: str) -> str:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    lessons = sorted({item.nodeid for item in items if item.path.stem == LESSONS})
+
     def rank(item: pytest.Item) -> tuple[int, float]:
         stem = item.path.stem
+        if is_on_the_wall_clock(item.nodeid):
+            return len(LONG_FIRST) + 1, 0
         if stem in BETWEEN_LESSONS:
-            return LONG_FIRST.index(LESSONS), BETWEEN_LESSONS[stem] + 0.5
+            return LONG_FIRST.index(LESSONS), BETWEEN_LESSONS[stem]
         if stem not in LONG_FIRST:
             return len(LONG_FIRST), 0
-        number = re.search(r"\[(\d\d)\]", item.nodeid) if stem == LESSONS else None
-        return LONG_FIRST.index(stem), int(number[1]) if number else 0
+        if stem == LESSONS:
+            return LONG_FIRST.index(stem), lessons.index(item.nodeid) / len(lessons)
+        return LONG_FIRST.index(stem), 0
 
     items.sort(key=rank)
 

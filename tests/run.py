@@ -21,7 +21,7 @@ ROOT = Path(__file__).resolve().parents[1]
 ARTIFACTS = ROOT / "artifacts"
 ALLOWED_SKIPS = ROOT / ".ci" / "allowed_skips"
 # mypy sees each of them alone: files of the same name in two of them are no clash.
-TYPED_FOLDERS = ("workbook", "lesson_nodes", "solutions", "exercises/criteria")
+TYPED_FOLDERS = ("workbook", "lesson_nodes", "solutions", "exercises/criteria", "exercises/drivers")
 # Lessons, browsers and judges wait most of the time: with fewer workers, the processors stand idle.
 JOBS = str(min(8, 3 * len(os.sched_getaffinity(0))))
 TESTS_LIMIT_S = 50 * 60.0
@@ -82,8 +82,8 @@ def environment() -> dict[str, str]:
 
 def missing_tools() -> list[str]:
     """What the checks that will be skipped lack, in a sentence each."""
+    from workbook.isolation.bubblewrap import sandbox_problem
     from workbook.lab.health import chromium
-    from workbook.observing.sandbox import sandbox_problem
 
     said = []
     if chromium() is None:

@@ -1,110 +1,20 @@
 """How exercise 02 is judged: by the graph. Who is there, under which name, and what comes from whom."""
 
+from dataclasses import replace
+
 from std_msgs.msg import String
 
 import workbook.criteria as see
-from workbook.criteria import Recording, Topic, Verdict, criterion, topic, watching
+from workbook.criteria import Recording, Topic, Verdict, criterion, program_runs, topic, watching
 
-WATCH = watching(robot_seconds=20)
+WATCH = watching(robot_seconds=20, wall_seconds=6.5)
 
 FRONT, REAR = "/robot/camera", "/robot/rear_camera"
 FRONT_FRAME = topic(f"{FRONT}/frame", String, hz=2.0)
 REAR_FRAME = topic(f"{REAR}/frame", String, hz=2.0)
-FAULTS = topic("/robot/faults", String)
-
-
-def speakers(recording: Recording, one: Topic) -> list[str]:
-    """Full names of the nodes that publish on a topic. Twins are named once."""
-    return sorted({publisher.node for publisher in recording.topic(one.name).publishers})
-
-
-def words(names: list[str]) -> str:
-    return " and ".join(names) if names else "nobody"
-
-
-def pictures_of(recording: Recording, one: Topic, node: str) -> Verdict:
-    """The pictures come at their rate, and from this node."""
-    there = see.publishes(recording, one)
-    if there.status != "passed":
-        return there
-    found = speakers(recording, one)
-    if found != [node]:
-        return see.failed(
-            f"{words(found)} on {one.name}",
-            f"{node} on {one.name}, and nobody else",
-            "The name of this topic is written out or remapped, so it does not follow the name of the node.",
-            "Leave the driver as it was delivered and rename the node with __node:=; its private topics follow.",
-        )
-    if not see.values(recording, one):
-        return see.failed(
-            f"{node} is there, but it takes no pictures",
-            f"pictures on {one.name}, two a second",
-            "Nobody lets this node work. An executor serves the nodes that were added to it, and rclpy.spin(node) "
-            "that one node and no other.",
-            "Add both nodes to one executor: return both from make_cameras and leave main as it was.",
-        )
-    return see.rate(recording, one)
-
-
-def both_report(recording: Recording) -> Verdict:
-    """Both cameras publish on the topic that they share."""
-    found = speakers(recording, FAULTS)
-    expected = f"{FRONT} and {REAR} on {FAULTS.name}"
-    if set(found) >= {FRONT, REAR}:
-        return see.passed("both cameras report their faults")
-    outside = sorted(
-        name
-        for name, seen in recording.topics.items()
-        if name.endswith("/faults") and name != FAULTS.name and seen.publishers
-    )
-    if outside:
-        return see.failed(
-            f"{words(found)} on {FAULTS.name}; somebody reports on {' and '.join(outside)}",
-            expected,
-            "The name of this topic was edited or remapped. As delivered, it follows the namespace of each camera.",
-            "Leave the driver as it was delivered, and remap __node only.",
-        )
-    return see.failed(
-        f"{words(found)} on {FAULTS.name}",
-        expected,
-        "The name of this topic was edited or remapped, or one camera reports no faults any more.",
-        "Leave the driver as it was delivered, and remap __node only.",
-    )
-
-
-def nobody_else_is_there(recording: Recording) -> Verdict:
-    """The two cameras, each once, and no other node."""
-    expected = f"{FRONT} and {REAR}, each once, and no other node"
-    twins = sorted(node.name for node in recording.nodes if node.most > 1)
-    if twins:
-        return see.failed(
-            f"twins: {words(twins)} is there more than once",
-            expected,
-            "Two nodes were made with one name. ROS allows it, and then nobody can tell them apart.",
-            "Remap one of them: cli_args=['--ros-args', '-r', '__node:=rear_camera'].",
-        )
-    others = sorted({node.name for node in recording.nodes} - {FRONT, REAR})
-    outside = [name for name in others if not name.startswith("/robot/")]
-    if outside:
-        return see.failed(
-            f"{words(outside)}, outside of the namespace /robot",
-            expected,
-            "A node without a namespace belongs to the whole building; a second robot would have it, too.",
-            "Give every node that you make namespace='/robot', and make only the two cameras.",
-        )
-    if others:
-        return see.failed(
-            f"{words(others)} as well",
-            expected,
-            "One more node was made than the robot has cameras, or one has another name than asked.",
-            "Make the two cameras and no other node.",
-        )
-    return see.passed("nobody else is there")
-
-
-@criterion(points=0, title="Your program runs and its node is on the graph")
-def program_runs(recording: Recording) -> Verdict:
-    return see.program_runs(recording)
+FAULTS = topic("/robot/faults", String)  # of two nodes, so it is no topic with a pace of its own
+REPORTS_HZ = 1.0  # of each camera
+LONGEST_QUOTE = 60  # characters of a report that feedback quotes
 
 
 @criterion(points=1, title="/robot/camera is on the graph, once", needs=[program_runs])
@@ -131,16 +41,239 @@ def rear_pictures(recording: Recording) -> Verdict:
     return pictures_of(recording, REAR_FRAME, REAR)
 
 
-@criterion(points=1, title="Both report on /robot/faults", needs=[front_node, rear_node])
+@criterion(points=1, title="Both report on /robot/faults, once a second", needs=[front_node, rear_node])
 def shared_faults(recording: Recording) -> Verdict:
-    return both_report(recording)
+    found = publishing_nodes(recording, FAULTS)
+    if not set(found) >= {FRONT, REAR}:
+        return why_not_on_the_topic(recording, found)
+    for camera, frames in ((FRONT, FRONT_FRAME), (REAR, REAR_FRAME)):
+        verdict = reports_of(recording, camera, frames)
+        if not verdict.ok:
+            return verdict
+    return see.passed("both cameras report their faults once a second")
 
 
 @criterion(points=2, title="Nobody else is there", needs=[program_runs])
 def nobody_else(recording: Recording) -> Verdict:
-    return nobody_else_is_there(recording)
+    expected = f"{FRONT} and {REAR}, each once, and no other node"
+    duplicates = sorted(node.name for node in recording.nodes if node.most > 1)
+    if duplicates:
+        return see.failed(
+            "nobody-else.duplicate-name",
+            f"twins: {names_or_nobody(duplicates)} is there more than once",
+            expected,
+            "Two nodes were made with one name. ROS allows it, and then nobody can tell them apart.",
+            "Remap one of them: cli_args=['--ros-args', '-r', '__node:=rear_camera'].",
+        )
+    others = sorted({node.name for node in recording.nodes} - {FRONT, REAR})
+    outside = [name for name in others if not name.startswith("/robot/")]
+    if outside:
+        return see.failed(
+            "nobody-else.outside-namespace",
+            f"{names_or_nobody(outside)}, outside of the namespace /robot",
+            expected,
+            "A node without a namespace belongs to the whole building; a second robot would have it, too.",
+            "Give every node that you make namespace='/robot', and make only the two cameras.",
+        )
+    if others:
+        return see.failed(
+            "nobody-else.extra-node",
+            f"{names_or_nobody(others)} as well",
+            expected,
+            "One more node was made than the robot has cameras, or one has another name than asked.",
+            "Make the two cameras and no other node.",
+        )
+    return see.passed("nobody else is there")
 
 
 @criterion(points=1, title="The program is still alive at the end", needs=[program_runs])
 def alive_at_end(recording: Recording) -> Verdict:
     return see.alive_at_end(recording)
+
+
+def pictures_of(recording: Recording, frames: Topic, camera: str) -> Verdict:
+    """The pictures come at their rate, and from this camera."""
+    there = see.publishes(recording, frames)
+    if not there.ok:
+        return there
+    found = publishing_nodes(recording, frames)
+    if found != [camera]:
+        return see.failed(
+            "pictures.other-node",
+            f"{names_or_nobody(found)} on {frames.name}",
+            f"{camera} on {frames.name}, and nobody else",
+            "The name of this topic is written out or remapped, so it does not follow the name of the node.",
+            "Leave the driver as it was delivered and rename the node with __node:=; its private topics follow.",
+        )
+    if not see.values(recording, frames):
+        return why_no_pictures(recording, frames, camera)
+    verdict = see.rate(recording, frames)
+    if verdict.ok:
+        return verdict
+    crashed = see.ended_by_error(recording, verdict.saw, verdict.expected)
+    return crashed or camera_left(recording, frames, camera) or verdict
+
+
+def camera_left(recording: Recording, frames: Topic, camera: str) -> Verdict | None:
+    """A failed verdict if this camera left the graph while the program ran on; else None."""
+    left = [publisher.last_seen for publisher in recording.topic(frames.name).publishers]
+    gone = [at for at in left if at is not None]
+    if recording.process.ended_by == "itself" or len(gone) < len(left):
+        return None
+    return see.failed(
+        "pictures.camera-gone",
+        f"{camera} left the graph after {max(gone):.1f} s, and the program ran on without it",
+        f"{camera} on the graph for as long as the program runs",
+        "Its node or its publisher was destroyed: by destroy_node(), or because its context was shut down.",
+        "Keep both cameras until the spin has ended.",
+    )
+
+
+def why_no_pictures(recording: Recording, frames: Topic, camera: str) -> Verdict:
+    """Why a camera that is on the graph takes no pictures."""
+    saw, expected = f"{camera} is there, but it takes no pictures", f"pictures on {frames.name}, two a second"
+    explained = see.ended_by_error(recording, saw, expected) or camera_left(recording, frames, camera)
+    if explained is not None:
+        return explained
+    if see.values(reports(recording, camera), FAULTS):
+        return see.failed(
+            "pictures.never-taken",
+            f"{camera} reports faults, but it takes no pictures",
+            expected,
+            "The node is spun, so the fault is in the class: nothing calls take_picture, or it does not publish.",
+            "Leave the driver as it was delivered.",
+        )
+    if not any(see.values(recording, one) for one in (FRONT_FRAME, REAR_FRAME, FAULTS)):
+        return see.failed(
+            "pictures.nothing-spins",
+            f"{camera} is there, but no node of this program does anything",
+            expected,
+            "Nothing spins the nodes: there is no spin, or a line above it does not come back.",
+            "Leave main as it was: it adds each camera to one executor, and spins that.",
+        )
+    return see.failed(
+        "pictures.node-not-spun",
+        saw,
+        expected,
+        "Nobody lets this node work. An executor serves the nodes that were added to it, and rclpy.spin(node) "
+        "that one node and no other.",
+        "Add both nodes to one executor: return both from make_cameras and leave main as it was.",
+    )
+
+
+def reports(recording: Recording, camera: str) -> Recording:
+    """The recording, of /robot/faults only what begins with the name of this camera."""
+    beginning = f"{camera.rsplit('/', 1)[1]}:"
+    return see.part_of(recording, FAULTS, lambda text: str(text).startswith(beginning))
+
+
+def reports_of(recording: Recording, camera: str, frames: Topic) -> Verdict:
+    """The fault reports of one camera come once a second. `frames`: its pictures.
+
+    Whether its reports follow robot time, its pictures tell: each camera may have a clock of its own.
+    """
+    own = reports(recording, camera)
+    if not see.values(own, FAULTS):
+        return why_no_reports(recording, camera, frames)
+    verdict = replace(see.rate(own, replace(FAULTS, hz=REPORTS_HZ)), pace_of=frames.name)
+    if verdict.ok:
+        return verdict
+    saw = f"reports of {camera}: {verdict.saw}"
+    crashed = see.ended_by_error(recording, saw, verdict.expected)
+    if crashed is not None:
+        return crashed
+    if not see.rate(recording, frames).ok:
+        return replace(verdict, saw=saw)
+    return replace(
+        see.failed(
+            "shared-faults.other-rate",
+            saw,
+            verdict.expected,
+            "The pictures of this camera come as they should. So its node works, and the reports were changed in the "
+            "class.",
+            "Leave the driver as it was delivered: it reports once a second.",
+            about_time=verdict.about_time,
+        ),
+        pace_of=verdict.pace_of,
+    )
+
+
+def why_no_reports(recording: Recording, camera: str, frames: Topic) -> Verdict:
+    """Why no report begins with the name of this camera, which has a publisher for them."""
+    name = camera.rsplit("/", 1)[1]
+    saw, expected = (
+        f"no report of {camera}",
+        f"one report a second on {FAULTS.name} that begins with '{name}:'",
+    )
+    strange = [
+        text
+        for text in see.values(recording, FAULTS)
+        if not str(text).startswith(("camera:", "rear_camera:"))
+    ]
+    crashed = see.ended_by_error(recording, saw, expected)
+    if crashed is not None:
+        return crashed
+    if strange:
+        return see.failed(
+            "shared-faults.nameless",
+            f"{saw}; somebody reports {str(strange[0])[:LONGEST_QUOTE]!r}",
+            expected,
+            "The text of the reports was changed. Without the name, nobody knows which camera to repair.",
+            "Leave the driver as it was delivered.",
+        )
+    if not see.values(recording, frames):
+        return see.failed(
+            "shared-faults.camera-idle",
+            f"{saw}, and no picture either",
+            expected,
+            "This node does not work at all.",
+            "Make its pictures come first. The reports come with them.",
+        )
+    return see.failed(
+        "shared-faults.silent",
+        f"{saw}, although its pictures come",
+        expected,
+        "The node works, so the fault is in the class: nothing calls report_faults, or it does not publish.",
+        "Leave the driver as it was delivered.",
+        about_time=True,
+    )
+
+
+def why_not_on_the_topic(recording: Recording, found: list[str]) -> Verdict:
+    """Why not both cameras publish /robot/faults. `found`: the nodes that do."""
+    saw = f"{names_or_nobody(found)} on {FAULTS.name}"
+    expected = f"{FRONT} and {REAR} on {FAULTS.name}"
+    elsewhere = other_faults_topics(recording)
+    if elsewhere:
+        return see.failed(
+            "shared-faults.other-name",
+            f"{saw}; somebody reports on {' and '.join(elsewhere)}",
+            expected,
+            "The name of this topic was edited or remapped. As delivered, it follows the namespace of each camera.",
+            "Leave the driver as it was delivered, and remap __node only.",
+        )
+    return see.failed(
+        "shared-faults.missing",
+        saw,
+        expected,
+        "The name of this topic was edited or remapped, or one camera has no publisher for it any more.",
+        "Leave the driver as it was delivered, and remap __node only.",
+    )
+
+
+def publishing_nodes(recording: Recording, one: Topic) -> list[str]:
+    """Fully qualified names of the nodes that publish on a topic, each once."""
+    return sorted({publisher.node for publisher in recording.topic(one.name).publishers})
+
+
+def other_faults_topics(recording: Recording) -> list[str]:
+    """Topics called "faults" in another namespace, if somebody publishes there."""
+    return sorted(
+        name
+        for name, seen in recording.topics.items()
+        if name.endswith("/faults") and name != FAULTS.name and seen.publishers
+    )
+
+
+def names_or_nobody(names: list[str]) -> str:
+    return " and ".join(names) if names else "nobody"

@@ -1,269 +1,258 @@
 """How exercise 03 is judged: each call of publish_level, and what went out on /robot/battery because of it."""
 
-import re
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from collections.abc import Collection
+from dataclasses import replace
 
 from std_msgs.msg import Float32, String
 
 import workbook.criteria as see
-from workbook.criteria import Recording, Verdict, criterion, failed, passed, topic, watching
-from workbook.criteria.mishaps import find_mishap
-from workbook.criteria.phrasing import count, listing, number
+from workbook.criteria import DriverCall, Recording, Verdict, criterion, program_runs, topic, watching
 
 BATTERY = topic("/robot/battery", Float32)
 REPORT = topic("/driver/report", String)
-TOLERANCE = 1e-5
-NO_CALL = "no call at all"
+TOLERANCE = 1e-5  # what 32 bits make of a charge with a few decimals; the task names it
 
-FLOATS = {"87.25": 87.25, "99.9": 99.9, "0.1": 0.1, "100.0": 100.0, "42.5": 42.5}
+# What publish_level is called with, as Python writes it, and the number that must arrive.
+FLOATS = {
+    "87.25": 87.25, "99.9": 99.9, "0.1": 0.1, "100.0": 100.0, "66.66667": 66.66667, "1.0": 1.0, "0.004": 0.004,
+    "42.5": 42.5,
+}  # fmt: skip
 EMPTY = {"0.0": 0.0}
 OTHER_NUMBERS = {
-    "64": 64.0,
-    "0": 0.0,
-    "np.float32(12.5)": 12.5,
-    "np.float64(33.25)": 33.25,
-    "np.int64(7)": 7.0,
-}
-NO_NUMBERS = ("None", "'full'", "[50.0]")
-LOOK_LIKE_NUMBERS = ("True", "'50'")
-NOT_FINITE = ("nan", "inf")
+    "64": 64.0, "7": 7.0, "0": 0.0, "1": 1.0, "np.float32(12.5)": 12.5, "np.float64(33.25)": 33.25,
+    "np.float16(50.5)": 50.5, "np.int64(7)": 7.0, "np.int32(18)": 18.0,
+}  # fmt: skip
 MEANT = {**FLOATS, **EMPTY, **OTHER_NUMBERS}
+
+# What it must refuse.
+NO_NUMBERS = ("None", "'full'", "''", "[50.0]", "(50.0,)")
+BOOLS = ("True", "False")
+LOOK_LIKE_NUMBERS = (*BOOLS, "'50'", "' 7.5 '")
+NOT_FINITE = ("nan", "inf", "-inf", "np.float32(nan)", "np.float64(-inf)")
+
 KINDS = {
-    "64": "an int",
-    "0": "an int",
     "'full'": "a text",
-    "[50.0]": "a list",
-    "True": "a bool",
+    "''": "a text",
     "'50'": "a text",
+    "' 7.5 '": "a text",
+    "[50.0]": "a list",
+    "(50.0,)": "a tuple",
 }
+KINDS |= dict.fromkeys(("64", "7", "0", "1"), "an int") | dict.fromkeys(BOOLS, "a bool")
+
+# Numbers and misuse in turn, some twice in a row, some once more much later: what one call leaves behind shows in the
+# next one.
 CALLS = (
-    "87.25", "99.9", "0.1", "64", "None", "np.float32(12.5)", "True", "0.0", "'full'", "np.float64(33.25)",
-    "nan", "100.0", "'50'", "np.int64(7)", "[50.0]", "0", "inf", "42.5",
+    "87.25", "99.9", "99.9", "0.1", "64", "None", "np.float32(12.5)", "True", "0.0", "0.0", "'full'",
+    "np.float64(33.25)", "nan", "100.0", "'50'", "np.int64(7)", "7", "[50.0]", "0", "False", "66.66667", "inf", "1.0",
+    "-inf", "np.float16(50.5)", "' 7.5 '", "np.int32(18)", "(50.0,)", "87.25", "np.float32(nan)", "1", "''", "0.004",
+    "np.float64(-inf)", "42.5",
 )  # fmt: skip
+MISTAKES = ("NameError", "AttributeError", "UnboundLocalError")
 
 WATCH = watching(
-    wall_seconds=4.5, script=[see.says("/driver/calls", String, [(0.0, "\n".join(CALLS))], "latched")]
+    wall_seconds=5.0, script=[see.says("/driver/calls", String, [(0.0, "\n".join(CALLS))], "latched")]
 )
-
-_BEGINS = re.compile(r"call (?P<number>\d+): publish_level\((?P<value>.*)\)")
-_ENDS = re.compile(r"call (?P<number>\d+) (?P<how>returned|raised)(?: (?P<error>.*))?", re.DOTALL)
-
-
-def as_float(value: float) -> str:
-    """A number as Python writes a float: 64.0, 99.9, nan."""
-    return f"{value:.1f}" if value.is_integer() else number(value)
-
-
-@dataclass
-class Call:
-    """One call of publish_level: its argument, how it came back (None: not at all), and what went out meanwhile."""
-
-    value: str
-    how: str | None = None
-    error: str = ""
-    sent: list[float] = field(default_factory=list)
-
-    @property
-    def words(self) -> str:
-        """The call as one writes it, and what kind of value it was."""
-        kind = KINDS.get(self.value)
-        return f"publish_level({self.value})" + (f", {kind}," if kind else "")
-
-    @property
-    def outcome(self) -> str:
-        """How it came back and what went out, in words."""
-        out = f"{listing([as_float(one) for one in self.sent])} went out" if self.sent else "nothing went out"
-        if self.how == "raised":
-            return f"raised {self.error}, and {out}"
-        return f"came back without an error, and {out}"
-
-
-def reports(recording: Recording) -> list[str]:
-    """What the driver said, in order."""
-    return [str(one) for one in see.values(recording, REPORT)]
-
-
-def calls_made(recording: Recording) -> dict[str, Call]:
-    """The calls by their argument. A message belongs to the call that was announced last before it was published."""
-    heard = [(one.published, 0, one.value["data"]) for one in recording.topic(REPORT.name).arrivals]
-    heard += [(one.published, 1, one.value["data"]) for one in recording.topic(BATTERY.name).arrivals]
-    latest = Call(NO_CALL)
-    made = {NO_CALL: latest}
-    for _, is_level, data in sorted(heard, key=lambda one: one[:2]):
-        if is_level:
-            latest.sent.append(data)
-        elif begins := _BEGINS.fullmatch(data):
-            latest = made[begins["value"]] = Call(begins["value"])
-        elif ends := _ENDS.fullmatch(data):
-            latest.how, latest.error = ends["how"], ends["error"] or ""
-    return made
-
-
-def first_that(recording: Recording, values: Iterable[str], bad: Callable[[Call], bool]) -> Call | None:
-    """The first of these calls that is bad."""
-    made = calls_made(recording)
-    return next((made[value] for value in values if bad(made[value])), None)
-
-
-def right(call: Call) -> bool:
-    """The call sent the number that it was given, once, and came back."""
-    return (
-        call.how == "returned" and len(call.sent) == 1 and abs(call.sent[0] - MEANT[call.value]) <= TOLERANCE
-    )
-
-
-def refused(call: Call) -> bool:
-    """The call raised an error and sent nothing."""
-    return call.how == "raised" and not call.sent
-
-
-def lost_number(call: Call) -> Verdict:
-    """Why a number did not arrive."""
-    meant = as_float(MEANT[call.value])
-    expected = f"{meant} on {BATTERY.name}, once, within {TOLERANCE:g}"
-    saw = f"{call.words} {call.outcome}"
-    if call.how == "raised":
-        because = "An error came out of your method, although it was given a number."
-        hint = "Read the error: it names what went wrong in your method."
-        if call.error.startswith("TypeError: Expected <class"):
-            because = "publish() was given something that is not a Float32 message."
-            hint = "Make the message first: self.battery_publisher.publish(Float32(data=...))."
-        elif call.value in OTHER_NUMBERS:
-            because = "Your test refuses more than it must: this is a number, only not a Python float."
-            hint = (
-                "Ask for a number of any kind (numbers.Real knows NumPy's as well), then send float(level)."
-            )
-        elif call.value in EMPTY:
-            because = "Zero counts as false in Python, so `if not level` takes an empty battery for no value."
-            hint = "Ask for what you mean, for example `if level is None`."
-        return failed(saw, expected, because, hint)
-    if len(call.sent) > 1:
-        return failed(
-            saw,
-            expected,
-            "Something publishes besides the one message of this call: a second publish(), or a timer.",
-            "Publish once in publish_level, and nowhere else.",
-        )
-    if not call.sent:
-        return failed(
-            saw,
-            expected,
-            "publish() was not reached, or its publisher was made only now, and nobody is connected to it yet.",
-            "Create the publisher in __init__, and call its publish() in every call with a number.",
-        )
-    if call.value in OTHER_NUMBERS and call.sent[0] == 0.0:
-        return failed(
-            saw,
-            expected,
-            "A float32 field wants a Python float. An int or a np.float32 is sent as 0.0 by stock ROS, without a word.",
-            "Convert at the door: Float32(data=float(level)).",
-        )
-    return failed(
-        saw,
-        expected,
-        "The number is changed on its way: rounded, scaled, or turned into another type.",
-        "Send the number as it came, in percent. Round where it is shown, not where it is sent.",
-    )
-
-
-def not_refused(call: Call) -> Verdict:
-    """Why a value that is no charge was not refused."""
-    saw = f"{call.words} {call.outcome}"
-    expected = "an error for the one who called, and nothing on the wire"
-    if call.how == "raised":
-        return failed(
-            saw,
-            expected,
-            "The error comes too late: the message had gone out by then.",
-            "Look at the value first, and publish in the last line of the method.",
-        )
-    if not call.sent:
-        return failed(
-            saw,
-            expected,
-            "The value is dropped in silence (return, pass, or only a line in the log). Whoever called believes that "
-            "the charge was reported.",
-            "raise TypeError or ValueError, with the value in its text.",
-        )
-    if call.value in NOT_FINITE:
-        because = f"{call.value} is a Python float, so float() and isinstance() let it pass."
-        if 0.0 <= call.sent[0] <= 100.0:
-            because = (
-                "A comparison with nan is always False, so min() and max() turn it into one of the limits."
-            )
-        return failed(saw, expected, because, "Ask math.isfinite(level), and raise ValueError if it is not.")
-    if call.value in LOOK_LIKE_NUMBERS:
-        because = (
-            "float('50') is 50.0: float() reads texts. Whoever sends a text has a bug that you would hide."
-        )
-        if call.value == "True":
-            because = "In Python a bool is a kind of int, so True becomes 1.0: a battery of one percent."
-        if call.sent[0] == 0.0:
-            because = "A float32 field wants a Python float. Anything else is sent as 0.0 by stock ROS, without a word."
-        return failed(
-            saw, expected, because, "Look at the type, before you convert: is it a number, and no bool?"
-        )
-    return failed(
-        saw,
-        expected,
-        "A message is sent for something that is no number. Stock ROS sends 0.0 for what is no float, or your method "
-        "does.",
-        "raise TypeError if the value is no number, before you make the message.",
-    )
-
-
-def all_right(recording: Recording, values: Iterable[str], praise: str) -> Verdict:
-    """All of these numbers arrived."""
-    bad = first_that(recording, values, lambda call: not right(call))
-    return passed(praise) if bad is None else lost_number(bad)
-
-
-def all_refused(recording: Recording, values: Iterable[str], praise: str) -> Verdict:
-    """All of these values were refused."""
-    bad = first_that(recording, values, lambda call: not refused(call))
-    return passed(praise) if bad is None else not_refused(bad)
-
-
-@criterion(points=0, title="Your program runs and its node is on the graph")
-def program_runs(recording: Recording) -> Verdict:
-    return see.program_runs(recording)
 
 
 @criterion(points=0, title="BatteryPublisher() can be made, and every call comes back", needs=[program_runs])
 def calls_come_back(recording: Recording) -> Verdict:
-    said = reports(recording)
     expected = f"a class BatteryPublisher, and {len(CALLS)} calls of its publish_level that return or raise"
+    said = see.driver_reports(recording, REPORT)
     trouble = next((one.removeprefix("not made: ") for one in said if one.startswith("not made: ")), None)
-    mishap = find_mishap(recording.process.log, recording.process.program)
     if trouble is not None:
-        if "raised" in trouble and mishap is not None:
-            return failed(f"{mishap.where}{trouble}", expected, mishap.because, mishap.try_this)
-        return failed(
-            f"{trouble} in your file",
-            expected,
-            "It is missing, has another name, or is indented into the wrong place.",
-            "Keep the names of the starter: class BatteryPublisher, method publish_level(self, level).",
-        )
+        return cannot_be_called(recording, trouble, expected)
     if "done" in said:
-        return passed(f"{count(len(CALLS), 'call')} made")
-    begun = [found["value"] for one in said if (found := _BEGINS.fullmatch(one))]
+        return see.passed(f"{see.count(len(CALLS), 'call')} made")
+    begun = [call.argument for call in calls(recording) if call.number]
+    return stopped_short(recording, begun[-1] if begun else None, expected)
+
+
+@criterion(points=1, title="/robot/battery carries Float32", needs=[calls_come_back])
+def battery_topic(recording: Recording) -> Verdict:
+    # The log holds the errors of the calls. They are judged one by one, and are no reason why a topic is missing.
+    silent = replace(recording, process=replace(recording.process, log=""))
+    return see.publishes(silent, BATTERY)
+
+
+@criterion(points=0, title="A number that it is given goes out", needs=[battery_topic])
+def sends(recording: Recording) -> Verdict:
+    numbers = [call for call in judged_calls(recording) if call.argument in MEANT]
+    if any(call.sent or call.later for call in numbers):
+        return see.passed("numbers go out")
+    return why_not_arrived(numbers[0], numbers)
+
+
+@criterion(points=2, title="Floats arrive as they are, each of them once", needs=[sends])
+def floats_arrive(recording: Recording) -> Verdict:
+    verdict = all_arrived(recording, FLOATS, f"all floats arrived within {TOLERANCE:g}")
+    before = calls(recording)[0].later
+    if before and verdict.ok:
+        return see.failed(
+            "floats-arrive.uncalled",
+            f"{as_float(before[0])} went out before anybody had called publish_level",
+            "one message for each call with a number, and no other",
+            "Something publishes besides publish_level: __init__, or a timer.",
+            "Publish once in publish_level, and nowhere else.",
+        )
+    return verdict
+
+
+@criterion(points=1, title="An empty battery arrives: 0.0, when it is meant", needs=[sends])
+def zero_arrives(recording: Recording) -> Verdict:
+    return all_arrived(recording, EMPTY, "0.0 arrived as 0.0")
+
+
+@criterion(points=2, title="Other numbers arrive, too: int and NumPy's", needs=[sends])
+def numbers_arrive(recording: Recording) -> Verdict:
+    return all_arrived(recording, OTHER_NUMBERS, "ints and NumPy's numbers arrived as their number")
+
+
+@criterion(points=1, title="None, words, a list and a tuple are refused with an error", needs=[sends])
+def no_number_refused(recording: Recording) -> Verdict:
+    return all_refused(recording, NO_NUMBERS, "None, words, a list and a tuple raised an error")
+
+
+@criterion(points=1, title="True and '50' are refused, although float() takes them", needs=[sends])
+def look_alikes_refused(recording: Recording) -> Verdict:
+    return all_refused(recording, LOOK_LIKE_NUMBERS, "bools and texts of digits raised an error")
+
+
+@criterion(points=1, title="nan and inf are refused, although they are floats", needs=[sends])
+def not_finite_refused(recording: Recording) -> Verdict:
+    return all_refused(recording, NOT_FINITE, "nan, inf and -inf raised an error")
+
+
+@criterion(points=1, title="No 0.0 on the wire that nobody meant", needs=[sends])
+def no_invented_zero(recording: Recording) -> Verdict:
+    made = calls(recording)
+    first_meant = min(
+        (call.number for call in made if not is_other_than_zero(call) and call.number), default=0
+    )
+    invented = [
+        call.argument or "nothing at all"
+        for call in made
+        if (0.0 in call.sent and is_other_than_zero(call))
+        or (0.0 in call.later and call.number < first_meant)
+    ]
+    if not invented:
+        return see.passed("0.0 went out only where it was meant")
+    return see.failed(
+        "no-invented-zero.sent",
+        f"0.0 went out for {see.listing(list(dict.fromkeys(invented)))}",
+        "0.0 only for a battery that is empty",
+        "A listener cannot tell this zero from a real one. It will stop the robot, or send it home, for nothing.",
+        "Convert numbers with float(level), raise an error for all the rest, and have no 0.0 to fall back on.",
+    )
+
+
+# --- the calls, and what went out because of each -----------------------------------------------------------
+
+
+def calls(recording: Recording) -> list[DriverCall]:
+    """All calls that were reported; the first one stands for the time before them."""
+    return see.driver_calls(recording, REPORT, BATTERY)
+
+
+def judged_calls(recording: Recording) -> list[DriverCall]:
+    """The calls of which both reports arrived."""
+    return [call for call in calls(recording) if call.number and call.complete]
+
+
+def is_other_than_zero(call: DriverCall) -> bool:
+    """Whether a 0.0 is none of what this call may send.
+
+    That False is sent is judged with the bools, and that 0.1 is rounded with the floats.
+    """
+    return call.complete and MEANT.get(call.argument or "", 1.0) >= 1.0 and call.argument != "False"
+
+
+def words(call: DriverCall) -> str:
+    """The call as one writes it, and what kind of value it was, then how it came back and what went out."""
+    kind = KINDS.get(call.argument or "")
+    told = f"publish_level({call.argument})" + (f", {kind}," if kind else "")
+    how = f"raised {call.error}" if call.how == "raised" else "came back without an error"
+    sent = see.listing([as_float(one) for one in call.sent])
+    return f"{told} {how}, and {f'{sent} went out' if call.sent else 'nothing went out'}"
+
+
+def all_arrived(recording: Recording, wanted: Collection[str], praise: str) -> Verdict:
+    """All of these numbers arrived."""
+    made = judged_calls(recording)
+    bad = next((call for call in made if call.argument in wanted and not arrived(call)), None)
+    return see.passed(praise) if bad is None else why_not_arrived(bad, made)
+
+
+def all_refused(recording: Recording, wanted: Collection[str], praise: str) -> Verdict:
+    """All of these values were refused."""
+    made = judged_calls(recording)
+    bad = next((call for call in made if call.argument in wanted and not refused(call)), None)
+    return see.passed(praise) if bad is None else why_not_refused(bad, made)
+
+
+def meant(call: DriverCall) -> float:
+    """The number that the call must send."""
+    return MEANT[call.argument or ""]
+
+
+def arrived(call: DriverCall) -> bool:
+    """The call sent the number that it was given, once, and came back."""
+    if call.how != "returned" or call.later or len(call.sent) != 1:
+        return False
+    return abs(float(call.sent[0]) - meant(call)) <= TOLERANCE
+
+
+def refused(call: DriverCall) -> bool:
+    """The call raised an error and sent nothing."""
+    return call.how == "raised" and not call.sent and not strange(call)
+
+
+def strange(call: DriverCall) -> list[float]:
+    """What followed the call and repeats none of the numbers: who repeats these has lost the points for numbers."""
+    return [one for one in call.later if all(abs(one - number) > TOLERANCE for number in MEANT.values())]
+
+
+def as_float(value: float) -> str:
+    """A number as Python writes a float: 64.0, 99.9, nan."""
+    return f"{value:.1f}" if value.is_integer() else see.number(value)
+
+
+# --- why there were no calls, or not all of them ------------------------------------------------------------
+
+
+def cannot_be_called(recording: Recording, trouble: str, expected: str) -> Verdict:
+    """Why the driver could not begin."""
+    raised = see.failed_in_call(recording, trouble, expected) if "raised" in trouble else None
+    return raised or see.failed(
+        "calls-come-back.name-missing",
+        f"{trouble} in your file",
+        expected,
+        "It is missing, has another name, or is indented into the wrong place.",
+        "Keep the names of the starter: class BatteryPublisher, method publish_level(self, level).",
+    )
+
+
+def stopped_short(recording: Recording, latest: str | None, expected: str) -> Verdict:
+    """Why the driver did not come to its end. `latest`: the argument of the last call that it began."""
     if recording.process.ended_by == "itself":
-        where = f"publish_level({begun[-1]})" if begun else "the first call"
-        return failed(
+        where = "the first call" if latest is None else f"publish_level({latest})"
+        return see.failed(
+            "calls-come-back.program-ended",
             f"the program ended by itself at {where} (exit code {recording.process.exit})",
             expected,
             "Something ends the whole program, sys.exit() for example. The robot would lose all its nodes at once.",
             "raise an error instead, and let the one who called decide.",
         )
-    if begun:
-        return failed(
-            f"publish_level({begun[-1]}) never came back",
+    if latest is not None:
+        return see.failed(
+            "calls-come-back.method-waits",
+            f"publish_level({latest}) never came back",
             expected,
             "The method waits for ever: a spin, a loop, or a sleep. To publish, nothing has to spin.",
             "Let the method publish and return.",
         )
-    return failed(
+    return see.failed(
+        "calls-come-back.import-does-not-end",
         "your file runs on and on by itself, so nobody comes to call publish_level",
         expected,
         "Your file is imported. What stands at its left margin runs at once, and a spin there has no end.",
@@ -271,52 +260,325 @@ def calls_come_back(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=1, title="/robot/battery carries Float32", needs=[calls_come_back])
-def battery_topic(recording: Recording) -> Verdict:
-    return see.publishes(recording, BATTERY)
+# --- why a number did not arrive ----------------------------------------------------------------------------
 
 
-@criterion(points=2, title="Floats arrive as they are, each of them once", needs=[battery_topic])
-def floats_arrive(recording: Recording) -> Verdict:
-    return all_right(recording, FLOATS, f"{len(FLOATS)} floats arrived within {TOLERANCE:g}")
+def why_not_arrived(call: DriverCall, made: list[DriverCall]) -> Verdict:
+    """Why a number did not arrive. `made`: all calls."""
+    expected = f"{as_float(meant(call))} on {BATTERY.name}, once, within {TOLERANCE:g}"
+    saw = words(call)
+    if call.how == "raised":
+        return why_number_raised(call, made, saw, expected)
+    if not call.sent:
+        return why_nothing_sent(call, made, saw, expected)
+    if len(call.sent) > 1 or call.later:
+        more = f"; {as_float(call.later[0])} followed after it had come back" if call.later else ""
+        return see.failed(
+            "number.sent-again",
+            f"{saw}{more}",
+            expected,
+            "Something publishes besides the one message of this call: a second publish(), or a timer.",
+            "Publish once in publish_level, and nowhere else.",
+        )
+    return why_changed(call, made, saw, expected)
 
 
-@criterion(points=1, title="An empty battery arrives: 0.0, when it is meant", needs=[floats_arrive])
-def zero_arrives(recording: Recording) -> Verdict:
-    return all_right(recording, EMPTY, "0.0 arrived as 0.0")
+def why_nothing_sent(call: DriverCall, made: list[DriverCall], saw: str, expected: str) -> Verdict:
+    """Why a call with a number came back, and nothing had gone out."""
 
+    def fail(cause: str, because: str, try_this: str) -> Verdict:
+        return see.failed(cause, saw, expected, because, try_this)
 
-@criterion(points=2, title="Other numbers arrive, too: int, np.float32, np.float64", needs=[floats_arrive])
-def numbers_arrive(recording: Recording) -> Verdict:
-    return all_right(
-        recording, OTHER_NUMBERS, "int, np.float32, np.float64 and np.int64 arrived as their number"
+    numbers = [one for one in made if one.argument in MEANT]
+    went_well, later = (
+        [one for one in numbers if arrived(one)],
+        [one for one in numbers if one.number > call.number],
+    )
+    if later and sends_what_was_before(call, later[0]):
+        return why_one_behind(saw, expected)
+    if any(one.later for one in numbers):
+        return fail(
+            "number.sent-later",
+            "The method stores the number, and something else sends it: a timer, or the next call. Until then the "
+            "battery topic is out of date.",
+            "Call publish() in publish_level itself.",
+        )
+    if any(one.number < call.number and meant(one) == meant(call) for one in went_well):
+        if any(arrived(one) for one in later):
+            return fail(
+                "number.repeat-dropped",
+                "This number had been sent before, and the method does not send it twice. But it was measured again; a "
+                "listener that hears nothing cannot know that.",
+                "Send each number, whatever was sent before it.",
+            )
+    if meant(call) == 0.0:
+        return why_zero_dropped(saw, expected)
+    if went_well and later and not any(one.sent for one in later):
+        return why_it_stops(saw, expected, len(went_well))
+    return fail(
+        "number.not-sent",
+        "publish() was not reached, or its publisher was made only now, and nobody is connected to it yet.",
+        "Create the publisher in __init__, and call its publish() in every call with a number.",
     )
 
 
-@criterion(points=1, title="None, a word and a list are refused with an error", needs=[floats_arrive])
-def no_number_refused(recording: Recording) -> Verdict:
-    return all_refused(recording, NO_NUMBERS, "None, 'full' and [50.0] raised an error")
+def why_it_stops(saw: str, expected: str, arrived_before: int) -> Verdict:
+    """Why nothing goes out from one call on. `arrived_before`: how many numbers had arrived until then."""
+    return see.failed(
+        "number.stops",
+        saw,
+        expected,
+        f"From this call on nothing goes out any more: the method remembers the calls before it. Until then "
+        f"{see.count(arrived_before, 'number')} had arrived.",
+        "Treat each call alike, whatever came before it.",
+    )
 
 
-@criterion(points=1, title="True and '50' are refused, although float() takes them", needs=[floats_arrive])
-def look_alikes_refused(recording: Recording) -> Verdict:
-    return all_refused(recording, LOOK_LIKE_NUMBERS, "True and '50' raised an error")
+def sends_what_was_before(before: DriverCall, call: DriverCall) -> bool:
+    """Whether a call sends the number of the call with a number before it, and not its own."""
+    return bool(call.sent) and meant(before) != meant(call) and abs(call.sent[0] - meant(before)) <= TOLERANCE
 
 
-@criterion(points=1, title="nan and inf are refused, although they are floats", needs=[floats_arrive])
-def not_finite_refused(recording: Recording) -> Verdict:
-    return all_refused(recording, NOT_FINITE, "nan and inf raised an error")
+def why_one_behind(saw: str, expected: str) -> Verdict:
+    """Why a number goes out one call too late."""
+    return see.failed(
+        "number.one-behind",
+        saw,
+        expected,
+        "Each call sends the number of the call before: it is sent before the new one is stored.",
+        "Make the message from the argument of this call.",
+    )
 
 
-@criterion(points=1, title="No 0.0 on the wire that nobody meant", needs=[floats_arrive])
-def no_invented_zero(recording: Recording) -> Verdict:
-    made = calls_made(recording)
-    invented = [call.value for call in made.values() if 0.0 in call.sent and MEANT.get(call.value) != 0.0]
-    if not invented:
-        return passed("0.0 went out only where it was meant")
-    return failed(
-        f"0.0 went out for {listing(invented)}",
-        "0.0 only for a battery that is empty",
-        "A listener cannot tell this zero from a real one. It will stop the robot, or send it home, for nothing.",
-        "Convert numbers with float(level), raise an error for all the rest, and have no 0.0 to fall back on.",
+def why_zero_dropped(saw: str, expected: str) -> Verdict:
+    """Why nothing went out for an empty battery."""
+    return see.failed(
+        "number.zero-dropped",
+        saw,
+        expected,
+        "Zero counts as false in Python, so `if level:` skips an empty battery.",
+        "Do not ask whether level is true. Ask whether it is a number.",
+    )
+
+
+def why_changed(call: DriverCall, made: list[DriverCall], saw: str, expected: str) -> Verdict:
+    """Why another number went out than the call was given."""
+
+    def fail(cause: str, because: str, try_this: str) -> Verdict:
+        return see.failed(cause, saw, expected, because, try_this)
+
+    sent, number = float(call.sent[0]), meant(call)
+    if call.argument in OTHER_NUMBERS and sent == 0.0:
+        return fail(
+            "number.not-converted",
+            "A float32 field wants a Python float. An int or a np.float32 is sent as 0.0 by this build, without a "
+            "word.",
+            "Convert at the door: Float32(data=float(level)).",
+        )
+    if abs(100.0 * sent - number) <= 100.0 * TOLERANCE:
+        return fail(
+            "number.fraction",
+            "It is divided by 100. The topic carries percent, so a listener takes this for an empty battery.",
+            "Send the number as it came.",
+        )
+    before = [one for one in made if one.number < call.number and one.argument in MEANT]
+    if before and sends_what_was_before(before[-1], call):
+        return why_one_behind(saw, expected)
+    if any(abs(round(number, digits) - sent) <= TOLERANCE for digits in range(5)) or int(number) == sent:
+        return fail(
+            "number.rounded",
+            "Decimals are cut off or rounded on the way: by round(), int(), or a type with fewer digits.",
+            "Send the number as it came. Round where it is shown, not where it is sent.",
+        )
+    return fail(
+        "number.changed",
+        "The number is changed on its way: scaled, limited, or turned into another type.",
+        "Send the number as it came, in percent.",
+    )
+
+
+def why_number_raised(call: DriverCall, made: list[DriverCall], saw: str, expected: str) -> Verdict:
+    """Why a call with a number raised an error."""
+
+    def fail(cause: str, because: str, try_this: str) -> Verdict:
+        return see.failed(cause, saw, expected, because, try_this)
+
+    if call.error.startswith("TypeError: Expected <class"):
+        return fail(
+            "number.no-message-made",
+            "publish() was given something that is not a Float32 message.",
+            "Make the message first: self.battery_publisher.publish(Float32(data=...)).",
+        )
+    if call.error.startswith(MISTAKES):
+        return fail(
+            "number.mistake",
+            "This error refuses nothing: it is a mistake in your method, a name that Python does not know.",
+            "Look for the name in the error, and for the line in the log.",
+        )
+    if went_well_before(call, made):
+        return fail(
+            "number.refused-later",
+            "Such calls had gone well before. So the method remembers something: an error, a count, or old values.",
+            "Treat each call alike, whatever came before it.",
+        )
+    if meant(call) in (0.0, 1.0):
+        return why_zero_raised(made, saw, expected)
+    if call.argument in OTHER_NUMBERS:
+        return fail(
+            "number.refused",
+            "Your test refuses more than it must: this is a number, only not a Python float.",
+            "Ask for a number of any kind (numbers.Real knows NumPy's as well), then send float(level).",
+        )
+    return fail(
+        "number.raised",
+        "An error came out of your method, although it was given a number.",
+        "Read the error: it names what went wrong in your method.",
+    )
+
+
+def went_well_before(call: DriverCall, made: list[DriverCall]) -> bool:
+    """Whether the same call arrived before, or every number did until the first refusal, and none after it."""
+    if any(one.number < call.number and one.argument == call.argument and arrived(one) for one in made):
+        return True
+    numbers = [one for one in made if one.argument in MEANT]
+    first_refusal = min((one.number for one in made if one.argument not in MEANT and refused(one)), default=0)
+    return first_refusal > 1 and all(arrived(one) == (one.number < first_refusal) for one in numbers)
+
+
+def why_zero_raised(made: list[DriverCall], saw: str, expected: str) -> Verdict:
+    """Why a call with 0 or 1 raised an error."""
+    if all(call.how == "raised" for call in made if call.argument in ("0.0", "1.0")):
+        return see.failed(
+            "number.taken-for-bool",
+            saw,
+            expected,
+            "0 == False and 1 == True in Python, so a comparison with a bool catches these numbers, too.",
+            "Ask for the type, not for the value: isinstance(level, bool).",
+        )
+    if all(call.how != "raised" for call in made if call.argument == "0.0"):
+        return see.failed(
+            "number.int-refused",
+            saw,
+            expected,
+            "Your test refuses more than it must: an int is a number, also where it is 0 or 1.",
+            "Ask for a number of any kind (numbers.Real knows NumPy's as well), then send float(level).",
+        )
+    return see.failed(
+        "number.zero-taken-for-missing",
+        saw,
+        expected,
+        "Zero counts as false in Python, so `if not level` takes an empty battery for no value.",
+        "Ask for what you mean, for example `if level is None`.",
+    )
+
+
+# --- why a value that is no charge was not refused ----------------------------------------------------------
+
+
+def why_not_refused(call: DriverCall, made: list[DriverCall]) -> Verdict:
+    """Why a value that is no charge was not refused."""
+    saw, expected = words(call), "an error for the one who called, and nothing on the wire"
+
+    def fail(cause: str, because: str, try_this: str) -> Verdict:
+        return see.failed(cause, saw, expected, because, try_this)
+
+    before = [one.sent[-1] for one in made if one.number < call.number and one.argument in MEANT and one.sent]
+    if before and call.sent and 0.0 != before[-1] == call.sent[0]:
+        return fail(
+            "refusal.last-again",
+            "That is the number that was sent last. Whoever listens takes it for measured once more.",
+            "Send nothing when there is nothing to send.",
+        )
+    if call.how == "raised" and call.sent:
+        return fail(
+            "refusal.too-late",
+            "The error comes too late: the message had gone out by then.",
+            "Look at the value first, and publish in the last line of the method.",
+        )
+    if not call.sent and strange(call):
+        return why_sent_later(call, saw, expected)
+    if not call.sent:
+        return fail(
+            "refusal.silent",
+            "The value is dropped in silence (return, pass, or only a line in the log). Whoever called believes that "
+            "the charge was reported.",
+            "raise TypeError or ValueError, with the value in its text.",
+        )
+    refused_ones = {one.argument for one in made if refused(one)}
+    if call.argument in NOT_FINITE:
+        return why_not_finite_sent(call, refused_ones, saw, expected)
+    if call.argument in LOOK_LIKE_NUMBERS:
+        return why_look_alike_sent(call, refused_ones, saw, expected)
+    return fail(
+        "refusal.no-number-sent",
+        "A message is sent for something that is no number. This build of ROS sends 0.0 for what is no float, or your "
+        "method makes a number of it.",
+        "raise TypeError if the value is no number, before you make the message.",
+    )
+
+
+def why_sent_later(call: DriverCall, saw: str, expected: str) -> Verdict:
+    """Why something went out after a call that was to send nothing had come back."""
+    return see.failed(
+        "refusal.sent-later",
+        f"{saw}; {as_float(strange(call)[0])} went out after it had come back",
+        expected,
+        "Something publishes besides publish_level, a timer for example, or later than the call.",
+        "Publish once in publish_level, and nowhere else.",
+    )
+
+
+def why_not_finite_sent(
+    call: DriverCall, refused_ones: Collection[str | None], saw: str, expected: str
+) -> Verdict:
+    """Why a message went out for nan or inf."""
+    hint = "Ask math.isfinite(level), and raise ValueError if it is not."
+
+    def fail(cause: str, because: str) -> Verdict:
+        return see.failed(cause, saw, expected, because, hint)
+
+    if 0.0 <= call.sent[0] <= 100.0:
+        return fail(
+            "refusal.nan-limited",
+            "A comparison with nan is always False, so min() and max() turn it into one of the limits.",
+        )
+    if call.argument == "-inf" and "inf" in refused_ones:
+        return fail("refusal.negative-infinity", "Your test finds inf, and infinity has two signs.")
+    if str(call.argument).startswith("np.") and {"nan", "inf", "-inf"} <= set(refused_ones):
+        return fail(
+            "refusal.numpy-not-finite", "Your test asks Python's floats only, and NumPy has nan and inf, too."
+        )
+    return fail(
+        "refusal.not-finite-sent",
+        f"{call.argument} is a float, so float() and isinstance() let it pass.",
+    )
+
+
+def why_look_alike_sent(
+    call: DriverCall, refused_ones: Collection[str | None], saw: str, expected: str
+) -> Verdict:
+    """Why a message went out for what only looks like a number."""
+    hint = "Look at the type, before you convert: is it a number, and no bool?"
+
+    def fail(cause: str, because: str) -> Verdict:
+        return see.failed(cause, saw, expected, because, hint)
+
+    if call.argument == "False" and "True" in refused_ones:
+        return fail(
+            "refusal.false-sent",
+            "Your test knows True, and False is a bool as well. It became an empty battery.",
+        )
+    if call.sent[0] == 0.0 and call.argument != "False":
+        return fail(
+            "refusal.look-alike-not-converted",
+            "A float32 field wants a Python float. Anything else is sent as 0.0 by this build, without a word.",
+        )
+    if call.argument in BOOLS:
+        return fail(
+            "refusal.bool-sent",
+            "In Python a bool is a kind of int, so True becomes 1.0: a battery of one percent.",
+        )
+    return fail(
+        "refusal.text-read",
+        "float('50') is 50.0: float() reads texts. Whoever sends a text has a bug that you would hide.",
     )

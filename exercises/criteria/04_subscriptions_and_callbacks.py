@@ -1,245 +1,101 @@
-"""How exercise 04 is judged: twenty readings are said to the monitor, and what it makes of them is compared."""
+"""How exercise 04 is judged: good and bad readings are said to the monitor, and its answers are compared."""
 
 import math
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
+from difflib import SequenceMatcher
+from itertools import pairwise
 
 from std_msgs.msg import Float32, String
 
 import workbook.criteria as see
-from workbook.criteria import Recording, Topic, Verdict, criterion, topic, watching
-from workbook.criteria.mishaps import find_mishap
+from workbook.criteria import Recording, Topic, Verdict, criterion, program_runs, topic, watching
 
 BATTERY_TOPIC, OTHER_TOPIC = "/robot/battery", "/other_robot/battery"
 PASSED_ON = topic("/monitor/battery", Float32)
 ALARM = topic("/monitor/alarm", String)
 
-# A battery that drains, is changed for a full one, and runs out. Each charge comes once, so that it can be told apart.
-READINGS = (
-    52.0, 51.5, 51.0, 50.25, 49.5, 100.0, 99.5, 98.75, 98.0, 97.25,
-    96.5, math.nan, 95.0, 94.25, 93.5, 12.5, 6.25, 0.0, 88.0, 87.5,
+AT_ONCE_S = 0.5  # the task names it
+SHARE_AT_ONCE = 0.9  # of the readings: the others may have been kept waiting by a busy machine
+
+# A battery that drains, is changed for a full one, runs out, and is changed again. In between the cable shakes.
+BEFORE_PAUSE = (52.0, 51.5, 51.0, 51.0, 50.25, 49.5)
+AFTER_PAUSE = (
+    49.25, -3.0, -3.0, 48.75, 100.0, 99.5, 98.75, 98.0, 97.25, 96.5, math.nan, 95.0, 94.25, 93.5, 120.0, math.inf,
+    math.nan, 92.75, 12.5, 6.25, 0.0, -0.125, 88.0, 87.5, 100.125, 87.25,
 )  # fmt: skip
-BAD_PLACE = 11
-GOOD = tuple(reading for reading in READINGS if math.isfinite(reading))
-OTHERS = (73.0, -40.0, 72.5)
+AT_THE_SAME_MOMENT = (86.75, 86.5, 86.25, 85.75)
+AT_THE_END = (
+    85.5, 6553.5, 85.25, 84.5, 84.5, 84.25, 83.75, -0.125, 83.5, 82.75, 81.5, 80.25, 79.75, 78.5, 77.25, 120.0,
+)  # fmt: skip
+READINGS = (*BEFORE_PAUSE, *AFTER_PAUSE, *AT_THE_SAME_MOMENT, *AT_THE_END)
+OTHERS = (73.0, -40.0, 72.5)  # not among the readings: whoever passes one on has heard the other robot
+BEGIN_S, APART_S, SAME_MOMENT_S = 0.5, 0.1, 0.01
+PAUSE_S, OTHERS_AFTER_S = 1.0, 0.55
+
+
+def is_good(reading: float) -> bool:
+    return 0.0 <= reading <= 100.0
+
+
+GOOD_PLACES = tuple(place for place, reading in enumerate(READINGS) if is_good(reading))
+BAD_PLACES = tuple(place for place, reading in enumerate(READINGS) if not is_good(reading))
+GOOD = tuple(READINGS[place] for place in GOOD_PLACES)
+BAD = tuple(READINGS[place] for place in BAD_PLACES)
+NEAR_LIMITS = {-0.125, 100.125}
+LIMITS = {0.0, 100.0}
+LOW_AT_MOST = 20.0
+
+# What some of the good readings have in common, by their places among the good ones.
+AFTER_BAD = {n for n, place in enumerate(GOOD_PLACES) if place and not is_good(READINGS[place - 1])}
+EQUAL_TO_LAST = {n for n, (last, one) in enumerate(pairwise(GOOD), 1) if last == one}
+JUMPS = {n for n, (last, one) in enumerate(pairwise(GOOD), 1) if abs(last - one) > 10.0}
+IN_A_MOMENT = {GOOD.index(reading) for reading in AT_THE_SAME_MOMENT}
+LOW = {n for n, reading in enumerate(GOOD) if reading <= LOW_AT_MOST}
+FIRST_AFTER_BAD = min(AFTER_BAD)
+BAD_IN_A_ROW = {n for n, (last, one) in enumerate(pairwise(BAD_PLACES), 1) if one == last + 1}
+
+
+def readings_with_times() -> list[tuple[float, float]]:
+    """Each reading with the moment (s of robot time) at which it is said."""
+    lines, at = [], BEGIN_S
+    for group, apart, pause in (
+        (BEFORE_PAUSE, APART_S, PAUSE_S),
+        (AFTER_PAUSE, APART_S, 0.0),
+        (AT_THE_SAME_MOMENT, SAME_MOMENT_S, APART_S),
+        (AT_THE_END, APART_S, 0.0),
+    ):
+        for reading in group:
+            lines.append((round(at, 2), reading))
+            at += apart
+        at += pause
+    return lines
+
+
+SAID_AT = readings_with_times()
+PAUSE_BEGINS_S, LAST_AT_S = SAID_AT[len(BEFORE_PAUSE) - 1][0], SAID_AT[-1][0]
+WATCH_S = LAST_AT_S + 1.4  # a timer that repeats the last alarm each second does so in this time
 
 WATCH = watching(
-    robot_seconds=5.0,
-    wall_seconds=5.0,
+    robot_seconds=WATCH_S,
+    wall_seconds=WATCH_S,
     script=[
-        see.says(BATTERY_TOPIC, Float32, [(0.5 + 0.1 * n, reading) for n, reading in enumerate(READINGS)]),
+        see.says(BATTERY_TOPIC, Float32, SAID_AT),
         see.says(
             OTHER_TOPIC,
             Float32,
-            [(3.2 + 0.1 * n, reading) for n, reading in enumerate(OTHERS)],
+            [
+                (PAUSE_BEGINS_S + OTHERS_AFTER_S, OTHERS[0]),
+                (PAUSE_BEGINS_S + OTHERS_AFTER_S + 0.1, OTHERS[1]),
+                (LAST_AT_S + 0.4, OTHERS[2]),
+            ],
             awaited=False,
         ),
     ],
 )
 
-_NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:[.,]\d+)?")
-_NO_NUMBER = re.compile(r"\bnan\b|not a number", re.IGNORECASE)
-JUMPS = {100.0, 12.5, 88.0}
-LOW = {12.5, 6.25, 0.0}
-LIMITS = {0.0, 100.0}
-
-
-# --- what came back -----------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Answered:
-    """What the monitor passed on: readings of its own robot, the bad one, what stands in its place, other robots'."""
-
-    ours: tuple[float, ...]
-    bad: int
-    instead: float | None
-    others: tuple[float, ...]
-
-
-def passed_on(recording: Recording) -> Answered:
-    """Sort out what arrived on /monitor/battery."""
-    levels = [level for level in see.values(recording, PASSED_ON) if isinstance(level, float)]
-    others = tuple(level for level in levels if level in OTHERS)
-    finite = [level for level in levels if math.isfinite(level) and level not in OTHERS]
-    instead = None
-    if len(finite) == len(GOOD) + 1 and tuple(finite[:BAD_PLACE] + finite[BAD_PLACE + 1 :]) == GOOD:
-        instead = finite.pop(BAD_PLACE)
-    return Answered(tuple(finite), sum(not math.isfinite(level) for level in levels), instead, others)
-
-
-@dataclass(frozen=True)
-class Alarms:
-    """Texts of alarms, by what they are about. `unnamed`: about the bad reading, but without naming it."""
-
-    named: tuple[str, ...]
-    unnamed: tuple[str, ...]
-    false: tuple[str, ...]
-    others: tuple[str, ...]
-
-
-def alarms(recording: Recording) -> Alarms:
-    """Sort out the alarms: by the number that they name, or else by what was said last before they came."""
-    found: dict[str, list[str]] = {"named": [], "unnamed": [], "false": [], "others": []}
-    for arrival in recording.topic(ALARM.name).arrivals:
-        text = str(arrival.value.get("data"))
-        found[_about(recording, text, arrival.published)].append(text)
-    return Alarms(**{kind: tuple(texts) for kind, texts in found.items()})
-
-
-def _about(recording: Recording, text: str, wall: float) -> str:
-    if _NO_NUMBER.search(text):
-        return "named"
-    numbers = {float(number.replace(",", ".")) for number in _NUMBER.findall(text)}
-    if numbers & set(OTHERS):
-        return "others"
-    if numbers & (set(GOOD) - {0.0, 100.0}):
-        return "false"
-    before = [one for one in recording.said if one.wall <= wall]
-    last = max(before, key=lambda one: one.wall, default=None)
-    if last is None:
-        return "false"
-    if last.topic == OTHER_TOPIC:
-        return "others"
-    return "unnamed" if math.isnan(last.value["data"]) else "false"
-
-
-def shown(level: float) -> str:
-    return f"{level:g}"
-
-
-# --- words for what may be wrong with the order -------------------------------------------------------------
-
-EXPECTED = f"the {len(GOOD)} good readings on {PASSED_ON.name}, each once, in the order in which they came"
-
-
-def late_publisher(recording: Recording, one: Topic) -> bool:
-    """Whether the publisher was made only when readings were coming in already."""
-    seen = recording.topic(one.name).publishers
-    first_said = min((word.t for word in recording.said), default=0.0)
-    return bool(seen) and all(publisher.first_seen > first_said for publisher in seen)
-
-
-LATE = (
-    "The publisher is made in the callback. It takes a moment until others have found it, and what was published "
-    "before that is gone.",
-    "Make publishers once, in __init__. In the callback, only use them.",
-)
-
-
-def ended_with_an_error(recording: Recording) -> Verdict | None:
-    """What ended the program before its time, in words; None if it lived."""
-    mishap = find_mishap(recording.process.log, recording.process.program)
-    if recording.process.ended_by != "itself" or mishap is None:
-        return None
-    return see.failed(
-        f"Your program had ended by then: {mishap.where}{mishap.error}", "", mishap.because, mishap.try_this
-    )
-
-
-def nothing_came(recording: Recording) -> Verdict:
-    """Nothing on /monitor/battery: find out why."""
-    asked = {one.durability for one in recording.topic(BATTERY_TOPIC).subscribers}
-    if asked == {"transient_local"}:
-        return see.failed(
-            f"nothing on {PASSED_ON.name}: your subscription asks for transient local",
-            EXPECTED,
-            "It asks for messages from before it was there, and the sensor keeps none. So the two are not connected.",
-            "Give create_subscription() a plain depth, such as 10.",
-        )
-    if recording.topic(PASSED_ON.name).publishers and late_publisher(recording, PASSED_ON):
-        return see.failed(f"nothing on {PASSED_ON.name}", EXPECTED, *LATE)
-    if (ended := ended_with_an_error(recording)) is not None:
-        return see.failed(
-            f"nothing on {PASSED_ON.name}. {ended.saw}", EXPECTED, ended.because, ended.try_this
-        )
-    return see.failed(
-        f"{len(READINGS)} readings were sent to {BATTERY_TOPIC}, and nothing came on {PASSED_ON.name}",
-        EXPECTED,
-        "Either nobody spins the node, so the callback never runs, or the callback does not publish.",
-        "Spin the node with rclpy.spin(node), and publish the good readings inside the callback.",
-        about_time=True,
-    )
-
-
-def missing_readings(recording: Recording, ours: tuple[float, ...]) -> Verdict:
-    """Some good readings did not come: which, and what that tells."""
-    lost = [level for level in GOOD if level not in ours]
-    saw = f"{len(GOOD) - len(lost)} of {len(GOOD)} good readings came, the first that is missing is {shown(lost[0])} %"
-    if (ended := ended_with_an_error(recording)) is not None:
-        return see.failed(f"{saw}. {ended.saw}", EXPECTED, ended.because, ended.try_this)
-    if set(lost) <= LIMITS:
-        because = (
-            "0 and 100 % are charges, too: an empty battery and a full one. The limits belong to the range."
-        )
-        try_this = "Use <= where you have <: 0.0 <= message.data <= 100.0."
-    elif set(lost) <= JUMPS:
-        because = "What is missing comes after a jump. A battery that was changed for a full one jumps, too."
-        try_this = "Judge each reading for itself: is it a charge from 0 to 100 %?"
-    elif set(lost) <= LOW:
-        because = "Only low charges are missing. A low charge is bad news, but it is no bad reading."
-        try_this = "Pass on all from 0 to 100 %."
-    elif lost == [*GOOD[BAD_PLACE:]]:
-        because = (
-            "Nothing comes after the bad reading: the node ends, or remembers the fault and never forgets it."
-        )
-        try_this = (
-            "Judge each reading for itself, and return from the callback without an error after the alarm."
-        )
-    elif late_publisher(recording, PASSED_ON) and lost[0] == GOOD[0]:
-        because, try_this = LATE
-    else:
-        because = (
-            "The node was busy or asleep while they came, and the queue was too short; or a timer passes on what came "
-            "last, and what came before that is forgotten."
-        )
-        try_this = (
-            "Publish inside the callback, at once, keep it short, and give the subscription a depth of 10."
-        )
-    return see.failed(saw, EXPECTED, because, try_this, about_time=True)
-
-
-def changed_or_mixed(ours: tuple[float, ...]) -> Verdict:
-    """All that came is not what was sent: changed on the way, twice, or in another order."""
-    strange = [level for level in ours if level not in GOOD]
-    twice = [level for level in dict.fromkeys(ours) if ours.count(level) > 1 and level in GOOD]
-    if ours and set(ours) == {0.0}:
-        return see.failed(
-            f"0 in each of the {len(ours)} messages on {PASSED_ON.name}",
-            EXPECTED,
-            "The message is never filled, or is given no Python float: stock ROS sends an int as 0.0, without a word.",
-            "Pass on message.data as it is: Float32(data=message.data), or publish the message itself.",
-        )
-    if strange:
-        near = min(GOOD, key=lambda level: abs(level - strange[0]))
-        return see.failed(
-            f"{shown(strange[0])} on {PASSED_ON.name}, which nobody sent; {shown(near)} was sent",
-            EXPECTED,
-            "The reading is changed on the way: rounded, averaged, limited or computed from others.",
-            "Pass on message.data as it is.",
-        )
-    if twice:
-        return see.failed(
-            f"{shown(twice[0])} came {ours.count(twice[0])} times on {PASSED_ON.name}",
-            EXPECTED,
-            "Two subscriptions hear the same topic, or a timer sends the last reading again.",
-            "One subscription, and one publish for each call of the callback.",
-        )
-    place = next(n for n, (one, other) in enumerate(zip(ours, GOOD, strict=False)) if one != other)
-    return see.failed(
-        f"{shown(ours[place])} came where {shown(GOOD[place])} should be, as reading {place + 1}",
-        EXPECTED,
-        "Readings are collected and sent in another order, such as the newest first or sorted.",
-        "Publish each one inside the callback, at once: it is called in the right order.",
-    )
-
-
-# --- the criteria -------------------------------------------------------------------------------------------
-
-
-@criterion(points=0, title="Your program runs and its node is on the graph")
-def program_runs(recording: Recording) -> Verdict:
-    return see.program_runs(recording)
+LONGEST_QUOTE = 60  # characters of an alarm that feedback quotes
 
 
 @criterion(points=1, title="It listens to /robot/battery, type Float32", needs=[program_runs])
@@ -252,6 +108,7 @@ def battery_topic(recording: Recording) -> Verdict:
     verdict = see.publishes(recording, PASSED_ON)
     if not verdict.ok and recording.topic(BATTERY_TOPIC).publishers:
         return see.failed(
+            "battery-topic.publishes-where-it-listens",
             f"your node publishes {BATTERY_TOPIC}, and nothing on {PASSED_ON.name}",
             verdict.expected,
             "It publishes where it listens. So it hears itself, answers itself, and so on without end.",
@@ -260,40 +117,45 @@ def battery_topic(recording: Recording) -> Verdict:
     return verdict
 
 
-@criterion(
-    points=2, title="All 19 good readings are passed on, in the right order", needs=[listens, battery_topic]
-)
+@criterion(points=0, title="It passes readings on", needs=[listens, battery_topic])
+def passes_on(recording: Recording) -> Verdict:
+    if see.values(recording, PASSED_ON):
+        return see.passed("readings come")
+    return why_nothing_came(recording)
+
+
+@criterion(points=2, title="All good readings are passed on, at once, in the right order", needs=[passes_on])
 def in_order(recording: Recording) -> Verdict:
-    ours = passed_on(recording).ours
-    if ours == GOOD:
-        return see.passed(f"{len(GOOD)} good readings, from {shown(GOOD[0])} to {shown(GOOD[-1])}, in order")
-    if not ours:
-        return nothing_came(recording)
-    if set(ours) <= set(GOOD) and not set(GOOD) <= set(ours) and set(ours) != {0.0}:
-        return missing_readings(recording, ours)
-    return changed_or_mixed(ours)
+    answered = passed_on(recording)
+    if answered.ours == GOOD:
+        return at_once(recording)
+    if answered.extra:
+        return why_others_came(answered)
+    return why_some_are_missing(recording, answered.lost)
 
 
-@criterion(points=1, title="The bad reading is not passed on", needs=[in_order])
+@criterion(points=1, title="No bad reading is passed on, and nothing in its place", needs=[passes_on])
 def bad_kept_back(recording: Recording) -> Verdict:
     answered = passed_on(recording)
-    expected = f"nothing on {PASSED_ON.name} for the bad reading"
-    if answered.bad:
+    if answered.instead and set(answered.instead) <= LIMITS:
         return see.failed(
-            f"nan on {PASSED_ON.name}, behind {shown(GOOD[BAD_PLACE - 1])}",
-            expected,
-            "nan is not a number: nan < 0 is False, nan > 100 is False, and nan == nan is False, too. So it slips "
-            "through any test that asks for what is bad.",
-            "Ask for what is good: 0.0 <= message.data <= 100.0 is False for nan. Or ask math.isnan(message.data).",
+            "bad-kept-back.clamped",
+            f"{shown(answered.instead[0])} on {PASSED_ON.name} in place of a bad reading",
+            NO_BAD_ONES,
+            "A bad reading is pulled to the nearest limit. Whoever listens takes it for measured.",
+            "Raise the alarm, and publish nothing on this topic.",
         )
-    if answered.instead is not None:
+    if answered.instead:
         return see.failed(
-            f"{shown(answered.instead)} on {PASSED_ON.name} in place of the bad reading",
-            expected,
+            "bad-kept-back.replaced",
+            f"{shown(answered.instead[0])} on {PASSED_ON.name} in place of a bad reading",
+            NO_BAD_ONES,
             "The node makes up a reading. Whoever listens takes it for measured.",
             "Raise the alarm, and publish nothing on this topic.",
         )
-    return see.passed("nothing came in its place")
+    if answered.bad:
+        return why_bad_ones_came(answered.bad)
+    return see.passed("nothing came in their place")
 
 
 @criterion(points=1, title="/monitor/alarm carries String", needs=[program_runs])
@@ -301,78 +163,709 @@ def alarm_topic(recording: Recording) -> Verdict:
     return see.publishes(recording, ALARM)
 
 
-@criterion(points=2, title="One alarm for the bad reading, naming it", needs=[listens, alarm_topic])
+@criterion(points=0, title="It raises alarms", needs=[listens, alarm_topic])
+def alarms_come(recording: Recording) -> Verdict:
+    if recording.topic(ALARM.name).arrivals:
+        return see.passed("alarms come")
+    return why_no_alarm_came(recording)
+
+
+@criterion(points=2, title="One alarm for each bad reading, with its value", needs=[alarms_come])
 def one_alarm(recording: Recording) -> Verdict:
     found = alarms(recording)
-    expected = f'exactly one text on {ALARM.name} for the bad reading, with its value in it: "nan"'
-    about_it = (*found.named, *found.unnamed)
-    if len(about_it) > 1:
+    if found.misnamed:
+        place, text = found.misnamed[0]
+        return see.partial(
+            "one-alarm.value-not-named",
+            0.5,
+            f"the alarm for the bad reading {shown(BAD[place])} says {quoted(text)}",
+            ONE_EACH,
+            "Somebody has to find the fault by this text, and the value is the best clue.",
+            'Put the value in, as it came: String(data=f"bad battery reading: {message.data}").',
+        )
+    if len(found.repeated) > len(found.missed):
         return see.failed(
-            f'{len(about_it)} alarms for one bad reading, the first is "{about_it[0][:60]}"',
-            expected,
-            "The alarm is published in a timer or a loop, or by more than one subscription.",
+            "one-alarm.repeated",
+            f"{len(found.repeated)} alarms too many for bad readings, the first is {quoted(found.repeated[0])}",
+            ONE_EACH,
+            "The alarm is published in a timer or a loop, more than once in the callback, or by more than one "
+            "subscription.",
             "Publish it inside the callback, once for each bad reading.",
         )
-    if found.named:
-        return see.passed(f'the alarm says "{found.named[0][:60]}"')
-    if found.unnamed:
-        return see.partial(
-            0.5,
-            f'the alarm says "{found.unnamed[0][:60]}" and not which value it is about',
-            expected,
-            "Somebody has to find the fault by this text, and the value is the best clue.",
-            'Put the value in: String(data=f"bad battery reading: {message.data}").',
-        )
-    if recording.topic(ALARM.name).publishers and late_publisher(recording, ALARM):
-        return see.failed(f"no alarm arrived on {ALARM.name}", expected, *LATE)
-    if (ended := ended_with_an_error(recording)) is not None:
-        return see.failed(
-            f"no alarm for the bad reading. {ended.saw}", expected, ended.because, ended.try_this
-        )
-    if len(set(GOOD) - set(passed_on(recording).ours)) > len(LOW):
-        return see.failed(
-            "no alarm for the bad reading",
-            expected,
-            "Good readings are missing, too: perhaps your callback never got the bad one.",
-            "See first that all good readings are passed on.",
-            about_time=True,
-        )
-    return see.failed(
-        "no alarm for the bad reading, which was nan",
-        expected,
-        "nan is not a number, and every comparison with it is False: nan < 0, nan > 100, and even nan == nan.",
-        "Ask whether the reading is good, 0.0 <= message.data <= 100.0, and raise the alarm if it is not.",
-    )
+    if found.missed:
+        return why_alarms_are_missing(recording, found.missed)
+    return see.passed(f"{len(BAD)} alarms for {len(BAD)} bad readings")
 
 
-@criterion(points=1, title="No alarm for good readings", needs=[one_alarm])
+@criterion(points=1, title="No alarm for good readings", needs=[alarms_come])
 def no_false_alarm(recording: Recording) -> Verdict:
-    false = alarms(recording).false
-    if not false:
-        return see.passed("none")
-    because = "Readings from 0 to 100 % are good, both limits included, whatever came before them."
-    try_this = "Decide by this one reading: 0.0 <= message.data <= 100.0."
-    if any(shown(level) in false[0] for level in LOW if level):
-        because = "A low battery is bad news, but it is no bad reading."
-    elif len(false) > len(LOW):
-        because = "Once the alarm has been raised, it is raised for what comes after it, too."
-    return see.failed(
-        f'{len(false)} alarm{"s" if len(false) > 1 else ""} too many, the first is "{false[0][:60]}"',
-        f"no alarm for the {len(GOOD)} good readings",
-        because,
-        try_this,
-    )
+    found = alarms(recording)
+    return why_false_alarms(found) if found.false else see.passed("none")
 
 
-@criterion(points=1, title="It is silent about /other_robot/battery", needs=[in_order])
+@criterion(points=1, title="It is silent about /other_robot/battery", needs=[passes_on])
 def own_robot_only(recording: Recording) -> Verdict:
     others, about_them = passed_on(recording).others, alarms(recording).others
     if not others and not about_them:
         return see.passed(f"{len(OTHERS)} readings of another robot, and not a word")
-    saw = f"{shown(others[0])} on {PASSED_ON.name}" if others else f'the alarm "{about_them[0][:60]}"'
+    saw = f"{shown(others[0])} on {PASSED_ON.name}" if others else f"the alarm {quoted(about_them[0])}"
     return see.failed(
+        "own-robot-only.hears-others",
         f"{saw}: that is a reading of {OTHER_TOPIC}",
         f"readings of {BATTERY_TOPIC} only",
         "The node subscribes to more than its own robot's battery.",
         f"One subscription, to {BATTERY_TOPIC!r}.",
+    )
+
+
+# --- what came back -----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Answered:
+    """What the monitor passed on.
+
+    `ours`: readings of its own robot from 0 to 100 %. `lost`: which of the good ones did not come, by their places
+    among them. `extra`: what came and was not sent. `instead`: what came in the place of bad readings.
+    """
+
+    ours: tuple[float, ...]
+    lost: tuple[int, ...]
+    extra: tuple[float, ...]
+    instead: tuple[float, ...]
+    bad: tuple[float, ...]
+    others: tuple[float, ...]
+
+
+def passed_on(recording: Recording) -> Answered:
+    """Sort out what arrived on /monitor/battery."""
+    levels = [level for level in see.values(recording, PASSED_ON) if isinstance(level, float)]
+    others = tuple(level for level in levels if level in OTHERS)
+    bad = tuple(level for level in levels if not is_good(level) and level not in OTHERS)
+    good = [level for level in levels if is_good(level) and level not in OTHERS]
+    lost: list[int] = []
+    extra: list[float] = []
+    instead: list[float] = []
+    ours: list[float] = []
+    for kind, i, end, j, to in SequenceMatcher(None, GOOD, good, autojunk=False).get_opcodes():
+        came = good[j:to]
+        if kind == "insert" and len(came) <= bad_before(behind_equals(i, came)):
+            instead += came
+            continue
+        ours += came
+        if kind != "equal":
+            lost += range(i, end)
+            extra += came
+    if instead and extra:  # more than the bad readings brings something that was not sent
+        return Answered(tuple(good), tuple(lost), (*instead, *extra), (), bad, others)
+    return Answered(tuple(ours), tuple(lost), tuple(extra), tuple(instead), bad, others)
+
+
+def behind_equals(place: int, came: list[float]) -> int:
+    """Where what came may stand as well: behind good readings that it is equal to."""
+    while place < len(GOOD) and {GOOD[place]} == set(came):
+        place += 1
+    return place
+
+
+def bad_before(place: int) -> int:
+    """How many bad readings were said between the good one at `place` and the one before."""
+    last = GOOD_PLACES[place - 1] if place else -1
+    here = GOOD_PLACES[place] if place < len(GOOD) else len(READINGS)
+    return here - last - 1
+
+
+def at_once(recording: Recording) -> Verdict:
+    """All good readings came in order; whether they came at once."""
+    said_at = [word.t for word in see.said(recording, BATTERY_TOPIC) if is_good(word.value["data"])]
+    came_at = [
+        arrival.t
+        for arrival in recording.topic(PASSED_ON.name).arrivals
+        if arrival.value["data"] in GOOD and arrival.value["data"] not in OTHERS
+    ]
+    late = [came - said for said, came in zip(said_at, came_at, strict=False) if came - said > AT_ONCE_S]
+    if len(came_at) != len(said_at) or len(late) <= (1.0 - SHARE_AT_ONCE) * len(said_at):
+        return see.passed(f"{len(GOOD)} good readings, from {shown(GOOD[0])} to {shown(GOOD[-1])}, in order")
+    return see.failed(
+        "in-order.late",
+        f"{len(late)} of {len(GOOD)} good readings came late, one of them after {max(late):.1f} s",
+        f"each good reading on {PASSED_ON.name} within {AT_ONCE_S} s",
+        "Readings are collected and sent later, by a timer or in groups. Or the callback sleeps.",
+        "Publish each one inside the callback, at once.",
+        about_time=True,
+    )
+
+
+@dataclass(frozen=True)
+class Alarms:
+    """Texts of alarms, by what they are about.
+
+    `missed`: the bad readings without one, by their places among the bad ones. `misnamed`: such a place, and the text
+    that came for it, where there is one alarm for each bad reading. `before_bad`: whether a false one came before the
+    first bad reading.
+    """
+
+    missed: tuple[int, ...]
+    misnamed: tuple[tuple[int, str], ...]
+    repeated: tuple[str, ...]
+    false: tuple[str, ...]
+    others: tuple[str, ...]
+    before_bad: bool = False
+
+
+def alarms(recording: Recording) -> Alarms:
+    """Sort out the alarms: by the value that they name, or else by what was said last before they came."""
+    sent = [(str(one.value.get("data")), one.published) for one in recording.topic(ALARM.name).arrivals]
+    others = [text for text, at in sent if is_about_others(recording, text, at)]
+    own = [(text, at) for text, at in sent if not is_about_others(recording, text, at)]
+    pairs = in_turn([text for text, _ in own])
+    missed = tuple(sorted(set(range(len(BAD))) - pairs.keys()))
+    rest = [one for n, one in enumerate(own) if n not in pairs.values()]
+    after_bad = [one for one in rest if not is_good(last_reading(recording, one[1]))]
+    if missed and len(own) == len(BAD) and 2 * len(after_bad) > len(rest):
+        misnamed = tuple((place, own[place][0]) for place in range(len(BAD)) if pairs.get(place) != place)
+        return Alarms((), misnamed, (), (), tuple(others))
+    false = [one for one in rest if is_false(recording, *one)]
+    first_bad = min(
+        (word.wall for word in see.said(recording, BATTERY_TOPIC) if not is_good(word.value["data"])),
+        default=math.inf,
+    )
+    return Alarms(
+        missed,
+        (),
+        tuple(text for text, at in rest if (text, at) not in false),
+        tuple(text for text, _ in false),
+        tuple(others),
+        any(at < first_bad for _, at in false),
+    )
+
+
+def in_turn(texts: Sequence[str]) -> dict[int, int]:
+    """For as many bad readings as possible, in their order, a text that names it: place of the reading, of the text."""
+    longest = [[0] * (len(texts) + 1) for _ in range(len(BAD) + 1)]
+    for i in reversed(range(len(BAD))):
+        for j in reversed(range(len(texts))):
+            both = longest[i + 1][j + 1] + 1 if names(texts[j], BAD[i]) else 0
+            longest[i][j] = max(both, longest[i + 1][j], longest[i][j + 1])
+    pairs, i, j = {}, 0, 0
+    while i < len(BAD) and j < len(texts):
+        if names(texts[j], BAD[i]) and longest[i][j] == longest[i + 1][j + 1] + 1:
+            pairs[i] = j
+            i, j = i + 1, j + 1
+        elif longest[i][j] == longest[i][j + 1]:
+            j += 1
+        else:
+            i += 1
+    return pairs
+
+
+_NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:[.,]\d+)?")
+_NO_NUMBER = re.compile(r"\bnan\b|not a number", re.IGNORECASE)
+_INFINITE = re.compile(r"\binf(?:inity|inite)?\b", re.IGNORECASE)
+AS_ROUNDED = 0.05 + 1e-6  # an alarm may give its value with one decimal
+
+
+def numbers_in(text: str) -> list[float]:
+    return [float(number.replace(",", ".")) for number in _NUMBER.findall(text)]
+
+
+def names(text: str, reading: float) -> bool:
+    """Whether an alarm names a reading."""
+    if math.isnan(reading):
+        return bool(_NO_NUMBER.search(text))
+    if math.isinf(reading):
+        return bool(_INFINITE.search(text))
+    return any(abs(number - reading) <= AS_ROUNDED for number in numbers_in(text))
+
+
+def is_about_others(recording: Recording, text: str, published: float) -> bool:
+    """Whether an alarm is about the other robot. `published`: its wall time (s)."""
+    if set(numbers_in(text)) & set(OTHERS):
+        return True
+    if any(names(text, reading) for reading in BAD):
+        return False
+    last = see.latest_before(((one.wall, one) for one in recording.said), published)
+    return last is not None and last.topic == OTHER_TOPIC
+
+
+def last_reading(recording: Recording, published: float) -> float:
+    """The reading that was said last before an alarm was published; 0 before the first one."""
+    last = see.latest_before(((one.wall, one) for one in see.said(recording, BATTERY_TOPIC)), published)
+    return 0.0 if last is None else float(last.value["data"])
+
+
+def is_false(recording: Recording, text: str, published: float) -> bool:
+    """Whether an alarm is about a good reading."""
+    if any(names(text, reading) for reading in BAD):
+        return False
+    # 0 and 100 are no proof: an alarm may name the limits.
+    if set(numbers_in(text)) & (set(GOOD) - LIMITS):
+        return True
+    return is_good(last_reading(recording, published))
+
+
+def shown(level: float) -> str:
+    return f"{level:.7g}"
+
+
+def quoted(alarm: str) -> str:
+    return f'"{alarm[:LONGEST_QUOTE]}"'
+
+
+# --- why readings do not come as they were sent -------------------------------------------------------------
+
+EXPECTED = f"the {len(GOOD)} good readings on {PASSED_ON.name}, each once, in the order in which they came"
+NO_BAD_ONES = f"nothing on {PASSED_ON.name} for a bad reading"
+
+
+def why_nothing_came(recording: Recording) -> Verdict:
+    """Why nothing arrived on /monitor/battery."""
+    nothing = f"nothing on {PASSED_ON.name}"
+    asked = {one.durability for one in recording.topic(BATTERY_TOPIC).subscribers}
+    if asked == {"transient_local"}:
+        return see.failed(
+            "in-order.asks-for-old-messages",
+            f"{nothing}: your subscription asks for transient local",
+            EXPECTED,
+            "It asks for messages from before it was there, and the sensor keeps none. So the two are not connected.",
+            "Give create_subscription() a plain depth, such as 10.",
+        )
+    if made_late(recording, PASSED_ON):
+        return see.failed("in-order.publisher-made-late", nothing, EXPECTED, *MADE_LATE)
+    return ended_with_an_error(recording, nothing, EXPECTED) or see.failed(
+        "in-order.nothing-passed-on",
+        f"{len(READINGS)} readings were sent to {BATTERY_TOPIC}, and nothing came on {PASSED_ON.name}",
+        EXPECTED,
+        "Either nobody spins the node, so the callback never runs, or the callback does not publish.",
+        "Spin the node with rclpy.spin(node), and publish the good readings inside the callback.",
+        about_time=True,
+    )
+
+
+def why_some_are_missing(recording: Recording, lost: tuple[int, ...]) -> Verdict:
+    """Why these good readings, by their places, did not come."""
+    came = len(GOOD) - len(lost)
+    saw = f"{came} of {len(GOOD)} good readings came, the first that is missing is {shown(GOOD[lost[0]])} %"
+    return (
+        ended_with_an_error(recording, saw, EXPECTED)
+        or kept_back_for_its_value(saw, set(lost))
+        or kept_back_for_what_came_before(recording, saw, set(lost))
+        or lost_on_the_way(recording, saw, lost)
+    )
+
+
+def kept_back_for_its_value(saw: str, lost: set[int]) -> Verdict | None:
+    """Why the monitor did not want readings of such values; None if they have none in common."""
+    if {GOOD[place] for place in lost} <= LIMITS:
+        return see.failed(
+            "in-order.limits-kept-back",
+            saw,
+            EXPECTED,
+            "0 and 100 % are charges, too: an empty battery and a full one. The limits belong to the range.",
+            "Use <= where you have <: 0.0 <= message.data <= 100.0.",
+            about_time=True,
+        )
+    if lost <= LOW:
+        return see.failed(
+            "in-order.low-kept-back",
+            saw,
+            EXPECTED,
+            "Only low charges are missing. A low charge is bad news, but it is no bad reading.",
+            "Pass on all from 0 to 100 %.",
+            about_time=True,
+        )
+    return None
+
+
+def kept_back_for_what_came_before(recording: Recording, saw: str, lost: set[int]) -> Verdict | None:
+    """Why the monitor did not want these readings after those before them; None if nothing says so."""
+    came = passed_on(recording).ours
+    if came == all_but(AFTER_BAD):
+        return see.failed(
+            "in-order.after-bad-kept-back",
+            saw,
+            EXPECTED,
+            "What is missing came directly after a bad reading. What is good depends on this reading alone.",
+            EACH_FOR_ITSELF,
+            about_time=True,
+        )
+    if came == all_but(EQUAL_TO_LAST):
+        return see.failed(
+            "in-order.equal-kept-back",
+            saw,
+            EXPECTED,
+            "What is missing is equal to the reading before it. A charge may stay as it is.",
+            "Pass on each good reading, whatever came before it.",
+            about_time=True,
+        )
+    return jumps_or_stops(saw, lost) or taken_for_bad(recording, saw, lost)
+
+
+def jumps_or_stops(saw: str, lost: set[int]) -> Verdict | None:
+    """Whether the monitor kept back what came after a jump, or all after a bad reading."""
+    if lost <= JUMPS:
+        return see.failed(
+            "in-order.jumps-kept-back",
+            saw,
+            EXPECTED,
+            "What is missing comes after a jump. A battery that was changed for a full one jumps, too.",
+            EACH_FOR_ITSELF,
+            about_time=True,
+        )
+    if lost == {*range(FIRST_AFTER_BAD, len(GOOD))}:
+        return see.failed(
+            "in-order.stops-at-the-bad-one",
+            saw,
+            EXPECTED,
+            "Nothing comes after the first bad reading: the node ends, or remembers the fault and never forgets it.",
+            "Judge each reading for itself, and return from the callback without an error after the alarm.",
+            about_time=True,
+        )
+    return None
+
+
+def taken_for_bad(recording: Recording, saw: str, lost: set[int]) -> Verdict | None:
+    """Whether the monitor raised alarms about the readings that are missing."""
+    alarmed = alarms(recording).false
+    of_them = [GOOD[place] for place in sorted(lost) if any(names(text, GOOD[place]) for text in alarmed)]
+    if of_them and 2 * len(of_them) > len(lost):
+        return see.failed(
+            "in-order.taken-for-bad",
+            f"{saw}; there is an alarm about {shown(of_them[0])} %",
+            EXPECTED,
+            "The node takes good readings for bad ones. Perhaps it compares each with the one before.",
+            EACH_FOR_ITSELF,
+            about_time=True,
+        )
+    return None
+
+
+EACH_FOR_ITSELF = "Judge each reading for itself: is it a charge from 0 to 100 %?"
+
+
+def all_but(places: set[int]) -> tuple[float, ...]:
+    """The good readings without those at these places."""
+    return tuple(reading for n, reading in enumerate(GOOD) if n not in places)
+
+
+def lost_on_the_way(recording: Recording, saw: str, lost: tuple[int, ...]) -> Verdict:
+    """Why these readings are missing, if not for what they say."""
+    if recording.process.ended_by == "itself" and lost == tuple(range(lost[0], len(GOOD))):
+        return see.failed(
+            "in-order.ended",
+            f"{saw}. Your program had ended by then",
+            EXPECTED,
+            "The program ends by itself after a while.",
+            "Spin until somebody ends the program: rclpy.spin(node).",
+            about_time=True,
+        )
+    if made_late(recording, PASSED_ON) and lost[0] == 0:
+        return see.failed("in-order.first-ones-lost", saw, EXPECTED, *MADE_LATE, about_time=True)
+    return lost_at_an_end(saw, lost) or lost_among_others(saw, lost)
+
+
+def lost_at_an_end(saw: str, lost: tuple[int, ...]) -> Verdict | None:
+    """Why only the first or only the last one is missing; None if it is not so."""
+    if lost == (0,):
+        return see.failed(
+            "in-order.first-one-lost",
+            saw,
+            EXPECTED,
+            "Only the first reading is missing. The node lets it go, or needs it for something else.",
+            "Pass on each good reading, the first one, too.",
+            about_time=True,
+        )
+    if lost == (len(GOOD) - 1,):
+        return see.failed(
+            "in-order.held-back",
+            saw,
+            EXPECTED,
+            "Only the last reading is missing. The node holds each one until the next one comes.",
+            "Publish each one inside the callback, at once.",
+            about_time=True,
+        )
+    return None
+
+
+def lost_among_others(saw: str, lost: tuple[int, ...]) -> Verdict:
+    """Why these are missing, and others came before and after them."""
+    if set(lost) <= IN_A_MOMENT:
+        return see.failed(
+            "in-order.several-at-once-lost",
+            saw,
+            EXPECTED,
+            "What is missing came directly behind another reading. The queue was too short for them, or the node "
+            "leaves out what comes too soon.",
+            "Give the subscription a depth of 10, and publish in every call of the callback.",
+            about_time=True,
+        )
+    return see.failed(
+        "in-order.some-lost",
+        saw,
+        EXPECTED,
+        "The node was busy or asleep while they came, and the queue was too short; or a timer passes on what came "
+        "last, and what came before that is forgotten.",
+        "Publish inside the callback, at once, keep it short, and give the subscription a depth of 10.",
+        about_time=True,
+    )
+
+
+def why_others_came(answered: Answered) -> Verdict:
+    """Why what came is not what was sent: changed on the way, twice, or in another order."""
+    ours = answered.ours
+    strange = [level for level in ours if level not in GOOD]
+    twice = [level for level in dict.fromkeys(ours) if ours.count(level) > GOOD.count(level) > 0]
+    if set(ours) == {0.0}:
+        return see.failed(
+            "in-order.all-zero",
+            f"0 in each of the {len(ours)} messages on {PASSED_ON.name}",
+            EXPECTED,
+            "The message is never filled, or is given no Python float: stock ROS sends an int as 0.0, without a word.",
+            "Pass on message.data as it is: Float32(data=message.data), or publish the message itself.",
+        )
+    if strange:
+        near = min(GOOD, key=lambda level: abs(level - strange[0]))
+        return see.failed(
+            "in-order.changed",
+            f"{shown(strange[0])} on {PASSED_ON.name}, which nobody sent; {shown(near)} was sent",
+            EXPECTED,
+            "The reading is changed on the way: rounded, averaged, limited or computed from others.",
+            "Pass on message.data as it is.",
+        )
+    if twice:
+        return see.failed(
+            "in-order.repeated",
+            f"{shown(twice[0])} came {ours.count(twice[0])} times on {PASSED_ON.name}",
+            EXPECTED,
+            "Two subscriptions hear the same topic, or a timer sends the last reading again.",
+            "One subscription, and one publish for each call of the callback.",
+        )
+    place = next(n for n, (one, other) in enumerate(zip(ours, GOOD, strict=False)) if one != other)
+    return see.failed(
+        "in-order.other-order",
+        f"{shown(ours[place])} came where {shown(GOOD[place])} should be, as reading {place + 1}",
+        EXPECTED,
+        "Readings are collected and sent in another order, such as the newest first or sorted.",
+        "Publish each one inside the callback, at once: it is called in the right order.",
+    )
+
+
+ASK_WHAT_IS_GOOD = "Ask for what is good: 0.0 <= message.data <= 100.0."
+
+
+def why_bad_ones_came(came: tuple[float, ...]) -> Verdict:
+    """Why bad readings were passed on."""
+    saw = f"{shown(came[0])} on {PASSED_ON.name}"
+    kinds = kinds_of(came)
+    if kinds == {"nan"}:
+        return see.failed(
+            "bad-kept-back.passed-on",
+            saw,
+            NO_BAD_ONES,
+            "nan is not a number: nan < 0 is False, nan > 100 is False, and nan == nan is False, too. So it slips "
+            "through any test that asks for what is bad.",
+            "Ask for what is good: 0.0 <= message.data <= 100.0 is False for nan. Or ask math.isnan(message.data).",
+        )
+    if set(came) <= NEAR_LIMITS:
+        return see.failed(
+            "bad-kept-back.tolerance",
+            saw,
+            NO_BAD_ONES,
+            "The limits are a little wider than 0 and 100 %, or the reading is rounded before it is compared.",
+            ASK_WHAT_IS_GOOD,
+        )
+    if kinds == {"below"} or kinds == {"above"} or kinds == {"above", "inf"}:
+        return see.failed(
+            "bad-kept-back.one-limit-missing",
+            saw,
+            NO_BAD_ONES,
+            "Only one of the two limits is asked for.",
+            ASK_WHAT_IS_GOOD,
+        )
+    return see.failed(
+        "bad-kept-back.many-passed-on",
+        f"{see.listing(list(dict.fromkeys(map(shown, came))))} on {PASSED_ON.name}",
+        NO_BAD_ONES,
+        "Several kinds of bad readings are taken for good: a bad one may be below 0, above 100, or no number.",
+        ASK_WHAT_IS_GOOD,
+    )
+
+
+def kinds_of(readings: Sequence[float]) -> set[str]:
+    """Which kinds of bad readings these are."""
+    return {
+        "nan" if math.isnan(one) else "inf" if math.isinf(one) else "below" if one < 0.0 else "above"
+        for one in readings
+    }
+
+
+# --- why alarms are missing, or too many --------------------------------------------------------------------
+
+ONE_EACH = f"exactly one text on {ALARM.name} for each of the {len(BAD)} bad readings, with its value in it"
+
+
+def why_no_alarm_came(recording: Recording) -> Verdict:
+    """Why no alarm came at all."""
+    nothing = f"no alarm arrived on {ALARM.name}"
+    if made_late(recording, ALARM):
+        return first_alarms_lost(nothing)
+    ended = ended_with_an_error(recording, nothing, ONE_EACH)
+    if ended is not None:
+        return ended
+    if not see.values(recording, PASSED_ON):
+        return perhaps_not_called(nothing)
+    return see.failed(
+        "one-alarm.none",
+        f"{nothing}, and {len(BAD)} bad readings were sent",
+        ONE_EACH,
+        "The callback never publishes it.",
+        "Publish a String in the callback when the reading is not good.",
+        about_time=True,
+    )
+
+
+def first_alarms_lost(saw: str) -> Verdict:
+    """Nobody had found the publisher of the alarm by then."""
+    return see.failed("one-alarm.publisher-made-late", saw, ONE_EACH, *MADE_LATE)
+
+
+def perhaps_not_called(saw: str) -> Verdict:
+    """Good readings are missing as well as alarms."""
+    return see.failed(
+        "one-alarm.readings-missing-too",
+        saw,
+        ONE_EACH,
+        "Good readings are missing, too: perhaps your callback never got the bad one.",
+        "See first that all good readings are passed on.",
+        about_time=True,
+    )
+
+
+def why_alarms_are_missing(recording: Recording, missed: tuple[int, ...]) -> Verdict:
+    """Why no alarm came for these bad readings, by their places among the bad ones."""
+    readings = tuple(BAD[place] for place in missed)
+    saw = f"no alarm for {len(missed)} of {len(BAD)} bad readings, the first of them is {shown(readings[0])}"
+    ended = ended_with_an_error(recording, saw, ONE_EACH)
+    if ended is not None:
+        return ended
+    if made_late(recording, ALARM) and readings == BAD[: len(missed)]:
+        return first_alarms_lost(saw)
+    if len(set(passed_on(recording).lost)) > len(GOOD) // 2:
+        return perhaps_not_called(saw)
+    if missed == tuple(range(1, len(BAD))):
+        return see.failed(
+            "one-alarm.first-only",
+            saw,
+            ONE_EACH,
+            "Only the first bad reading raises an alarm: the node remembers that it has raised one.",
+            "Publish an alarm for each bad reading, whatever came before it.",
+            about_time=True,
+        )
+    if set(missed) == BAD_IN_A_ROW:
+        return see.failed(
+            "one-alarm.one-in-a-row",
+            saw,
+            ONE_EACH,
+            "Of several bad readings in a row, only the first raises an alarm.",
+            "Publish an alarm for each bad reading, whatever came before it.",
+            about_time=True,
+        )
+    return why_a_kind_is_missing(saw, readings)
+
+
+def why_a_kind_is_missing(saw: str, readings: tuple[float, ...]) -> Verdict:
+    """Why no alarm came for bad readings of one kind, or of several."""
+    kinds = kinds_of(readings)
+    if kinds == {"nan"}:
+        return see.failed(
+            "one-alarm.missed",
+            saw,
+            ONE_EACH,
+            "nan is not a number, and every comparison with it is False: nan < 0, nan > 100, and even nan == nan.",
+            "Ask whether the reading is good, 0.0 <= message.data <= 100.0, and raise the alarm if it is not.",
+        )
+    if kinds == {"inf"}:
+        return see.failed(
+            "one-alarm.infinite-missed",
+            saw,
+            ONE_EACH,
+            "inf is larger than every number, so it is above 100.",
+            "Ask whether the reading is good, 0.0 <= message.data <= 100.0, and raise the alarm if it is not.",
+        )
+    return see.failed(
+        "one-alarm.kinds-missed",
+        saw,
+        ONE_EACH,
+        "Not every kind of bad reading raises an alarm. It may be below 0, above 100, or no number.",
+        "Ask whether the reading is good, 0.0 <= message.data <= 100.0, and raise the alarm if it is not.",
+        about_time=True,
+    )
+
+
+def why_false_alarms(found: Alarms) -> Verdict:
+    """Why there were alarms for good readings."""
+    false = found.false
+    saw = f"{len(false)} alarm{'s' if len(false) > 1 else ''} too many, the first is {quoted(false[0])}"
+    expected = f"no alarm for the {len(GOOD)} good readings"
+    hint = "Decide by this one reading: 0.0 <= message.data <= 100.0."
+    if any(shown(GOOD[place]) in false[0] for place in LOW if GOOD[place]):
+        return see.failed(
+            "no-false-alarm.low-charge",
+            saw,
+            expected,
+            "A low battery is bad news, but it is no bad reading.",
+            hint,
+        )
+    if len(false) > len(GOOD) // 2 and found.before_bad:
+        return see.failed(
+            "no-false-alarm.every-reading",
+            saw,
+            expected,
+            "Good readings bring texts on this topic, too, before there was any bad one.",
+            "Publish on this topic only when a reading is bad.",
+        )
+    if len(false) > len(GOOD) // 2:
+        return see.failed(
+            "no-false-alarm.goes-on",
+            saw,
+            expected,
+            "Once the alarm has been raised, it is raised for what comes after it, too.",
+            hint,
+        )
+    return see.failed(
+        "no-false-alarm.good-reading",
+        saw,
+        expected,
+        "Readings from 0 to 100 % are good, both limits included, whatever came before them.",
+        hint,
+    )
+
+
+# --- what may explain both ----------------------------------------------------------------------------------
+
+MADE_LATE = (
+    "The publisher is made in the callback. It takes a moment until others have found it, and what was published "
+    "before that is gone.",
+    "Make publishers once, in __init__. In the callback, only use them.",
+)
+
+
+def made_late(recording: Recording, one: Topic) -> bool:
+    """Whether the publisher was made only when readings were coming in already."""
+    seen = recording.topic(one.name).publishers
+    first_said = min((word.t for word in recording.said), default=0.0)
+    return bool(seen) and all(publisher.first_seen > first_said for publisher in seen)
+
+
+def ended_with_an_error(recording: Recording, saw: str, expected: str) -> Verdict | None:
+    """A failed verdict that blames the error which ended the program; None if it lived on."""
+    error = see.last_error(recording)
+    if recording.process.ended_by != "itself" or error is None:
+        return None
+    return see.failed(
+        error.cause,
+        f"{saw}. Your program had ended by then: {error.where}{error.error}",
+        expected,
+        error.because,
+        error.try_this,
     )

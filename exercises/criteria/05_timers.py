@@ -3,7 +3,7 @@
 from std_msgs.msg import Float32, String
 
 import workbook.criteria as see
-from workbook.criteria import Recording, Topic, Verdict, criterion, topic, watching
+from workbook.criteria import Recording, Topic, Verdict, criterion, program_runs, topic, watching
 
 WATCH = watching(robot_seconds=60)
 
@@ -12,19 +12,12 @@ BATTERY = topic("/robot/battery", Float32, hz=0.5)
 TILT = topic("/robot/tilt", Float32, hz=5.0)
 
 
-def in_rhythm(recording: Recording, one: Topic) -> Verdict:
-    """Evenly, as often as asked, and counted over the whole watch."""
-    return see.all_of(see.rate(recording, one), see.counts(recording, one), see.keeps_period(recording, one))
-
-
-@criterion(points=0, title="Your program runs and its node is on the graph")
-def program_runs(recording: Recording) -> Verdict:
-    return see.program_runs(recording)
-
-
 @criterion(points=1, title="/robot/heartbeat carries String", needs=[program_runs])
 def heartbeat_topic(recording: Recording) -> Verdict:
-    return see.publishes(recording, HEARTBEAT)
+    published = see.publishes(recording, HEARTBEAT)
+    if not published.ok or not see.values(recording, HEARTBEAT):
+        return published
+    return see.has_text(recording, HEARTBEAT)
 
 
 @criterion(points=2, title="The heart beats at 1 Hz: 60 times a minute", needs=[heartbeat_topic])
@@ -34,7 +27,7 @@ def heartbeat_count(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="/robot/battery carries Float32", needs=[program_runs])
 def battery_topic(recording: Recording) -> Verdict:
-    return see.publishes(recording, BATTERY)
+    return carries_floats(recording, BATTERY)
 
 
 @criterion(points=2, title="The battery reports at 0.5 Hz: 30 times a minute", needs=[battery_topic])
@@ -44,7 +37,7 @@ def battery_count(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="/robot/tilt carries Float32", needs=[program_runs])
 def tilt_topic(recording: Recording) -> Verdict:
-    return see.publishes(recording, TILT)
+    return carries_floats(recording, TILT)
 
 
 @criterion(points=2, title="The tilt comes at 5 Hz: 300 times a minute", needs=[tilt_topic])
@@ -55,3 +48,16 @@ def tilt_count(recording: Recording) -> Verdict:
 @criterion(points=1, title="The program is still alive at the end", needs=[program_runs])
 def alive_at_end(recording: Recording) -> Verdict:
     return see.alive_at_end(recording)
+
+
+def in_rhythm(recording: Recording, one: Topic) -> Verdict:
+    """Evenly, as often as asked, and counted over the whole watch."""
+    return see.all_of(see.rate(recording, one), see.counts(recording, one), see.keeps_period(recording, one))
+
+
+def carries_floats(recording: Recording, one: Topic) -> Verdict:
+    """The topic is there, and what is on it was given as a float. That something comes is judged with the rhythm."""
+    published = see.publishes(recording, one)
+    if not published.ok or not see.values(recording, one):
+        return published
+    return see.given_floats(recording, one)

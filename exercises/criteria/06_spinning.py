@@ -1,32 +1,41 @@
-"""How exercise 06 is judged: a driver calls `pump` four times, and everything that the nodes did is on the topics."""
+"""How exercise 06 is judged: a driver calls `pump` seven times, and everything that the nodes did is on the topics."""
 
 from dataclasses import dataclass, replace
+from itertools import pairwise
+from statistics import median
 
 from std_msgs.msg import Int32, Int32MultiArray, String
 
 import workbook.criteria as see
 from workbook.criteria import Recording, Verdict, criterion, topic, watching
-from workbook.criteria.mishaps import find_mishap
 
 HEARTBEAT = topic("/robot/heartbeat", Int32MultiArray)
 LOOK = topic("/robot/look", Int32MultiArray)
 HEARD = topic("/robot/heard", Int32MultiArray)
 JOB_BEGUN = topic("/robot/job_begun", Int32MultiArray)
 QUIET_HEARD = topic("/quiet/heard", Int32MultiArray)
+JOB_DONE = topic("/robot/job_done", Int32MultiArray)
 PUMP = topic("/driver/pump", String)
+CHANGED = topic("/driver/changed", String)
 
-BURST, AGAIN, SLOW, QUIET = 1, 2, 3, 4
-ASKED_S = {BURST: 1.5, AGAIN: 1.4, SLOW: 0.8, QUIET: 1.6}
+# The calls of pump by their number, and for how many seconds each asks. Between two calls the robots report 0.
+BETWEEN, BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST, SLOW, QUIET = 0, 1, 2, 3, 4, 5, 6, 7
+ASKED_S = {BURST: 2.1, AGAIN: 1.2, SHORT: 0.08, SHORT_TOO: 0.08, SHORTEST: 0.05, SLOW: 0.8, QUIET: 1.6}
+ROBOT_CALLS = (BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST)
 BURST_WORDS = range(1, 21)
 WAITING_WORDS = range(21, 26)
 JOBS = range(1, 8)
-JOB_S = 0.4
+JOB_S = 0.4  # as in the driver, like the next one
 HEARTBEAT_PERIOD_S = 0.1
 
-EARLY_S = 0.2
-LATE_S = 0.8
-DELAY_S = 1.5  # longer than a message needs to arrive, on however busy a machine
+# The task names these.
+EARLY_S, LATE_S = 0.05, 0.25
+LEAST_SHARE = 0.8  # of the heartbeats that are due
+LONGEST_SILENCE_S = 0.3
 PROCESSOR_SHARE = 0.12
+
+DELAY_S = 1.5  # longer than a message needs to arrive, on however busy a machine
+A_FEW_BEATS = 3  # fewer may be chance
 
 
 def ordered(at: float, order: str) -> list[tuple[float, str]]:
@@ -35,45 +44,359 @@ def ordered(at: float, order: str) -> list[tuple[float, str]]:
 
 
 WATCH = watching(
-    wall_seconds=8.5,
+    wall_seconds=9.8,
     script=[
         see.says(
             "/driver/go",
             String,
             [
-                *ordered(0.2, "1 robot 1.5"),
-                *ordered(2.2, "2 robot 1.4"),
-                *ordered(3.9, "3 robot 0.8"),
-                *ordered(5.2, "4 quiet_robot 1.6"),
+                *ordered(0.2, "1 robot 2.1"),
+                *ordered(2.75, "2 robot 1.2"),
+                *ordered(4.15, "3 robot 0.08"),
+                *ordered(4.15, "4 robot 0.08"),
+                *ordered(4.15, "5 robot 0.05"),
+                *ordered(5.3, "6 robot 0.8"),
+                *ordered(6.65, "7 quiet_robot 1.6"),
             ],
         ),
         see.says(
             "/robot/words",
             Int32,
             [
+                # The 0 is not judged: a message may hang until the next one.
                 *((0.25, word) for word in BURST_WORDS),
-                *(
-                    (at, 0) for at in (0.4, 0.6, 0.9)
-                ),  # the 0 is not judged: a message may hang until the next one
-                *((1.9, word) for word in WAITING_WORDS),
-                *((at, 0) for at in (2.3, 2.5, 2.7)),
+                *((at, 0) for at in (0.4, 0.6, 0.9)),
+                *((2.5, word) for word in WAITING_WORDS),
+                *((at, 0) for at in (2.9, 3.1, 3.3)),
             ],
         ),
-        see.says("/robot/jobs", Int32, [(3.7, job) for job in JOBS]),
+        see.says("/robot/jobs", Int32, [(5.1, job) for job in JOBS]),
         # Late in the call, so that a wait that begins anew shows, even when the call itself began half a second late.
-        see.says("/quiet/words", Int32, [(6.55, 1), (6.62, 2)]),
+        see.says("/quiet/words", Int32, [(8.0, 1), (8.07, 2)]),
     ],
 )
 
 
+@criterion(points=0, title="Your file loads, and pump can be called")
+def program_runs(recording: Recording) -> Verdict:
+    loaded = see.program_runs(recording)
+    if not loaded.ok:
+        return loaded
+    first = calls(recording).get(BURST)
+    if first is not None and first.raised is not None:
+        return first_call_raised(recording, first.raised)
+    if "missing" in see.driver_reports(recording, PUMP):
+        return see.failed(
+            "pump.missing",
+            "your file has no function of the name pump",
+            "def pump(node, seconds), at the left margin of the file",
+            "The name is spelled in another way, or the function sits inside of another one.",
+            "Write def pump(node: Node, seconds: float) -> None: at the left margin.",
+        )
+    return loaded
+
+
+@criterion(points=1, title="pump comes back", needs=[program_runs])
+def returns(recording: Recording) -> Verdict:
+    lost = not_made(recording, BURST)
+    if lost is not None:
+        return lost
+    call = calls(recording)[BURST]
+    if call.end is not None:
+        return see.passed("it came back")
+    return see.failed(
+        "returns.never",
+        f"not back {recording.wall_s - call.begin - ASKED_S[BURST]:.1f} s after its time was up",
+        f"pump(node, {ASKED_S[BURST]}) comes back",
+        "rclpy.spin and executor.spin know no end: they come back when ROS is shut down. Or the moment that ends "
+        "your loop is never reached: `seconds` are seconds.",
+        "Use rclpy.spin_once(node, timeout_sec=...) in a loop that looks at the clock.",
+        about_time=True,
+    )
+
+
+@criterion(points=1, title="It comes back when the time is up: not earlier, not later", needs=[returns])
+def returns_in_time(recording: Recording) -> Verdict:
+    lost = not_made(recording, BURST)
+    if lost is not None:
+        return lost
+    took = {
+        n: call.took for n, call in calls(recording).items() if n in ROBOT_CALLS and call.took is not None
+    }
+    early = next((n for n, seconds in took.items() if seconds < ASKED_S[n] - EARLY_S), None)
+    if early == BURST or (early is not None and BURST not in took):
+        return too_early(early, took[early])
+    same = [
+        seconds for n, seconds in took.items() if n != BURST and abs(seconds - took.get(BURST, 0.0)) < LATE_S
+    ]
+    if len(same) > 1 and len(same) == len(took) - 1:
+        return see.failed(
+            "in-time.first-time-kept",
+            f"the first call took {took[BURST]:.2f} s, and so did the others, which asked for less",
+            IN_TIME,
+            "The time of the first call is kept for the others.",
+            "Work out the end anew in each call, from its own seconds.",
+            about_time=True,
+        )
+    made = calls(recording)
+    typical = median(seconds - ASKED_S[n] - made[n].kept_waiting_s for n, seconds in took.items())
+    if typical > LATE_S:
+        worst = max(took, key=lambda n: took[n] - ASKED_S[n])
+        return see.failed(
+            "in-time.too-late",
+            f"asked for {ASKED_S[worst]:g} s, back after {took[worst]:.2f} s; in the median of "
+            f"{see.count(len(took), 'call')} {typical:.2f} s late",
+            IN_TIME,
+            "It works with another time than the one that was asked for: rounded up, or never shorter than some other. "
+            "Or its last wait is longer than what is left of the time.",
+            TIME_THAT_IS_LEFT,
+            about_time=True,
+        )
+    return see.passed(
+        f"asked for {ASKED_S[BURST]:g} s, took {took[BURST]:.2f} s; in the median of {see.count(len(took), 'call')} "
+        f"{max(0.0, typical):.2f} s late"
+    )
+
+
+@criterion(points=2, title="Every word of a burst is handled while it pumps", needs=[program_runs])
+def words_handled(recording: Recording) -> Verdict:
+    got = [word for word in done_in(recording, HEARD.name, BURST) if word in BURST_WORDS]
+    words = len(BURST_WORDS)
+    if sorted(got) == list(BURST_WORDS):
+        return see.passed(f"{words} of {words} words handled")
+    if len(got) > words:
+        return see.failed(
+            "words-handled.more-than-once",
+            f"{len(got)} words handled, and only {words} were said",
+            f"each of the {words} words once",
+            "The node has a second subscription now, or its callback is called by hand.",
+            "Leave the node as it is, and let spin_once call the callbacks.",
+        )
+    saw = f"{len(got)} of {words} words handled during the call"
+    expected = f"all {words} words that came while it pumped"
+    hint = (
+        "Call rclpy.spin_once(node, timeout_sec=...) again and again until the time is up, without a sleep."
+    )
+    if got:
+        return see.failed(
+            "words-handled.one-a-round",
+            saw,
+            expected,
+            "One spin_once runs one callback. What else is ready waits for the next spin_once.",
+            hint,
+            about_time=True,
+        )
+    return see.failed(
+        "words-handled.none",
+        saw,
+        expected,
+        "Nothing lets this node work while time passes. sleep keeps the callbacks waiting, too, and spinning "
+        "another node does not help this one.",
+        hint,
+        about_time=True,
+    )
+
+
+@criterion(points=1, title="The timers go on at their rate meanwhile", needs=[returns])
+def timers_tick(recording: Recording) -> Verdict:
+    asked = ASKED_S[BURST]
+    wanted = round(asked / HEARTBEAT_PERIOD_S)
+    beats, looks = (done_in(recording, one.name, BURST) for one in (HEARTBEAT, LOOK))
+    expected = (
+        f"at least {LEAST_SHARE:.0%} of {wanted} heartbeats, looks, and no silence over {LONGEST_SILENCE_S} s"
+    )
+    if len(beats) < LEAST_SHARE * wanted or not looks:
+        return see.failed(
+            "timers-tick.too-few",
+            f"{len(beats)} heartbeats and {len(looks)} looks around in {asked} s",
+            expected,
+            "A timer ticks only while somebody spins, and one spin_once runs one callback.",
+            "Spin until the time is up, and never sleep in between.",
+            about_time=True,
+        )
+    silence = longest_silence(recording)
+    if silence > LONGEST_SILENCE_S + kept_waiting(recording, BURST):
+        return see.failed(
+            "timers-tick.silence",
+            f"no heartbeat for {silence:.2f} s while it pumped",
+            expected,
+            "For a part of the time nobody spins: it sleeps, or has stopped working and waits for the end.",
+            "Spin until the time is up, and never sleep in between.",
+            about_time=True,
+        )
+    return see.passed(f"{len(beats)} heartbeats in {asked} s, and it looked around")
+
+
+@criterion(points=1, title="A second call does it again", needs=[returns, words_handled])
+def again(recording: Recording) -> Verdict:
+    lost = not_made(recording, AGAIN)
+    if lost is not None:
+        return lost
+    took = calls(recording)[AGAIN].took
+    if took is not None and took < ASKED_S[AGAIN] - EARLY_S:
+        return see.failed(
+            "again.ends-early",
+            f"the second call came back after {took:.2f} s",
+            f"back after {ASKED_S[AGAIN]} s",
+            "Something of the first call is still there, and ends the second one: a timer, a flag, a future.",
+            "Destroy what you made on the node (node.destroy_timer), and make it anew in each call.",
+        )
+    late = took is not None and took > ASKED_S[AGAIN] + 2 * LATE_S + kept_waiting(recording, AGAIN)
+    first = calls(recording)[BURST].took
+    if late and took is not None and first is not None and abs(took - first) < EARLY_S:
+        return see.failed(
+            "again.same-time-as-first",
+            f"the first call took {first:.2f} s, and the second one {took:.2f} s as well",
+            f"back after {ASKED_S[AGAIN]} s",
+            "The time of the first call is kept for the others.",
+            "Work out the end anew in each call, from its own seconds.",
+        )
+    told = [*done_in(recording, HEARD.name, BURST), *done_in(recording, HEARD.name, AGAIN)]
+    got = set(told) & set(WAITING_WORDS)
+    beats = done_in(recording, HEARTBEAT.name, AGAIN)
+    if len(got) == len(WAITING_WORDS) and len(beats) >= A_FEW_BEATS:
+        return see.passed(f"{len(got)} waiting words and {len(beats)} heartbeats in the second call")
+    return see.failed(
+        "again.does-nothing",
+        f"{len(got)} of {len(WAITING_WORDS)} waiting words and {len(beats)} heartbeats in the second call",
+        "words that waited in the queue are handled, and the timers tick again",
+        "The first call has destroyed the node or the executor, shut down ROS, or left a thread behind that "
+        "takes the work.",
+        "Do not destroy or shut down what you did not make. If you made an executor, end it in the same call.",
+        about_time=True,
+    )
+
+
+@criterion(points=1, title="Slow callbacks do not carry it far beyond its time", needs=[returns])
+def slow_callbacks(recording: Recording) -> Verdict:
+    verdict = in_time(recording, SLOW, extra=JOB_S)
+    if not verdict.ok:
+        return verdict
+    begun = done_in(recording, JOB_BEGUN.name, SLOW)
+    if begun:
+        return see.passed(f"{verdict.saw}, with {len(begun)} slow jobs begun")
+    return see.failed(
+        "slow-callbacks.none-begun",
+        "none of the slow jobs was begun",
+        "the jobs are begun one after the other, as far as the time reaches",
+        "The queue of /robot/jobs was never looked at.",
+        "Let rclpy.spin_once(node, timeout_sec=...) choose what to run.",
+        about_time=True,
+    )
+
+
+@criterion(points=1, title="It comes back from a node that has almost nothing to do", needs=[returns])
+def quiet_node(recording: Recording) -> Verdict:
+    return in_time(recording, QUIET)
+
+
+@criterion(points=1, title="It leaves the processor alone while it waits", needs=[returns])
+def easy_on_the_processor(recording: Recording) -> Verdict:
+    made = {number: call for number, call in calls(recording).items() if call.end is not None}
+    # The quiet robot has nothing to do. What the callbacks of the other cost depends on the executor and the machine.
+    idle = [QUIET] if QUIET in made else [number for number in (BURST, AGAIN) if number in made]
+    share = max((made[number].processor_share for number in idle), default=0.0)
+    if share < PROCESSOR_SHARE:
+        return see.passed(f"{share:.0%} of one processor")
+    return see.failed(
+        "easy-on-the-processor.never-waits",
+        f"{share:.0%} of one processor, most of it for waiting",
+        f"less than {PROCESSOR_SHARE:.0%}",
+        "A loop with timeout_sec=0, or a very short one, hardly waits: it asks again and again whether there is work.",
+        "Let spin_once wait, 0.05 s for example, but not longer than is left. It wakes up by itself when a callback is "
+        "ready.",
+    )
+
+
+@criterion(points=1, title="When it is back, nothing goes on, and the node is as it was", needs=[returns])
+def nothing_left_running(recording: Recording) -> Verdict:
+    beats = done_in(recording, HEARTBEAT.name, BETWEEN)
+    if len(beats) >= A_FEW_BEATS:
+        return see.failed(
+            "nothing-left-running.spins-on",
+            f"{len(beats)} heartbeats between the calls",
+            "no callback runs unless pump is called",
+            "A thread that spins was left behind. It handles callbacks at moments that nobody expects, "
+            "and may abort the process at its end.",
+            "Spin in the thread that called pump. If you need another one: executor.shutdown(), then join().",
+        )
+    begun = {number: call for call, number in reports(recording, JOB_BEGUN.name)}
+    cut_off = [
+        number for call, number in reports(recording, JOB_DONE.name) if begun.get(number, call) != call
+    ]
+    if cut_off:
+        return see.failed(
+            "nothing-left-running.still-works",
+            f"job {cut_off[0]} was begun in a call, and still ran when the call had come back",
+            "no callback runs unless pump is called",
+            "Callbacks run in other threads, and pump does not wait until they are done.",
+            "Run the callbacks in the thread that called pump, as rclpy.spin_once(node, timeout_sec=...) does.",
+        )
+    changed = see.driver_reports(recording, CHANGED)
+    return (
+        why_changed(changed) if changed else see.passed("the node rests between the calls, and is as it was")
+    )
+
+
+def why_changed(changed: list[str]) -> Verdict:
+    """What a call has changed that is not its own."""
+    call, _, first = changed[0].partition(" ")
+    expected = "the node has what it had, and ROS and its nodes are as they were"
+    saw = f"after call {call}: {first}"
+    if "left" in first:
+        return see.failed(
+            "nothing-left-running.left-behind",
+            saw,
+            expected,
+            "What you create on the node stays there when pump is back. It goes on in the next call.",
+            "Do without it, or destroy it before you come back: node.destroy_timer(timer).",
+        )
+    if first in ("rclpy.init called", "node made"):
+        return see.failed(
+            "nothing-left-running.not-its-own",
+            f"in call {call}: {first}",
+            "pump makes no node and does not call rclpy.init",
+            "The bench has done both already.",
+            "Work with the node that you were handed.",
+        )
+    return see.failed(
+        "nothing-left-running.changed",
+        saw,
+        expected,
+        "The timers and subscriptions belong to the node. They are not yours to cancel, to start anew or to destroy.",
+        "Only spin the node: rclpy.spin_once(node, timeout_sec=...).",
+    )
+
+
+# --- the calls, and what was done in each -------------------------------------------------------------------
+
+
 @dataclass(frozen=True)
 class Call:
-    """One call of `pump`: when it began and came back (s of wall time), how long it took (s), what it raised."""
+    """One call of `pump`: when it began and came back (s of wall time), how long it took (s), what it raised.
+
+    `processor_s`: for how long the program used a processor; `in_line_s`: for how long the thread that called `pump`
+    was ready to run and got none; `taken_s`: for how long the host of a virtual machine took a processor away.
+    """
 
     begin: float
     end: float | None = None
     took: float | None = None
     raised: str | None = None
+    processor_s: float = 0.0
+    in_line_s: float = 0.0
+    taken_s: float = 0.0
+
+    @property
+    def kept_waiting_s(self) -> float:
+        """How long (s) the machine kept the program waiting in this call."""
+        return self.in_line_s + self.taken_s
+
+    @property
+    def processor_share(self) -> float:
+        """Share of one processor (1.0: all of it) that was used while there was one: on a busy machine, too."""
+        had_one = max((self.took or 0.0) - self.in_line_s, self.processor_s)
+        return self.processor_s / had_one if had_one > 0.0 else 0.0
 
 
 def calls(recording: Recording) -> dict[int, Call]:
@@ -88,7 +411,9 @@ def calls(recording: Recording) -> dict[int, Call]:
         if word == "raised":
             found[int(number)] = replace(call, raised=news)
         elif word == "end" and call.end is None:
-            found[int(number)] = finished(call, arrival.published, float(news))
+            took, used, in_line, taken = (*map(float, news.split()), 0.0, 0.0, 0.0)[:4]
+            ended = finished(call, arrival.published, took)
+            found[int(number)] = replace(ended, processor_s=used, in_line_s=in_line, taken_s=taken)
     return found
 
 
@@ -100,18 +425,57 @@ def finished(call: Call, end: float, took: float) -> Call:
 
 
 def done_in(recording: Recording, name: str, call: int) -> list[int]:
-    """The numbers that a robot told on a topic of what it did in a call; 0: between the calls."""
-    pairs = [arrival.value["data"] for arrival in recording.topic(name).arrivals]
-    return [number for told, number in pairs if told == call]
+    """The numbers that a robot reported on a topic for a call, in the order of their arrival."""
+    return [number for told, number in reports(recording, name) if told == call]
 
 
-def came_back(recording: Recording, number: int) -> Verdict | None:
-    """None if the call came back; otherwise what to say about it."""
-    asked = ASKED_S[number]
-    expected = f"pump(node, {asked}) comes back when the time is up"
+def reports(recording: Recording, name: str) -> list[tuple[int, int]]:
+    """What a robot reported on a topic, in the order of arrival: the call, and a number."""
+    return [tuple(arrival.value["data"]) for arrival in recording.topic(name).arrivals]
+
+
+def longest_silence(recording: Recording) -> float:
+    """The longest time (s) without a heartbeat in the first call, from its begin to its end."""
+    call = calls(recording)[BURST]
+    beats = [
+        arrival.published
+        for arrival in recording.topic(HEARTBEAT.name).arrivals
+        if arrival.value["data"][0] == BURST
+    ]
+    end = call.end if call.end is not None else recording.wall_s
+    return max((after - before for before, after in pairwise(sorted([call.begin, *beats, end]))), default=0.0)
+
+
+def kept_waiting(recording: Recording, number: int) -> float:
+    """How long (s) the machine kept program or judge waiting in a call: no answer is late for that."""
+    call = calls(recording).get(number)
+    in_call = call.kept_waiting_s if call is not None else 0.0
+    return in_call + max(recording.held_up_s, recording.stood_still_s)
+
+
+# --- what may be wrong with a call --------------------------------------------------------------------------
+
+
+def first_call_raised(recording: Recording, raised: str) -> Verdict:
+    """The first call raised an error."""
+    expected = f"pump(node, {ASKED_S[BURST]}) runs without an error"
+    saw = f"pump raised {raised}"
+    return see.failed_in_call(recording, saw, expected) or see.failed(
+        "pump.raises",
+        saw,
+        expected,
+        "An exception left your function.",
+        "Read the last lines of the log from the bottom up.",
+    )
+
+
+def not_made(recording: Recording, number: int) -> Verdict | None:
+    """Why a call was not made, or could not do its work; None if it could."""
+    expected = f"pump(node, {ASKED_S[number]}) comes back when the time is up"
     call = calls(recording).get(number)
     if call is None:
         return see.failed(
+            "call.never-begun",
             "the call before it never came back",
             expected,
             "Something waits without an end.",
@@ -119,7 +483,8 @@ def came_back(recording: Recording, number: int) -> Verdict | None:
         )
     if call.raised is not None:
         return see.failed(
-            f"the first call was fine; call {number} raised {call.raised}",
+            "call.raises-later",
+            f"call 1 raised nothing, and call {number} raised {call.raised}",
             expected,
             "The node, its executor or ROS itself was gone when pump was called again.",
             "Leave the node and the context as you found them: they are not yours to destroy or to shut down.",
@@ -129,215 +494,83 @@ def came_back(recording: Recording, number: int) -> Verdict | None:
 
 def in_time(recording: Recording, number: int, extra: float = 0.0) -> Verdict:
     """The call took as long as asked; `extra` seconds more are granted on top of what is granted anyway."""
-    gone = came_back(recording, number)
-    if gone is not None:
-        return gone
-    call = calls(recording)[number]
-    asked = ASKED_S[number]
-    expected = f"back after {asked} s"
-    took = call.took
-    if took is None and recording.wall_s - call.begin < asked + extra + LATE_S:
-        return see.passed("the watch was over before its time was")
-    if took is None:
+    lost = not_made(recording, number)
+    if lost is not None:
+        return lost
+    call, asked = calls(recording)[number], ASKED_S[number]
+    if call.took is None:
+        open_s = recording.wall_s - call.begin
+        if open_s < asked + extra + LATE_S:
+            return see.passed("the watch was over before its time was")
+        return still_open(asked, open_s)
+    if call.took < asked - EARLY_S:
+        return ended_by_what_was_left(recording, number, call.took) or too_early(number, call.took)
+    if call.took > asked + extra + LATE_S + kept_waiting(recording, number):
+        return too_late(number, call.took)
+    return see.passed(f"asked for {asked} s, took {call.took:.2f} s")
+
+
+def ended_by_what_was_left(recording: Recording, number: int, took: float) -> Verdict | None:
+    """The call came back too early, and an earlier one has left something on the node; None if it has not."""
+    left = next((one for one in see.driver_reports(recording, CHANGED) if one.endswith("left")), None)
+    if left is None:
+        return None
+    call, _, what = left.partition(" ")
+    return see.failed(
+        "in-time.ended-by-what-was-left",
+        f"asked for {ASKED_S[number]:g} s, back after {took:.2f} s; after call {call}: {what}",
+        IN_TIME,
+        "What an earlier call has left on the node goes on, and ends this one.",
+        "Destroy what you made on the node before you come back: node.destroy_timer(timer).",
+    )
+
+
+def too_early(number: int, took: float) -> Verdict:
+    """The call came back too early."""
+    return see.failed(
+        "in-time.too-early",
+        f"asked for {ASKED_S[number]:g} s, back after {took:.2f} s",
+        IN_TIME,
+        "Callbacks were counted, and not time: a callback that is ready ends the wait of spin_once at once. Or the "
+        "time is made shorter: by a factor, a limit, or other units.",
+        "Note time.monotonic() + seconds at the start, and go on until that moment.",
+    )
+
+
+IN_TIME = f"back when the time is up: at most {EARLY_S} s earlier, at most {LATE_S} s later"
+TIME_THAT_IS_LEFT = "Before each spin_once, work out how much time is left, and give it that as timeout_sec."
+
+
+def still_open(asked: float, open_s: float) -> Verdict:
+    """The call was not back when the watch ended, `open_s` seconds after its begin."""
+    return see.failed(
+        "in-time.not-back",
+        f"not back {open_s - asked:.1f} s after its time was up",
+        f"back after {asked} s",
+        "spin_once without a timeout waits until there is something to do, if need be forever. "
+        "And a timeout that begins anew after each callback may add up.",
+        TIME_THAT_IS_LEFT,
+        about_time=True,
+    )
+
+
+def too_late(number: int, took: float) -> Verdict:
+    """The call took too long."""
+    saw, expected = f"back after {took:.2f} s", f"back after {ASKED_S[number]} s"
+    if number == QUIET:
         return see.failed(
-            f"not back {recording.wall_s - call.begin - asked:.1f} s after its time was up",
+            "in-time.wait-begins-anew",
+            saw,
             expected,
-            "spin_once without a timeout waits until there is something to do, if need be forever. "
-            "And a timeout that begins anew after each callback may add up.",
-            "Before each spin_once, work out how much time is left, and give it that as timeout_sec.",
+            "After a callback the wait began anew with its full length.",
+            TIME_THAT_IS_LEFT,
             about_time=True,
         )
-    if took < asked - EARLY_S:
-        return see.failed(
-            f"back after {took:.2f} s",
-            f"{expected}, not earlier",
-            "Callbacks were counted, and not time: a callback that is ready ends the wait of spin_once at once.",
-            "Note time.monotonic() + seconds at the start, and go on until that moment.",
-        )
-    if took > asked + extra + LATE_S:
-        return see.failed(
-            f"back after {took:.2f} s",
-            expected,
-            "After a callback the wait began anew with its full length."
-            if number == QUIET
-            else "The time that callbacks take is not counted, or everything is handled before you look at the clock.",
-            "Before each spin_once, work out how much time is left, and give it that as timeout_sec.",
-            about_time=True,
-        )
-    return see.passed(f"asked for {asked} s, took {took:.2f} s")
-
-
-@criterion(points=0, title="Your file loads, and pump can be called")
-def program_runs(recording: Recording) -> Verdict:
-    loaded = see.program_runs(recording)
-    if not loaded.ok:
-        return loaded
-    first = calls(recording).get(BURST)
-    mishap = find_mishap(recording.process.log, recording.process.program)
-    if first is not None and first.raised is not None:
-        return see.failed(
-            f"{mishap.where if mishap else ''}pump raised {first.raised}",
-            f"pump(node, {ASKED_S[BURST]}) runs without an error",
-            mishap.because if mishap else "An exception left your function.",
-            mishap.try_this if mishap else "Read the last lines of the log from the bottom up.",
-        )
-    said = [arrival.value["data"] for arrival in recording.topic(PUMP.name).arrivals]
-    if "missing" in said:
-        return see.failed(
-            "your file has no function of the name pump",
-            "def pump(node, seconds), at the left margin of the file",
-            "The name is spelled in another way, or the function sits inside of another one.",
-            "Write def pump(node: Node, seconds: float) -> None: at the left margin.",
-        )
-    return loaded
-
-
-@criterion(points=1, title="pump comes back", needs=[program_runs])
-def returns(recording: Recording) -> Verdict:
-    gone = came_back(recording, BURST)
-    if gone is not None:
-        return gone
-    call = calls(recording)[BURST]
-    if call.end is not None:
-        return see.passed("it came back")
     return see.failed(
-        f"not back {recording.wall_s - call.begin - ASKED_S[BURST]:.1f} s after its time was up",
-        f"pump(node, {ASKED_S[BURST]}) comes back",
-        "rclpy.spin and executor.spin know no end: they come back when ROS is shut down. Or the moment that ends "
-        "your loop is never reached: `seconds` are seconds.",
-        "Use rclpy.spin_once(node, timeout_sec=...) in a loop that looks at the clock.",
+        "in-time.callbacks-not-counted",
+        saw,
+        expected,
+        "The time that callbacks take is not counted, or everything is handled before you look at the clock.",
+        TIME_THAT_IS_LEFT,
         about_time=True,
-    )
-
-
-@criterion(points=1, title="It comes back when the time is up: not earlier, not later", needs=[returns])
-def returns_in_time(recording: Recording) -> Verdict:
-    return in_time(recording, BURST)
-
-
-@criterion(points=2, title="Every word of a burst is handled while it pumps", needs=[program_runs])
-def words_handled(recording: Recording) -> Verdict:
-    got = [word for word in done_in(recording, HEARD.name, BURST) if word in BURST_WORDS]
-    words = len(BURST_WORDS)
-    if sorted(got) == list(BURST_WORDS):
-        return see.passed(f"{words} of {words} words handled")
-    if len(got) > words:
-        return see.failed(
-            f"{len(got)} words handled, and only {words} were said",
-            f"each of the {words} words once",
-            "The node has a second subscription now, or its callback is called by hand.",
-            "Leave the node as it is, and let spin_once call the callbacks.",
-        )
-    return see.failed(
-        f"{len(got)} of {words} words handled during the call",
-        f"all {words} words that came while it pumped",
-        "One spin_once runs one callback. What else is ready waits for the next spin_once."
-        if got
-        else "Nothing lets this node work while time passes. sleep keeps the callbacks waiting, too, and spinning "
-        "another node does not help this one.",
-        "Call rclpy.spin_once(node, timeout_sec=...) again and again until the time is up, without a sleep.",
-        about_time=True,
-    )
-
-
-@criterion(points=1, title="The timers go on at their rate meanwhile", needs=[words_handled])
-def timers_tick(recording: Recording) -> Verdict:
-    asked = ASKED_S[BURST]
-    wanted = round(asked / HEARTBEAT_PERIOD_S)
-    beats, looks = (done_in(recording, one.name, BURST) for one in (HEARTBEAT, LOOK))
-    if len(beats) >= 0.4 * wanted and looks:
-        return see.passed(f"{len(beats)} heartbeats in {asked} s, and it looked around")
-    return see.failed(
-        f"{len(beats)} heartbeats and {len(looks)} looks around in {asked} s",
-        f"about {wanted} heartbeats and 3 looks",
-        "A timer ticks only while somebody spins, and one spin_once runs one callback.",
-        "Spin until the time is up, and never sleep in between.",
-        about_time=True,
-    )
-
-
-@criterion(points=1, title="A second call does it again", needs=[returns, words_handled])
-def again(recording: Recording) -> Verdict:
-    gone = came_back(recording, AGAIN)
-    if gone is not None:
-        return gone
-    took = calls(recording)[AGAIN].took
-    if took is not None and took < ASKED_S[AGAIN] - EARLY_S:
-        return see.failed(
-            f"the first call was fine; the second came back after {took:.2f} s",
-            f"back after {ASKED_S[AGAIN]} s",
-            "Something of the first call is still there, and ends the second one: a timer, a flag, a future.",
-            "Destroy what you made on the node (node.destroy_timer), and make it anew in each call.",
-        )
-    told = [*done_in(recording, HEARD.name, BURST), *done_in(recording, HEARD.name, AGAIN)]
-    got = set(told) & set(WAITING_WORDS)
-    beats = done_in(recording, HEARTBEAT.name, AGAIN)
-    if len(got) == len(WAITING_WORDS) and len(beats) >= 3:
-        return see.passed(f"{len(got)} waiting words and {len(beats)} heartbeats in the second call")
-    return see.failed(
-        f"{len(got)} of {len(WAITING_WORDS)} waiting words and {len(beats)} heartbeats in the second call",
-        "words that waited in the queue are handled, and the timers tick again",
-        "The first call has destroyed the node or the executor, shut down ROS, or left a thread behind that "
-        "takes the work.",
-        "Do not destroy or shut down what you did not make. If you made an executor, end it in the same call.",
-        about_time=True,
-    )
-
-
-@criterion(
-    points=1, title="Slow callbacks do not carry it far beyond its time", needs=[returns_in_time, again]
-)
-def slow_callbacks(recording: Recording) -> Verdict:
-    verdict = in_time(recording, SLOW, extra=JOB_S)
-    if not verdict.ok:
-        return verdict
-    begun = done_in(recording, JOB_BEGUN.name, SLOW)
-    if begun:
-        return see.passed(f"{verdict.saw}, with {len(begun)} slow jobs begun")
-    return see.failed(
-        "none of the slow jobs was begun",
-        "the jobs are begun one after the other, as far as the time reaches",
-        "The queue of /robot/jobs was never looked at.",
-        "Let rclpy.spin_once(node, timeout_sec=...) choose what to run.",
-        about_time=True,
-    )
-
-
-@criterion(
-    points=1, title="It comes back from a node that has almost nothing to do", needs=[returns_in_time, again]
-)
-def quiet_node(recording: Recording) -> Verdict:
-    return in_time(recording, QUIET)
-
-
-@criterion(points=1, title="It leaves the processor alone while it waits", needs=[returns])
-def easy_on_the_processor(recording: Recording) -> Verdict:
-    shares = {
-        number: see.processor_share(recording, call.begin, call.end)
-        for number, call in calls(recording).items()
-        if number != SLOW and call.end is not None
-    }
-    share = max((one for one in shares.values() if one is not None), default=0.0)
-    if share < PROCESSOR_SHARE:
-        return see.passed(f"{share:.0%} of one processor")
-    return see.failed(
-        f"{share:.0%} of one processor, most of it for waiting",
-        f"less than {PROCESSOR_SHARE:.0%}",
-        "A loop with timeout_sec=0, or a very short one, hardly waits: it asks again and again whether there is work.",
-        "Let spin_once wait, 0.05 s for example, but not longer than is left. It wakes up by itself when a callback is "
-        "ready.",
-    )
-
-
-@criterion(points=1, title="When it is back, nothing goes on behind your back", needs=[returns])
-def nothing_left_running(recording: Recording) -> Verdict:
-    beats = done_in(recording, HEARTBEAT.name, 0)
-    if len(beats) < 3:
-        return see.passed("the node rests between the calls")
-    return see.failed(
-        f"{len(beats)} heartbeats between the calls",
-        "no callback runs unless pump is called",
-        "A thread that spins was left behind. It handles callbacks at moments that nobody expects, "
-        "and may abort the process at its end.",
-        "Spin in the thread that called pump. If you need another one: executor.shutdown(), then join().",
     )

@@ -5,16 +5,13 @@ import math
 from std_msgs.msg import Float32, Float32MultiArray, String
 
 import workbook.criteria as see
-from workbook.criteria import Recording, Verdict, criterion, topic
+from workbook.criteria import Recording, Verdict, criterion, program_runs, topic, watching
+
+WATCH = watching(robot_seconds=26)
 
 JOINTS = topic("/robot/joint_positions", Float32MultiArray, hz=0.5)
 STATUS = topic("/robot/status", String, hz=1.0)
 BATTERY = topic("/robot/battery", Float32, hz=0.5)
-
-
-@criterion(points=0, title="Your program runs and its node is on the graph")
-def program_runs(recording: Recording) -> Verdict:
-    return see.program_runs(recording)
 
 
 @criterion(points=2, title="/robot/joint_positions carries Float32MultiArray", needs=[program_runs])
@@ -32,7 +29,7 @@ def finite_in_range(recording: Recording) -> Verdict:
     return see.all_of(see.finite(recording, JOINTS), see.within(recording, JOINTS, -math.pi, math.pi, "rad"))
 
 
-@criterion(points=1, title="At least two joints move", needs=[joint_topic])
+@criterion(points=1, title="At least two joints move from message to message", needs=[joint_topic])
 def joints_move(recording: Recording) -> Verdict:
     return see.varies(recording, JOINTS, at_least=2, by=1e-6, what="joint")
 
@@ -47,6 +44,7 @@ def status_kept(recording: Recording) -> Verdict:
     return see.all_of(
         see.publishes(recording, STATUS),
         see.one_of(recording, STATUS, {"operational", "error"}),
+        see.word_fits_charge(recording, STATUS, BATTERY),
         see.rate(recording, STATUS),
     )
 
@@ -61,6 +59,7 @@ def battery_kept(recording: Recording) -> Verdict:
         see.finite(recording, BATTERY),
         see.within(recording, BATTERY, 0.0, 100.0, "%"),
         see.never_rises(recording, BATTERY),
+        see.drains(recording, BATTERY),
         see.rate(recording, BATTERY),
     )
 

@@ -1,14 +1,14 @@
 """How exercise 12 is judged: what it asks, what it says of each answer, and whether its heart goes on meanwhile."""
 
 import statistics
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
 
 import workbook.criteria as see
-from workbook.criteria import CallSeen, Recording, Verdict, criterion, topic, watching
+from workbook.criteria import CallSeen, Recording, Verdict, criterion, program_runs, topic, watching
 
 SERVICE = "/robot/self_test"
 HEALTH = topic("/robot/health", String)
@@ -16,54 +16,76 @@ HEARTBEAT = topic("/robot/heartbeat", String, hz=5.0)
 WORDS = {True: "ok", False: "faulty"}
 NO_ANSWER = "no answer"
 
-WELL, STIFF = (
+# The text is for people: it says the same on both sides.
+WELL, WARM = (
     {"success": True, "message": "all joints move"},
-    {"success": False, "message": "a knee is stiff"},
+    {"success": True, "message": "the left knee is warm"},
 )
-AT_ONCE, SLOW, NEVER = 0.0, 0.6, None
+STIFF, SLOWLY = (
+    {"success": False, "message": "the left knee is stiff"},
+    {"success": False, "message": "all joints move"},
+)
+AT_ONCE, SLOW, NEVER = 0.0, 0.7, None
+# Twice the same, twice no answer, and each also for a program that leaves out a question after each call in vain.
 REPLIES = [
+    (WARM, AT_ONCE),
+    (WELL, AT_ONCE),
+    (SLOWLY, AT_ONCE),
+    (WELL, NEVER),
+    (WARM, SLOW),
+    (WELL, NEVER),
+    (STIFF, AT_ONCE),
+    (SLOWLY, SLOW),
     (WELL, AT_ONCE),
     (STIFF, AT_ONCE),
-    (WELL, SLOW),
-    (WELL, NEVER),
-    (STIFF, SLOW),
-    (WELL, AT_ONCE),
-    (STIFF, SLOW),
-    (WELL, AT_ONCE),
 ]
 UNANSWERED = [after for _, after in REPLIES].index(NEVER) + 1
-WATCH = watching(wall_seconds=8.0, script=[see.serves(SERVICE, Trigger, REPLIES)])
+WATCH_S = 10.0
+WATCH = watching(wall_seconds=WATCH_S, script=[see.serves(SERVICE, Trigger, REPLIES)])
 
-ASKED_EVERY_S = 1.0
+SHORTEST_PERIOD_S, LONGEST_PERIOD_S = 0.9, 1.1
+LONGEST_PAUSE_S = 2.5  # after a call without an answer
+PAUSE_S, PAUSES = 1.4, 1  # after other calls: as many may be longer
 TOLD_WITHIN_S = 0.8
 BELONGS_S = 1.6  # told later than that, it is taken for the report of another answer
+MAY_TAKE_S = 0.8
+GIVEN_UP_AT_ONCE_S = 1.3  # with the next question, or a moment later
 GIVEN_UP_WITHIN_S = 2.0
-SLACK_S = 0.3  # for a busy machine
-MAY_COME_UNTIL_S = 0.85
-LONGEST_PAUSE_S = 2.6
-LEAST_SHARE = 0.4  # of the beats that are due while a call is open: one that waits loses all of them
+SLACK_S = 0.1  # for a busy machine
+LONG_SLACK_S = 0.3  # the same, where an asking period and a patience add up
+MAY_COME_UNTIL_S = MAY_TAKE_S + 0.05
+LEAST_SHARE, MOST_SHARE = 0.9, 1.1  # of the beats that are due
+LEAST_MEANWHILE = 0.6  # of the beats that are due while a call is open: one that waits loses all of them
+LEAST_DUE = 1.0  # of fewer beats nothing can be told
+SHORTEST_BEAT_S, LONGEST_BEAT_S = 0.18, 0.22
+STOPPED_S = 0.9
 EDGE_S = 0.05
 EARLY_S = 0.1  # what was asked before the watch began waited for it; how long, nobody knows
 FIRST_SECONDS_S = 2.5  # a call from before the watch may be given up until then
 
 
-def asked(recording: Recording) -> list[CallSeen]:
-    """The calls of the program, in the order of their coming."""
-    return [call for call in see.calls_of(recording, SERVICE) if call.by == "program"]
-
-
-def told(recording: Recording, *words: str) -> list[tuple[float, str]]:
-    """When one of these words was said on /robot/health."""
-    return [
-        (arrival.t, arrival.value["data"])
-        for arrival in recording.topic(HEALTH.name).arrivals
-        if arrival.value["data"] in words
-    ]
-
-
-@criterion(points=0, title="Your program runs and its node is on the graph")
-def program_runs(recording: Recording) -> Verdict:
-    return see.program_runs(recording)
+@criterion(points=1, title="The program is still alive at the end", needs=[program_runs])
+def alive_at_end(recording: Recording) -> Verdict:
+    verdict = see.alive_at_end(recording)
+    if "'NoneType' object has no attribute 'success'" not in verdict.saw:
+        return verdict
+    waited = [recording.robot_s - call.t for call in asked(recording) if call.answered_t is None]
+    if max(waited, default=0.0) > MAY_TAKE_S:
+        return see.failed(
+            "alive-at-end.result-of-none",
+            verdict.saw,
+            verdict.expected,
+            "A call that got no answer has no response: there future.result() is None, and so is what call() gives "
+            "back when its time is up.",
+            f'Say "{NO_ANSWER}" where the response is None, and look at its field success only where it is not.',
+        )
+    return see.failed(
+        "alive-at-end.result-too-early",
+        verdict.saw,
+        verdict.expected,
+        "call_async() returns at once, before the answer is there. Until then future.result() is None.",
+        "Look at the result in a done callback: future.add_done_callback(self.on_answer).",
+    )
 
 
 @criterion(points=1, title="Calls of /robot/self_test arrive, again and again", needs=[program_runs])
@@ -74,99 +96,38 @@ def calls_arrive(recording: Recording) -> Verdict:
     calls = asked(recording)
     if len(calls) >= UNANSWERED:
         return see.passed(f"{len(calls)} calls")
-    if recording.process.ended_by == "itself":
-        return _ended(recording)
-    last = calls[-1]
-    expected = f"a call every second, so {UNANSWERED} or more in {recording.robot_s:.0f} s"
-    how_many = "one single call" if len(calls) == 1 else f"{len(calls)} calls"
-    if last.answered_t is not None and recording.robot_s - last.t > LONGEST_PAUSE_S and not alive(recording):
-        return see.failed(
-            f"{how_many}: the one at {last.t:.1f} s was answered at {last.answered_t:.1f} s, and then your node did "
-            "nothing any more",
-            expected,
-            "The callback that asks waits for the answer, and the answer waits for that callback: it can only be taken "
-            "in when the thread, and the callback group of the client, are free again. A deadlock.",
-            "Do not wait in the callback: call_async(), then add_done_callback(), and return.",
-        )
-    if last.answered_t is not None and recording.robot_s - last.t > LONGEST_PAUSE_S:
-        return see.failed(
-            f"{how_many}, the last one at {last.t:.1f} s; it was answered at {last.answered_t:.1f} s",
-            expected,
-            "It asks only once and not from a timer; or the callback that asked is still waiting for its answer, "
-            "because client and callback share a callback group.",
-            "Let a timer ask, do not wait in it, and take the answer in a done callback.",
-        )
-    return see.failed(
-        f"{how_many} in {recording.robot_s:.0f} s",
-        expected,
-        "The timer that asks is too slow, or something holds it up.",
-        "create_timer(1.0, self.ask), and let ask() return at once.",
-        about_time=True,
-    )
-
-
-def _ended(recording: Recording) -> Verdict:
-    """Why a program that has ended asked no more."""
-    verdict = see.alive_at_end(recording)
-    if "'NoneType' object has no attribute" not in verdict.saw:
-        return verdict
-    return replace(
-        verdict,
-        because="call_async() returns at once, before the answer is there. Until then future.result() is None.",
-        try_this="Look at the result in a done callback: future.add_done_callback(self.on_answer).",
-    )
-
-
-def alive(recording: Recording) -> bool:
-    """Whether anything at all was published in the last second of the watch."""
-    ends = [topic.arrivals[-1].t for topic in recording.published() if topic.arrivals]
-    return max(ends, default=0.0) > recording.robot_s - 1.0
+    return why_few_calls(recording, calls)
 
 
 @criterion(
-    points=1, title="It asks once a second, and goes on after the unanswered call", needs=[calls_arrive]
+    points=1,
+    title="It asks once a second, and goes on after a call without an answer",
+    needs=[calls_arrive, alive_at_end],
 )
 def asks_every_second(recording: Recording) -> Verdict:
     calls = [call for call in asked(recording) if call.t >= EARLY_S]
     times = [call.t for call in calls]
-    expected = "one call a second, from the first to the last"
-    pauses = [b - a for a, b in pairwise([*times, recording.robot_s])]
-    longest = max(pauses, default=recording.robot_s)
-    if longest > LONGEST_PAUSE_S:
-        before = calls[pauses.index(longest)] if calls else None
-        if before is not None and before.response is None:
-            return see.failed(
-                f"after the call at {before.t:.1f} s, which nobody answered, no call came for {longest:.1f} s",
-                expected,
-                "It waits for the old answer before it asks again, and that answer will never come.",
-                "Give an open call up when the next one is due: remove_pending_request(future), and ask again.",
-                about_time=True,
-            )
-        return see.failed(
-            f"a pause of {longest:.1f} s"
-            + ("" if before is None else f" after the call at {before.t:.1f} s"),
-            expected,
-            "Something holds up the timer that asks, or it has stopped.",
-            "Let the method that asks return at once, and look into the log for an error.",
-            about_time=True,
-        )
+    pauses = [
+        (b - a, call) for (a, b), call in zip(pairwise([*times, recording.robot_s]), calls, strict=True)
+    ]
+    long = [
+        (pause, call)
+        for pause, call in pauses
+        if pause > (PAUSE_S if call.answered_t is not None else LONGEST_PAUSE_S)
+    ]
+    if any(pause > LONGEST_PAUSE_S for pause, _ in long):
+        return why_a_pause(recording, *max(long, key=lambda one: one[0]))
     typical = statistics.median(b - a for a, b in pairwise(times)) if len(times) > 1 else recording.robot_s
-    if typical < 0.8:
+    if typical < SHORTEST_PERIOD_S:
         return see.failed(
+            "asks-every-second.too-often",
             f"{len(asked(recording))} calls in {recording.robot_s:.0f} s, typically {typical:.2g} s apart",
-            expected,
+            ONCE_A_SECOND,
             "The wrong timer asks, or a call that waits is repeated. Asked too often, a robot does nothing else.",
             "One timer of 1.0 s for the questions, another one for the heartbeat.",
         )
-    if typical > 1.25:
-        return see.failed(
-            f"typically {typical:.2g} s from one call to the next",
-            expected,
-            "The next question waits for the answer to the last one, and then for a second on top; or the period is "
-            "too long.",
-            "create_timer(1.0, self.ask), and let ask() return at once.",
-            about_time=True,
-        )
+    if typical > LONGEST_PERIOD_S or len(long) > PAUSES:
+        return why_seldom(recording, typical, long)
     return see.passed(f"{len(times)} calls, typically {typical:.1f} s apart")
 
 
@@ -178,11 +139,261 @@ def health_topic(recording: Recording) -> Verdict:
     return see.one_of(recording, HEALTH, {*WORDS.values(), NO_ANSWER})
 
 
+@criterion(points=2, title="Each answer is told: right, in time and once", needs=[calls_arrive, health_topic])
+def results_told(recording: Recording) -> Verdict:
+    fitting = told_answers(recording)
+    if fitting is None:
+        return why_results_do_not_fit(recording)
+    delays = [(answer, t - answer.at) for answer, (t, _) in fitting]
+    late = [(answer, delay) for answer, delay in delays if delay > TOLD_WITHIN_S + SLACK_S]
+    if len(late) > 1:
+        answer, delay = late[0]
+        return see.failed(
+            "results-told.late",
+            f"{len(late)} of {len(fitting)} answers were told late: the one that came at {answer.at:.1f} s "
+            f"{delay:.1f} s later",
+            EACH_ANSWER_ONCE,
+            "The result is picked up when the next question is asked, so each report is the one of an earlier call.",
+            "Take the answer in a done callback: future.add_done_callback(self.on_answer).",
+            about_time=True,
+        )
+    return see.passed(f"{len(fitting)} answers told")
+
+
+@criterion(
+    points=2,
+    title='"no answer" is told in time, and only where there was none',
+    needs=[calls_arrive, health_topic, alive_at_end],
+)
+def unanswered_told(recording: Recording) -> Verdict:
+    untold, in_vain = given_up_in_vain(recording)
+    if untold:
+        return why_not_given_up(recording, untold[0], [t for t in in_vain if t > untold[0].t])
+    in_vain = [t for t in in_vain if t > FIRST_SECONDS_S]
+    if len(in_vain) == 1 and any(given_up_a_moment_early(recording, one) for one in answers_in(recording)):
+        in_vain = []  # a very busy machine
+    if not in_vain:
+        return see.passed(f'"{NO_ANSWER}" for each call without an answer, and no false alarm')
+    return why_given_up(recording, in_vain)
+
+
+@criterion(points=2, title="The heart beats at 5 Hz, whatever happens to a call", needs=[alive_at_end])
+def heartbeat_steady(recording: Recording) -> Verdict:
+    exists = see.all_of(
+        see.publishes(recording, HEARTBEAT), see.no_message(recording, HEARTBEAT) or see.passed("it beats")
+    )
+    if not exists.ok:
+        return exists
+    wrong = comes_in_bursts(recording) or stops_for_good(recording) or stops_during_a_call(recording)
+    if wrong is not None:
+        return wrong
+    beats = see.beats(recording, HEARTBEAT)
+    typical = beats.typical_s
+    if not SHORTEST_BEAT_S <= typical <= LONGEST_BEAT_S:
+        return see.failed(
+            "heartbeat-steady.other-period",
+            "one single beat" if beats.count == 1 else f"typically a beat every {typical:.2g} s",
+            FIVE_HERTZ,
+            "The period of the timer is another one, or a loop sleeps for the period and takes the time of its work "
+            "on top.",
+            "5 Hz is a period of 0.2 s: create_timer(0.2, self.beat), with one publish() in it.",
+            about_time=True,
+        )
+    if not LEAST_SHARE <= beats.share <= MOST_SHARE:
+        return why_too_few_or_many(beats)
+    return see.passed(f"{beats.count} beats, typically one every {typical:.1f} s")
+
+
+# --- the calls ----------------------------------------------------------------------------------------------
+
+ONCE_A_SECOND = (
+    f"a call every second, typically {SHORTEST_PERIOD_S} to {LONGEST_PERIOD_S} s after the last one"
+)
+
+
+def asked(recording: Recording) -> list[CallSeen]:
+    """The calls of the program, in the order of their coming."""
+    return [call for call in see.calls_of(recording, SERVICE) if call.by == "program"]
+
+
+def why_few_calls(recording: Recording, calls: list[CallSeen]) -> Verdict:
+    """Why so few calls came."""
+    last = calls[-1]
+    expected = f"a call every second, so {UNANSWERED} or more in {WATCH_S:.0f} s"
+    how_many = "one single call" if len(calls) == 1 else f"{len(calls)} calls"
+    if recording.process.ended_by == "itself":
+        return see.failed(
+            "calls-arrive.ended",
+            f"{how_many}, and then the program ended",
+            expected,
+            "A program that has ended asks no more.",
+            "See first why it ended.",
+        )
+    blamed = see.failed_by_error(recording, how_many, expected)
+    if blamed is not None:
+        return blamed
+    if last.answered_t is not None and recording.robot_s - last.t > LONGEST_PAUSE_S:
+        return why_no_more(recording, last, how_many, expected)
+    return see.failed(
+        "calls-arrive.too-few",
+        f"{how_many} in {recording.robot_s:.0f} s",
+        expected,
+        "The timer that asks is too slow, or something holds it up.",
+        "create_timer(1.0, self.ask), and let ask() return at once.",
+        about_time=True,
+    )
+
+
+def why_no_more(recording: Recording, last: CallSeen, how_many: str, expected: str) -> Verdict:
+    """Why a program that still runs asked no more after its `last` call, which was answered."""
+    answered_t = last.answered_t or last.t
+    if is_alive(recording):
+        return see.failed(
+            "calls-arrive.asks-no-more",
+            f"{how_many}, the last one at {last.t:.1f} s; it was answered at {answered_t:.1f} s",
+            expected,
+            "It asks only once and not from a timer; or the callback that asked is still waiting for its answer, "
+            "because client and callback share a callback group.",
+            "Let a timer ask, do not wait in it, and take the answer in a done callback.",
+        )
+    nothing_more = f"was answered at {answered_t:.1f} s, and then your node did nothing any more"
+    if any(t >= answered_t for t, _ in told(recording, *WORDS.values(), NO_ANSWER)):
+        return see.failed(
+            "calls-arrive.lost-its-executor",
+            f"{how_many}: the one at {last.t:.1f} s was answered at {answered_t:.1f} s and reported, and then your "
+            "node did nothing any more",
+            expected,
+            "The callback has got its answer, so it was no deadlock. rclpy.spin_until_future_complete(node, future) in "
+            "a callback takes the node away from the executor that spins it, and afterwards no one spins it.",
+            "Do not spin in a callback: call_async(), then add_done_callback(), and return.",
+        )
+    return see.failed(
+        "calls-arrive.deadlock",
+        f"{how_many}: the one at {last.t:.1f} s {nothing_more}",
+        expected,
+        "The callback that asks waits for the answer, and the answer waits for that callback: it can only be taken "
+        "in when the thread, and the callback group of the client, are free again. A deadlock.",
+        "Do not wait in the callback: call_async(), then add_done_callback(), and return.",
+    )
+
+
+def is_alive(recording: Recording) -> bool:
+    """Whether anything at all was published in the last second of the watch."""
+    ends = [topic.arrivals[-1].t for topic in recording.published() if topic.arrivals]
+    return max(ends, default=0.0) > recording.robot_s - 1.0
+
+
+def why_a_pause(recording: Recording, longest: float, before: CallSeen) -> Verdict:
+    """Why no call came for `longest` seconds, after the call `before`."""
+    saw = f"after the call at {before.t:.1f} s no call came for {longest:.1f} s"
+    blamed = see.failed_by_error(recording, saw, ONCE_A_SECOND)
+    if blamed is not None:
+        return blamed
+    if before.response is None:
+        return see.failed(
+            "asks-every-second.waits-for-unanswered",
+            f"after the call at {before.t:.1f} s, which was never answered, no call came for {longest:.1f} s",
+            ONCE_A_SECOND,
+            "After a call without an answer it asks no more, or leaves out more than one question: it still waits for "
+            "an answer that will never come, or it pauses.",
+            "Give an open call up when the next one is due: remove_pending_request(future), and ask again.",
+            about_time=True,
+        )
+    return why_a_pause_after_an_answer(recording, longest, before, saw)
+
+
+def why_a_pause_after_an_answer(recording: Recording, longest: float, before: CallSeen, saw: str) -> Verdict:
+    """The same, where the call `before` was answered."""
+    gave_up = [t for t, _ in told(recording, NO_ANSWER) if -EARLY_S <= t - before.t <= 1.0]
+    if gave_up:
+        return see.failed(
+            "asks-every-second.stops-after-no-answer",
+            f'{saw}; in between your node had said "{NO_ANSWER}", at {gave_up[0]:.1f} s',
+            ONCE_A_SECOND,
+            "Once a call is given up, it asks no more, or leaves out more than one question; or the questions are "
+            "counted, and this was the last one.",
+            "Forget the call that was given up, and ask again when the next one is due.",
+            about_time=True,
+        )
+    if before.t + longest >= recording.robot_s - EDGE_S:
+        return see.failed(
+            "asks-every-second.stops",
+            f"{len(asked(recording))} calls, the last one at {before.t:.1f} s, none until {recording.robot_s:.1f} s",
+            ONCE_A_SECOND,
+            "The questions stop, although the last call was answered: they are counted, the timer is canceled, or the "
+            "callback that asks does not return.",
+            "Ask on every tick of the timer, without end.",
+            about_time=True,
+        )
+    return see.failed(
+        "asks-every-second.pause",
+        saw,
+        ONCE_A_SECOND,
+        "Something holds up the timer that asks.",
+        "Let the method that asks return at once.",
+        about_time=True,
+    )
+
+
+def why_seldom(recording: Recording, typical: float, long: list[tuple[float, CallSeen]]) -> Verdict:
+    """Why a program that goes on asking asks less than once a second."""
+    after_slow = [
+        call for _, call in long if call.answered_t is not None and call.answered_t - call.t > SLOW / 2
+    ]
+    saw = f"typically {typical:.2g} s from one call to the next"
+    if stops_during_a_call(recording) is not None:
+        return see.failed(
+            "asks-every-second.waits-in-callback",
+            f"{saw}; while a call is open, the heart stops too",
+            ONCE_A_SECOND,
+            "The callback that asks waits for the answer, and longer than its timer has time for. While it waits, no "
+            "other callback runs: neither the heartbeat nor what would take the answer in.",
+            "Send the request with call_async(), add a done callback, and return. Do not spin or sleep in a callback.",
+            about_time=True,
+        )
+    if after_slow and len(after_slow) == len(long):
+        return see.failed(
+            "asks-every-second.waits-for-answer",
+            f"{saw}; {long[0][0]:.1f} s after the call at {long[0][1].t:.1f} s, whose answer was slow",
+            ONCE_A_SECOND,
+            "The next question waits for the answer to the last one, and then for a second on top.",
+            "create_timer(1.0, self.ask), and let ask() return at once.",
+            about_time=True,
+        )
+    return see.failed(
+        "asks-every-second.too-seldom",
+        saw
+        if typical > LONGEST_PERIOD_S
+        else f"{len(long)} pauses of {min(p for p, _ in long):.1f} s or longer",
+        ONCE_A_SECOND,
+        "The period of the timer that asks is too long, or something holds it up again and again.",
+        "create_timer(1.0, self.ask), and let ask() return at once.",
+        about_time=True,
+    )
+
+
+# --- the answers, and what the program said of them ---------------------------------------------------------
+
+EACH_ANSWER_ONCE = (
+    f'"ok" or "faulty", as the response says, once, at most {TOLD_WITHIN_S} s after each answer'
+)
+Report = tuple[float, str]
+
+
+def told(recording: Recording, *words: str) -> list[Report]:
+    """When one of these words was said on /robot/health."""
+    return [
+        (arrival.t, arrival.value["data"])
+        for arrival in recording.topic(HEALTH.name).arrivals
+        if arrival.value["data"] in words
+    ]
+
+
 @dataclass(frozen=True)
 class Answer:
     """One answer that the program got: when, to which call, and the word that it means.
 
-    `may_be_missing`: nobody can ask for it, because the call or the answer lies at the edge of the watch.
+    `may_be_missing`: its report cannot be expected, because the call or the answer lies at the edge of the watch.
     """
 
     call: CallSeen
@@ -194,6 +405,16 @@ class Answer:
     def was_slow(self) -> bool:
         return self.at - self.call.t > SLOW / 2
 
+    @property
+    def response(self) -> str:
+        return f"success={self.word == 'ok'}"
+
+    def told_by(self, report: Report) -> bool:
+        return report[1] == self.word and self.near(report)
+
+    def near(self, report: Report) -> bool:
+        return -EARLY_S <= report[0] - self.at <= TOLD_WITHIN_S + SLACK_S
+
 
 def answers_in(recording: Recording) -> list[Answer]:
     """What the program was answered, in the order of the answers."""
@@ -204,7 +425,7 @@ def answers_in(recording: Recording) -> list[Answer]:
             WORDS[call.response["success"]],
             call.t < EARLY_S
             or call.answered_t - call.t > MAY_COME_UNTIL_S
-            or call.answered_t > recording.robot_s - TOLD_WITHIN_S - SLACK_S,
+            or call.answered_t > recording.robot_s - TOLD_WITHIN_S - LONG_SLACK_S,
         )
         for call in asked(recording)
         if call.answered_t is not None
@@ -212,181 +433,376 @@ def answers_in(recording: Recording) -> list[Answer]:
     return sorted(found, key=lambda answer: answer.at)
 
 
+def told_answers(recording: Recording) -> list[tuple[Answer, Report]] | None:
+    """Each answer with the word that tells it, when the words fit the answers one by one; else None.
+
+    On a very busy machine one slow answer may be given up a moment too early.
+    """
+    last = recording.robot_s - TOLD_WITHIN_S - LONG_SLACK_S
+    return see.pair_in_order(
+        answers_in(recording),
+        told(recording, *WORDS.values()),
+        belongs=lambda answer, said: said[1] == answer.word and -EARLY_S <= said[0] - answer.at <= BELONGS_S,
+        may_be_missing=lambda answer: answer.may_be_missing,
+        may_be_extra=lambda said: said[0] > last or said[0] < EARLY_S,
+        excusable=lambda answer: given_up_a_moment_early(recording, answer),
+    )
+
+
+def why_results_do_not_fit(recording: Recording) -> Verdict:
+    """Which answers were told wrongly, or not at all, or too often."""
+    answers, words = answers_in(recording), told(recording, *WORDS.values())
+    return (
+        why_early_for_an_answer(recording, answers)
+        or why_no_more_told(recording, answers, words)
+        or why_changes_only(recording, answers, words)
+        or why_a_result_without_an_answer(recording, answers, words)
+        or why_too_many(answers, words)
+        or why_always_the_same(answers, words)
+        or next(filter(None, (why_wrongly_told(recording, one, words) for one in answers)), None)
+        or see.failed(
+            "results-told.other-order",
+            f"{len(answers)} answers came, but the {len(words)} results on {HEALTH.name} are others, or in another "
+            "order",
+            EACH_ANSWER_ONCE,
+            "A result is reported that belongs to another call.",
+            "In the done callback, look at the future that it got, and at no other.",
+        )
+    )
+
+
+def why_early_for_an_answer(recording: Recording, answers: list[Answer]) -> Verdict | None:
+    """ "no answer" was said while an answer was still to come."""
+    _, in_vain = given_up_in_vain(recording)
+    for answer in answers:
+        too_soon = [t for t in in_vain if answer.call.t < t < answer.at]
+        if too_soon and not answer.may_be_missing:
+            return see.failed(
+                "results-told.given-up-early",
+                f"the call at {answer.call.t:.1f} s was answered with {answer.response} after "
+                f'{answer.at - answer.call.t:.1f} s, and your node had said "{NO_ANSWER}" after '
+                f"{too_soon[0] - answer.call.t:.1f} s",
+                EACH_ANSWER_ONCE,
+                f"It has given up too early: an answer may take {MAY_TAKE_S} s.",
+                "Give a call up when the next one is due, and no earlier.",
+                about_time=True,
+            )
+    return None
+
+
+def why_no_more_told(recording: Recording, answers: list[Answer], words: list[Report]) -> Verdict | None:
+    """Results were reported, and then none any more, while answers went on."""
+    missing = [
+        one for one in answers if not one.may_be_missing and not any(one.told_by(report) for report in words)
+    ]
+    before = [t for t, _ in words if missing and t < missing[0].at]
+    if not before or len(before) < len(words) or given_up(recording, missing[0].call):
+        return None
+    saw = f"the last report of an answer came at {before[-1]:.1f} s; the answer at {missing[0].at:.1f} s had none"
+    return see.failed_by_error(recording, saw, EACH_ANSWER_ONCE) or see.failed(
+        "results-told.stops",
+        f"{saw}, nor any after it",
+        EACH_ANSWER_ONCE,
+        "The reports stop while answers go on: they are counted, or what takes the answers in works no more.",
+        "Report each answer, without end.",
+    )
+
+
+def why_changes_only(recording: Recording, answers: list[Answer], words: list[Report]) -> Verdict | None:
+    """Every answer that was not told says the same as the one before it, and the others were told."""
+    missing = [
+        (one, before)
+        for before, one in zip([None, *answers], answers, strict=False)
+        if not one.may_be_missing and not any(one.told_by(report) for report in words)
+    ]
+    repeated = [
+        (one, before)
+        for one, before in missing
+        if before is not None and before.word == one.word and not given_up(recording, one.call)
+    ]
+    if not repeated or len(repeated) < len(missing):
+        return None
+    one, before = repeated[0]
+    return see.failed(
+        "results-told.changes-only",
+        f'the answer at {one.at:.1f} s said "{one.word}", as the one before it at {before.at:.1f} s had, and was '
+        "not reported; all answers that said something else than the one before were",
+        EACH_ANSWER_ONCE,
+        "Your node reports a result only when it differs from the last one. The control room then cannot tell a robot "
+        "that is still well from one that is no longer asked.",
+        "Publish for each answer, also when it says the same again.",
+    )
+
+
+def why_a_result_without_an_answer(
+    recording: Recording, answers: list[Answer], words: list[Report]
+) -> Verdict | None:
+    """A result was reported for each call without an answer, instead of "no answer"."""
+    silent = [call for call in asked(recording) if call.response is None]
+    strange = [report for report in words if not any(one.near(report) for one in answers)]
+    about = [(call, report) for call in silent for report in strange if is_about(call, report[0])]
+    if not about or told(recording, NO_ANSWER) or len(strange) > len(silent):
+        return None
+    call, (t, word) = about[0]
+    return see.failed(
+        "results-told.no-answer-came",
+        f'the call at {call.t:.1f} s got no answer, and your node said "{word}" at {t:.1f} s',
+        f'"{NO_ANSWER}" for a call that got none; "ok" and "faulty" for answers only',
+        "A call without an answer is reported as if there had been one. Whether the robot is well, nothing has said.",
+        f'Where a call is given up, publish "{NO_ANSWER}".',
+    )
+
+
+def is_about(call: CallSeen, t: float) -> bool:
+    """Whether a report at `t` may be about this call, which got no answer."""
+    return MAY_TAKE_S - SLACK_S <= t - call.t <= GIVEN_UP_WITHIN_S + LONG_SLACK_S
+
+
+def why_too_many(answers: list[Answer], words: list[Report]) -> Verdict | None:
+    """More results than answers."""
+    if len(words) <= len(answers) + 1:
+        return None
+    return see.failed(
+        "results-told.more-than-once",
+        f"{len(answers)} answers came, and your node reported {len(words)} results",
+        EACH_ANSWER_ONCE,
+        "An answer is reported twice: by two methods, or again and again until the next one comes.",
+        "Publish in one place only: where the answer comes in.",
+    )
+
+
+def why_always_the_same(answers: list[Answer], words: list[Report]) -> Verdict | None:
+    """Each answer has a report, and these do not depend on what the answers say."""
+    nearest = [
+        (one, next((word for t, word in words if one.near((t, word))), None))
+        for one in answers
+        if not one.may_be_missing
+    ]
+    said = {word for _, word in nearest}
+    wrong = [(one, word) for one, word in nearest if word != one.word]
+    if not wrong or None in said:
+        return None
+    one, word = wrong[0]
+    saw = f'the call at {one.call.t:.1f} s was answered with {one.response}, and your node said "{word}"'
+    if len(said) == 2 and len(wrong) == len(nearest):
+        return see.failed(
+            "results-told.inverted",
+            saw,
+            EACH_ANSWER_ONCE,
+            'Every report says the opposite of its answer: "ok" and "faulty" are exchanged.',
+            '"ok" if future.result().success else "faulty".',
+        )
+    if len(said) == 1:
+        return see.failed(
+            "results-told.always-the-same",
+            f"{saw}, as for every answer",
+            EACH_ANSWER_ONCE,
+            "The field success of the response is not looked at. The response itself always counts as true, and its "
+            "text is for people.",
+            'Ask for the field: "ok" if future.result().success else "faulty".',
+        )
+    first = next((place for place, (_, word) in enumerate(nearest) if word == wrong[0][1]), 0)
+    if all(word == wrong[0][1] for _, word in nearest[first:]):
+        return see.failed(
+            "results-told.stays",
+            f'{saw}, as for every answer after the first "{word}"',
+            EACH_ANSWER_ONCE,
+            f'Once it has said "{word}", it says so for every answer: an attribute keeps the old result.',
+            "Take each result from its own response: future.result().success.",
+        )
+    return None
+
+
+def why_wrongly_told(recording: Recording, answer: Answer, words: list[Report]) -> Verdict | None:
+    """What is wrong with the report of one answer; None when nothing is."""
+    in_time = [report[1] for report in words if answer.near(report)]
+    if answer.may_be_missing or answer.word in in_time:
+        return None
+    came = f"the call at {answer.call.t:.1f} s was answered with {answer.response}"
+    if in_time:
+        return see.failed(
+            "results-told.other-result",
+            f'{came}, and your node said "{in_time[0]}"',
+            EACH_ANSWER_ONCE,
+            "That is the result of another call, or it was not taken from the field success. The text in message is "
+            "for people, and the same text may come with both.",
+            "In the done callback, look at the future that it got: future.result().success.",
+        )
+    gave_up = given_up(recording, answer.call)
+    said = f'your node said "{NO_ANSWER}"' if gave_up else f'nothing said "{answer.word}"'
+    saw = f"{came} at {answer.at:.1f} s, and {said}"
+    return why_not_taken_in(recording, answer, saw, gave_up)
+
+
+def why_not_taken_in(recording: Recording, answer: Answer, saw: str, gave_up: bool) -> Verdict:
+    """Why an answer was not reported, or as if it had not come."""
+    blamed = see.failed_by_error(recording, saw, EACH_ANSWER_ONCE)
+    if blamed is not None:
+        return blamed
+    if stops_during_a_call(recording) is not None:
+        return see.failed(
+            "results-told.waits-in-callback",
+            f"{saw}; while a call is open, the heart stops too",
+            EACH_ANSWER_ONCE,
+            "The callback that asked waits for the answer. It holds the thread or the callback group of the client: "
+            "the answer has come, and nothing can take it in.",
+            "Return from the callback that asks, and publish in a done callback of the future.",
+            about_time=True,
+        )
+    if answer.was_slow and not gave_up:
+        return see.failed(
+            "results-told.slow-dropped",
+            f"{saw}; it had taken {answer.at - answer.call.t:.1f} s",
+            EACH_ANSWER_ONCE,
+            f"An answer that is slow is dropped, or forgotten before it comes. An answer may take {MAY_TAKE_S} s.",
+            "Report the answer in a done callback, however long it took; forget a call after a second, not earlier.",
+            about_time=True,
+        )
+    return see.failed(
+        "results-told.not-taken-in",
+        saw,
+        EACH_ANSWER_ONCE,
+        "The answer is in the process, but nothing takes it in: the callback that asked still waits and holds the "
+        "callback group of the client, or nothing looks at the future.",
+        "Return from the callback that asks, and publish in a done callback of the future.",
+        about_time=True,
+    )
+
+
+# --- the calls without an answer ----------------------------------------------------------------------------
+
+ONE_NO_ANSWER = (
+    f'"{NO_ANSWER}" once for a call without an answer, {MAY_TAKE_S} to {GIVEN_UP_WITHIN_S:.0f} s after it'
+)
+
+
 def given_up_in_vain(recording: Recording) -> tuple[list[CallSeen], list[float]]:
-    """Calls without an answer of which nobody was told, and when "no answer" was said where there was no such call.
+    """Calls without an answer that were not given up, and when "no answer" was said where there was no such call.
 
     Calls that may still be given up when the watch ends are none of the first, and what is said of them is none of the
     second.
     """
     left = [t for t, _ in told(recording, NO_ANSWER)]
     silent = [call for call in asked(recording) if call.response is None]
-    may_come_later = [call for call in silent if call.t >= recording.robot_s - GIVEN_UP_WITHIN_S - SLACK_S]
+    may_come_later = [
+        call for call in silent if call.t >= recording.robot_s - GIVEN_UP_WITHIN_S - LONG_SLACK_S
+    ]
     untold = []
     for call in silent[: len(silent) - len(may_come_later)]:
-        in_time = [t for t in left if call.t < t <= call.t + GIVEN_UP_WITHIN_S + SLACK_S]
+        in_time = [t for t in left if is_about(call, t)]
         if in_time:
             left.remove(in_time[0])
         else:
             untold.append(call)
-    return untold, [
-        t for t in left if not any(0.0 < t - call.t < GIVEN_UP_WITHIN_S + SLACK_S for call in may_come_later)
-    ]
+    return untold, [t for t in left if not any(is_about(call, t) for call in may_come_later)]
 
 
 def given_up(recording: Recording, call: CallSeen) -> bool:
     """Whether "no answer" was said for this call."""
-    return any(call.t < t < call.t + GIVEN_UP_WITHIN_S + SLACK_S for t, _ in told(recording, NO_ANSWER))
+    untold, in_vain = given_up_in_vain(recording)
+    if call.response is None:
+        return call not in untold
+    return any(call.t < t < call.t + GIVEN_UP_WITHIN_S + LONG_SLACK_S for t in in_vain)
 
 
-def delays(recording: Recording) -> list[tuple[Answer, float]] | None:
-    """Each answer and how much later it was told, when the words fit the answers one by one; else None.
-
-    On a very busy machine one slow answer may be given up a moment too early.
-    """
-    answers, words = answers_in(recording), told(recording, *WORDS.values())
-    last = recording.robot_s - TOLD_WITHIN_S - SLACK_S
-
-    def fit(i: int, j: int, excused: bool) -> list[tuple[Answer, float]] | None:
-        if i == len(answers):
-            return [] if all(t > last or t < EARLY_S for t, _ in words[j:]) else None
-        answer = answers[i]
-        if j < len(words) and words[j][1] == answer.word and -EARLY_S <= words[j][0] - answer.at <= BELONGS_S:
-            rest = fit(i + 1, j + 1, excused)
-            if rest is not None:
-                return [(answer, words[j][0] - answer.at), *rest]
-        if answer.may_be_missing:
-            return fit(i + 1, j, excused)
-        if answer.was_slow and not excused and given_up(recording, answer.call):
-            return fit(i + 1, j, True)
-        return None
-
-    return fit(0, 0, False)
-
-
-@criterion(points=2, title="Each answer is told: right, in time and once", needs=[calls_arrive, health_topic])
-def results_told(recording: Recording) -> Verdict:
-    expected = f'"ok" or "faulty", as the response says, once, at most {TOLD_WITHIN_S} s after each answer'
-    fitting = delays(recording)
-    if fitting is None:
-        return _explain_misfit(recording, expected)
-    late = [(answer, delay) for answer, delay in fitting if delay > TOLD_WITHIN_S + SLACK_S / 2]
-    if len(late) > 1:
-        answer, delay = late[0]
-        return see.failed(
-            f"{len(late)} of {len(fitting)} answers were told late: the one that came at {answer.at:.1f} s "
-            f"{delay:.1f} s later",
-            expected,
-            "The result is picked up when the next question is asked, so each report is the one of an earlier call.",
-            "Take the answer in a done callback: future.add_done_callback(self.on_answer).",
-            about_time=True,
-        )
-    return see.passed(f"{len(fitting)} answers told")
-
-
-def _explain_misfit(recording: Recording, expected: str) -> Verdict:
-    """Which answer was told wrongly, or not at all, or too often."""
-    answers, words = answers_in(recording), told(recording, *WORDS.values())
+def given_up_a_moment_early(recording: Recording, answer: Answer) -> bool:
+    """Whether a slow answer was given up when it could hardly come any more, and not reported."""
     _, in_vain = given_up_in_vain(recording)
-    if len(words) > len(answers) + 1:
-        return see.failed(
-            f"{len(answers)} answers came, and your node reported {len(words)} results",
-            expected,
-            "An answer is reported twice: by two methods, or again and again until the next one comes.",
-            "Publish in one place only: where the answer comes in.",
-        )
-    for answer in answers:
-        if answer.may_be_missing:
-            continue
-        response = f"success={answer.word == 'ok'}"
-        in_time = [word for t, word in words if -EARLY_S <= t - answer.at <= TOLD_WITHIN_S + SLACK_S / 2]
-        too_soon = [t for t in in_vain if 0.0 < t - answer.call.t < ASKED_EVERY_S + SLACK_S]
-        if too_soon and too_soon[0] < answer.at:
-            return see.failed(
-                f"the call at {answer.call.t:.1f} s was answered with {response} after "
-                f'{answer.at - answer.call.t:.1f} s, and your node had said "{NO_ANSWER}" after '
-                f"{too_soon[0] - answer.call.t:.1f} s",
-                expected,
-                "It has given up too early: an answer may take 0.8 s.",
-                "Give a call up when the next one is due, and no earlier.",
-                about_time=True,
-            )
-        if too_soon or not in_time:
-            return see.failed(
-                f"the call at {answer.call.t:.1f} s was answered with {response} at {answer.at:.1f} s, and "
-                + (f'your node said "{NO_ANSWER}"' if too_soon else f'nothing said "{answer.word}"'),
-                expected,
-                "The answer is in the process, but nobody takes it in: the callback that asked still waits and holds "
-                "the thread or the callback group of the client, or it has given up too early (an answer may take "
-                "0.8 s), or nothing looks at the future.",
-                "Return from the callback that asks, and publish in a done callback of the future.",
-                about_time=True,
-            )
-        if answer.word not in in_time:
-            return see.failed(
-                f'the call at {answer.call.t:.1f} s was answered with {response}, and your node said "{in_time[0]}"',
-                expected,
-                "That is the result of another call, or the field success of the response was not looked at.",
-                "In the done callback, look at the future that it got: future.result().success.",
-            )
+    if not answer.was_slow or any(answer.told_by(report) for report in told(recording, answer.word)):
+        return False
+    return any(is_about(answer.call, t) and t - answer.call.t <= GIVEN_UP_AT_ONCE_S for t in in_vain)
+
+
+def why_early(call: CallSeen, at: float) -> Verdict:
+    """A call got no answer, and "no answer" was said too early."""
     return see.failed(
-        f"{len(answers)} answers came, but the {len(words)} results on {HEALTH.name} are others, or in another order",
-        expected,
-        "A result is reported that belongs to another call.",
-        "In the done callback, look at the future that it got, and at no other.",
+        "unanswered-told.early",
+        f'the call at {call.t:.1f} s got no answer, and your node said "{NO_ANSWER}" after {at - call.t:.1f} s',
+        ONE_NO_ANSWER,
+        f"It has given up too early: an answer may take {MAY_TAKE_S} s.",
+        "Give a call up when the next one is due, and no earlier.",
     )
 
 
-@criterion(
-    points=2,
-    title='"no answer" is told within 2 s, and only where there was none',
-    needs=[calls_arrive, health_topic],
-)
-def unanswered_told(recording: Recording) -> Verdict:
-    expected = f'"{NO_ANSWER}" once for a call without an answer, at most {GIVEN_UP_WITHIN_S:.0f} s after it'
-    untold, false = given_up_in_vain(recording)
-    if untold:
-        call = untold[0]
-        later = [t for t in false if t > call.t]
+def why_not_given_up(recording: Recording, call: CallSeen, later: list[float]) -> Verdict:
+    """A call got no answer, and "no answer" was said too late, at the first of `later`, or never."""
+    saw = f"the call at {call.t:.1f} s got no answer, and your node "
+    try_this = (
+        "Remember the open call. When a second has passed, report it, and forget it with "
+        "remove_pending_request(future)."
+    )
+    if later and later[0] - call.t < MAY_TAKE_S - SLACK_S:
+        return why_early(call, later[0])
+    if later and later[0] - call.t < 2 * GIVEN_UP_WITHIN_S:
         return see.failed(
-            f"the call at {call.t:.1f} s got no answer, and your node "
-            + (f"said so {later[0] - call.t:.1f} s later" if later else "said nothing of it"),
-            expected,
-            "The call is given up too late: after more than two seconds, or only with the second question after it."
-            if later
-            else "A future without an answer calls nobody: no done callback, no error, for the rest of its life.",
-            "Remember the open call. When a second has passed, report it, and forget it with "
-            "remove_pending_request(future).",
+            "unanswered-told.late",
+            f"{saw}said so {later[0] - call.t:.1f} s later",
+            ONE_NO_ANSWER,
+            "The call is given up too late: after more than two seconds, or only with the second question after it.",
+            try_this,
             about_time=True,
         )
-    false = [t for t in false if t > FIRST_SECONDS_S]
-    slow = [answer for answer in answers_in(recording) if answer.was_slow]
-    if len(false) == 1 and any(given_up(recording, answer.call) for answer in slow):
-        false = []  # a very busy machine
-    if not false:
-        return see.passed(f'"{NO_ANSWER}" for each call without an answer, and no false alarm')
-    before = [call for call in asked(recording) if call.t < false[0]]
-    answered = before[-1].answered_t if before else None
-    if answered is None:
+    first = asked(recording)[UNANSWERED - 1]
+    if call is not first and given_up(recording, first):
         return see.failed(
-            f'"{NO_ANSWER}" at {false[0]:.1f} s, for the second time',
-            expected,
+            "unanswered-told.first-only",
+            f'{saw}said nothing of it; of the call at {first.t:.1f} s it had said "{NO_ANSWER}"',
+            ONE_NO_ANSWER,
+            "It gives up one call and not the next: what notices the missing answer works only once, or a repeated "
+            f'"{NO_ANSWER}" is taken for nothing new.',
+            "Note the moment of each call anew, and report each call that is given up.",
+        )
+    return see.failed(
+        "unanswered-told.never",
+        f"{saw}said nothing of it",
+        ONE_NO_ANSWER,
+        "A future without an answer calls nothing: no done callback, no error. Something else has to look at each open "
+        "call, and the next call must not take its place unnoticed.",
+        try_this,
+    )
+
+
+def why_given_up(recording: Recording, in_vain: list[float]) -> Verdict:
+    """ "no answer" was said at moments when no call was without one."""
+    at = in_vain[0]
+    calls = [call for call in asked(recording) if call.t < at]
+    waiting = [call for t in in_vain for call in asked(recording) if call.t < t < (call.answered_t or 0.0)]
+    if len(waiting) >= len(in_vain):
+        call = waiting[0]
+        return see.failed(
+            "unanswered-told.still-open",
+            f'"{NO_ANSWER}" {at - call.t:.1f} s after the call at {call.t:.1f} s, which was answered '
+            f"{(call.answered_t or at) - call.t:.1f} s after it",
+            ONE_NO_ANSWER,
+            f"It gives up too early: an answer may take {MAY_TAKE_S} s.",
+            "Give up no earlier than the next question.",
+            about_time=True,
+        )
+    if any(call.response is None and given_up(recording, call) for call in calls):
+        return see.failed(
+            "unanswered-told.twice",
+            f'"{NO_ANSWER}" at {at:.1f} s once more, and no other call was without an answer',
+            ONE_NO_ANSWER,
             "The call that was given up is still kept, and reported again.",
             "Forget a call when you have reported it.",
         )
     return see.failed(
-        f'"{NO_ANSWER}" at {false[0]:.1f} s, but the call at {before[-1].t:.1f} s was answered after '
-        f"{answered - before[-1].t:.1f} s",
-        expected,
-        "Either it gives up too early (an answer may take 0.8 s), or it waits in a callback, and so the answer that "
-        "has come cannot be taken in.",
-        "Give up no earlier than the next question, and do not wait in the callback.",
+        "unanswered-told.was-answered",
+        f'"{NO_ANSWER}" at {at:.1f} s, and every call until then had been answered',
+        ONE_NO_ANSWER,
+        "The answer has come and was not taken in: the callback that asked waits for it; or a call that was answered "
+        "is still kept as an open one.",
+        "Do not wait in the callback, and forget a call when its answer has come.",
         about_time=True,
     )
 
 
-@criterion(points=1, title="The program is still alive at the end", needs=[program_runs])
-def alive_at_end(recording: Recording) -> Verdict:
-    return see.alive_at_end(recording)
+# --- the heartbeat ------------------------------------------------------------------------------------------
+
+FIVE_HERTZ = (
+    f"5 Hz, also while a call waits for its answer: {LEAST_SHARE:.0%} to {MOST_SHARE:.0%} of the beats, typically one "
+    f"every {SHORTEST_BEAT_S} to {LONGEST_BEAT_S} s"
+)
 
 
 def open_for_long(recording: Recording) -> list[tuple[float, float]]:
@@ -399,49 +815,88 @@ def open_for_long(recording: Recording) -> list[tuple[float, float]]:
     return [(begin + EDGE_S, end - EDGE_S) for begin, end in spans if end - begin > SLOW / 2]
 
 
-@criterion(points=2, title="The heart beats at 5 Hz, whatever happens to a call", needs=[alive_at_end])
-def heartbeat_steady(recording: Recording) -> Verdict:
-    exists = see.all_of(
-        see.publishes(recording, HEARTBEAT), see.no_message(recording, HEARTBEAT) or see.passed("it beats")
-    )
-    if not exists.ok:
-        return exists
-    expected = "5 Hz: a beat every 0.2 s, also while a call waits for its answer"
-    beats = [arrival.t for arrival in recording.topic(HEARTBEAT.name).arrivals]
+def stops_during_a_call(recording: Recording) -> Verdict | None:
+    """A failed verdict when most beats are missing while calls wait for their answers; None otherwise."""
     spans = open_for_long(recording)
-    due = sum(end - begin for begin, end in spans) * 5.0
-    came = sum(begin <= t <= end for begin, end in spans for t in beats)
-    if due > 1.0 and came < LEAST_SHARE * due:
-        silent = [begin for begin, end in spans if not any(begin <= t <= end for t in beats)] or [spans[0][0]]
+    beats = see.beats_meanwhile(recording, HEARTBEAT, spans)
+    if beats.due <= LEAST_DUE or beats.came >= LEAST_MEANWHILE * beats.due:
+        return None
+    silent_from = beats.silent_from[0] if beats.silent_from else spans[0][0]
+    return see.failed(
+        "heartbeat-steady.stops-during-a-call",
+        f"while a call was waiting for its answer, {beats.came} beats came, and {beats.due:.0f} were due: for example, "
+        f"too few after the call at {silent_from - EDGE_S:.1f} s",
+        FIVE_HERTZ,
+        "The callback that asks waits for the answer. While it waits, it keeps the thread, or the callback group "
+        "that the heartbeat is in, and no other callback runs.",
+        "Send the request with call_async() and return. Or give heartbeat and waiting callback different callback "
+        "groups and a MultiThreadedExecutor.",
+        about_time=True,
+    )
+
+
+def comes_in_bursts(recording: Recording) -> Verdict | None:
+    """A failed verdict when several beats come at a time, and then none for a while; None otherwise."""
+    pace = see.topic_pace(recording, HEARTBEAT)
+    if not pace.in_bursts:
+        return None
+    return see.failed(
+        "heartbeat-steady.in-bursts",
+        f"{pace.count} beats, {pace.burst} at a time",
+        FIVE_HERTZ,
+        "Several beats are published at once, and then none for a while. That is no sign that the program still runs "
+        "in between.",
+        "Publish one beat on every tick of a timer of 0.2 s.",
+    )
+
+
+def stops_for_good(recording: Recording) -> Verdict | None:
+    """A failed verdict when no beat comes any more towards the end; None otherwise."""
+    end = recording.topic(HEARTBEAT.name).arrivals[-1].t
+    typical = see.beats(recording, HEARTBEAT).typical_s
+    if recording.robot_s - end <= max(STOPPED_S, 1.5 * typical):
+        return None
+    saw = f"the last beat came at {end:.1f} s, then none until {recording.robot_s:.1f} s"
+    blamed = see.failed_by_error(recording, saw, FIVE_HERTZ)
+    if blamed is not None:
+        return blamed
+    if not any(call.t > end + EDGE_S for call in asked(recording)):
         return see.failed(
-            f"while a call was waiting for its answer, {came} beats came, and {due:.0f} were due: for example, none "
-            f"after the call at {silent[0] - EDGE_S:.1f} s",
-            expected,
-            "The callback that asks waits for the answer. While it waits, it keeps the thread, or the callback group "
-            "that the heartbeat is in, and no other callback runs.",
-            "Send the request with call_async() and return. Or give heartbeat and waiting callback different callback "
-            "groups and a MultiThreadedExecutor.",
-            about_time=True,
-        )
-    if recording.robot_s - beats[-1] > LONGEST_PAUSE_S:
-        last = max((call.t for call in asked(recording) if call.t <= beats[-1] + 0.3), default=None)
-        after = "" if last is None else f", just after the call at {last:.1f} s"
-        return see.failed(
-            f"the last beat came at {beats[-1]:.1f} s{after}, then none until {recording.robot_s:.1f} s",
-            expected,
+            "heartbeat-steady.stops",
+            f"{saw}; nor did a call come after it",
+            FIVE_HERTZ,
             "A callback has not returned: it waits for an answer that cannot come in while it waits, and keeps the "
             "thread, or the callback group that the heartbeat is in.",
             "Send the request with call_async(), add a done callback, and return.",
             about_time=True,
         )
-    pace = see.topic_pace(recording, HEARTBEAT)
-    typical = pace.typical_interval
-    if typical is None or not 0.16 <= typical <= 0.25:
+    return see.failed(
+        "heartbeat-steady.stops-alone",
+        f"{saw}, while calls went on",
+        FIVE_HERTZ,
+        "The rest of the program goes on, and the heart does not: its timer is canceled or destroyed, its beats are "
+        "counted, or its thread has ended.",
+        "Publish on every tick of its timer, without end.",
+    )
+
+
+def why_too_few_or_many(beats: see.Beats) -> Verdict:
+    """The typical pause is right, and still there are too few beats, or too many."""
+    saw = f"{beats.count} beats, and {beats.due} were due"
+    if beats.share > 1.0:
         return see.failed(
-            "one single beat" if typical is None else f"typically a beat every {typical:.2g} s",
-            expected,
-            "The period of the timer is another one, or something holds it up again and again.",
-            "5 Hz is a period of 0.2 s: create_timer(0.2, self.beat), and no callback that waits.",
-            about_time=True,
+            "heartbeat-steady.too-many",
+            saw,
+            FIVE_HERTZ,
+            "More than one place publishes the heartbeat.",
+            "Keep one timer of 0.2 s for it, with one publish() in it.",
         )
-    return see.passed(f"{pace.count} beats, typically one every {typical:.1f} s")
+    return see.failed(
+        "heartbeat-steady.too-few",
+        f"{saw}; the longest silence took {beats.silence.seconds:.1f} s, from {beats.silence.start:.1f} s on",
+        FIVE_HERTZ,
+        "Something holds the heartbeat up now and then: a callback in its thread or callback group waits, sleeps or "
+        "works.",
+        "Let every callback return at once, or give the heartbeat a callback group and a thread of its own.",
+        about_time=True,
+    )

@@ -1,22 +1,36 @@
-"""How exercise 13 is judged: a robot that has spoken before the dashboard starts, and whose heart then falls silent."""
+"""How exercise 13 is judged: a robot that has spoken before the dashboard starts, and whose heart is silent twice."""
 
+from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from std_msgs.msg import Bool, String
 
 import workbook.criteria as see
-from workbook.criteria import Recording, Verdict, criterion, topic, watching
+from workbook.criteria import Recording, Verdict, criterion, program_runs, topic, watching
 
 LINE = topic("/dashboard/line", String, hz=2.0)
 ALARM = topic("/dashboard/alarm", Bool)
 
-FIRST, THEN, THEN_AT_S = "operational", "error", 4.0
-SILENT_FROM_S, BEATS_AGAIN_S, WATCH_S, BEAT_S = 2.0, 5.75, 8.0, 0.25
+WATCH_S = 10.75
+# It was "error" before the start, and changes more often than a program that counts its messages will follow.
+FIRST = "error"
+CHANGES = [
+    (2.0, "operational"),
+    (4.5, "error"),
+    (6.0, "operational"),
+    (7.5, "error"),
+    (9.0, "operational"),
+]
+BEAT_S = 0.25
+# Two silences of more than three seconds, and between them a hiccup, which is none.
 BEAT_TIMES = [
-    n * BEAT_S for n in range(int(WATCH_S / BEAT_S)) if not SILENT_FROM_S < n * BEAT_S < BEATS_AGAIN_S
+    *(n * BEAT_S for n in range(5)),
+    *(4.75 + n * BEAT_S for n in range(4)),
+    *(6.25 + n * BEAT_S for n in range(4)),
 ]
 
-STATUS = see.says("/robot/status", String, [(see.BEFORE_START, FIRST), (THEN_AT_S, THEN)], qos="latched")
+STATUS = see.says("/robot/status", String, [(see.BEFORE_START, FIRST), *CHANGES], qos="latched")
 HEART = see.says(
     "/robot/heartbeat",
     String,
@@ -26,88 +40,17 @@ HEART = see.says(
 )
 WATCH = watching(wall_seconds=WATCH_S, script=[STATUS, HEART])
 
-WORDS = (FIRST, THEN, "unknown")
+UNKNOWN = "unknown"
+WORDS = ("operational", "error", UNKNOWN)
 AT_ONCE_S = 1.0  # what was said before must be on the line by then
-NOT_BEFORE_S, NOT_AFTER_S, SLACK_S = 1.0, 3.0, 0.5
+FOLLOWS_S = 0.8
+NOT_BEFORE_S, NOT_AFTER_S, SLACK_S = 1.0, 3.0, 0.2
 FALLS_WITHIN_S = 1.5
-SILENCE_S = 2.0  # a pause between beats that is longer is the silence of the script
-SLOWEST_HZ, FASTEST_HZ, LONGEST_GAP_S = 1.4, 2.8, 1.6
-
-
-def wrong_line(recording: Recording, begin: float, end: float, word: str) -> tuple[float, str] | None:
-    """The first line between two moments (s) that does not name `word`, or names another status, too."""
-    for arrival in recording.topic(LINE.name).arrivals:
-        text = str(arrival.value["data"]).lower()
-        if begin <= arrival.t < end and [one for one in WORDS if one in text] != [word]:
-            return arrival.t, str(arrival.value["data"])[:60]
-    return None
-
-
-def changes_at(recording: Recording) -> float:
-    """When the status changed; the end of the watch if it never came so far."""
-    return next((one.t for one in see.said(recording, STATUS.topic) if one.t > 0.0), recording.robot_s)
-
-
-def silence(recording: Recording) -> tuple[float, float]:
-    """The last beat before the silence and the first one after it (s); the end of the watch where they are missing."""
-    beats = [one.t for one in see.said(recording, HEART.topic)]
-    for last, first in pairwise(beats):
-        if last >= SILENT_FROM_S - BEAT_S and first - last > SILENCE_S:
-            return last, first
-    return beats[-1] if beats else recording.robot_s, recording.robot_s
-
-
-def alarms(recording: Recording, begin: float, end: float) -> list[tuple[float, bool]]:
-    """What /dashboard/alarm said between two moments (s)."""
-    heard = recording.topic(ALARM.name).arrivals
-    return [(one.t, bool(one.value["data"])) for one in heard if begin <= one.t < end]
-
-
-def two_words(seen: str, expected: str) -> Verdict:
-    """The line names the right status, and another one, too."""
-    return see.failed(
-        seen,
-        expected,
-        "The line names the right status and another one of the three words, too. Nobody can tell which one holds.",
-        f"Let exactly one of {', '.join(WORDS)} stand on the line.",
-    )
-
-
-def why_not_at_once(recording: Recording, seen: str) -> Verdict:
-    """Why a line does not name what was said before the program started."""
-    expected = f'"{FIRST}" on every line, from {AT_ONCE_S:g} s on'
-    if FIRST in seen.lower():
-        return two_words(seen, expected)
-    asked = [one for one in recording.topic(STATUS.topic).subscribers if one.type == STATUS.type]
-    if all(one.durability == "volatile" for one in asked):
-        return see.failed(
-            seen,
-            expected,
-            "Your subscription to /robot/status is volatile: it asks only for what is said from now on. The robot "
-            "spoke before, and it will speak again only when its status changes.",
-            "Ask for it: QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL).",
-        )
-    if all(one.reliability == "best_effort" for one in asked):
-        return see.failed(
-            seen,
-            expected,
-            "Your subscription to /robot/status is transient local, but best effort. What was said before is handed "
-            "over to reliable subscriptions only.",
-            "Leave reliability out of this QoSProfile: the default is reliable.",
-        )
-    return see.failed(
-        seen,
-        expected,
-        "Your subscription asks for the right thing. So the message comes, and the line is not made from it, or it is "
-        "published only in the moment when the message comes.",
-        "Keep message.data in self in the callback, and publish that on every tick of a timer.",
-        about_time=True,
-    )
-
-
-@criterion(points=0, title="Your program runs and its node is on the graph")
-def program_runs(recording: Recording) -> Verdict:
-    return see.program_runs(recording)
+EARLY_S = 0.02  # a True that was measured so much too early is no false alarm
+SILENCE_S = 2.0  # a pause between beats that is longer is a silence of the script
+SLOWEST_HZ, FASTEST_HZ, LONGEST_GAP_S = 1.8, 2.2, 1.25
+SHORTEST_S, LONGEST_S = 0.45, 0.55
+NEAR_S = 0.7  # from the last line to the True that a silence of the line goes with
 
 
 @criterion(points=0, title="It runs until the end of the watch", needs=[program_runs])
@@ -121,14 +64,28 @@ def line_topic(recording: Recording) -> Verdict:
 
 
 @criterion(points=1, title="The line comes at 2 Hz, and never stops", needs=[line_topic, runs_on])
+@see.needs_messages(LINE)
 def line_rate(recording: Recording) -> Verdict:
-    nothing = see.no_message(recording, LINE)
-    if nothing is not None:
-        return nothing
     seen = see.topic_pace(recording, LINE)
-    if seen.hz is not None and SLOWEST_HZ <= seen.hz <= FASTEST_HZ and seen.gap.seconds <= LONGEST_GAP_S:
+    typical = seen.typical_interval or 0.0
+    even = SHORTEST_S <= typical <= LONGEST_S and seen.gap.seconds <= LONGEST_GAP_S
+    if seen.hz is not None and SLOWEST_HZ <= seen.hz <= FASTEST_HZ and even:
         return see.passed(f"{seen.hz:.1f} Hz over {seen.count} lines")
-    return see.rate(recording, LINE)
+    silent = why_silent(recording)
+    if silent is not None:
+        return silent
+    usual = see.rate(recording, LINE)
+    if not usual.ok:
+        return replace(usual, expected=TWO_HERTZ)
+    return see.failed(
+        "line-rate.uneven",
+        f"{seen.count} lines, {seen.hz or 0.0:.2g} Hz, typically {typical:.2g} s from one to the next",
+        TWO_HERTZ,
+        "The period is near the right one, but not the right one; or a loop sleeps for the period and takes the time "
+        "of its work on top.",
+        "2 Hz is a period of 0.5 s: create_timer(0.5, self.publish_line).",
+        about_time=True,
+    )
 
 
 @criterion(points=2, title="It knows at once what was said before it started", needs=[line_topic, runs_on])
@@ -136,33 +93,45 @@ def status_at_once(recording: Recording) -> Verdict:
     hears = see.hears(recording, STATUS)
     if not hears.ok:
         return hears
-    until = changes_at(recording)
-    lines = [one for one in recording.topic(LINE.name).arrivals if AT_ONCE_S <= one.t < until]
+    until = statuses(recording)[0][1]
+    lines = lines_between(recording, AT_ONCE_S, until)
     if not lines:
-        return why_not_at_once(recording, f"no line between {AT_ONCE_S:.1f} s and {until:.1f} s")
-    wrong = wrong_line(recording, AT_ONCE_S, until, FIRST)
+        return see.failed(
+            "status-at-once.no-line",
+            f"no line between {AT_ONCE_S:.1f} s and {until:.1f} s",
+            f'"{FIRST}" on every line, from {AT_ONCE_S:g} s on',
+            "No line came at all in that time: not the status is the problem, but the line.",
+            "See first why the line does not come at 2 Hz.",
+        )
+    wrong = next(((t, text) for t, text in lines if named(text) != [FIRST]), None)
     if wrong is not None:
         return why_not_at_once(recording, f'"{wrong[1]}" on {LINE.name} {wrong[0]:.1f} s after the start')
+    if all_requests(recording, "durability", "volatile"):
+        return guessed(f'"{FIRST}" on the line, and a volatile subscription to {STATUS.topic}')
     return see.passed(f'"{FIRST}" on each of {len(lines)} lines')
 
 
 @criterion(points=1, title="The line follows when the status changes", needs=[status_at_once])
 def status_follows(recording: Recording) -> Verdict:
-    since = changes_at(recording) + AT_ONCE_S
-    lines = [one for one in recording.topic(LINE.name).arrivals if one.t >= since]
-    wrong = wrong_line(recording, since, recording.robot_s, THEN)
-    if lines and wrong is None:
-        return see.passed(f'"{THEN}" on each of {len(lines)} lines after the change')
-    if wrong is not None and THEN in wrong[1].lower():
-        return two_words(f'"{wrong[1]}" on {LINE.name}', f'"{THEN}" on the line')
-    saw = f'still "{wrong[1]}"' if wrong is not None else "no line"
-    return see.failed(
-        f'{saw} a second after the robot had said "{THEN}"',
-        f'"{THEN}" on the line',
-        "The status is read once at the start, or a callback that does not return keeps the next message out.",
-        "Subscribe, and let the callback put every message into self. Never wait or sleep in a callback.",
-        about_time=True,
-    )
+    changes = statuses(recording)[1:]
+    followed = 0
+    for begin, end, word in changes:
+        lines = lines_between(recording, begin + FOLLOWS_S, end)
+        wrong = next((text for _, text in lines if named(text) != [word]), None)
+        if wrong is not None and word in named(wrong):
+            return two_words("status-follows.two-words", f'"{wrong}" on {LINE.name}', f'"{word}" on the line')
+        if wrong is not None:
+            return why_not_followed(recording, followed, (begin, end, word), wrong)
+        followed += bool(lines)  # whether the line comes at all, `line_rate` judges
+    if changes and not followed:
+        return see.failed(
+            "status-follows.no-line",
+            f"no line more than {FOLLOWS_S} s after a change of the status",
+            "the new status on the line",
+            "No line came at all then: not the status is the problem, but the line.",
+            "See first why the line does not come at 2 Hz.",
+        )
+    return see.passed(f"the line named {followed} of {len(changes)} new statuses, and never another one")
 
 
 @criterion(points=1, title="It hears the heartbeat", needs=[program_runs])
@@ -184,69 +153,433 @@ def alarm_kept(recording: Recording) -> Verdict:
     points=1, title="The alarm is raised within 3 s of silence", needs=[alarm_topic, hears_heartbeat, runs_on]
 )
 def alarm_raised(recording: Recording) -> Verdict:
-    began, ended = silence(recording)
-    raised = [t - began for t, on in alarms(recording, began, ended) if on]
-    if raised and raised[0] <= NOT_AFTER_S + SLACK_S:
-        return see.passed(f"raised {raised[0]:.1f} s after the last beat")
+    took = []
+    for number, (began, ended) in enumerate(silences(recording)):
+        if recording.robot_s < began + NOT_AFTER_S + SLACK_S:
+            continue
+        raised = [t - began for t, on in alarms(recording, began, ended) if on]
+        if not raised and [on for _, on in alarms(recording, 0.0, began)][-1:] == [True]:
+            continue  # it is on since the silence before: that it does not end, `alarm_falls` judges
+        if not raised or raised[0] > NOT_AFTER_S + SLACK_S:
+            return why_not_raised(recording, number, began, ended, raised)
+        took.append(f"{raised[0]:.1f} s")
+    return see.passed(f"raised {see.listing(took)} after the last beat")
+
+
+@criterion(points=1, title="No alarm before it is due", needs=[alarm_topic, hears_heartbeat, runs_on])
+def no_false_alarm(recording: Recording) -> Verdict:
+    beats = beat_times(recording)
+    calm_from = AT_ONCE_S
+    for began, ended in silences(recording):
+        early = [t for t, on in alarms(recording, calm_from, began + NOT_BEFORE_S - EARLY_S) if on]
+        if early:
+            return why_false_alarm(early[0], max((beat for beat in beats if beat <= early[0]), default=0.0))
+        # The alarm of this silence may last until it is taken back: whether it is, `alarm_falls` judges.
+        taken_back = [t for t, on in alarms(recording, ended, recording.robot_s) if not on]
+        calm_from = taken_back[0] if taken_back else recording.robot_s
+    return see.passed("no alarm while the heart beats, nor in the first second of silence")
+
+
+@criterion(points=1, title="The alarm ends when the heart beats again", needs=[alarm_raised, no_false_alarm])
+def alarm_falls(recording: Recording) -> Verdict:
+    for began, ended in silences(recording):
+        during = alarms(recording, began, min(ended, recording.robot_s))
+        raised = next((t for t, on in during if on), None)
+        fell = next((t for t, on in during if raised is not None and t > raised and not on), None)
+        if fell is not None:
+            return why_fell_in_silence(fell - began)
+        if ended + FALLS_WITHIN_S + SLACK_S > recording.robot_s:
+            continue
+        fell = next((t for t, on in alarms(recording, ended, recording.robot_s) if not on), None)
+        if fell is None or fell - ended > FALLS_WITHIN_S + SLACK_S:
+            return why_not_taken_back(None if fell is None else fell - ended)
+    return see.passed("taken back when the heart beat again")
+
+
+# --- what was said, and when --------------------------------------------------------------------------------
+
+TWO_HERTZ = (
+    f"2 Hz, always: {SLOWEST_HZ} to {FASTEST_HZ} Hz, typically one line every {SHORTEST_S} to {LONGEST_S} s, "
+    f"no silence over {LONGEST_GAP_S} s"
+)
+
+
+def named(text: str) -> list[str]:
+    """The words for a status that a line names."""
+    return [word for word in WORDS if word in text.lower()]
+
+
+def lines_between(recording: Recording, begin: float, end: float) -> list[tuple[float, str]]:
+    """The lines that came between two moments (s), and when."""
+    heard = recording.topic(LINE.name).arrivals
+    return [(one.t, str(one.value["data"])[:60]) for one in heard if begin <= one.t < end]
+
+
+def statuses(recording: Recording) -> list[tuple[float, float, str]]:
+    """From when to when (s) each status held, and its word; the first one from the begin of the watch on."""
+    said = [(max(0.0, one.t), str(one.value["data"])) for one in see.said(recording, STATUS.topic)]
+    ends = [*(t for t, _ in said[1:]), recording.robot_s]
+    return [(begin, end, word) for (begin, word), end in zip(said, ends, strict=True)]
+
+
+def beat_times(recording: Recording) -> list[float]:
+    """When the heart beat (s)."""
+    return [one.t for one in see.said(recording, HEART.topic)]
+
+
+def silences(recording: Recording) -> list[tuple[float, float]]:
+    """The last beat before each long silence and the first one after it (s); the end of the watch if there is none."""
+    beats = beat_times(recording)
+    return [
+        (last, first) for last, first in pairwise([*beats, recording.robot_s]) if first - last > SILENCE_S
+    ]
+
+
+def alarms(recording: Recording, begin: float, end: float) -> list[tuple[float, bool]]:
+    """What /dashboard/alarm said between two moments (s)."""
+    heard = recording.topic(ALARM.name).arrivals
+    return [(one.t, bool(one.value["data"])) for one in heard if begin <= one.t < end]
+
+
+def line_gaps(recording: Recording) -> list[tuple[float, float]]:
+    """The long silences of the line, from when to when (s)."""
+    start, end = recording.topic(LINE.name).window or (0.0, recording.robot_s)
+    times = [start, *(one.t for one in recording.topic(LINE.name).arrivals), end]
+    return [(last, following) for last, following in pairwise(times) if following - last > LONGEST_GAP_S]
+
+
+def lines_with_a_status(recording: Recording) -> int:
+    """How many lines came, if each came just when the robot had said its status; otherwise 0."""
+    times = [one.t for one in recording.topic(LINE.name).arrivals if one.t >= AT_ONCE_S]
+    begins = [begin for begin, _, _ in statuses(recording)]
+    return len(times) if all(any(0.0 <= t - begin <= BEAT_S for begin in begins) for t in times) else 0
+
+
+def all_requests(recording: Recording, policy: str, value: str) -> bool:
+    """Whether every subscription to the status requests this value of a policy."""
+    asked = [one for one in recording.topic(STATUS.topic).subscribers if one.type == STATUS.type]
+    return all(getattr(one, policy) == value for one in asked)
+
+
+def alarms_with_the_status(recording: Recording) -> int:
+    """How many times the alarm changed, if each time right after the status had changed likewise; otherwise 0."""
+    heard = alarms(recording, AT_ONCE_S, recording.robot_s)
+    changes = [(t, on) for (_, before), (t, on) in pairwise([(0.0, None), *heard]) if on != before]
+    likewise = all(
+        any(
+            0.0 <= t - begin <= 2 * EARLY_S + BEAT_S and on == (word == FIRST)
+            for begin, _, word in statuses(recording)
+        )
+        for t, on in changes
+    )
+    return len(changes) if likewise and len(changes) > 1 else 0
+
+
+# --- the line -----------------------------------------------------------------------------------------------
+
+
+def why_silent(recording: Recording) -> Verdict | None:
+    """Why the line stops, where each of its silences begins with the alarm, or with the silence of the heart."""
+    with_a_status = lines_with_a_status(recording)
+    if with_a_status:
+        return see.failed(
+            "line-rate.only-with-a-status",
+            f"{see.count(with_a_status, 'line')} in {recording.robot_s:.1f} s, each just when the robot had said its "
+            "status",
+            TWO_HERTZ,
+            "The line is published in the callback of the status, and that is called only when the status changes.",
+            "Keep the status in self, and publish the line in a timer: create_timer(0.5, self.publish_line).",
+        )
+    gaps = line_gaps(recording)
+    times = see.listing([f"from {begin:.1f} s to {end:.1f} s" for begin, end in gaps])
+    blamed = see.failed_by_error(recording, f"no line {times}", TWO_HERTZ) if gaps else None
+    if blamed is not None:
+        return blamed
+    raised = [t for t, on in alarms(recording, 0.0, recording.robot_s) if on]
+    if gaps and all(any(-EARLY_S <= t - last <= NEAR_S for t in raised) for last, _ in gaps):
+        return see.failed(
+            "line-rate.stops-with-the-alarm",
+            f"no line {times}, just when the alarm was raised",
+            TWO_HERTZ,
+            "What handles the silence holds up the line, too: it waits or sleeps in a callback, or the line is left "
+            "out while there is an alarm.",
+            "Let every callback return at once, and publish the line on every tick of its timer, alarm or not.",
+        )
+    if gaps and all(any(abs(last - began) <= BEAT_S for began, _ in silences(recording)) for last, _ in gaps):
+        return see.failed(
+            "line-rate.stops-with-the-heart",
+            f"no line {times}, just while the heart was silent",
+            TWO_HERTZ,
+            "The line is published in the callback of the heartbeat, and in a silence nothing calls that.",
+            "Publish the line in a timer of its own: create_timer(0.5, self.publish_line).",
+        )
+    return None
+
+
+def two_words(cause: str, seen: str, expected: str) -> Verdict:
+    """The line names the right status, and another one, too."""
+    return see.failed(
+        cause,
+        seen,
+        expected,
+        "The line names the right status and another one of the three words, too. A reader cannot tell which one "
+        "holds.",
+        f"Let exactly one of {', '.join(WORDS)} stand on the line.",
+    )
+
+
+def guessed(seen: str) -> Verdict:
+    """The line is right, and nothing in the program can know it."""
+    return see.failed(
+        "status-at-once.guessed",
+        seen,
+        "a subscription that asks for what was said before: reliable and transient local",
+        "A volatile subscription is given nothing of what was said before. The line shows a word that the program "
+        "has made up.",
+        "Ask for it: QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL), and begin with unknown.",
+    )
+
+
+def why_not_at_once(recording: Recording, seen: str) -> Verdict:
+    """Why a line does not name what was said before the program started."""
+    expected = f'"{FIRST}" on every line, from {AT_ONCE_S:g} s on'
+    if FIRST in seen.lower():
+        return two_words("status-at-once.two-words", seen, expected)
+    if all_requests(recording, "durability", "volatile"):
+        return see.failed(
+            "status-at-once.volatile",
+            seen,
+            expected,
+            "Your subscription to /robot/status is volatile: it asks only for what is said from now on. The robot "
+            "spoke before, and it will speak again only when its status changes.",
+            "Ask for it: QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL).",
+        )
+    if all_requests(recording, "reliability", "best_effort"):
+        return see.failed(
+            "status-at-once.best-effort",
+            seen,
+            expected,
+            "Your subscription to /robot/status is transient local, but best effort. What was said before is handed "
+            "over to reliable subscriptions only.",
+            "Leave reliability out of this QoSProfile: the default is reliable.",
+        )
+    return why_not_on_the_line(seen, expected)
+
+
+def why_not_on_the_line(seen: str, expected: str) -> Verdict:
+    """Why the line does not name a status that the program must have heard."""
+    if not named(seen):
+        return see.failed(
+            "status-at-once.no-word",
+            seen,
+            expected,
+            f"The line holds none of the words {', '.join(WORDS)}.",
+            "Put message.data into the line as it is.",
+        )
+    return see.failed(
+        "status-at-once.not-kept",
+        seen,
+        expected,
+        "Your subscription asks for the right thing. So the message comes, and the line is not made from it, or it is "
+        "published only in the moment when the message comes.",
+        "Keep message.data in self in the callback, and publish that on every tick of a timer.",
+        about_time=True,
+    )
+
+
+def why_not_followed(
+    recording: Recording, followed: int, change: tuple[float, float, str], wrong: str
+) -> Verdict:
+    """Why the line does not name the new status after a change; `followed`: how many changes it has followed."""
+    begin, _, word = change
+    expected = f'"{word}" on the line at the latest {FOLLOWS_S} s after the robot has said so'
+    saw = f'"{wrong}" on the line, more than {FOLLOWS_S} s after the robot had said "{word}" at {begin:.1f} s'
+    if UNKNOWN in named(wrong):
+        return see.failed(
+            "status-follows.unknown-again",
+            saw,
+            expected,
+            "A status is known, and the line says that none is. The silence of the heart changes nothing in what the "
+            "robot has said of its status.",
+            f"Say {UNKNOWN} only before the first status. For the silence there is the alarm.",
+        )
+    if not named(wrong):
+        return see.failed(
+            "status-follows.no-word",
+            saw,
+            expected,
+            f"The line holds none of the words {', '.join(WORDS)}. Whoever reads it then does not learn the status.",
+            "Put message.data into every line, whatever else the line says.",
+        )
+    return why_followed_late(recording, followed, change, saw)
+
+
+def why_followed_late(
+    recording: Recording, followed: int, change: tuple[float, float, str], saw: str
+) -> Verdict:
+    """The line names an old status after a `change`, for a while or for good."""
+    begin, end, word = change
+    expected = f'"{word}" on the line at the latest {FOLLOWS_S} s after the robot has said so'
+    if any(word in named(text) for _, text in lines_between(recording, begin + FOLLOWS_S, end + AT_ONCE_S)):
+        return see.failed(
+            "status-follows.late",
+            saw,
+            expected,
+            "The line names the new status, but late or not always: it comes from a queue of older ones, or the line "
+            "is made from something else as well.",
+            "Let the callback put every message into self, and make each line from that alone.",
+            about_time=True,
+        )
+    return why_followed_no_more(followed, saw, expected)
+
+
+def why_followed_no_more(followed: int, saw: str, expected: str) -> Verdict:
+    """Why the line stays with an old status; `followed`: how many changes it has followed."""
+    if followed:
+        return see.failed(
+            "status-follows.not-always",
+            f"{saw}; {see.count(followed, 'change')} before it had been followed",
+            expected,
+            "The line follows some changes and not others: a status that was there before counts as known, one of "
+            "the two is never left again, or the program stops listening after a number of messages.",
+            "Take each message as it comes: self.last_status = message.data, and nothing else.",
+        )
+    return see.failed(
+        "status-follows.never",
+        saw,
+        expected,
+        "Only the first status gets onto the line: it is read once at the start, a later one does not take its "
+        "place, or a callback that does not return keeps the next message out.",
+        "Subscribe, and let the callback put every message into self. Never wait or sleep in a callback.",
+        about_time=True,
+    )
+
+
+# --- the alarm ----------------------------------------------------------------------------------------------
+
+
+def why_not_raised(
+    recording: Recording, number: int, began: float, ended: float, raised: Sequence[float]
+) -> Verdict:
+    """Why there was no alarm in time in a silence; `number` counts the silences from 0."""
     expected = f"True on {ALARM.name} at most {NOT_AFTER_S:g} s after the last beat"
-    later = [t - ended for t, on in alarms(recording, ended, ended + FALLS_WITHIN_S) if on]
+    with_status = alarms_with_the_status(recording)
+    if with_status:
+        return see.failed(
+            "alarm-raised.with-the-status",
+            f"the alarm changed {with_status} times, each time just when the status did",
+            expected,
+            "The alarm follows the status, and not the silence of the heart.",
+            "Note time.monotonic() at each beat, and let a timer compare it with the clock.",
+        )
     if raised:
         return see.failed(
+            "alarm-raised.late",
             f"True only {raised[0]:.1f} s after the last beat",
             expected,
             "The limit is too long, or the timer that looks at the clock ticks too seldom: both add up.",
             "Take 2 s as the limit and look at least twice a second.",
             about_time=True,
         )
-    if later:
+    nothing = f"no True on {ALARM.name} in {ended - began:.1f} s of silence"
+    if number > 0:
         return see.failed(
+            "alarm-raised.first-only",
+            f"{nothing}, the one from {began:.1f} s on; in the first silence the alarm was raised",
+            expected,
+            "The alarm works once: a flag is set and never taken back, or a timer is canceled and never reset.",
+            "When the heart beats again, put everything back to where it was before the alarm.",
+        )
+    return why_never_raised(recording, began, ended, expected)
+
+
+def why_never_raised(recording: Recording, began: float, ended: float, expected: str) -> Verdict:
+    """Why there was no alarm in the first silence."""
+    nothing = f"no True on {ALARM.name} in {ended - began:.1f} s of silence"
+    if any(on for _, on in alarms(recording, ended, ended + FALLS_WITHIN_S)):
+        return see.failed(
+            "alarm-raised.with-the-next-beat",
             f"nothing in {ended - began:.1f} s of silence, and True when the heart beat again",
             expected,
             "You look at the clock in the callback of the heartbeat. In a silence nobody calls it.",
             "Look at the clock in a timer, or use the event of a missed deadline: both come without a message.",
             about_time=True,
         )
+    said = [at for at, _ in alarms(recording, began + NOT_BEFORE_S, ended)]
+    if said:
+        return see.failed(
+            "alarm-raised.false-instead",
+            f"{nothing}; False was said {said[0] - began:.1f} s after the last beat",
+            expected,
+            "The program speaks in the silence, and says False: the limit is too long, or what it sends is no bool. "
+            "The Ubuntu packages send Bool(data=1) as False.",
+            "Send a comparison, which is True or False: Bool(data=silent_for > LIMIT), with a limit of 2 s.",
+        )
     return see.failed(
-        f"no True on {ALARM.name} in {ended - began:.1f} s of silence",
+        "alarm-raised.never",
+        nothing,
         expected,
         "Nothing calls your code in the silence: there is no timer that looks at the clock and no event of a missed "
-        "deadline. Or the limit is too long; or what you send is no bool, and stock ROS sends Bool(data=1) as False.",
+        "deadline. Or the limit is too long.",
         "Note time.monotonic() at each beat, and let a timer compare it with the clock.",
         about_time=True,
     )
 
 
-@criterion(points=1, title="No alarm before it is due", needs=[alarm_topic, hears_heartbeat, runs_on])
-def no_false_alarm(recording: Recording) -> Verdict:
-    began, _ = silence(recording)
-    early = [t for t, on in alarms(recording, AT_ONCE_S, began + NOT_BEFORE_S) if on]
-    if not early:
-        return see.passed("no alarm while the heart beats")
-    when = "while the heart was beating" if early[0] <= began else f"{early[0] - began:.1f} s after a beat"
+def why_false_alarm(at: float, last_beat: float) -> Verdict:
+    """Why the alarm was raised at a moment (s) so soon after the last beat."""
+    after = at - last_beat
+    expected = f"no alarm until the heart has been silent for {NOT_BEFORE_S:g} s"
+    if after <= 1.5 * BEAT_S:
+        return see.failed(
+            "no-false-alarm.while-beating",
+            f"True on {ALARM.name} at {at:.1f} s, {after:.2f} s after a beat, while the heart was beating",
+            expected,
+            f"One beat comes every {BEAT_S} s. A limit close to that raises an alarm for every hiccup; or the alarm "
+            "does not follow from the beats at all: from the status, or from the time since the start.",
+            "Take 2 s as the limit, and count from the last beat.",
+            about_time=True,
+        )
     return see.failed(
-        f"True on {ALARM.name} {when}",
-        f"no alarm until the heart has been silent for {NOT_BEFORE_S:g} s",
-        "One beat comes every 0.25 s, and a busy machine holds one up now and then. A limit close to that cries wolf, "
-        "and soon nobody listens. Or the alarm is on from the start and never taken back.",
+        "no-false-alarm.early",
+        f"True on {ALARM.name} {after:.2f} s after the last beat",
+        expected,
+        f"The limit is too short. One beat comes every {BEAT_S} s, and now and then one is held up; whoever raises the "
+        "alarm for that is soon not listened to.",
         "Take 2 s as the limit, and count from the last beat.",
         about_time=True,
     )
 
 
-@criterion(points=1, title="The alarm ends when the heart beats again", needs=[alarm_raised, no_false_alarm])
-def alarm_falls(recording: Recording) -> Verdict:
-    _, ended = silence(recording)
-    after = alarms(recording, ended, recording.robot_s + SLACK_S)
-    in_time = [t - ended for t, on in after if not on and t - ended <= FALLS_WITHIN_S]
-    again = [t - ended for t, on in after if on and t - ended > FALLS_WITHIN_S]
-    if in_time and not again:
-        return see.passed(f"taken back {in_time[0]:.1f} s after the first beat")
-    saw = "no False" if not in_time else f"True again, {again[0]:.1f} s"
+def why_fell_in_silence(after: float) -> Verdict:
+    """The alarm ended although the heart was still silent, so long (s) after the last beat."""
     return see.failed(
-        f"{saw} after the heart beat again",
-        f"False on {ALARM.name} within {FALLS_WITHIN_S:g} s, and no True after that",
+        "alarm-falls.in-silence",
+        f"False on {ALARM.name} {after:.1f} s after the last beat, while the heart was still silent",
+        "an alarm that lasts until the heart beats again",
+        "Something else than a beat takes the alarm back: it ends by itself after a while, or it follows something "
+        "else than the beats.",
+        "Take the alarm back in the callback of the heartbeat, and only there.",
+    )
+
+
+def why_not_taken_back(after: float | None) -> Verdict:
+    """The alarm goes on when the heart beats again, for so long (s), or for ever."""
+    expected = f"False on {ALARM.name} within {FALLS_WITHIN_S:g} s after the heart beats again"
+    if after is not None:
+        return see.failed(
+            "alarm-falls.late",
+            f"False only {after:.1f} s after the heart beat again",
+            expected,
+            "The first beat ends the silence. The program waits for more of them, or looks too seldom.",
+            "Take the alarm back with the first beat, or look at least twice a second.",
+            about_time=True,
+        )
+    return see.failed(
+        "alarm-falls.never",
+        "no False after the heart beat again",
+        expected,
         "The event of a missed deadline does not say when the messages are back; nor does a timer that only ever "
         "raises the alarm. Or a loop that waits for the next beat keeps this very beat from being handled.",
         "Take the alarm back in the callback of the heartbeat, or publish silent > LIMIT on every tick, true or false.",
-        about_time=True,
     )

@@ -13,17 +13,18 @@ from typing import Any
 import answer  # type: ignore[import-not-found]  # the student's file
 import numpy as np
 import rclpy
+from rclpy.duration import Duration
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from std_msgs.msg import String
 
-PACE_S = 0.06
-BREATH_S = 0.01
-PATIENCE_S = 1.0
+PACE_S = 0.06  # from one call to the next: all of them take about a second
+BREATH_S = 0.01  # what a call sends must carry a later time stamp than its announcement
+PATIENCE_S = 1.0  # for a listener; an answer that publishes elsewhere never gets one
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 NAMES = {"np": np, "nan": float("nan"), "inf": float("inf")}
-LONGEST_ERROR = 300
+LONGEST_ERROR = 300  # characters
 
 
 def make_battery() -> tuple[Any, str]:
@@ -79,6 +80,8 @@ class Driver(Node):
         if self.to_say:
             self.say(self.to_say)
             self.to_say = ""
+            # One side of a connection knows of it before the other: what is said in between would be lost.
+            self.report_publisher.wait_for_all_acked(Duration(seconds=PATIENCE_S))
         elif self.usable and self.is_heard():
             self.call(self.expressions[self.called])
             self.called += 1

@@ -1,32 +1,115 @@
 """Calls `pump` of an answer, each time that somebody says so on /driver/go, and announces begin and end of each call.
 
     /driver/go (std_msgs/String), heard: "1 robot 1.5" means that call 1 is pump(robot, 1.5). An order may come again.
-    /driver/pump (std_msgs/String), said: "begin 1", then "end 1 1.501" (it took 1.501 s) or "raised 1 TypeError: ...";
-        "missing" if the answer has no such function. The last one is said again and again until something new happens.
+    /driver/pump (std_msgs/String), said: "begin 1", then "end 1 1.501 0.020 0.001 0.03", or "raised 1 TypeError: ...",
+        or "missing" if the answer has no such function. The call took 1.501 s. In this time the program used a
+        processor for 0.02 s, the thread that called waited for one for 0.001 s, and the host of the machine took one
+        away for 0.03 s. The last announcement is made again and again until something new happens.
+    /driver/changed (std_msgs/String), said: what a call has changed and should not have: "1 timer left", for example.
 
 What the robots do, they tell with the number of the call in which they did it, 0 between the calls. So it does not
 matter when a message arrives on a busy machine. The driver speaks from a context of its own: it can still tell what
 happened when an answer shuts ROS down.
 """
 
+import functools
+import os
 import time
 import traceback
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from time import monotonic
+from typing import Any
 
-import answer
 import rclpy
 from rclpy.context import Context
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.publisher import Publisher
+from rclpy.timer import Timer
 from std_msgs.msg import Int32, Int32MultiArray, String
 
+# The criteria know these three.
 HEARTBEAT_PERIOD_S = 0.1
 LOOK_PERIOD_S = 0.5
 JOB_S = 0.4
-REPEAT_S = 0.1
-PATIENCE_S = 1.0
+
+REPEAT_S = 0.1  # how often the latest announcement is made again
+PATIENCE_S = 1.0  # a judge that is not there by then will not come
+
+
+class Watched:
+    """Notes what a call of pump changes: who calls rclpy.init, makes a node, or starts a timer anew.
+
+    Attributes:
+        noted: What was done and should not have been, in words, since `begin`.
+    """
+
+    def __init__(self) -> None:
+        self.noted: list[str] = []
+        self.watches = False
+        self.before: dict[str, list[object]] = {}
+
+    def note(self, what: str) -> None:
+        """Note something once, while a call runs."""
+        if self.watches and what not in self.noted:
+            self.noted.append(what)
+
+    def tells(self, call: Callable[..., Any], what: str) -> Callable[..., Any]:
+        """The same function, but each call of it is noted."""
+
+        @functools.wraps(call)
+        def told(*arguments: Any, **named: Any) -> Any:
+            self.note(what)
+            return call(*arguments, **named)
+
+        return told
+
+    def begin(self, node: Node) -> None:
+        """A call of pump begins, with this node."""
+        self.noted = []
+        self.before = entities(node)
+        self.watches = True
+
+    def end(self, node: Node) -> list[str]:
+        """The call has ended: what it has changed."""
+        self.watches = False
+        after = entities(node)
+        for kind, ones in self.before.items():
+            for what, some, others in (("left", after[kind], ones), ("gone", ones, after[kind])):
+                number = sum(one not in others for one in some)
+                if number:
+                    self.noted.append(f"{number} {kind}{'s' if number > 1 else ''} {what}")
+        canceled = sum(is_canceled(timer) for timer in node.timers)
+        if canceled:
+            self.noted.append(f"{canceled} timer{'s' if canceled > 1 else ''} canceled")
+        return self.noted
+
+
+def entities(node: Node) -> dict[str, list[object]]:
+    """What a node has."""
+    return {
+        "timer": [*node.timers],
+        "subscription": [*node.subscriptions],
+        "publisher": [*node.publishers],
+        "service": [*node.services],
+        "client": [*node.clients],
+    }
+
+
+def is_canceled(timer: Timer) -> bool:
+    """Whether a timer was canceled, or destroyed."""
+    try:
+        return bool(timer.is_canceled())
+    except Exception:
+        return True
+
+
+watched = Watched()
+rclpy.init = watched.tells(rclpy.init, "rclpy.init called")
+Node.__init__ = watched.tells(Node.__init__, "node made")  # type: ignore[method-assign]
+Timer.reset = watched.tells(Timer.reset, "timer reset")  # type: ignore[method-assign]
+
+import answer  # type: ignore[import-not-found]  # noqa: E402  # the student's file
 
 
 class Teller(Node):
@@ -51,7 +134,7 @@ class Robot(Teller):
     Topics:
         /robot/heartbeat (std_msgs/Int32MultiArray), 10 Hz, and /robot/look, 2 Hz: the call; how many there were.
         /robot/heard: the call; each number from /robot/words (std_msgs/Int32).
-        /robot/job_begun: the call; each number from /robot/jobs (std_msgs/Int32).
+        /robot/job_begun: the call; each number from /robot/jobs (std_msgs/Int32). /robot/job_done: the same at its end.
     """
 
     def __init__(self) -> None:
@@ -62,6 +145,7 @@ class Robot(Teller):
         self.look_publisher = self.create_publisher(Int32MultiArray, "/robot/look", 100)
         self.heard_publisher = self.create_publisher(Int32MultiArray, "/robot/heard", 100)
         self.job_publisher = self.create_publisher(Int32MultiArray, "/robot/job_begun", 100)
+        self.job_done_publisher = self.create_publisher(Int32MultiArray, "/robot/job_done", 100)
         self.create_timer(HEARTBEAT_PERIOD_S, self.beat)
         self.create_timer(LOOK_PERIOD_S, self.look_around)
         self.create_subscription(Int32, "/robot/words", self.hear, 100)
@@ -85,6 +169,7 @@ class Robot(Teller):
         """Do a job that takes its time."""
         self.tell(self.job_publisher, job.data)
         time.sleep(JOB_S)
+        self.tell(self.job_done_publisher, job.data)
 
 
 class QuietRobot(Teller):
@@ -127,6 +212,7 @@ class Driver(Node):
         end = monotonic() + PATIENCE_S
         while monotonic() < end and not all(ear.get_publisher_count() for ear in ears):
             time.sleep(0.01)
+        self.changes = self.create_publisher(String, "/driver/changed", 100)
         self.publisher = self.create_publisher(String, "/driver/pump", 100)
 
     def take_order(self, message: String) -> None:
@@ -151,16 +237,45 @@ class Driver(Node):
             return
         self.say(f"begin {call}")
         node.call = call
-        begin = monotonic()
+        watched.begin(node)
+        begin, used, in_line, before = monotonic(), time.process_time(), in_line_s(), taken_s()
         try:
             answer.pump(node, seconds)
         except Exception as error:
             traceback.print_exc()
             news = f"raised {call} {type(error).__name__}: {error}"
         else:
-            news = f"end {call} {monotonic() - begin:.3f}"
+            took, used = monotonic() - begin, time.process_time() - used
+            taken = max((after - once for after, once in zip(taken_s(), before, strict=True)), default=0.0)
+            news = f"end {call} {took:.3f} {used:.3f} {in_line_s() - in_line:.3f} {taken:.2f}"
         node.call = 0
+        for change in watched.end(node):
+            self.changes.publish(String(data=f"{call} {change}"))
         self.say(news)
+
+
+def in_line_s() -> float:
+    """How long (s) this thread was ready to run and got no processor; 0 where the system does not tell."""
+    try:
+        with open("/proc/thread-self/schedstat", encoding="ascii") as file:
+            return int(file.read().split()[1]) / 1e9
+    except (OSError, IndexError, ValueError):
+        return 0.0
+
+
+def taken_s() -> list[float]:
+    """How long (s) the host of a virtual machine has taken each processor away so far; [] if the system does not tell.
+
+    Steal time of proc_stat(5), the eighth number.
+    """
+    try:
+        with open("/proc/stat", encoding="ascii") as file:
+            rows = [line.split() for line in file if line.startswith("cpu")]
+        return [
+            int(row[8]) / os.sysconf("SC_CLK_TCK") for row in rows[1:]
+        ]  # the first one is the sum of the others
+    except (OSError, IndexError, ValueError):
+        return []
 
 
 def main() -> None:

@@ -19,11 +19,6 @@ def make_course(root: Path) -> Tree:
     (tree.lesson_nodes / "beeper.py").write_text("RATE_HZ = 2\n", encoding="utf-8")
     (tree.sources / "21_beeps.py").write_text(LESSON, encoding="utf-8")
     new_exercise(tree, "21_beeps")
-    for folder in (tree.solutions, tree.criteria, tree.right_answers, tree.wrong_answers):
-        for path in folder.rglob("*.py"):
-            path.write_text(
-                path.read_text(encoding="utf-8").replace("TODO(author)", "Beeps"), encoding="utf-8"
-            )
     return tree
 
 

@@ -137,7 +137,7 @@ def test_the_solved_notebook_expects_full_marks(built_once: Tree) -> None:
     source = load(built_once.solutions / "21_beeps.py")
     cells = {cell["id"]: cell for cell in load_json(built_once.solved / "21_beeps.ipynb")["cells"]}
     assert "".join(cells["your-program"]["source"]) == "%%answer 21_beeps\n" + source.solution_code.rstrip()
-    assert cells["check"]["outputs"][0]["data"] == {"text/plain": ["Full marks: 5 of 5 points."]}
+    assert cells["check"]["outputs"][0]["data"] == {"text/plain": ["Full marks: 10 of 10 points."]}
     assert [name for name, cell in cells.items() if cell.get("execution_count")] == ["check"]
 
 

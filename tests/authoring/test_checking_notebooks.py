@@ -7,9 +7,14 @@ from typing import Any
 
 import pytest
 
+import workbook.criteria
 from workbook.authoring import __main__ as command
-from workbook.authoring.checking import check, report
+from workbook.authoring.checking import check
+from workbook.authoring.lesson_links import write_links
+from workbook.authoring.pages import write_pages
 from workbook.authoring.tree import Tree
+from workbook.authoring.violations import report
+from workbook.authoring.vocabulary_list import first_line
 
 Notebook = dict[str, Any]
 
@@ -42,15 +47,16 @@ def test_a_built_course_has_no_problems(built_once: Tree) -> None:
 def test_the_command_says_so_and_fails_otherwise(course: Tree, capsys: pytest.CaptureFixture[str]) -> None:
     arguments = ["--course", str(course.root), "check"]
     assert command.main(arguments) == 0
-    assert capsys.readouterr().out == "1 lessons and 1 exercises: all as their texts say.\n"
+    said = capsys.readouterr().out
+    assert said.startswith("1 lessons and 1 exercises: all as their texts say.\n")
+    assert "lines are still those of a template: `make notebooks-check ARGS=--notes` lists them" in said
+    assert command.main([*arguments, "--notes"]) == 0
+    assert "solutions/21_beeps.py:17: is still the template's text: Your humanoid" in capsys.readouterr().out
     (course.notebooks / "notes.txt").touch()
     assert command.main(arguments) == 1
-    said = capsys.readouterr()
-    assert (
-        said.out
-        == "notebooks/notes.txt\n  - fits nowhere: notebooks/ holds NN_slug.ipynb only\n\n1 to mend.\n"
-        or ("notebooks/notes.txt\n  - fits nowhere" in said.out and "1 to mend." in said.err)
-    )
+    found = capsys.readouterr()
+    assert found.out.startswith("notebooks/notes.txt: fits nowhere: notebooks/ holds NN_slug.ipynb only\n")
+    assert found.err == "\n1 to fix.\n"
 
 
 def rename(notebook: Notebook) -> None:
@@ -195,7 +201,6 @@ def test_what_tools_leave_is_ignored(course: Tree, name: str) -> None:
             "21_beeps has no criteria: exercises/criteria/21_beeps.py is missing",
         ),
         ("tests/right_answers/21_beeps/script.py", "has 2 right answers; 3 are the fewest"),
-        ("tests/wrong_answers/21_beeps/wrong_name.py", "has 4 wrong answers; 5 are the fewest"),
         ("notebooks/sources/21_beeps.py", "no lesson 21 leads to this exercise"),
     ],
 )
@@ -214,10 +219,15 @@ def test_what_looks_like_a_link_in_code_is_none(course: Tree) -> None:
     ("name", "old", "new", "says"),
     [
         ("solutions/21_beeps.py", "# %% [hint]\n", "", "needs exactly three [hint] cells"),
-        ("solutions/21_beeps.py", "About 20 minutes", "A while", "the story must say '20 minutes'"),
+        (
+            "solutions/21_beeps.py",
+            "About 20 minutes",
+            "A while",
+            "beeps.py:4: the story must say '20 minutes'",
+        ),
         ("solutions/21_beeps.py", "difficulty 2 of 5", "easy", "the story must say 'difficulty 2 of 5'"),
-        ("solutions/21_beeps.py", "5 points", "6 points", "the story must say '5 points'"),
-        ("solutions/21_beeps.py", "# | 1 | every", "# | 2 | every", "add up to 5, not 6"),
+        ("solutions/21_beeps.py", "10 points", "6 points", "the story must say '10 points'"),
+        ("solutions/21_beeps.py", "# | 1 | the", "# | 2 | the", "add up to 10, not 11"),
         (
             "solutions/21_beeps.py",
             "# # Exercise 21 · ",
@@ -225,17 +235,17 @@ def test_what_looks_like_a_link_in_code_is_none(course: Tree) -> None:
             "the story must begin with '# Exercise 21 · ",
         ),
         (
-            "solutions/21_beeps.py",
-            "# Beeps: the story",
-            "# TODO(author): the",
-            "line 16 is still to be written",
+            "exercises/criteria/21_beeps.py",
+            "points=1",
+            "points=2",
+            "beeps.py:13: the points of all criteria must add up to 10, not 11",
         ),
         ("exercises/criteria/21_beeps.py", "import workbook", "import nothing", "No module named 'nothing'"),
         (
             "tests/wrong_answers/21_beeps/wrong_name.py",
             "# loses: ",
             "# costs: ",
-            "must begin with '# loses: '",
+            "wrong_name.py:2: unknown field 'costs'",
         ),
         (
             "notebooks/sources/21_beeps.py",
@@ -274,17 +284,107 @@ def test_more_than_a_third_ignored_is_too_much(course: Tree) -> None:
     assert any("of 11 code cells ignore their output; a third is the most" in words for words in told(course))
 
 
-def test_the_next_lesson_is_linked(course: Tree) -> None:
-    (course.sources / "22_lights.py").write_text("# %% [markdown]\n# # 22 · Lights\n", encoding="utf-8")
-    assert any("**Next:** must link to the next lesson, (22_lights.ipynb)" in words for words in told(course))
+def test_too_few_answers_are_named(course: Tree) -> None:
+    for name in ("wrong_name", "no_timer", "six_seconds"):
+        (course.wrong_answers / "21_beeps" / f"{name}.py").unlink()
+    assert "tests/wrong_answers/21_beeps: has 4 wrong answers; 5 are the fewest" in told(course)
 
 
-def test_the_report_groups_by_file(course: Tree) -> None:
+def test_a_criterion_that_does_not_exist_is_named(course: Tree) -> None:
+    change(course.wrong_answers / "21_beeps" / "wrong_name.py", "# skips: twice_a_second", "# skips: twice")
+    [words] = told(course)
+    assert words.startswith("tests/wrong_answers/21_beeps/wrong_name.py:3: there is no criterion 'twice'")
+
+
+def test_at_least_four_criteria_earn_points(course: Tree) -> None:
+    path = course.criteria / "21_beeps.py"
+    for old, new in (("points=3", "points=5"), ('points=2, title="The temp', 'points=0, title="The temp')):
+        change(path, old, new)
+    change(path, "points=1", "points=0")
+    change(path, "points=5", "points=6")
+    assert any("3 criteria earn points; 4 are the fewest" in words for words in told(course))
+
+
+def lights(course: Tree) -> Path:
+    """A second lesson."""
+    text = (
+        (course.sources / "21_beeps.py")
+        .read_text(encoding="utf-8")
+        .replace("# # 21 · Beeps", "# # 22 · Lights")
+    )
+    path = course.sources / "22_lights.py"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_links_to_the_neighbors_are_stale_until_they_are_built(course: Tree) -> None:
+    path = lights(course)
+    stale = "the **Before:** and **Next:** lines are not those of the neighbors: run `make notebooks`"
+    assert [words for words in told(course) if stale in words] == [
+        f"notebooks/sources/21_beeps.py:156: {stale}",
+        f"notebooks/sources/22_lights.py:156: {stale}",
+    ]
+    before = path.read_text(encoding="utf-8")
+    assert write_links(course) == ["21_beeps", "22_lights"]
+    assert "# **Next:** [22 · Lights](22_lights.ipynb)\n" in (course.sources / "21_beeps.py").read_text()
+    last = "# **Next:** you have reached"
+    assert path.read_text() == before.replace(last, f"# **Before:** [21 · Beeps](21_beeps.ipynb)\n#\n{last}")
+    assert write_links(course) == []
+    path.unlink()
+    write_links(course)
+    assert check(course) == []
+
+
+def test_words_around_the_link_stay_while_it_leads_to_the_same_lesson(course: Tree) -> None:
+    path = lights(course)
+    write_links(course)
+    source = course.sources / "21_beeps.py"
+    change(source, "(22_lights.ipynb)", "(22_lights.ipynb), which shine")
+    change(path, "# # 22 · Lights", "# # 22 · Lamps")
+    assert write_links(course) == ["21_beeps"]
+    assert "# **Next:** [22 · Lamps](22_lights.ipynb), which shine\n" in source.read_text()
+    path.rename(course.sources / "23_lights.py")
+    write_links(course)
+    assert "# **Next:** [22 · Lamps](23_lights.ipynb)\n" in source.read_text()
+
+
+def test_you_need_names_earlier_lessons(course: Tree) -> None:
+    change(
+        course.sources / "21_beeps.py", "**You need:** Python", "**You need:** lesson [21](22_lights.ipynb)"
+    )
+    assert any("21_beeps.py:7: 'You need' links to earlier lessons" in words for words in told(course))
+
+
+def test_the_table_of_the_readme_and_the_vocabulary_are_generated(course: Tree) -> None:
+    parts = {"README.md": "lessons", "CONTRIBUTING.md": "vocabulary"}
+    for name, part in parts.items():
+        text = f"# Page\n\n<!-- {part}: made by `make notebooks` -->\n<!-- end of {part} -->\n\nEnd.\n"
+        (course.root / name).write_text(text, encoding="utf-8")
+    (course.sources / "planned.toml").write_text('21 = "Written"\n22 = "Lights"\n', encoding="utf-8")
+    stale = "is not what lessons and exercises say: run `make notebooks`"
+    assert told(course) == [f"README.md:4: {stale}", f"CONTRIBUTING.md:4: {stale}"]
+    write_pages(course)
+    assert check(course) == []
+    readme = (course.root / "README.md").read_text(encoding="utf-8")
+    assert readme.endswith("| 22 | Lights | | planned |\n\n<!-- end of lessons -->\n\nEnd.\n")
+    assert (
+        "| 21 | [Beeps](notebooks/21_beeps.ipynb) | [Beeps](exercises/21_beeps.ipynb) | **ready** |" in readme
+    )
+    contributing = (course.root / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    assert "| `publishes(recording, topic)` | " in contributing
+    (course.root / "README.md").write_text("# Page\n", encoding="utf-8")
+    assert any(words.startswith("README.md: needs the lines '<!-- lessons:") for words in told(course))
+
+
+def test_each_word_of_the_vocabulary_says_what_it_is() -> None:
+    empty = [name for name in workbook.criteria.__all__ if len(first_line(workbook.criteria, name)) < 15]
+    assert empty == []
+
+
+def test_the_report_names_a_violation_a_line(course: Tree) -> None:
     (course.notebooks / "21_beeps.ipynb").unlink()
     (course.solutions / "x.md").touch()
     assert report(check(course)).splitlines() == [
-        "solutions/x.md",
-        "  - fits nowhere: solutions/ holds NN_slug.py only",
-        "notebooks/21_beeps.ipynb",
-        "  - is not built: run `make notebooks`",
+        "solutions/x.md: fits nowhere: solutions/ holds NN_slug.py only",
+        "notebooks/21_beeps.ipynb: is not built: run `make notebooks`",
     ]

@@ -7,7 +7,7 @@ import pytest
 from workbook.authoring.building import is_current
 from workbook.authoring.document import Cell, with_ids
 from workbook.authoring.lesson import read_lesson
-from workbook.authoring.template import SHAPE, problems
+from workbook.authoring.template import SHAPE, shape_violations
 from workbook.authoring.tree import AuthoringError, Tree
 from workbook.exercise.course import course_folder
 
@@ -22,7 +22,15 @@ def lesson(folder: Path, text: str) -> Tree:
 
 
 def told(folder: Path, text: str) -> list[str]:
-    return list(problems(read_lesson(lesson(folder, text), "21_beeps").cells, 21, has_exercise=True))
+    cells = read_lesson(lesson(folder, text), "21_beeps").cells
+    return [words for _, words in shape_violations(cells, 21, has_exercise=True)]
+
+
+def test_a_violation_names_the_line_of_its_section(tmp_path: Path) -> None:
+    text = LESSON.replace("# - Five\n", "", 1)
+    cells = read_lesson(lesson(tmp_path, text), "21_beeps").cells
+    [(line, _)] = shape_violations(cells, 21, has_exercise=True)
+    assert text.splitlines()[line - 1 : line + 1] == ["# %% [markdown]", "# ## Take away"]
 
 
 def test_a_whole_lesson_has_no_problems(tmp_path: Path) -> None:
@@ -59,10 +67,9 @@ CASES = [
     ("# > Would you", "# Would you", "needs the prompt, as a quotation"),
     ("What a good answer contains", "Answer", "What a good answer contains"),
     ("# - Five\n", "", "exactly five lines that begin with '- ', it has 4"),
-    ("# **Next:** nothing yet.\n", "", "needs the line '**Next:** …'"),
+    ("# **Next:** you have reached the last lesson that there is at the moment.\n", "", "needs the line '**Next:** …'"),
     ("https://docs.ros.org/en/jazzy/", "https://example.org/", "official documentation"),
     ("print(1 / 2.0)", "# !pip install beep\nprint(1 / 2.0)", "no set-up cell"),
-    ("# - Five\n", "# - TODO(author): five\n", "still to be written: TODO(author): five"),
 ]  # fmt: skip
 
 
@@ -90,8 +97,8 @@ def test_headings_inside_code_blocks_are_no_headings(tmp_path: Path) -> None:
 def test_a_lesson_without_an_exercise_needs_no_link(tmp_path: Path) -> None:
     text = LESSON.replace("then [the exercise](../exercises/21_beeps.ipynb)", "and on")
     cells = read_lesson(lesson(tmp_path, text), "21_beeps").cells
-    assert list(problems(cells, 21, has_exercise=False)) == []
-    assert list(problems(cells, 21, has_exercise=True)) != []
+    assert list(shape_violations(cells, 21, has_exercise=False)) == []
+    assert list(shape_violations(cells, 21, has_exercise=True)) != []
 
 
 @pytest.mark.parametrize(
@@ -134,7 +141,9 @@ def test_our_own_lessons_have_the_shape() -> None:
     tree = Tree(course_folder())
     exercises = {stem[:2] for stem in tree.exercise_stems()}
     found = {
-        stem: list(problems(read_lesson(tree, stem).cells, int(stem[:2]), has_exercise=stem[:2] in exercises))
+        stem: list(
+            shape_violations(read_lesson(tree, stem).cells, int(stem[:2]), has_exercise=stem[:2] in exercises)
+        )
         for stem in tree.lesson_stems()
     }
     assert {stem: words for stem, words in found.items() if words} == {}

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from workbook.authoring.typings import PACKAGES, stubs, write
-from workbook.observing.typecheck import SETTINGS, TYPINGS, type_check
+from workbook.typechecking.typecheck import SETTINGS, TYPINGS, type_check
 
 
 def test_the_stubs_are_those_of_the_installed_messages(tmp_path: Path) -> None:

@@ -8,13 +8,15 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
+from workbook.authoring.tree import Tree
+from workbook.authoring.wrong_answers import read_wrong_answer
 from workbook.criteria.runner import CriterionResult
 from workbook.exercise.definition import Exercise, load_exercise
-from workbook.exercise.judging import judge_recording
+from workbook.exercise.judgement import judge_recording
 from workbook.feedback.card import Card, Extras
 from workbook.feedback.timeline import judged_timeline
 from workbook.feedback.wording import SIGNS, WORDS
-from workbook.observing.recording import Recording
+from workbook.recording.recording import Recording
 
 from .lab_page import CELL_MS, LabPage
 from .student_lab import ROOT, StudentLab, running
@@ -22,7 +24,7 @@ from .student_lab import ROOT, StudentLab, running
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 STEM = "09_joint_positions"
 NOTEBOOK = f"exercises/{STEM}.ipynb"
-WRONG = ROOT / "tests" / "wrong_answers" / STEM / "period_for_frequency.py"
+WRONG = Tree(ROOT).wrong_answers / STEM / "period_for_frequency.py"
 RECORDED = ROOT / "tests" / "recordings" / STEM / "period_for_frequency.json"
 FULL_MARKS = "Full marks: 10 of 10 points."
 LEAST_CONTRAST = 3.0
@@ -76,7 +78,7 @@ def test_a_wrong_answer_then_the_right_one(
     written = lab.work / "answers" / f"{STEM}.py"
     card = check.locator(".jp-OutputArea-output div[style*=border-left]")
 
-    wrong = WRONG.read_text(encoding="utf-8")
+    wrong = read_wrong_answer(Tree(ROOT), WRONG).answer.text
     page.write(answer, f"%%answer {STEM}\n{wrong}")
     page.run(answer)
     expect(answer.locator(".jp-OutputArea")).to_contain_text(f"Saved as answers/{STEM}.py.")

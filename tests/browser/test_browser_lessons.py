@@ -9,7 +9,7 @@ from statistics import median
 import pytest
 from playwright.sync_api import expect
 
-from workbook.lab.delivery import first_lesson
+from workbook.lab.work_folder import first_lesson
 
 from .lab_page import ROBOT, LabPage
 from .student_lab import ROOT, StudentLab

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
-from workbook.observing.recording import (
+from workbook.recording.recording import (
     Arrival,
     Clock,
     NodeSeen,

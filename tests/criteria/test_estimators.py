@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from tests.criteria.by_hand import every, on_topic, recorded
 from workbook.criteria import Topic, rate
-from workbook.criteria.estimators import burst_size, group_starts, longest_gap, mean_rate, pace
+from workbook.criteria.vocabulary.estimators import burst_size, group_starts, longest_gap, mean_rate, pace
 
 TOLERANCE = 0.2
 periods = st.floats(0.02, 5.0)

@@ -11,7 +11,7 @@ from std_msgs.msg import Float32, Float32MultiArray, String
 import workbook.criteria as see
 from tests.criteria.by_hand import LIVING, ended_by_itself, every, on_topic, publisher, recorded
 from workbook.criteria import Topic, Verdict, topic
-from workbook.observing.recording import ProcessRecord, Recording, TopicRecording
+from workbook.recording.recording import ProcessRecord, Recording, TopicRecording
 
 FLOAT, ARRAY, TEXT = "std_msgs/msg/Float32", "std_msgs/msg/Float32MultiArray", "std_msgs/msg/String"
 BATTERY = topic("/robot/battery", Float32, hz=0.5)
@@ -22,7 +22,7 @@ TRACEBACK = (
     'Traceback (most recent call last):\n  File "/answers/answer.py", line 7, in <module>\n    main()\n'
     "NameError: name 'Float32' is not defined\n"
 )
-OVERTAKEN = (  # as this rclpy says it; what a real one looks like is tried in test_mishaps.py
+OVERTAKEN = (  # as this rclpy says it; what a real one looks like is tried in test_known_errors.py
     'Traceback (most recent call last):\n  File "/answers/answer.py", line 60, in main\n    rclpy.try_shutdown()\n'
     '  File "/site-packages/rclpy/utilities.py", line 100, in try_shutdown\n    g_default_context.try_shutdown()\n'
     '  File "/site-packages/rclpy/context.py", line 139, in try_shutdown\n    self.__context.shutdown()\n'
@@ -166,7 +166,12 @@ def test_exits_cleanly() -> None:
     refuses(
         see.exits_cleanly(silent(replace(LIVING, exit=None, signal="SIGSEGV"))), "SIGSEGV", "Run it again"
     )
-    refuses(see.exits_cleanly(silent(replace(LIVING, exit=130))), "exit code 130", "KeyboardInterrupt")
+    uncaught = replace(LIVING, exit=130, end_log="Traceback (most recent call last):\nKeyboardInterrupt\n")
+    refuses(see.exits_cleanly(silent(uncaught)), "exit code 130", "KeyboardInterrupt")
+    refuses(
+        see.exits_cleanly(silent(replace(uncaught, exit=0))), "exit code 0", "prints the traceback itself"
+    )
+    refuses(see.exits_cleanly(silent(replace(LIVING, exit=3))), "exit code 3", "sys.exit()")
     by_signal = replace(LIVING, exit=None, signal="SIGINT")
     refuses(see.exits_cleanly(silent(by_signal)), "signal SIGINT after Ctrl-C", "KeyboardInterrupt")
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=TRACEBACK))), "line 7", "NameError")
@@ -211,11 +216,22 @@ def other(name: str, node: str = "/humanoid", kind: str = ARRAY) -> TopicRecordi
         (other("/lab/robot/joint_positions"), ("namespace /lab", "relative name")),
         (other("/humanoid/joint_positions"), ("/humanoid/joint_positions", "~")),
         (other("/robot/joint_angles"), ("/robot/joint_angles", "letter by letter")),
+        (other("/robot/joint_angles", node="/robot"), ("/robot/joint_angles", "letter by letter")),
         (other("/robot/jointpositions"), ("/robot/jointpositions", "'/robot/joint_positions'")),
         (other("/temperature", kind=FLOAT), ("nothing on /robot/joint_positions", "publishes /temperature")),
         (other("/driver/joint_positions"), ("your program publishes nothing",)),
     ],
-    ids=["case", "no namespace", "more namespace", "private", "other word", "near", "none like it", "driver"],
+    ids=[
+        "case",
+        "no namespace",
+        "more namespace",
+        "private",
+        "other word",
+        "node named like a namespace",
+        "near",
+        "none like it",
+        "driver",
+    ],
 )
 def test_publishes_says_what_was_published_instead(seen: TopicRecording, words: tuple[str, ...]) -> None:
     refuses(see.publishes(recorded(seen), JOINTS), *words)
@@ -431,10 +447,13 @@ def test_no_word_crashes_on_values_of_another_kind(value: Any) -> None:
 
 
 def test_all_of_shows_the_first_that_fails_and_joins_what_holds() -> None:
-    good, bad = see.passed("99 %"), see.failed("rises", "falls", "the sign", "subtract", about_time=True)
+    good, bad = (
+        see.passed("99 %"),
+        see.failed("test.rises", "rises", "falls", "the sign", "subtract", about_time=True),
+    )
     assert see.all_of(good, see.passed("0.5 Hz")).saw == "99 %; 0.5 Hz"
-    assert see.all_of(good, bad, see.failed("never shown", "", "", "")) == bad
-    in_part = see.partial(0.5, "half", "all", "half is missing", "add it")
+    assert see.all_of(good, bad, see.failed("test.never", "never shown", "", "", "")) == bad
+    in_part = see.partial("test.half", 0.5, "half", "all", "half is missing", "add it")
     assert see.all_of(in_part).status == "failed"
     assert see.all_of(in_part).share == 0.0
 
@@ -442,7 +461,7 @@ def test_all_of_shows_the_first_that_fails_and_joins_what_holds() -> None:
 @pytest.mark.parametrize("share", [0.0, 1.0, -0.5, 1.5, math.nan])
 def test_a_part_is_more_than_nothing_and_less_than_all(share: float) -> None:
     with pytest.raises(ValueError, match="between 0 and 1"):
-        see.partial(share, "", "", "", "")
+        see.partial("test.share", share, "", "", "", "")
 
 
 def test_a_topic_without_a_rate_has_no_period() -> None:

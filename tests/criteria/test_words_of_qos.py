@@ -7,7 +7,7 @@ from std_msgs.msg import Bool, String
 
 import workbook.criteria as see
 from tests.criteria.by_hand import on_topic, publisher, recorded
-from workbook.observing.recording import Recording, SubscriberSeen, TopicRecording
+from workbook.recording.recording import Recording, SubscriberSeen, TopicRecording
 
 BEAT, ALARM = "/robot/heartbeat", "/dashboard/alarm"
 STRING, BOOL = "std_msgs/msg/String", "std_msgs/msg/Bool"

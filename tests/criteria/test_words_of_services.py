@@ -6,7 +6,7 @@ import pytest
 
 import workbook.criteria as see
 from tests.criteria.by_hand import LIVING, recorded
-from workbook.observing.recording import CallSeen, Recording, ServiceSeen
+from workbook.recording.recording import CallSeen, Recording, ServiceSeen
 
 SERVICE, TRIGGER, SET_BOOL = "/robot/self_test", "std_srvs/srv/Trigger", "std_srvs/srv/SetBool"
 TRACEBACK = (

@@ -5,11 +5,11 @@ from dataclasses import replace
 from types import ModuleType
 
 import pytest
-from by_hand import recorded
 
+from tests.criteria.by_hand import recorded
 from workbook.criteria import Recording, Verdict
-from workbook.criteria.words_of_types import (
-    _WHY,
+from workbook.criteria.vocabulary.mypy_reasons import REASONS
+from workbook.criteria.vocabulary.type_checks import (
     Probe,
     findings,
     mypy_accepts,
@@ -18,8 +18,8 @@ from workbook.criteria.words_of_types import (
     probe,
     probes_in,
 )
-from workbook.observing.recording import Finding
-from workbook.observing.typecheck import type_check
+from workbook.recording.recording import Finding
+from workbook.typechecking.typecheck import type_check
 
 RIGHT = probe("right use", "from answer import send\nsend(1.5)\n")
 WRONG = probe(
@@ -38,7 +38,9 @@ def said(*found: Finding) -> Recording:
 
 
 def objects(recording: Recording, one: Probe = WRONG) -> Verdict:
-    return mypy_objects(recording, one, because="The hint is Any.", try_this="Write float.")
+    return mypy_objects(
+        recording, one, cause="objects.any", because="The hint is Any.", try_this="Write float."
+    )
 
 
 def whole(verdict: Verdict) -> str:
@@ -148,8 +150,8 @@ def test_each_kind_of_finding_has_its_reason(program: str, words: str) -> None:
 
 
 def test_every_reason_and_every_advice_is_a_sentence() -> None:
-    for _, _, because, try_this in _WHY:
-        assert because.endswith(".") and try_this.endswith(".")
+    for reason in REASONS:
+        assert reason.because.endswith(".") and reason.try_this.endswith(".")
 
 
 def test_an_unfinished_check_is_no_proof_of_anything() -> None:

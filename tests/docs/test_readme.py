@@ -12,12 +12,11 @@ import pytest
 
 from workbook.cli.main import build_parser
 from workbook.exercise.definition import load_exercise
-from workbook.observing.recording import Recording
+from workbook.recording.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = ("README.md", "environment.md", "CONTRIBUTING.md", "exercises/README.md")
 LARGEST_PICTURE = 300_000
-LESSON_COUNT = 19
 _LINK = re.compile(r"(?P<picture>!?)\[(?P<text>[^\]]*)\]\((?P<target>[^)\s]+)\)")
 _ROW = re.compile(
     r"^\| (?P<number>\d\d) \| (?P<lesson>.+?) \| (?P<exercise>.*?) ?\| (?P<state>.+?) \|$", re.MULTILINE
@@ -87,7 +86,9 @@ def test_each_link_leads_somewhere(name: str) -> None:
 
 
 def test_the_table_has_every_lesson_once() -> None:
-    assert [int(row["number"]) for row in rows()] == list(range(LESSON_COUNT))
+    numbers = [int(row["number"]) for row in rows()]
+    assert numbers
+    assert numbers == list(range(len(numbers)))
 
 
 @pytest.mark.parametrize("folder", ["notebooks", "exercises"])
@@ -120,7 +121,8 @@ def test_pictures_are_small_and_described() -> None:
         width, height = struct.unpack(">II", content[16:24])
         assert width >= 1000 and height >= 500
         assert len(link["text"].split()) > 5, "a picture needs words for those who cannot see it"
-    kept = {path.relative_to(ROOT).as_posix() for path in (ROOT / "docs").rglob("*") if path.is_file()}
+    files = [path for path in (ROOT / "docs").rglob("*") if path.is_file() and path.suffix != ".md"]
+    kept = {path.relative_to(ROOT).as_posix() for path in files}
     assert kept == {link["target"] for link in pictures}, "docs/ holds what no page shows"
 
 

@@ -224,7 +224,7 @@ def test_a_good_machine_passes() -> None:
 def test_each_lack_is_named_with_the_section_that_helps(
     changed: dict[str, object], said: str, section: str
 ) -> None:
-    with pytest.raises(bootstrap.Problem) as caught:
+    with pytest.raises(bootstrap.EnvironmentProblem) as caught:
         bootstrap.check_machine(**(GOOD | changed))  # type: ignore[arg-type]
     text = str(caught.value)
     assert said in text
@@ -240,7 +240,7 @@ def test_a_missing_venv_module_is_named_with_the_package_that_brings_it(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setitem(sys.modules, "ensurepip", None)
-    with pytest.raises(bootstrap.Problem, match=r"sudo apt install python3\.\d+-venv"):
+    with pytest.raises(bootstrap.EnvironmentProblem, match=r"sudo apt install python3\.\d+-venv"):
         bootstrap.check_venv_module(None)
     bootstrap.check_venv_module("/usr/bin/uv")
 

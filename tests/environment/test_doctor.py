@@ -8,7 +8,7 @@ import pytest
 
 from workbook.cli import doctor
 from workbook.lab import health
-from workbook.lab.health import Finding
+from workbook.lab.health import HealthFinding
 
 
 def test_two_processes_talk() -> None:
@@ -22,9 +22,9 @@ def test_a_silent_second_process_is_told_with_what_it_said(
 ) -> None:
     program = tmp_path / "mute.py"
     program.write_text("raise RuntimeError('no voice today')\n")
-    monkeypatch.setattr(health, "HEARTBEAT", program)
+    monkeypatch.setattr(health, "PING_PUBLISHER", program)
     finding = health.check_two_processes()
-    assert finding.status == "mend"
+    assert finding.status == "fix"
     assert "ended by itself (exit 1)" in finding.saw
     assert "no voice today" in finding.saw
     assert finding.todo
@@ -52,7 +52,7 @@ def test_a_lost_packet_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(socket, "socket", Filtered)
     finding = health.check_loopback()
-    assert finding.status == "mend"
+    assert finding.status == "fix"
     assert "firewall" in finding.todo
 
 
@@ -67,16 +67,16 @@ def test_leftovers_of_a_sourced_ros_are_named() -> None:
 def test_a_home_that_cannot_be_written(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HOME", "/proc")
     finding = health.check_folders()
-    assert finding.status == "mend"
+    assert finding.status == "fix"
     assert "Set HOME" in finding.todo
 
 
 def test_a_check_that_raises_becomes_a_finding() -> None:
-    def fails() -> Finding:
+    def fails() -> HealthFinding:
         raise OSError("the cable is out\nsecond line")
 
     (finding,) = health._made("Cable", fails)
-    assert (finding.status, finding.title) == ("mend", "Cable")
+    assert (finding.status, finding.title) == ("fix", "Cable")
     assert "the cable is out" in finding.saw
     assert "second line" not in finding.saw
 
@@ -84,12 +84,16 @@ def test_a_check_that_raises_becomes_a_finding() -> None:
 @pytest.mark.parametrize(
     ("findings", "code", "last"),
     [
-        ([Finding("ok", "A", "fine"), Finding("note", "B", "odd", "look")], 0, "Ready."),
-        ([Finding("mend", "A", "broken", "Run `make env`."), Finding("ok", "B", "fine")], 1, "1 to mend."),
+        ([HealthFinding("ok", "A", "fine"), HealthFinding("note", "B", "odd", "look")], 0, "Ready."),
+        (
+            [HealthFinding("fix", "A", "broken", "Run `make env`."), HealthFinding("ok", "B", "fine")],
+            1,
+            "1 to fix.",
+        ),
     ],
 )
 def test_exit_code_and_summary(
-    findings: list[Finding],
+    findings: list[HealthFinding],
     code: int,
     last: str,
     monkeypatch: pytest.MonkeyPatch,
@@ -108,7 +112,7 @@ def test_exit_code_and_summary(
 
 def test_a_terminal_without_unicode_gets_plain_signs() -> None:
     stream = io.TextIOWrapper(io.BytesIO(), encoding="ascii")
-    text = doctor.line(Finding("mend", "RMW", "missing", "install it"), stream)
+    text = doctor.line(HealthFinding("fix", "RMW", "missing", "install it"), stream)
     text.encode("ascii")
-    assert "x mend" in text
+    assert "x fix" in text
     assert "> install it" in text

@@ -9,12 +9,13 @@ from std_msgs.msg import Float32, String
 
 from tests.criteria.by_hand import ended_by_itself, on_topic, recorded
 from workbook.criteria import one_of, really_arrives, topic
-from workbook.criteria.garbled import field_check_note
+from workbook.criteria.vocabulary.field_checks import field_check_note
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
-from workbook.exercise.judging import Judge, Judgement, judge_recording
-from workbook.observing.recording import ProcessRecord, Recording
-from workbook.observing.watch import Observer
+from workbook.exercise.judgement import Judgement, judge_recording
+from workbook.exercise.judging import Judge
+from workbook.recording.recording import ProcessRecord, Recording
+from workbook.watching.observer import Observer
 
 ROOT = Path(__file__).resolve().parents[2]
 BATTERY = topic("/robot/battery", Float32, hz=0.5)
@@ -41,7 +42,7 @@ def battery(*levels: float) -> Recording:
 def test_numbers_that_arrive(levels: tuple[float, ...]) -> None:
     verdict = really_arrives(battery(*levels), BATTERY)
     assert verdict.ok
-    assert not verdict.garbled
+    assert not verdict.recheck_fields
 
 
 @pytest.mark.parametrize(
@@ -56,15 +57,15 @@ def test_numbers_that_arrive(levels: tuple[float, ...]) -> None:
 def test_zeros_where_another_number_was_meant(levels: tuple[float, ...], saw: str) -> None:
     verdict = really_arrives(battery(*levels), BATTERY)
     assert verdict.status == "failed"
-    assert verdict.garbled
+    assert verdict.recheck_fields
     assert saw in verdict.saw
     assert "an int is sent as 0.0" in verdict.because
 
 
-def test_silence_is_not_called_garbled() -> None:
+def test_silence_asks_for_no_recheck() -> None:
     verdict = really_arrives(recorded(on_topic("/robot/battery")), BATTERY)
     assert verdict.status == "failed"
-    assert not verdict.garbled
+    assert not verdict.recheck_fields
 
 
 def test_the_note_quotes_line_and_complaint() -> None:
@@ -82,11 +83,11 @@ def test_checks_that_find_nothing_change_the_reason(log: str) -> None:
     assert "an int is sent" not in verdict.because
 
 
-def test_an_empty_text_is_garbled_and_a_wrong_word_is_not() -> None:
+def test_an_empty_text_is_rechecked_and_a_wrong_word_is_not() -> None:
     empty = recorded(on_topic("/robot/status", "std_msgs/msg/String", [1.0], [""]))
     other = recorded(on_topic("/robot/status", "std_msgs/msg/String", [1.0], ["fine"]))
-    assert one_of(empty, STATUS, {"operational"}).garbled
-    assert not one_of(other, STATUS, {"operational"}).garbled
+    assert one_of(empty, STATUS, {"operational"}).recheck_fields
+    assert not one_of(other, STATUS, {"operational"}).recheck_fields
 
 
 @pytest.fixture(scope="module")

@@ -1,6 +1,7 @@
 """Judging stored recordings: the same verdicts every time, in every process."""
 
 import json
+import runpy
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,10 +10,10 @@ import pytest
 from workbook.criteria import Recording as RecordingSeen
 from workbook.criteria import Verdict, criterion
 from workbook.exercise.definition import BrokenCriteria, load_exercise
-from workbook.exercise.exchange import judgement_from_json, judgement_to_json
-from workbook.exercise.judging import Judgement, judge_recording, judgement_as_provisional
+from workbook.exercise.judgement import Judgement, judge_recording, judgement_as_provisional
+from workbook.exercise.serialization import judgement_from_json, judgement_to_json
 from workbook.exercise.source import UnknownExercise
-from workbook.observing.recording import (
+from workbook.recording.recording import (
     Arrival,
     NodeSeen,
     ProcessRecord,
@@ -109,7 +110,7 @@ def test_broken_criteria_are_named(criteria: str | None, words: str, tmp_path: P
 
 def calls_of_publish_level(delay: float) -> Recording:
     """What a right answer of exercise 03 shows; every number arrives `delay` seconds after it was published."""
-    criteria = load_exercise("03_publishers_and_messages", ROOT).criteria[0].judge.__globals__  # type: ignore[attr-defined]
+    criteria = runpy.run_path(str(ROOT / "exercises" / "criteria" / "03_publishers_and_messages.py"))
     levels, now = [], 1.0
     said = [Arrival(now, now, {"data": "made"}, now)]
     for number, value in enumerate(criteria["CALLS"], start=1):

@@ -62,7 +62,13 @@ ALL = (
             "wrong_name",
             {"joint_topic"},
             {"twelve_values", "finite_in_range", "joints_move", "joint_rate"},
-            ("saw: your node publishes /robot/joint_angles", "because: ", "try: ", "not looked at"),
+            (
+                "cause: publishes.other-name",
+                "saw: your node publishes /robot/joint_angles",
+                "because: ",
+                "try: ",
+                "not looked at",
+            ),
         ),
     ],
 )

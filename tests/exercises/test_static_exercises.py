@@ -10,11 +10,12 @@ from workbook.criteria import criterion, mypy_clean, mypy_objects, probe
 from workbook.exercise import judging
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import BrokenCriteria, Exercise, load_exercise
-from workbook.exercise.exchange import judgement_from_json, judgement_to_json
-from workbook.exercise.judging import Judge, judge_recording
-from workbook.observing.recording import Finding, Recording
-from workbook.observing.typecheck import TypeCheckFailed
-from workbook.observing.watch import Observer
+from workbook.exercise.judgement import judge_recording
+from workbook.exercise.judging import Judge
+from workbook.exercise.serialization import judgement_from_json, judgement_to_json
+from workbook.recording.recording import Finding, Recording
+from workbook.typechecking.typecheck import TypeCheckFailed
+from workbook.watching.observer import Observer
 
 ROOT = Path(__file__).resolve().parents[2]
 MISUSE = probe("a text for a level", 'from answer import drain\ndrain("full")  # wrong\n')
@@ -53,7 +54,7 @@ def clean(recording):  # type: ignore[no-untyped-def]
 
 @criterion(points=1, title="Guarded")
 def guarded(recording):  # type: ignore[no-untyped-def]
-    return mypy_objects(recording, MISUSE, because="No hint.", try_this="Add one.")
+    return mypy_objects(recording, MISUSE, cause="guarded.no-hint", because="No hint.", try_this="Add one.")
 
 
 def exercise(kind: str) -> Exercise:
@@ -62,7 +63,7 @@ def exercise(kind: str) -> Exercise:
     short = replace(
         real,
         criteria=(clean, guarded),
-        plan=replace(real.plan, topics=("/robot/battery",), robot_seconds=2.0),
+        plan=replace(real.plan, topics=("/robot/battery",), robot_seconds=4.0),
         periods={},
         probes={MISUSE.name: MISUSE.code},
     )

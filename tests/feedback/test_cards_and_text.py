@@ -9,12 +9,12 @@ import pytest
 
 from workbook.criteria.runner import CriterionResult
 from workbook.exercise.definition import load_exercise
-from workbook.exercise.judging import Judgement, judge_recording, judgement_as_provisional
+from workbook.exercise.judgement import Judgement, judge_recording, judgement_as_provisional
 from workbook.exercise.museum import Exhibit
 from workbook.feedback.card import Card, Extras, as_html
 from workbook.feedback.review import review_prompt
 from workbook.feedback.text import as_text
-from workbook.observing.recording import Recording
+from workbook.recording.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"

@@ -9,8 +9,8 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 
-from tests.observing.programs import is_gone, wait_until
-from workbook.observing.process import process_tree
+from tests.programs.support import is_gone, wait_until
+from workbook.inside.proc import process_tree
 
 ROOT = Path(__file__).resolve().parents[2]
 LOOPBACK = ("--host", "127.0.0.1", "--dashboard-address", "127.0.0.1:0", "--no-dashboard")

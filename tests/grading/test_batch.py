@@ -15,16 +15,19 @@ from typing import Any
 
 import pytest
 
-from tests.observing.programs import CLIMB, is_gone, wait_until
+from tests.programs.support import CLIMB, is_gone, wait_until
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
-from workbook.exercise.judging import Judgement, judge_recording
-from workbook.grading import pool
-from workbook.grading.batch import Batch, BatchSummary, Progress
-from workbook.grading.pool import Job, Slot, judge_all
-from workbook.grading.results import read_results
-from workbook.observing.process import process_tree
-from workbook.observing.recording import Recording
+from workbook.exercise.judgement import Judgement, judge_recording
+from workbook.grading import local, pool
+from workbook.grading.batch import Batch, BatchProgress, BatchSummary
+from workbook.grading.judges import Job
+from workbook.grading.local import LocalSlots, judge_all
+from workbook.grading.pool import Slot
+from workbook.grading.results import Result
+from workbook.grading.results_file import read_results
+from workbook.inside.proc import process_tree
+from workbook.recording.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -71,7 +74,7 @@ class Judges:
 @pytest.fixture
 def judges(exercise: Exercise, monkeypatch: pytest.MonkeyPatch) -> Judges:
     judges = Judges(exercise)
-    monkeypatch.setattr(pool, "judge_all", judges)
+    monkeypatch.setattr(local, "judge_all", judges)
     return judges
 
 
@@ -85,20 +88,20 @@ def hand_ins(tmp_path: Path) -> Path:
     return folder
 
 
-def lines(out: Path) -> list[dict[str, Any]]:
+def lines(out: Path) -> list[Result]:
     return list(read_results(out / "results.jsonl"))
 
 
 def grade(exercise: Exercise, hand_ins: Path, **options: Any) -> BatchSummary:
-    return Batch(exercise, hand_ins.parent / "out", 2).run([hand_ins], **options)
+    return Batch(exercise, hand_ins.parent / "out", LocalSlots(2)).run([hand_ins], **options)
 
 
 def test_everybody_gets_one_result(exercise: Exercise, hand_ins: Path, judges: Judges) -> None:
-    seen: list[Progress] = []
+    seen: list[BatchProgress] = []
     summary = grade(exercise, hand_ins, progress=seen.append)
     assert judges.asked == ["s0", "s1", "s2", "s3"]
-    assert Counter(result["status"] for result in summary.results) == {"graded": 4, "ungradable": 1}
-    assert [result["student"] for result in summary.results] == ["s0", "s1", "s2", "s3", "s4"]
+    assert Counter(result.status for result in summary.results) == {"graded": 4, "ungradable": 1}
+    assert [result.student for result in summary.results] == ["s0", "s1", "s2", "s3", "s4"]
     assert (summary.judged, summary.kept, summary.stopped) == (5, 0, False)
     assert [progress.done for progress in seen] == [1, 2, 3, 4, 5]
     assert {progress.total for progress in seen} == {5}
@@ -126,11 +129,11 @@ def test_a_changed_answer_runs_again_as_another_attempt(
     (hand_ins / "s4.py").write_text("robot = 'there at last'\n")
     summary = grade(exercise, hand_ins)
     assert judges.asked == ["s2", "s4"]
-    assert [(one["student"], one["attempt"]) for one in lines(hand_ins.parent / "out")][5:] == [
+    assert [(one.student, one.attempt) for one in lines(hand_ins.parent / "out")][5:] == [
         ("s2", 2),
         ("s4", 2),
     ]
-    assert {one["student"]: one["attempt"] for one in summary.results} == {
+    assert {one.student: one.attempt for one in summary.results} == {
         "s0": 1,
         "s1": 1,
         "s2": 2,
@@ -152,19 +155,19 @@ def test_changed_criteria_run_everybody_again(exercise: Exercise, hand_ins: Path
     judges.asked.clear()
     summary = grade(replace(exercise, criteria_sha256="c" * 64), hand_ins)
     assert judges.asked == ["s0", "s1", "s2", "s3"]
-    assert {one["attempt"] for one in summary.results} == {2}
-    assert {one["versions"]["criteria"] for one in summary.results} == {"c" * 64}
+    assert {one.attempt for one in summary.results} == {2}
+    assert {one.versions.criteria for one in summary.results} == {"c" * 64}
 
 
 def test_a_fault_of_ours_runs_again(exercise: Exercise, hand_ins: Path, judges: Judges) -> None:
     judges.ours_to_blame = {"s1"}
     summary = grade(exercise, hand_ins)
-    assert {one["student"]: one["score"] for one in summary.results}["s1"] is None
+    assert {one.student: one.score for one in summary.results}["s1"] is None
     judges.ours_to_blame.clear()
     judges.asked.clear()
     summary = grade(exercise, hand_ins)
     assert judges.asked == ["s1"]
-    assert {one["student"]: one["score"] for one in summary.results}["s1"] == 9
+    assert {one.student: one.score for one in summary.results}["s1"] == 9
 
 
 def test_a_stopped_run_goes_on(exercise: Exercise, hand_ins: Path, judges: Judges) -> None:
@@ -183,7 +186,7 @@ def test_a_torn_line_runs_that_student_again(exercise: Exercise, hand_ins: Path,
     path.write_bytes(path.read_bytes()[:-40])
     grade(exercise, hand_ins)
     assert judges.asked == ["s3"]
-    assert Counter(one["student"] for one in lines(path.parent)) == {f"s{n}": 1 for n in range(5)}
+    assert Counter(one.student for one in lines(path.parent)) == {f"s{n}": 1 for n in range(5)}
 
 
 def test_the_hour_of_submission_is_kept(exercise: Exercise, tmp_path: Path, judges: Judges) -> None:
@@ -191,9 +194,9 @@ def test_the_hour_of_submission_is_kept(exercise: Exercise, tmp_path: Path, judg
     folder.mkdir(parents=True)
     (folder / "answer.py").write_text("robot = 1\n")
     (folder / "timestamp.txt").write_text("2025-01-31 23:59:00 UTC\n")
-    [result] = Batch(exercise, tmp_path / "out", 1).run([tmp_path / "course"]).results
-    assert result["submitted_at"] == "2025-01-31 23:59:00 UTC"
-    assert result["answer"] == f"s1042/{STEM}/answer.py"
+    [result] = Batch(exercise, tmp_path / "out", LocalSlots(1)).run([tmp_path / "course"]).results
+    assert result.submitted_at == "2025-01-31 23:59:00 UTC"
+    assert result.answer == f"s1042/{STEM}/answer.py"
 
 
 def test_a_course_of_nbgrader_is_graded_and_goes_back_into_its_gradebook(
@@ -279,7 +282,7 @@ def test_odd_hand_ins_are_ungradable_and_hang_nothing(
     for name in ("a.py", "b.py"):
         (folder / "two" / name).write_text("robot = 1\n")
     summary = grade(exercise, folder)
-    status = {one["student"]: one["status"] for one in summary.results}
+    status = {one.student: one.status for one in summary.results}
     assert status == {
         "dangling": "ungradable",
         "endless": "ungradable",
@@ -288,7 +291,7 @@ def test_odd_hand_ins_are_ungradable_and_hang_nothing(
         "pipe": "ungradable",
         "two": "ungradable",
     }
-    assert all(one["reason"] for one in summary.results if one["status"] == "ungradable")
+    assert all(one.reason for one in summary.results if one.status == "ungradable")
     assert grade(exercise, folder).kept == 6
 
 
@@ -343,7 +346,7 @@ def test_a_killed_grader_goes_on_and_leaves_no_process(tmp_path: Path) -> None:
         grader.kill()
         wait_until(lambda: all(map(is_gone, everything - {grader.pid})))
     first = lines(out)
-    assert [one["student"] for one in first] == ["s5", "s1", "s2"]
+    assert [one.student for one in first] == ["s5", "s1", "s2"]
     with (out / "results.jsonl").open("a") as file:
         file.write('{"student": "s3", "exercise": "09_joi')
 
@@ -352,22 +355,22 @@ def test_a_killed_grader_goes_on_and_leaves_no_process(tmp_path: Path) -> None:
     assert grader.returncode == 0, progress
     results = lines(out)
     assert results[:3] == first
-    assert Counter(one["student"] for one in results) == {f"s{n}": 1 for n in range(1, 6)}
-    assert {one["student"]: one["status"] for one in results} == {
+    assert Counter(one.student for one in results) == {f"s{n}": 1 for n in range(1, 6)}
+    assert {one.student: one.status for one in results} == {
         "s1": "graded",
         "s2": "graded",
         "s3": "graded",
         "s4": "graded",
         "s5": "ungradable",
     }
-    assert {one["score"] for one in results} == {0, None}
+    assert {one.score for one in results} == {0, None}
     assert "5 answers: 4 graded (0 with full marks), 1 ungradable" in said
     assert "2 judged in" in said
     assert "3 kept from an earlier run" in said
     assert "[2/2]" in progress
     for one in results:
-        if one["status"] == "graded":
-            assert json.loads((out / one["recording"]).read_text())["format"] == 1
+        if one.status == "graded":
+            assert json.loads((out / str(one.recording)).read_text())["format"] == 1
     rows = (out / "grades.csv").read_text().splitlines()
     assert [row.split(",")[0] for row in rows] == ["student", "s1", "s2", "s3", "s4", "s5"]
 
@@ -467,7 +470,7 @@ def test_check_says_not_yet_with_exit_code_1(tmp_path: Path) -> None:
 
 
 def test_check_tries_once_more_what_crashes_at_ctrl_c(tmp_path: Path) -> None:
-    """As rclpy itself does now and then: see `workbook.exercise.doubt`."""
+    """As rclpy itself does now and then: see `workbook.exercise.conclusiveness`."""
     stem, was_here = "08_humanoid_status_publisher", tmp_path / "was here"
     solution = load_exercise(stem, ROOT).source.solution_code
     shutdown = "    finally:\n        rclpy.try_shutdown()"
@@ -536,14 +539,14 @@ def test_grade_ends_with_exit_code_1_when_something_was_our_fault(
 def test_types_are_learned_once_before_slots_start_that_cannot_write(monkeypatch: pytest.MonkeyPatch) -> None:
     done: list[str] = []
 
-    def judged(slot: object, job: Job[str], *_: object) -> tuple[None, Judgement]:
+    def judged(slot: object, job: Job[str], *_: object, **__: object) -> tuple[None, Judgement]:
         done.append("judged")
         return None, Judgement(job.stem, job.answer.sha256, "infra_error", "nobody judges here", (), None)
 
-    monkeypatch.setattr(pool, "learn", lambda: done.append("learned"))
+    monkeypatch.setattr(local, "warm_cache", lambda: done.append("warmed"))
     monkeypatch.setattr(pool, "judge_with_retry", judged)
     answer = Answer("")
     list(judge_all([Job("a", "09_joint_positions", answer)], 1))
     assert done == ["judged"]
     list(judge_all([Job("a", "07_typed_nodes", answer), Job("b", "07_typed_nodes", answer)], 1))
-    assert done == ["judged", "learned", "judged", "judged"]
+    assert done == ["judged", "warmed", "judged", "judged"]

@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
@@ -14,17 +15,20 @@ import pytest
 import yaml
 from markdown_it import MarkdownIt
 
+from workbook.authoring.tree import Tree
+from workbook.authoring.wrong_answers import read_wrong_answer
 from workbook.cli.main import main
 from workbook.criteria.runner import CriterionResult
 from workbook.exercise.definition import load_exercise
-from workbook.exercise.judging import Judgement, judge_recording
+from workbook.exercise.judgement import Judgement, judge_recording
 from workbook.feedback.markdown import as_markdown, plain
 from workbook.grading.github import Pushed, all_hold, classroom, encoded, not_run, runners, summary
 from workbook.grading.hand_ins import hand_in_named
+from workbook.grading.new_results import GradedBy, Submission, graded_result, ungradable_result
 from workbook.grading.packaging import CannotPackage, commit_of, origin_of
-from workbook.grading.results import Result, graded_result, ungradable_result
-from workbook.observing.recording import Recording
-from workbook.observing.sandbox import sandbox_problem
+from workbook.grading.results import Result, ResultStatus
+from workbook.isolation.bubblewrap import sandbox_problem
+from workbook.recording.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM, OTHER = "09_joint_positions", "05_timers"
@@ -35,33 +39,13 @@ SOLUTION = EXERCISE.source.solution_code
 
 def result(out: Path, recording: str) -> Result:
     stored = Recording.load(ROOT / "tests" / "recordings" / STEM / f"{recording}.json")
-    return graded_result(
-        out,
-        judge_recording(EXERCISE, "a" * 64, stored),
-        student="x",
-        answer="x.py",
-        submitted_at=None,
-        attempt=1,
-        isolation="sandbox",
-        criteria_sha256="b" * 64,
-        max_score=10,
-    )
+    judgement = judge_recording(EXERCISE, "a" * 64, stored)
+    return graded_result(Submission("x", "x.py", "a" * 64), [judgement], GradedBy(EXERCISE, "sandbox", out))
 
 
-def refused(status: str = "ungradable") -> Result:
-    refusal = ungradable_result(
-        student="x",
-        answer="x.py",
-        answer_sha256="",
-        submitted_at=None,
-        exercise=STEM,
-        attempt=1,
-        reason="the answer is empty",
-        isolation="sandbox",
-        criteria_sha256="b" * 64,
-        max_score=10,
-    )
-    return {**refusal, "status": status}
+def refused(status: ResultStatus = "ungradable") -> Result:
+    by = GradedBy(EXERCISE, "sandbox", Path())
+    return replace(ungradable_result(Submission("x", "x.py", ""), "the answer is empty", by), status=status)
 
 
 # --- Classroom's results --------------------------------------------------------------------------------------------
@@ -131,11 +115,9 @@ def test_without_a_judgement_there_are_tests_all_the_same(
 
 
 def test_a_hidden_criterion_is_not_given_away(tmp_path: Path) -> None:
-    from dataclasses import replace
-
     hidden = replace(EXERCISE, criteria=tuple(replace(one, hidden=True) for one in EXERCISE.criteria))
     found = result(tmp_path, "eleven_values")
-    found["criteria"] = [{**one, "hidden": True} for one in found["criteria"]]
+    found = replace(found, criteria=tuple(replace(one, hidden=True) for one in found.criteria))
     text = json.dumps(classroom(Pushed(hidden, found)))
     assert "11 values" not in text
     assert "Every message has exactly 12 values" not in text
@@ -442,7 +424,7 @@ def course(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def needs_a_box() -> None:
     problem = sandbox_problem()
     if problem is not None:
-        pytest.skip(f"programs cannot be shut in: {problem}")
+        pytest.skip(f"programs cannot be sandboxed: {problem}")
 
 
 @pytest.mark.sandbox
@@ -482,8 +464,8 @@ def test_the_commands_of_the_workflow_judge_what_was_pushed(tmp_path: Path, cour
 def test_a_wrong_answer_makes_the_run_red_and_says_why(tmp_path: Path, course: Path) -> None:
     needs_a_box()
     runner = Runner(tmp_path, course)
-    wrong = ROOT / "tests" / "wrong_answers" / STEM / "eleven_values.py"
-    (runner.answers / "joint_positions.py").write_bytes(wrong.read_bytes())
+    wrong = read_wrong_answer(Tree(ROOT), Tree(ROOT).wrong_answers / STEM / "eleven_values.py")
+    (runner.answers / "joint_positions.py").write_text(wrong.answer.text, encoding="utf-8")
     assert runner.run().returncode == 1
     assert "11 values" in runner.page().words
     assert report(runner.outputs(), ",".join(runners(EXERCISE)))["total"] == 9

@@ -4,30 +4,27 @@ import csv
 import io
 import json
 import re
+from dataclasses import replace
 from datetime import datetime
 from html.parser import HTMLParser
 from pathlib import Path
-from typing import Any
 
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from workbook.exercise.definition import OWN_CRITERIA, load_exercise
-from workbook.exercise.judging import judge_recording
-from workbook.grading.again import regrade
-from workbook.grading.books import BadOption, Lateness, parse_moment, read_aliases, with_lateness, write_books
+from workbook.exercise.judgement import judge_recording
 from workbook.grading.exports import NBGRADER, canvas, gradescope, moodle, nbgrader
+from workbook.grading.gradebook import GradebookOptions, write_gradebook
+from workbook.grading.lateness import Lateness, parse_moment, with_lateness
+from workbook.grading.new_results import GradedBy, Submission, graded_result, ungradable_result
 from workbook.grading.pages import CLASS, page_name, student_page
-from workbook.grading.results import (
-    RESULTS,
-    Result,
-    ResultsFile,
-    graded_result,
-    last_results,
-    ungradable_result,
-)
-from workbook.observing.recording import Recording
+from workbook.grading.regrade import regrade
+from workbook.grading.results import Result
+from workbook.grading.results_file import RESULTS, ResultsFile, last_results
+from workbook.grading.roster import BadOption, read_aliases
+from workbook.recording.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -47,32 +44,14 @@ ODD_NAMES = [
 
 def result(out: Path, student: str, recording: str = "solution", submitted_at: str | None = None) -> Result:
     stored = Recording.load(ROOT / "tests" / "recordings" / STEM / f"{recording}.json")
-    return graded_result(
-        out,
-        judge_recording(EXERCISE, "a" * 64, stored),
-        student=student,
-        answer=f"{student}.py",
-        submitted_at=submitted_at,
-        attempt=1,
-        isolation="sandbox",
-        criteria_sha256=EXERCISE.criteria_sha256,
-        max_score=EXERCISE.max_points,
-    )
+    judgement = judge_recording(EXERCISE, "a" * 64, stored)
+    submission = Submission(student, f"{student}.py", judgement.answer_sha256, submitted_at)
+    return graded_result(submission, [judgement], GradedBy(EXERCISE, "sandbox", out))
 
 
 def refused(student: str) -> Result:
-    return ungradable_result(
-        student=student,
-        answer="x.py",
-        answer_sha256="",
-        submitted_at=None,
-        exercise=STEM,
-        attempt=1,
-        reason="the file is empty",
-        isolation="sandbox",
-        criteria_sha256=EXERCISE.criteria_sha256,
-        max_score=10.0,
-    )
+    by = GradedBy(EXERCISE, "sandbox", Path())
+    return ungradable_result(Submission(student, "x.py", ""), "the file is empty", by)
 
 
 @pytest.fixture(scope="module")
@@ -108,10 +87,8 @@ def test_gradescope_gets_no_zero_for_what_could_not_be_graded() -> None:
 
 
 def test_a_hidden_criterion_is_hidden_in_gradescope(plain: Result) -> None:
-    hidden = {
-        **plain,
-        "criteria": [{**one, "hidden": one["id"] == "twelve_values"} for one in plain["criteria"]],
-    }
+    lines = tuple(replace(one, hidden=one.id == "twelve_values") for one in plain.criteria)
+    hidden = replace(plain, criteria=lines)
     data = json.loads(gradescope(hidden))
     assert [test["visibility"] for test in data["tests"]].count("hidden") == 1
     assert "11 values" not in data["output"]
@@ -134,7 +111,7 @@ def test_moodle_gets_only_those_with_a_grade(plain: Result) -> None:
 
 
 def test_nbgrader_gets_its_own_columns(plain: Result) -> None:
-    late = {**plain, "score": 7.0, "late_points": 2.0, "submitted_at": "2026-05-01T10:00:00+00:00"}
+    late = replace(plain, score=7.0, late_points=2.0, submitted_at="2026-05-01T10:00:00+00:00")
     head, first, second = rows(nbgrader([late, refused("bob")]))
     assert tuple(head) == NBGRADER
     entry = dict(zip(head, first, strict=True))
@@ -145,7 +122,7 @@ def test_nbgrader_gets_its_own_columns(plain: Result) -> None:
 @given(st.one_of(st.text(min_size=1, max_size=60), st.sampled_from(ODD_NAMES)))
 @settings(deadline=None, derandomize=True, max_examples=150)
 def test_no_name_breaks_a_table_or_becomes_a_formula(name: str) -> None:
-    odd = {**refused(name), "status": "graded", "score": 3.0}
+    odd = replace(refused(name), status="graded", score=3.0)
     for text in (canvas([odd], "X (1)", 10.0), moodle([odd], "X"), nbgrader([odd])):
         found = rows(text)
         assert len({len(row) for row in found}) == 1
@@ -193,7 +170,7 @@ def test_names_that_look_alike_have_pages_of_their_own() -> None:
 
 def test_the_books_are_written_and_the_class_page_leads_to_everybody(tmp_path: Path) -> None:
     everything = {
-        (one["student"], STEM): one
+        (one.student, STEM): one
         for one in (
             result(tmp_path, "ada"),
             result(tmp_path, "bob", "eleven_values"),
@@ -202,7 +179,7 @@ def test_the_books_are_written_and_the_class_page_leads_to_everybody(tmp_path: P
         )
     }
     formats = ("html", "gradescope", "canvas", "moodle", "nbgrader")
-    written = write_books(tmp_path, EXERCISE, everything, formats)
+    written = write_gradebook(tmp_path, EXERCISE, everything, GradebookOptions(formats))
     assert all(path.exists() for path in written)
     page = (tmp_path / "pages" / CLASS).read_text(encoding="utf-8")
     for student in ("ada", "bob", "eve", "mallory"):
@@ -234,14 +211,14 @@ def test_lateness_counts_days_begun_and_never_goes_below_zero(tmp_path: Path) ->
         "yesterday": 10.0,
     }
     raw = [result(tmp_path, "ada", submitted_at=moment) for moment in moments]
-    assert [one["score"] for one in with_lateness(raw, late)] == list(moments.values())
-    assert {one["score"] for one in raw} == {10.0}
-    assert [one["submitted_at"] for one in late.unknown(raw)] == [
+    assert [one.score for one in with_lateness(raw, late)] == list(moments.values())
+    assert {one.score for one in raw} == {10.0}
+    assert [one.submitted_at for one in late.unknown(raw)] == [
         None,
         "2026-05-02 12:00:01 CEST",
         "yesterday",
     ]
-    assert with_lateness([refused("bob")], late)[0]["score"] is None
+    assert with_lateness([refused("bob")], late)[0].score is None
 
 
 def test_a_moment_without_a_zone_is_utc() -> None:
@@ -275,7 +252,7 @@ from workbook.criteria import Recording, Verdict, criterion
 def seen_by_me(recording: Recording) -> Verdict:
     if recording.topic("/robot/joint_positions").arrivals:
         return see.passed("seen")
-    return see.failed("nothing", "something", "silence", "speak")
+    return see.failed("own.nothing", "nothing", "something", "silence", "speak")
 """
 
 
@@ -299,8 +276,7 @@ def test_regrading_runs_nothing_and_tells_whose_marks_changed(tmp_path: Path, ow
     book = ResultsFile(tmp_path / RESULTS)
     for student, recording in (("ada", "solution"), ("bob", "wrong_name")):
         book.append(result(tmp_path, student, recording))
-    lost: dict[str, Any] = {**result(tmp_path, "eve"), "recording": "recordings/gone.json"}
-    book.append(lost)
+    book.append(replace(result(tmp_path, "eve"), recording="recordings/gone.json"))
     book.append(refused("mallory"))
     book.close()
     exercise = load_exercise(STEM, ROOT)
@@ -310,7 +286,7 @@ def test_regrading_runs_nothing_and_tells_whose_marks_changed(tmp_path: Path, ow
     assert "cannot be read" in found["eve"].problem
     assert "mallory" not in found
     now = last_results(tmp_path / RESULTS)
-    assert now["ada", STEM]["attempt"] == 2
-    assert now["ada", STEM]["versions"]["criteria"] == exercise.criteria_sha256
-    assert now["eve", STEM]["score"] == 10.0
+    assert now["ada", STEM].attempt == 2
+    assert now["ada", STEM].versions.criteria == exercise.criteria_sha256
+    assert now["eve", STEM].score == 10.0
     assert not any(one.changed for one in regrade(tmp_path, exercise))

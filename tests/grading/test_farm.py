@@ -20,16 +20,18 @@ from typing import Any
 import pytest
 
 from tests.grading.farms import ROOT, LittleFarm, ancestors_of, little_farm
-from tests.observing.programs import CLIMB, wait_until
+from tests.programs.support import CLIMB, wait_until
+from workbook.authoring.tree import Tree
+from workbook.authoring.wrong_answers import read_wrong_answer
 from workbook.exercise.answers import Answer
 from workbook.exercise.course import course_sha256
 from workbook.exercise.definition import load_exercise
-from workbook.exercise.exchange import judgement_from_afar, judgement_to_json
-from workbook.exercise.judging import Judgement, judge_recording
+from workbook.exercise.judgement import Judgement, judge_recording
+from workbook.exercise.serialization import judgement_from_afar, judgement_to_json
 from workbook.grading import farm_worker
-from workbook.grading.farm_worker import Kind, Order, Rack
-from workbook.observing.recording import Recording
-from workbook.observing.sandbox import sandbox_problem
+from workbook.grading.farm_worker import FarmJob, Kind, Rack
+from workbook.isolation.bubblewrap import sandbox_problem
+from workbook.recording.recording import Recording
 
 STEM = "09_joint_positions"
 UNREADABLE = "speed = = 3\n"
@@ -119,11 +121,9 @@ def test_a_killed_worker_loses_nothing(farm: LittleFarm, tmp_path: Path) -> None
         (folder / f"unreadable{number}.py").write_text(f"{UNREADABLE}# {number}\n")
         expected[f"unreadable{number}"] = {"program_runs"}
     for name in wrong:
-        text = (ROOT / "tests" / "wrong_answers" / STEM / f"{name}.py").read_text(encoding="utf-8")
-        (folder / f"{name}.py").write_text(text)
-        header = re.search(r"^# loses: (.*)$", text, re.MULTILINE)
-        assert header is not None
-        expected[name] = set(header[1].split(", "))
+        mistaken = read_wrong_answer(Tree(ROOT), Tree(ROOT).wrong_answers / STEM / f"{name}.py")
+        (folder / f"{name}.py").write_text(mistaken.answer.text)
+        expected[name] = set(mistaken.header.loses)
     workers = {worker.pid: worker for worker in (farm.worker(), farm.worker())}
 
     grader = farm.grade(folder, "--out", out, "--isolation", "limits")
@@ -223,7 +223,7 @@ def test_a_scheduler_that_goes_away_is_told_and_nothing_is_lost(own_farm: Little
 def test_the_best_tier_and_own_criteria(farm: LittleFarm, tmp_path: Path) -> None:
     problem = sandbox_problem()
     if problem is not None:
-        pytest.skip(f"programs cannot be shut in: {problem}")
+        pytest.skip(f"programs cannot be sandboxed: {problem}")
     folder, out, own = tmp_path / "class", tmp_path / "out", tmp_path / "own"
     folder.mkdir()
     own.mkdir()
@@ -233,7 +233,7 @@ def test_the_best_tier_and_own_criteria(farm: LittleFarm, tmp_path: Path) -> Non
         "from workbook.criteria import Recording, Verdict, criterion\n\n\n"
         "@criterion(points=2, title='It talks')\n"
         "def talks(recording: Recording) -> Verdict:\n"
-        "    return see.failed('nothing', 'a word', 'It is silent.', 'Say something.')\n"
+        "    return see.failed('own.nothing', 'nothing', 'a word', 'It is silent.', 'Say something.')\n"
     )
     farm.worker("--nthreads", 1)
     code, said = finish(farm.grade(folder, "--out", out, "--criteria", own))
@@ -285,7 +285,7 @@ def test_a_scheduler_without_workers(farm: LittleFarm, tmp_path: Path) -> None:
 def test_waits_that_nobody_receives_are_not_told_to_the_instructor(caplog: pytest.LogCaptureFixture) -> None:
     AllExit = pytest.importorskip("distributed.client", reason="the extra `farm` is not installed").AllExit
 
-    from workbook.grading.farm import quiet_about_lost_waits
+    from workbook.grading.farm_connection import quiet_about_lost_waits
 
     async def end_with(error: BaseException) -> None:
         raise error
@@ -321,7 +321,7 @@ def test_nobody_at_the_address(tmp_path: Path) -> None:
         closed.bind(("127.0.0.1", 0))
         address = f"tcp://127.0.0.1:{closed.getsockname()[1]}"
         code = (
-            "import sys; from workbook.grading import farm; farm.CONNECT_S = 1.0; "
+            "import sys; from workbook.grading import farm_connection; farm_connection.CONNECT_S = 1.0; "
             "from workbook.cli.main import main; sys.exit(main(sys.argv[1:]))"
         )
         (tmp_path / "s1.py").write_text(UNREADABLE)
@@ -376,7 +376,7 @@ def test_what_is_no_farm_is_said(
 
 
 def order(**changes: object) -> str:
-    usual = Order(STEM, UNREADABLE, False, "limits", course_sha256(), None, farm_worker.PROCESS)
+    usual = FarmJob(STEM, UNREADABLE, False, "limits", course_sha256(), None, farm_worker.PROCESS)
     return replace(usual, **changes).to_text()  # type: ignore[arg-type]
 
 
@@ -396,7 +396,7 @@ def test_a_course_that_changed_under_a_worker_is_refused(monkeypatch: pytest.Mon
 
 
 def test_whatever_goes_wrong_comes_back_as_words() -> None:
-    assert json.loads(farm_worker.judge("{}"))["fault"].startswith("TypeError")
+    assert json.loads(farm_worker.judge("{}"))["fault"] == "Malformed: exercise: it is missing"
     assert "fault" in json.loads(farm_worker.judge("no order"))
 
 

@@ -16,19 +16,21 @@ from typing import Any
 
 import pytest
 
-from tests.observing.programs import wait_until
+from tests.programs.support import wait_until
+from workbook.authoring.tree import Tree
+from workbook.authoring.wrong_answers import read_wrong_answer
 from workbook.cli.main import main
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.source import load
 from workbook.exercise.source import stems as stems_in
 from workbook.grading.packaging import without_solution
-from workbook.observing.process import process_tree
-from workbook.observing.sandbox import sandbox_problem
+from workbook.inside.proc import process_tree
+from workbook.isolation.bubblewrap import sandbox_problem
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
 SOLUTION = (ROOT / "solutions" / f"{STEM}.py").read_text(encoding="utf-8")
-ELEVEN = (ROOT / "tests" / "wrong_answers" / STEM / "eleven_values.py").read_text(encoding="utf-8")
+ELEVEN = read_wrong_answer(Tree(ROOT), Tree(ROOT).wrong_answers / STEM / "eleven_values.py").answer.text
 VISIBILITY = {"hidden", "after_due_date", "after_published", "visible"}
 FORMATS = {"text", "html", "simple_format", "md", "ansi"}
 OF_RESULTS = {
@@ -323,12 +325,14 @@ def test_a_grader_that_fails_leaves_a_result_that_says_so(
 
 
 def hosts(scope: Gradescope) -> list[int]:
-    """Processes that run an answer, or a box around one, for this autograder."""
-    needle = f"{scope.course}/workbook/observing/host.py".encode()
+    """Processes that run an answer, or a sandbox around one, for this autograder."""
+    inside = f"{scope.course}/workbook/inside"
+    needles = (f"{inside}/host.py".encode(), f"{inside}/run.py\0host".encode())
     found = []
     for entry in os.listdir("/proc"):
         try:
-            if entry.isdigit() and needle in Path(f"/proc/{entry}/cmdline").read_bytes():
+            command = Path(f"/proc/{entry}/cmdline").read_bytes() if entry.isdigit() else b""
+            if any(needle in command for needle in needles):
                 found.append(int(entry))
         except OSError:
             continue

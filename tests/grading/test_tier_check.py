@@ -6,10 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from tests.observing.programs import is_gone
+from tests.programs.support import is_gone
 from workbook.exercise.answers import Answer
 from workbook.grading import pool, tier_check
-from workbook.grading.pool import Job, Slot, judge_all, spare
+from workbook.grading.judges import Job
+from workbook.grading.local import judge_all
+from workbook.grading.pool import Slot, standby
+from workbook.isolation import tiers
 
 STEM = "09_joint_positions"
 pytestmark = pytest.mark.slow
@@ -73,7 +76,7 @@ def test_a_slot_that_has_ended_meanwhile_is_not_taken(started: list[Slot]) -> No
 
 def test_what_nobody_takes_ends(started: list[Slot]) -> None:
     assert tier_check.tier_problem("limits") is None
-    spare.close()
+    standby.close()
     assert not started[0].is_running
     assert is_gone(started[0]._process.pid)
 
@@ -86,15 +89,15 @@ def test_a_slot_that_breaks_is_a_tier_that_does_not_work(monkeypatch: pytest.Mon
 def test_what_a_program_could_do_there_is_the_problem(
     started: list[Slot], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    """A slot in which programs are not kept in, and should be: its own walls are taken away."""
+    """A slot in which programs are not confined, and should be: its own tier is replaced."""
     (tmp_path / "sitecustomize.py").write_text(
-        "import workbook.observing.tiers as tiers\n"
-        "from workbook.observing.confinement import Confinement\n"
-        "tiers.walls = lambda *_, **more: (None, Confinement(adopts=True))\n"
+        "import workbook.isolation.tiers as tiers\n"
+        "from workbook.isolation.limits import LimitsTier\n"
+        "tiers.make_tier = lambda *_, **more: LimitsTier()\n"
     )
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
-    # Without walls it does not matter what this kernel has.
-    monkeypatch.setattr(tier_check, "landlock_abi", lambda: 1)
+    # Without a tier it does not matter what this kernel has.
+    monkeypatch.setattr(tiers, "landlock_abi", lambda: 1)
     problem = tier_check.tier_problem("landlock")
     assert problem is not None
     assert "it does not isolate here" in problem

@@ -13,14 +13,17 @@ from pathlib import Path
 import pytest
 
 from tests.hostile.traces import Traces
-from tests.observing.programs import wait_until
+from tests.programs.support import wait_until
+from workbook.authoring.tree import Tree
+from workbook.authoring.wrong_answers import read_wrong_answer
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
-from workbook.exercise.judging import Judgement
+from workbook.exercise.judgement import Judgement
 from workbook.feedback.text import as_text
-from workbook.grading.pool import Job, judge_all
-from workbook.grading.tries import counting, judge_until_sure
-from workbook.observing.sandbox import sandbox_problem
+from workbook.grading.judges import Job
+from workbook.grading.local import judge_all
+from workbook.grading.retries import counting, judge_until_sure
+from workbook.isolation.bubblewrap import sandbox_problem
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.slow]
 ROOT = Path(__file__).resolve().parents[2]
@@ -89,9 +92,10 @@ def forged_files() -> list[Path]:
 def aftermath(tmp_path_factory: pytest.TempPathFactory) -> Aftermath:
     problem = sandbox_problem()
     if problem is not None:
-        pytest.skip(f"programs cannot be shut in: {problem}")
+        pytest.skip(f"programs cannot be sandboxed: {problem}")
     solution = load_exercise(STEM, ROOT).source.solution_code
-    eleven = (ROOT / "tests" / "wrong_answers" / STEM / "eleven_values.py").read_text(encoding="utf-8")
+    eleven_values = Tree(ROOT).wrong_answers / STEM / "eleven_values.py"
+    eleven = read_wrong_answer(Tree(ROOT), eleven_values).answer.text
     listener = socket.create_server(("127.0.0.1", 0))
     callers: list[object] = []
 

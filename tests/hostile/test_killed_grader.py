@@ -13,8 +13,8 @@ from pathlib import Path
 import pytest
 
 from tests.hostile.traces import Traces
-from tests.observing.programs import wait_until
-from workbook.observing.sandbox import sandbox_problem
+from tests.programs.support import wait_until
+from workbook.isolation.bubblewrap import sandbox_problem
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.slow]
 STEM = "09_joint_positions"
@@ -103,7 +103,7 @@ def finish(grading: Grading) -> float:
 def test_a_grader_killed_at_any_moment_leaves_nothing_and_loses_nothing(tmp_path: Path) -> None:
     problem = sandbox_problem()
     if problem is not None:
-        pytest.skip(f"programs cannot be shut in: {problem}")
+        pytest.skip(f"programs cannot be sandboxed: {problem}")
     whole_run = finish(Grading(tmp_path / "whole"))
     moments = random.Random(4)
     kills = killed_at_work = 0

@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import resource
 import subprocess
 import sys
 import zipfile
@@ -11,11 +12,11 @@ from typing import Any
 
 import pytest
 
-from workbook.exercise import answers
-from workbook.exercise.answers import Ungradable, read_answer
+from workbook.exercise import answers, notebook_cells
+from workbook.exercise.answers import Ungradable, exercises_named, read_answer
 from workbook.grading.hand_ins import find_hand_ins
-from workbook.observing.process import without_commands
-from workbook.observing.sandbox import sandbox_problem
+from workbook.isolation.bubblewrap import sandbox_problem
+from workbook.recording.plain_text import without_commands
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -200,13 +201,83 @@ def test_large_outputs_are_ignored_and_too_large_ones_said(tmp_path: Path) -> No
         text_in(tmp_path, json.dumps(made))
 
 
-def test_a_notebook_of_nothing_but_brackets_is_not_even_read(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    content = '{"cells": [' + "{}," * (answers.MOST_PARTS + 1) + "{}]}"
-    monkeypatch.setattr(json, "loads", lambda *_: pytest.fail("read"))
+def test_a_notebook_of_nothing_but_brackets_is_refused(tmp_path: Path) -> None:
+    content = '{"cells": [' + "{}," * (notebook_cells.MOST_PARTS + 1) + "{}]}"
     with pytest.raises(Ungradable, match="no notebook"):
         text_in(tmp_path, content)
+
+
+def test_a_large_notebook_is_read_within_bounds_that_the_refusal_names(tmp_path: Path) -> None:
+    """Keys that are all different, and text that is four times as large in memory: the reader bears it, not we."""
+    path = tmp_path / "s1.ipynb"
+    with path.open("w") as file:
+        file.write('{"cells": [], "metadata": {')
+        for start in range(0, 4_500_000, 10_000):
+            file.write("".join(f'"{number:x}":1,' for number in range(start, start + 10_000)))
+        file.write('"end": 1}}')
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    with pytest.raises(Ungradable, match=r"takes more than (500 MB of memory|5 s of processor time)\. Clear"):
+        read_answer(path, STEM)
+    grown = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before
+    assert grown < 50_000, f"{grown} kB"
+
+
+def test_a_large_notebook_of_an_honest_student_is_read(tmp_path: Path) -> None:
+    made = json.loads(notebook(ANSWER, "print('🤖')"))
+    made["cells"][1]["outputs"] = [{"output_type": "display_data", "data": {"image/png": "x" * 30_000_000}}]
+    path = tmp_path / "s1.ipynb"
+    path.write_text(json.dumps(made, ensure_ascii=False), encoding="utf-8")
+    assert read_answer(path, STEM).text == "print('the answer')\n"
+    assert exercises_named(path) == [STEM]
+
+
+def test_a_reader_that_takes_too_long_is_stopped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(notebook_cells, "PATIENCE_S", 0.001)
+    path = tmp_path / "s1.ipynb"
+    path.write_text(notebook(ANSWER, "#" * 2_000_000))
+    with pytest.raises(Ungradable, match="takes more than 5 s of processor time"):
+        read_answer(path, STEM)
+
+
+@pytest.mark.parametrize("suffix", [".py", ".ipynb"])
+def test_a_zero_byte_is_refused_wherever_it_stands(tmp_path: Path, suffix: str) -> None:
+    path = tmp_path / f"s1{suffix}"
+    program = "x = 1\n# \0\n"
+    path.write_text(program if suffix == ".py" else notebook(f"%%answer {STEM}\n{program}"))
+    with pytest.raises(Ungradable, match="zero bytes"):
+        read_answer(path, STEM)
+
+
+DEEP = {
+    "minus": "x = " + "-" * 100_000 + "1",
+    "attributes": "x = a" + ".b" * 100_000,
+    "calls": "x = a" + "()" * 100_000,
+    "sum": "x = 1" + "+1" * 100_000,
+    "lambdas": "x = " + "lambda:" * 30_000 + "1",
+    "elif": "if a:\n pass\n" + "elif a:\n pass\n" * 30_000,
+    "parentheses": "(" * 100_000,
+    "comments": "# mypy: x\n" * 99_000,
+}
+
+
+@pytest.mark.parametrize("name", DEEP)
+def test_deeply_nested_programs_end_nobody_who_reads_them(tmp_path: Path, name: str) -> None:
+    """In a process of its own: where Python itself crashes, a test says so instead of ending all tests."""
+    path = tmp_path / "s1.py"
+    path.write_text(DEEP[name])
+    program = (
+        "import sys, pathlib\n"
+        "from workbook.exercise.answers import read_answer, syntax_mistake\n"
+        "from workbook.typechecking.silencers import evasions, without_silencers\n"
+        "text = read_answer(pathlib.Path(sys.argv[1]), sys.argv[2]).text\n"
+        "mistake = syntax_mistake(text)\n"
+        "assert mistake is None or mistake.message, mistake\n"
+        "list(evasions(text)), without_silencers(text)\n"
+        "print('alive')\n"
+    )
+    command = [sys.executable, "-c", program, str(path), STEM]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=40)
+    assert done.stdout == "alive\n", (done.returncode, done.stderr[-500:])
 
 
 @pytest.mark.parametrize(

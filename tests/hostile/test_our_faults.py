@@ -10,11 +10,13 @@ from typing import Any
 
 import pytest
 
-from tests.observing.programs import CLIMB
+from tests.programs.support import CLIMB
 from workbook.exercise.answers import Answer
 from workbook.grading import pool
-from workbook.grading.pool import Job, Slot, judge_all
-from workbook.observing.sandbox import NoSandbox
+from workbook.grading.judges import Job
+from workbook.grading.local import judge_all
+from workbook.grading.pool import Slot
+from workbook.isolation.bubblewrap import NoSandbox
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -72,7 +74,7 @@ def test_criteria_that_crash_are_our_fault_and_stop_nobody(tmp_path: Path) -> No
 
 
 def test_a_slot_that_dies_again_and_again_is_named_with_its_answer() -> None:
-    """Whatever ends a slot: here the answer does it, which it can do only where it is not shut in."""
+    """Whatever ends a slot: here the answer does it, which it can do only where it is not sandboxed."""
     killer = f"{CLIMB}os.kill(judge(), signal.SIGKILL)\n"
     jobs = [Job("killer", STEM, Answer(killer)), Job("next", STEM, Answer("robot = = 1\n"))]
     found = {job.key: judgement for job, judgement in judge_all(jobs, 1)}
@@ -93,7 +95,7 @@ def test_a_slot_that_cannot_be_started_is_no_zero_and_ends_the_run(monkeypatch: 
 
 @pytest.mark.sandbox
 def test_a_slot_that_is_killed_in_the_sandbox_is_replaced(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It is killed when it has said that it is ready: before that, its box may not yet end with it."""
+    """It is killed when it has said that it is ready: before that, its sandbox may not yet end with it."""
     started: list[Slot] = []
 
     class KilledAtWork(Slot):

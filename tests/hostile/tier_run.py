@@ -10,10 +10,11 @@ from typing import Any
 
 from workbook.exercise.answers import Answer
 from workbook.feedback.text import as_text
-from workbook.grading.pool import Job, LocalSlots
+from workbook.grading.judges import Job
+from workbook.grading.local import LocalSlots
+from workbook.grading.retries import counting, judge_until_sure
 from workbook.grading.tier_check import tier_problem
-from workbook.grading.tries import counting, judge_until_sure
-from workbook.observing.tiers import named_tier
+from workbook.isolation.tiers import named_tier
 
 STEM = "09_joint_positions"
 

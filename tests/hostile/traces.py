@@ -15,10 +15,10 @@ _UUID = re.compile(
 class Traces:
     """Follows one grader among all that happens on the machine.
 
-    The grader is started with `home` as its HOME, which no other process has. Slots and boxes inherit it, but programs
-    in boxes do not: those are known by the network that they share with their slot. Call `look` now and then while it
-    runs, because a slot that has gone cannot be asked for its network any more. A network that was seen is kept open:
-    the kernel gives the number of one that has gone to the next, which may be another grader's.
+    The grader is started with `home` as its HOME, which no other process has. Slots and sandboxes inherit it, but
+    programs in sandboxes do not: those are known by the network that they share with their slot. Call `look` now and
+    then while it runs, because a slot that has gone cannot be asked for its network any more. A network that was seen
+    is kept open: the kernel gives the number of one that has gone to the next, which may be another grader's.
     """
 
     def __init__(self, home: Path) -> None:

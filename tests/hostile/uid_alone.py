@@ -4,14 +4,14 @@ The first is a right answer, the second tries to get at it and leaves things abo
 """
 
 import json
-import os
 import sys
 import time
 from pathlib import Path
 
-from workbook.observing.confinement import Confinement
-from workbook.observing.process import NodeProcess
-from workbook.observing.uids import lease_ids, processes_of
+from workbook.isolation.uid import UidTier, UserProgram
+from workbook.isolation.user_ids import Ids, lease_ids, processes_of
+from workbook.programs.process import NodeProcess
+from workbook.programs.spec import ProgramSpec
 from workbook.ros.domains import lease_domain
 from workbook.ros.scratch import scratch_folder
 
@@ -66,6 +66,10 @@ def wait_for(process: NodeProcess, text: str) -> str:
     return process.record().log
 
 
+def tier_of(ids: Ids) -> UidTier:
+    return UidTier(ids, hides_files=False, sweeps_orphans=False)
+
+
 def main() -> None:
     neighbor, intruder = lease_ids(), lease_ids()
     folder = scratch_folder("intruder")
@@ -74,13 +78,14 @@ def main() -> None:
     run = sys.argv[1]
     with lease_domain() as lease:
         answer = ROOT / "solutions" / "09_joint_positions.py"
-        first = NodeProcess(answer, lease.domain_id, confinement=Confinement(ids=neighbor))
+        first = NodeProcess(ProgramSpec(answer), lease.domain_id, tier_of(neighbor))
         wait_for(first, "Status: operational")
         addresses = udp_addresses(neighbor.user)
-        places = [str(first._folder), str(first._shelf), str(folder)]
-        second = NodeProcess(
-            program, lease.domain_id, [run, str(first.pid), *places], confinement=Confinement(ids=intruder)
-        )
+        confinement = first.confinement
+        assert isinstance(confinement, UserProgram)
+        places = [str(confinement.scratch), str(confinement.files), str(folder)]
+        spec = ProgramSpec(program, [run, str(first.pid), *places])
+        second = NodeProcess(spec, lease.domain_id, tier_of(intruder))
         log = wait_for(second, "found: ")
         sleeping = len(processes_of(intruder.user))
         second.stop(patience_s=0.1)
@@ -95,7 +100,7 @@ def main() -> None:
                 for path in Path(place).glob("*")
                 if run in path.name
             ],
-            "neighbor runs": first.is_running() and os.path.isdir(first._folder),
+            "neighbor runs": first.is_running() and confinement.scratch.is_dir(),
         }
         first.stop()
         told["neighbor left"] = processes_of(neighbor.user)

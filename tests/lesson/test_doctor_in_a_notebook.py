@@ -13,15 +13,15 @@ def test_the_report_is_short_where_all_is_well_and_full_where_it_is_not(
 ) -> None:
     report = (
         "✓ ok   Python          3.12.3 on Linux\n"
-        "✗ mend Two processes   nothing was heard in 15 s\n"
+        "✗ fix  Two processes   nothing was heard in 15 s\n"
         "                       → Ask the firewall.\n"
     )
     script = f"import sys; sys.stdout.reconfigure(encoding='utf-8'); print({report!r}, end=''); sys.exit(1)"
-    monkeypatch.setattr("workbook.lesson.machine._DOCTOR", ("-c", script))
+    monkeypatch.setattr("workbook.lesson.doctor_report._DOCTOR", ("-c", script))
     assert doctor() is False
     assert capsys.readouterr().out.splitlines() == [
         "✓ ok   Python",
-        "✗ mend Two processes   nothing was heard in 15 s",
+        "✗ fix  Two processes   nothing was heard in 15 s",
         "                       → Ask the firewall.",
     ]
 

@@ -1,4 +1,4 @@
-"""Programs beside a notebook: one that fails in its first lines is reported, not left on the graph as a ghost."""
+"""Programs beside a notebook: one that fails in its first lines is reported, not left on the graph."""
 
 import os
 from collections import Counter
@@ -10,13 +10,13 @@ from rclpy.context import Context
 from rclpy.node import Node
 
 from lesson_nodes import callback_monitor
-from tests.observing.programs import wait_until
+from tests.programs.support import wait_until
 from workbook.lesson import processor_seconds, programs, run_program, start, stop
-from workbook.magics.running import node_names
+from workbook.lesson.startup import node_names
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
+from workbook.ros.kernel_node import close_kernel_node
 from workbook.ros.session import fresh, init, shutdown
-from workbook.ros.standing import close_standing_node
 
 HEAD = """
 import time
@@ -56,7 +56,7 @@ def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
             yield
         finally:
             stop()
-            close_standing_node()
+            close_kernel_node()
 
 
 def program(folder: Path, text: str, services: bool = True) -> Path:
@@ -142,7 +142,7 @@ def test_ctrl_c_comes_when_the_program_waits_and_not_in_the_middle_of_its_work(
 ) -> None:
     waits = tmp_path / "waits"
 
-    class RestWhenItSaysSo:
+    class QuietWhenItSaysSo:
         def __init__(self, pid: int) -> None: ...
 
         def wait(self) -> None:
@@ -150,7 +150,7 @@ def test_ctrl_c_comes_when_the_program_waits_and_not_in_the_middle_of_its_work(
 
         def close(self) -> None: ...
 
-    monkeypatch.setattr(programs, "Rest", RestWhenItSaysSo)
+    monkeypatch.setattr(programs, "Quiescence", QuietWhenItSaysSo)
     code = """
 import pathlib, time
 where = "at work"
@@ -168,6 +168,6 @@ except KeyboardInterrupt:
 
 def test_processor_time_counts_the_time_in_line_for_a_busy_processor(monkeypatch: pytest.MonkeyPatch) -> None:
     in_line = iter((1.0, 1.75))
-    monkeypatch.setattr(programs, "seconds_in_line", lambda pid: next(in_line))
+    monkeypatch.setattr(programs, "run_queue_s", lambda pid: next(in_line))
     used = processor_seconds(callback_monitor, seconds=0.2, with_start=False)
     assert 0.75 <= used < 1.25

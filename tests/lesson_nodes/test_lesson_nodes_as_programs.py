@@ -16,13 +16,15 @@ from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 
 from lesson_nodes import joint_position_publisher
-from workbook.criteria import estimators
-from workbook.criteria.mishaps import ended_in_order
-from workbook.observing.recording import TopicRecording
-from workbook.observing.rest import Rest
-from workbook.observing.watch import Observer, Plan
+from workbook.criteria.vocabulary import estimators
+from workbook.criteria.vocabulary.known_errors import ended_in_order
+from workbook.programs.spec import ProgramSpec
+from workbook.recording.plan import Plan
+from workbook.recording.recording import TopicRecording
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment, prepare
+from workbook.watching.observer import Observer
+from workbook.watching.quiescence import Quiescence
 
 ROOT = Path(__file__).resolve().parents[2]
 NAMES = ("humanoid_status_publisher", "status_monitor", "joint_position_publisher")
@@ -38,9 +40,8 @@ def observer() -> Iterator[Observer]:
 def recorded(observer: Observer, name: str, *topics: str, **parameters: object) -> list[TopicRecording]:
     """A few periods of what a lesson node publishes, on robot time (shortest period 1 s, longest 2 s)."""
     plan = Plan(topics=topics, shortest_period=1.0, longest_period=2.0)
-    with observer.watch(
-        ROOT / "lesson_nodes" / f"{name}.py", plan, "simulated", parameters=parameters
-    ) as watch:
+    spec = ProgramSpec(ROOT / "lesson_nodes" / f"{name}.py", parameters=parameters)
+    with observer.watch(spec, plan, "simulated") as watch:
         recording = watch.observe()
     assert recording.process.ended_by is None, recording.process.log
     return [recording.topic(topic) for topic in topics]
@@ -78,14 +79,14 @@ def test_the_waves_are_set_from_outside(observer: Observer) -> None:
     assert all(pose == poses[0] for pose in poses)
 
 
-def wait_until_it_rests(pid: int) -> None:
+def wait_until_it_is_quiet(pid: int) -> None:
     """Return once the program waits for something: a Ctrl-C that hits a destructor is swallowed by Python."""
-    rest = Rest(pid)
+    quiescence = Quiescence(pid)
     try:
-        while not rest.wait():
+        while not quiescence.wait():
             continue
     finally:
-        rest.close()
+        quiescence.close()
 
 
 def wait_until_it_spins(name: str, domain_id: int) -> None:
@@ -113,7 +114,7 @@ def test_control_c_ends_it_with_exit_code_zero(name: str, way: str) -> None:
     target = ["-m", f"lesson_nodes.{name}"] if way == "module" else [f"lesson_nodes/{name}.py"]
     code, log = ended_by_control_c(name, target)
     if code == -signal.SIGSEGV:
-        # Once in thousands of times rclpy itself crashes here: see workbook.exercise.doubt._crashed_at_its_end.
+        # Once in thousands of times rclpy itself crashes here: see workbook.exercise.conclusiveness.
         code, log = ended_by_control_c(name, target)
     assert "started" in log
     assert ended_in_order(code, log), log
@@ -133,7 +134,7 @@ def ended_by_control_c(name: str, target: list[str]) -> tuple[int, str]:
         )
         try:
             wait_until_it_spins(name, lease.domain_id)
-            wait_until_it_rests(program.pid)
+            wait_until_it_is_quiet(program.pid)
             program.send_signal(signal.SIGINT)
             log, _ = program.communicate(timeout=PATIENCE_S)
         finally:

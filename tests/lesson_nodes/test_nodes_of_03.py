@@ -7,9 +7,9 @@ import pytest
 from lesson_nodes import figure_driver, tiny_camera
 from lesson_nodes.level_desk import LevelDesk
 from tests.lesson_nodes.ending import ended_well
-from workbook.criteria.mishaps import ended_in_order
+from workbook.criteria.vocabulary.known_errors import ended_in_order
 from workbook.lesson import arrivals, record, run_program, start
-from workbook.observing.recording import Recording
+from workbook.recording.recording import Recording
 
 DRIVE, CAMERA = "/robot/cmd_vel", "/robot/camera"
 

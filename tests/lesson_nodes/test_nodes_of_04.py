@@ -13,11 +13,13 @@ from lesson_nodes import battery_desk, black_box, careful_robot, distance_sensor
 from tests.lesson_nodes.ending import ended_well
 from workbook.lesson import record, start, values
 from workbook.lesson.programs import program_file
-from workbook.observing.recording import Recording
-from workbook.observing.script import says
-from workbook.observing.watch import Observer, Plan, Script
+from workbook.programs.spec import ProgramSpec
+from workbook.recording.plan import Plan
+from workbook.recording.recording import Recording
+from workbook.recording.script import Script, says
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
+from workbook.watching.observer import Observer
 
 DISTANCE, JOINTS, KEPT = "/robot/distance", "/robot/joint_positions", "/black_box/kept"
 PATIENCE_S = 20.0
@@ -26,9 +28,11 @@ PATIENCE_S = 20.0
 def told(program: ModuleType, distances: list[float], answer: str, **parameters: object) -> Recording:
     """What a lesson node makes of distances, a tenth of a second of robot time apart."""
     lines = [(0.3 + 0.1 * number, distance) for number, distance in enumerate(distances)]
-    plan = Plan((answer,), 0.1, 1.0, robot_seconds=1.5, script=Script((says(DISTANCE, Float32, lines),)))
+    plan = Plan((answer,), 0.1, 1.0, robot_seconds=3.0, script=Script((says(DISTANCE, Float32, lines),)))
     with Observer() as observer:
-        with observer.watch(program_file(program), plan, "simulated", parameters=parameters) as watch:
+        with observer.watch(
+            ProgramSpec(program_file(program), parameters=parameters), plan, "simulated"
+        ) as watch:
             return watch.finish(watch.observe(), 4.0)
 
 

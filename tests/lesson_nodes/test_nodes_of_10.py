@@ -12,8 +12,8 @@ from tests.lesson_nodes.ending import ended_well
 from workbook.lesson import arrivals, record, start, stop, values
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
+from workbook.ros.kernel_node import close_kernel_node
 from workbook.ros.session import fresh, init, shutdown
-from workbook.ros.standing import close_standing_node
 
 HEARTBEAT, THOUGHT, JOINTS = "/robot/heartbeat", "/robot/thought", "/robot/joint_positions"
 PERIODS = {HEARTBEAT: 0.1, THOUGHT: 1.1}
@@ -30,7 +30,7 @@ def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         finally:
             stop()
             shutdown()
-            close_standing_node()
+            close_kernel_node()
 
 
 @pytest.mark.parametrize(

@@ -10,12 +10,12 @@ from rclpy.node import Node
 from std_msgs.msg import Int32
 
 from lesson_nodes import callback_monitor, polling_monitor, touch_sensor
-from workbook.criteria.mishaps import ended_in_order
+from workbook.criteria.vocabulary.known_errors import ended_in_order
 from workbook.lesson import programs, run, start, stop
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
+from workbook.ros.kernel_node import close_kernel_node
 from workbook.ros.session import fresh, init, shutdown
-from workbook.ros.standing import close_standing_node
 
 TOUCHES = 40
 
@@ -31,7 +31,7 @@ def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         finally:
             stop()
             shutdown()
-            close_standing_node()
+            close_kernel_node()
 
 
 class Ear(Node):

@@ -8,9 +8,11 @@ from std_srvs.srv import SetBool, Trigger
 from lesson_nodes import heart_and_question, self_test_server, waves_when_asked
 from tests.lesson_nodes.ending import ended_well
 from workbook.lesson import arrivals, record, start
-from workbook.observing.recording import CallSeen, Recording
-from workbook.observing.script import Calls, Script, calls
-from workbook.observing.watch import Observer, Plan
+from workbook.programs.spec import ProgramSpec
+from workbook.recording.plan import Plan
+from workbook.recording.recording import CallSeen, Recording
+from workbook.recording.script import Calls, Script, calls
+from workbook.watching.observer import Observer
 
 HEART, ASKED, ANSWERED = "/robot/heartbeat", "/robot/asked", "/robot/answered"
 PERIODS = {HEART: 0.1, ASKED: 0.5, ANSWERED: 0.5}
@@ -21,8 +23,8 @@ PATIENCE_S = 10.0
 def watched(program: object, script: Script, seconds: float, *topics: str, **parameters: object) -> Recording:
     """What a lesson node does, and how it ends on Ctrl-C."""
     plan = Plan(topics, 0.05, 1.0, wall_seconds=seconds, script=script)
-    file = Path(str(program.__file__))  # type: ignore[attr-defined]
-    with Observer() as observer, observer.watch(file, plan, "wall", parameters=parameters) as watch:
+    spec = ProgramSpec(Path(str(program.__file__)), parameters=parameters)  # type: ignore[attr-defined]
+    with Observer() as observer, observer.watch(spec, plan, "wall") as watch:
         return watch.finish(watch.observe(), PATIENCE_S)
 
 

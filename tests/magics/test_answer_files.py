@@ -7,8 +7,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from workbook.magics.answers import KEPT_VERSIONS, Saved, answers_folder, restore_starter, save_answer
-from workbook.magics.progress import TRIES_BEFORE_SOLUTION, Progress, load_progress, save_progress
+from workbook.exercise.answer_files import KEPT_VERSIONS, Saved, answers_folder, restore_starter, save_answer
+from workbook.lesson.progress import TRIES_BEFORE_SOLUTION, LessonProgress, load_progress, save_progress
 
 STEM = "09_joint_positions"
 STARTER = "# TODO\nrobot = None\n"
@@ -133,13 +133,13 @@ def test_where_answers_are(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_progress_is_kept_by_exercise(folder: Path) -> None:
-    assert load_progress(STEM) == Progress()
-    save_progress(STEM, Progress(tries=2, hints=1))
-    save_progress("05_timers", Progress(solved=True, best=10.0))
-    assert load_progress(STEM) == Progress(tries=2, hints=1)
+    assert load_progress(STEM) == LessonProgress()
+    save_progress(STEM, LessonProgress(tries=2, hints=1))
+    save_progress("05_timers", LessonProgress(solved=True, best=10.0))
+    assert load_progress(STEM) == LessonProgress(tries=2, hints=1)
     assert load_progress("05_timers").may_see_solution
     assert not load_progress(STEM).may_see_solution
-    assert Progress(tries=TRIES_BEFORE_SOLUTION).may_see_solution
+    assert LessonProgress(tries=TRIES_BEFORE_SOLUTION).may_see_solution
 
 
 @pytest.mark.parametrize(
@@ -148,6 +148,6 @@ def test_progress_is_kept_by_exercise(folder: Path) -> None:
 def test_a_damaged_progress_file_starts_over(folder: Path, damaged: str) -> None:
     folder.mkdir()
     (folder / ".progress.json").write_text(damaged)
-    assert load_progress(STEM) == Progress()
-    save_progress(STEM, Progress(tries=1))
+    assert load_progress(STEM) == LessonProgress()
+    save_progress(STEM, LessonProgress(tries=1))
     assert load_progress(STEM).tries == 1

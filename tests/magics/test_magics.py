@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 
 from tests.magics.conftest import Kernel
-from tests.observing.programs import is_gone, wait_until
+from tests.programs.support import is_gone, wait_until
 from workbook.exercise.definition import load_exercise
-from workbook.magics.progress import TRIES_BEFORE_SOLUTION
-from workbook.observing.process import process_tree
+from workbook.inside.proc import process_tree
+from workbook.lesson.progress import TRIES_BEFORE_SOLUTION
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"

@@ -8,11 +8,17 @@ from types import SimpleNamespace
 
 import pytest
 
+from workbook.lesson import activity
+from workbook.lesson.activity import note_cell
 from workbook.lesson.predictions import predict
-from workbook.magics import following
-from workbook.magics.following import note_cell
-from workbook.magics.overview import overview
-from workbook.magics.progress import Progress, all_progress, changed_progress, load_progress, save_progress
+from workbook.lesson.progress import (
+    LessonProgress,
+    all_progress,
+    changed_progress,
+    load_progress,
+    save_progress,
+)
+from workbook.magics.progress_table import progress_table
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -22,7 +28,7 @@ STEM = "09_joint_positions"
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("WORKBOOK_ANSWERS", str(tmp_path))
     monkeypatch.setenv("JPY_SESSION_NAME", f"/home/ada/work/notebooks/{STEM}.ipynb")
-    monkeypatch.setattr(following, "_noted", set())
+    monkeypatch.setattr(activity, "_noted_cells", set())
     return tmp_path
 
 
@@ -59,11 +65,12 @@ def test_nothing_is_noted_outside_of_a_lesson(
 def test_the_table_tells_what_was_done(folder: Path) -> None:
     cells = cells_of(STEM)
     save_progress(
-        STEM, Progress(tries=3, best=7.5, cells=[*cells[: len(cells) // 2], "a-cell-of-an-older-version"])
+        STEM,
+        LessonProgress(tries=3, best=7.5, cells=[*cells[: len(cells) // 2], "a-cell-of-an-older-version"]),
     )
-    save_progress("08_humanoid_status_publisher", Progress(tries=1, best=10.0, solved=True))
-    save_progress("00_start_here", Progress(cells=cells_of("00_start_here")))
-    found = {row.title: row for row in overview(ROOT).rows}
+    save_progress("08_humanoid_status_publisher", LessonProgress(tries=1, best=10.0, solved=True))
+    save_progress("00_start_here", LessonProgress(cells=cells_of("00_start_here")))
+    found = {row.title: row for row in progress_table(ROOT).rows}
     nine = next(row for title, row in found.items() if title.startswith("09"))
     eight = next(row for title, row in found.items() if title.startswith("08"))
     zero = next(row for title, row in found.items() if title.startswith("00"))
@@ -71,18 +78,18 @@ def test_the_table_tells_what_was_done(folder: Path) -> None:
     assert (nine.exercise, nine.score) == ("3 tries", "7.5 of 10")
     assert (eight.exercise, eight.score) == ("✓ solved", "10 of 10")
     assert (zero.read, zero.exercise, zero.score) == ("✓ all", "", "")
-    assert f"1 of {len(found)} lessons read to the end" in overview(ROOT).summary
+    assert f"1 of {len(found)} lessons read to the end" in progress_table(ROOT).summary
 
 
 def test_the_first_thing_not_done_is_named_and_all_done_is_praised(folder: Path) -> None:
-    assert "00" in overview(ROOT).next_step
+    assert "00" in progress_table(ROOT).next_step
     for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"):
-        save_progress(path.stem, Progress(tries=1, solved=True, best=10.0, cells=cells_of(path.stem)))
-    assert "all there is" in overview(ROOT).next_step
+        save_progress(path.stem, LessonProgress(tries=1, solved=True, best=10.0, cells=cells_of(path.stem)))
+    assert "all there is" in progress_table(ROOT).next_step
 
 
 def test_the_page_is_escaped_and_the_text_is_aligned(folder: Path) -> None:
-    shown = overview(ROOT)
+    shown = progress_table(ROOT)
     page = shown._repr_html_()
     assert page.count("<tr>") == len(shown.rows) + 1
     lines = str(shown).splitlines()
@@ -92,8 +99,8 @@ def test_the_page_is_escaped_and_the_text_is_aligned(folder: Path) -> None:
 def test_what_another_version_wrote_survives(folder: Path) -> None:
     entry = {"tries": 2, "best": 4, "solved": "perhaps", "stars": 5}
     (folder / ".progress.json").write_text(json.dumps({STEM: entry, "11_broken": 7}))
-    assert load_progress(STEM) == Progress(tries=2, best=4)
-    assert all_progress()["11_broken"] == Progress()
+    assert load_progress(STEM) == LessonProgress(tries=2, best=4)
+    assert all_progress()["11_broken"] == LessonProgress()
     with changed_progress(STEM) as progress:
         progress.hints = 1
     stored = json.loads((folder / ".progress.json").read_text())
@@ -103,7 +110,7 @@ def test_what_another_version_wrote_survives(folder: Path) -> None:
 
 ADD = """
 import sys
-from workbook.magics.progress import changed_progress
+from workbook.lesson.progress import changed_progress
 for number in range(40):
     with changed_progress("09_joint_positions") as progress:
         progress.cells.append(f"{sys.argv[1]}-{number}")
@@ -117,7 +124,7 @@ def test_two_notebooks_at_once_lose_nothing(folder: Path) -> None:
 
 
 def test_the_command_shows_the_table(folder: Path) -> None:
-    save_progress(STEM, Progress(tries=1, best=2.0))
+    save_progress(STEM, LessonProgress(tries=1, best=2.0))
     command = [str(Path(sys.executable).with_name("workbook")), "progress"]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert "2 of 10" in done.stdout

@@ -4,7 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from workbook.authoring.pages import GLOSSARY, LIST, MUSEUM, museum_problems, note_run_times, pages, run_times
+from workbook.authoring.lesson_lists import note_run_times, run_times
+from workbook.authoring.museum_pages import GLOSSARY, MUSEUM, museum_violations
+from workbook.authoring.pages import LIST, pages
 from workbook.authoring.tree import Tree
 from workbook.exercise.museum import BrokenMuseum, Exhibit, Museum, Term, load_museum
 
@@ -40,7 +42,7 @@ def test_what_cannot_be_provoked_is_told(museum: Museum) -> None:
 
 
 def test_what_an_exhibit_shows_is_what_its_cell_shows(museum: Museum) -> None:
-    assert list(museum_problems(TREE, museum)) == []
+    assert list(museum_violations(TREE, museum)) == []
 
 
 def test_a_cell_that_shows_something_else_is_found(museum: Museum) -> None:
@@ -48,7 +50,7 @@ def test_a_cell_that_shows_something_else_is_found(museum: Museum) -> None:
     other = Exhibit(good.lesson, (1,), "x", "a text that no cell prints", good.cell, "x", "x")
     lost = Exhibit(good.lesson, (1,), "x", good.shows, "no-such-cell", "x", "x")
     twice = (Term("05_timers", "Timer", "x"), Term("06_spinning", "timer", "x"))
-    found = [words for _, words in museum_problems(TREE, Museum((other, lost), twice))]
+    found = [words for _, words in museum_violations(TREE, Museum((other, lost), twice))]
     assert len(found) == 3
     assert "does not show" in found[0]
     assert "no code cell 'no-such-cell'" in found[1]
@@ -82,7 +84,7 @@ def test_a_damaged_file_is_named(tmp_path: Path, text: str) -> None:
 
 
 def test_the_pages_hold_every_exhibit_term_and_lesson(museum: Museum) -> None:
-    made = {path.name: text for path, text in pages(TREE).items()}
+    made = {path.name: text for path, text in pages(TREE).items() if path.parent == TREE.notebooks}
     for exhibit in museum.exhibits:
         assert exhibit.symptom in made[MUSEUM]
         assert exhibit.fix in made[MUSEUM]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.observing.programs import wait_until
+from tests.programs.support import wait_until
 from workbook.authoring.building import build_exercise
 from workbook.authoring.comparing import NBVAL, compare
 from workbook.authoring.document import Cell, Document, as_notebook, to_text, with_ids
@@ -143,7 +143,7 @@ def test_an_exercise_is_run_with_the_starter_and_with_the_solution(
     new_exercise(tree, "21_horn")
     build_exercise(tree, "21_horn")
     solution = tree.solutions / "21_horn.py"
-    changed(solution, "self.create_timer(1.0,", "self.create_timer(0.5,")
+    changed(solution, "self.create_timer(0.5,", "self.create_timer(0.25,")
     assert compare(tree, extra=["--color=no"]) == 1
     said = capfd.readouterr().out
     assert "1 failed, 11 passed" in said

@@ -49,7 +49,7 @@ def test_a_still_carries_its_description_everywhere() -> None:
     still = Still(square(), 'humanoid "waving" <12 joints>')
     data, metadata = still._repr_mimebundle_()
     assert data["text/plain"] == repr(still) == 'Picture: humanoid "waving" <12 joints>'
-    assert 'alt="humanoid &quot;waving&quot; &lt;12 joints&gt;"' in data["text/html"]
+    assert 'alt="humanoid &#34;waving&#34; &lt;12 joints&gt;"' in data["text/html"]
     assert 'width="20" height="10"' in data["text/html"]
     assert base64.b64decode(data["image/png"]) == still.png
     assert metadata["image/png"] == {"alt": still.description, "width": 20, "height": 10}

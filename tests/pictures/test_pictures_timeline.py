@@ -7,7 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.pictures.reading import colored, reddish
-from workbook.observing.recording import (
+from workbook.pictures import palette, png, timeline
+from workbook.pictures.marks import gaps, tiny
+from workbook.recording.recording import (
     Arrival,
     Phase,
     ProcessRecord,
@@ -15,8 +17,6 @@ from workbook.observing.recording import (
     Recording,
     TopicRecording,
 )
-from workbook.pictures import palette, png, timeline
-from workbook.pictures.marks import gaps, tiny
 
 JOINTS, STATUS = "/robot/joint_positions", "/robot/status"
 

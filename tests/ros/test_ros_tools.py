@@ -10,8 +10,8 @@ import sys
 import pytest
 
 from workbook.ros.environment import child_environment
-from workbook.ros.listening import rate_of
-from workbook.ros.presence import OpenNotebook, announce, open_notebooks, withdraw
+from workbook.ros.notebook_registry import OpenNotebook, announce, open_notebooks, withdraw
+from workbook.ros.topic_monitor import rate_of
 
 # Everybody here publishes ten times per second; a busy machine lets fewer through, or many at once.
 MOST_PER_SECOND = 40

@@ -1,14 +1,17 @@
-"""`python -m workbook.authoring build|check|compare|typings`: what `make notebooks` and `make notebooks-check` run."""
+"""`python -m workbook.authoring build|check|compare|mutants|typings`: what `make notebooks` and its kin run."""
 
 import argparse
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from workbook.authoring.building import build
-from workbook.authoring.checking import check, report
+from workbook.authoring.building import build, select
+from workbook.authoring.checking import check
 from workbook.authoring.comparing import compare
+from workbook.authoring.mutants.staleness import outdated_reports
+from workbook.authoring.skeleton import still_from_template
 from workbook.authoring.tree import AuthoringError, Tree
+from workbook.authoring.violations import report
 from workbook.exercise.course import course_folder
 
 
@@ -27,10 +30,19 @@ def parser() -> argparse.ArgumentParser:
         "--all", action="store_true", dest="again", help="run lessons that did not change, too"
     )
     building.add_argument("--jobs", type=int, default=1, help="lessons that run at once")
-    commands.add_parser(
+    checking = commands.add_parser(
         "check", help="fail when a notebook differs from its text, or a file is missing or misplaced"
     )
+    checking.add_argument(
+        "--notes",
+        action="store_true",
+        help="also list what is still the text of a template, and reports that are out of date; that is no failure",
+    )
     commands.add_parser("typings", help="make the stubs of the message packages anew (workbook/typings)")
+    mutating = commands.add_parser("mutants", help="say which small faults of right programs get full marks")
+    mutating.add_argument("--only", nargs="+", default=(), metavar="STEM", help="exercises; all if none")
+    mutating.add_argument("--most", type=int, default=120, help="mutants that are judged for each exercise")
+    mutating.add_argument("--slots", type=int, default=None, help="programs that run at once")
     comparing = commands.add_parser("compare", help="run notebooks under nbval and compare their outputs")
     comparing.add_argument("names", nargs="*", metavar="STEM", help="lessons and exercises; all if none")
     comparing.add_argument("--jobs", type=int, default=1, help="notebooks that run at once")
@@ -39,7 +51,7 @@ def parser() -> argparse.ArgumentParser:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Exit code 0 when all is well, 1 when something is to be mended."""
+    """Exit code 0 when all is well, 1 when something is to be fixed."""
     options = parser().parse_args(arguments)
     tree = Tree((options.course or course_folder()).resolve())
     try:
@@ -51,6 +63,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if options.command == "compare":
             extra = [f"--junitxml={options.junit.resolve()}"] if options.junit else []
             return compare(tree, options.names, jobs=options.jobs, extra=extra)
+        if options.command == "mutants":
+            from workbook.authoring.mutants.running import on_slots, report_mutants
+
+            _, stems = select(tree, options.only)
+            report_mutants(tree, stems, on_slots(options.slots), most=options.most)
+            return 0
     except AuthoringError as error:
         print(error, file=sys.stderr)
         return 1
@@ -59,15 +77,29 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
         print(f"{write()} stubs written")
         return 0
+    return run_check(tree, notes=options.notes)
+
+
+def run_check(tree: Tree, *, notes: bool) -> int:
+    """Print what breaks a rule; then, as notes, what is still the text of a template."""
     found = check(tree)
     if found:
         print(report(found))
-        print(f"\n{len(found)} to mend.", file=sys.stderr)
-        return 1
-    print(
-        f"{len(tree.lesson_stems())} lessons and {len(tree.exercise_stems())} exercises: all as their texts say."
-    )
-    return 0
+        print(f"\n{len(found)} to fix.", file=sys.stderr)
+    else:
+        lessons, exercises = len(tree.lesson_stems()), len(tree.exercise_stems())
+        print(f"{lessons} lessons and {exercises} exercises: all as their texts say.")
+    left = list(still_from_template(tree))
+    if left and notes:
+        print(f"\nNotes: {len(left)} lines of a template are still to be replaced.\n{report(left)}")
+    elif left:
+        print(
+            f"{len(left)} lines are still those of a template: `make notebooks-check ARGS=--notes` lists them."
+        )
+    outdated = list(outdated_reports(tree)) if notes else []
+    if outdated:
+        print(f"\nNotes: {len(outdated)} reports on mutants are out of date.\n{report(outdated)}")
+    return 1 if found else 0
 
 
 if __name__ == "__main__":

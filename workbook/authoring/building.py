@@ -9,7 +9,9 @@ from typing import Any
 from workbook.authoring import document
 from workbook.authoring.exercise import read_exercise, solved_notebook, starter_document
 from workbook.authoring.lesson import read_lesson
-from workbook.authoring.pages import note_run_times, write_pages
+from workbook.authoring.lesson_links import write_links
+from workbook.authoring.lesson_lists import note_run_times
+from workbook.authoring.pages import write_pages
 from workbook.authoring.running import run
 from workbook.authoring.tree import AuthoringError, Tree
 from workbook.exercise.museum import BrokenMuseum
@@ -20,8 +22,10 @@ Say = Callable[[str], None]
 def build(
     tree: Tree, names: Iterable[str] = (), *, again: bool = False, jobs: int = 1, say: Say = print
 ) -> int:
-    """Build the named lessons and exercises, or all. Lessons whose text did not change are not run again
-    unless `again`. Up to `jobs` lessons run at once. Returns how many failed; says why.
+    """Build the named lessons and exercises, or all of them, and return how many failed.
+
+    A lesson is run again only if its code changed, or with `again`. Up to `jobs` lessons run at once. `say` gets a line
+    for each file, and for each failure the reason.
     """
     lessons, exercises = select(tree, names)
     failed = 0
@@ -38,6 +42,8 @@ def build(
     def lesson(tree: Tree, stem: str) -> str:
         return build_lesson(tree, stem, again=again)
 
+    for stem in write_links(tree):
+        say(f"links      {tree.name(tree.sources / f'{stem}.py')}")
     with ThreadPoolExecutor(max_workers=max(1, jobs)) as pool:
         for good, words in pool.map(attempt(lesson), lessons):
             failed += not good
@@ -48,7 +54,7 @@ def build(
     try:
         for path in write_pages(tree):
             say(f"built      {tree.name(path)}")
-    except BrokenMuseum as error:
+    except (AuthoringError, BrokenMuseum) as error:
         failed += 1
         say(f"FAILED  {error}")
     return failed

@@ -36,6 +36,8 @@ class Cell:
     source: str
     id: str = ""
     tags: tuple[str, ...] = ()
+    line: int = field(default=0, compare=False)
+    """Where it begins in its text, from 1; 0 when it has none."""
 
 
 @dataclass(frozen=True)

@@ -52,7 +52,7 @@ def solved_notebook(tree: Tree, exercise: Exercise) -> nbformat.NotebookNode:
 
 
 def full_marks_line(max_points: float) -> str:
-    """What `%check` says, as text, when all holds."""
+    """The text form of `%check` when every criterion passes."""
     return f"Full marks: {points(max_points)} of {points(max_points)} points."
 
 

@@ -25,6 +25,7 @@ class PrivateKernelManager(KernelManager):
         return str(Path(tempfile.mkdtemp(prefix="kernel-"), "socket"))
 
     def cleanup_connection_file(self) -> None:
+        """Remove the connection file, and the folder that holds the kernel's sockets."""
         super().cleanup_connection_file()
         if self.trait_has_value("ip"):
             shutil.rmtree(Path(self.ip).parent, ignore_errors=True)

@@ -27,6 +27,7 @@ def read_lesson(tree: Tree, stem: str) -> Document:
     text = path.read_text(encoding="utf-8")
     shown = tree.name(path)
     cells = []
+    lines = [place for place, line in enumerate(text.splitlines(), start=1) if line.startswith("# %%")]
     for number, read in enumerate(jupytext.reads(text, fmt="py:percent").cells, start=1):
         metadata = dict(read.metadata)
         metadata.pop("lines_to_next_cell", None)
@@ -42,7 +43,8 @@ def read_lesson(tree: Tree, stem: str) -> Document:
             raise AuthoringError(f"{where}: unknown tag {unknown[0]!r}; lessons use {' and '.join(TAGS)}")
         if not read.source.strip():
             raise AuthoringError(f"{where}: this cell is empty")
-        cells.append(Cell(read.cell_type, read.source, identifier, tuple(tags)))
+        line = lines[number - 1] if number <= len(lines) else 0
+        cells.append(Cell(read.cell_type, read.source, identifier, tuple(tags), line))
     try:
         named = with_ids(cells)
     except ValueError as error:

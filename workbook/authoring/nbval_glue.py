@@ -34,6 +34,7 @@ _own_folder = pytest.StashKey[Path]()
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    """Run kernels on Unix sockets, set the sanitize file, and draw live pictures twice a second only."""
     nbval.kernel.KernelManager = PrivateKernelManager
     os.environ.setdefault(MOST_PICTURES, "2")
     gc.freeze()  # what is loaded stays; the messages of a kernel make the collector look through it again and again
@@ -42,6 +43,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
+    """Remove the answers folder of this run, and what killed kernels left in temporary folders."""
     folder = config.stash.get(_own_folder, None)
     if folder is not None:
         shutil.rmtree(folder, ignore_errors=True)
@@ -50,6 +52,7 @@ def pytest_unconfigure(config: pytest.Config) -> None:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Give each notebook an answers folder of its own, unless WORKBOOK_ANSWERS is set."""
     if not isinstance(item, IPyNbCell):
         return
     stash = item.config.stash
@@ -62,6 +65,7 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
 
 
 def pytest_collectstart(collector: pytest.Collector) -> None:
+    """Compare only text in notebooks whose metadata says `workbook.compare: text`."""
     if isinstance(collector, IPyNbFile):
         try:
             metadata = json.loads(collector.path.read_text(encoding="utf-8"))["metadata"]
@@ -73,6 +77,7 @@ def pytest_collectstart(collector: pytest.Collector) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
+    """Run a cell with display updates applied. Raises NbCellError when the cell uses a magic that does not exist."""
     if not isinstance(item, IPyNbCell):
         return (yield)
     sanitize = item.sanitize

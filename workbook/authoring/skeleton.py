@@ -1,13 +1,21 @@
-"""Writes the skeleton of a lesson or an exercise: all that the checks demand, with `TODO(author)` where you write."""
+"""Writes a lesson or an exercise from a template: small, whole, and right by every check. Its author then changes it.
+
+A template is a file or a folder below `skeletons/`. `@SLUG@` and its like stand for words of the new name; a line that
+ends with `@EXAMPLE@` holds text that the author is to replace, see `still_from_template`.
+"""
 
 import re
 from collections.abc import Iterator
 from pathlib import Path
 
 from workbook.authoring.tree import AuthoringError, Tree
+from workbook.authoring.violations import Violation
 from workbook.exercise.source import STEM
 
 SKELETONS = Path(__file__).with_name("skeletons")
+TEMPLATES = ("publisher", "listener", "service", "function")
+"""Kinds of exercises to begin with: a rate and a value, a reaction to a sensor, a call, a function."""
+EXAMPLE = "@EXAMPLE@"
 _SLUG = re.compile(r"[a-z][a-z0-9_]*")
 
 
@@ -18,30 +26,40 @@ def new_lesson(tree: Tree, name: str) -> list[Path]:
         AuthoringError: the name is no slug, or the number or the name is taken.
     """
     stem = _stem(tree, name, tree.lesson_stems(), tree.exercise_stems())
-    own = [other for other in tree.exercise_stems() if other[:2] == stem[:2]]
-    later = [other for other in tree.lesson_stems() if other > stem]
-    words = _words(stem) | {
-        "EXERCISE_LINK": f", then [the exercise](../exercises/{own[0]}.ipynb)" if own else "",
-        "NEXT": f"[{later[0][:2]}]({later[0]}.ipynb)" if later else "TODO(author): the next lesson",
-    }
-    return _write([(SKELETONS / "lesson.py.txt", tree.sources / f"{stem}.py")], words)
+    return _write(_lesson_files(tree, stem), _words(tree, stem))
 
 
-def new_exercise(tree: Tree, name: str) -> list[Path]:
-    """Write source, criteria, right and wrong answers of a new exercise, which can be judged as it is.
+def new_exercise(tree: Tree, name: str, template: str = TEMPLATES[0]) -> list[Path]:
+    """Write a new exercise: source, criteria, right and wrong answers, requirements, a driver if the template has one.
 
     Raises:
-        AuthoringError: the name is no slug, or the number or the name is taken.
+        AuthoringError: the name is no slug, the number or the name is taken, or there is no such template.
     """
+    if template not in TEMPLATES:
+        raise AuthoringError(f"no template {template!r}: there are {', '.join(TEMPLATES)}")
     stem = _stem(tree, name, tree.exercise_stems(), tree.lesson_stems())
+    return _write(_exercise_files(tree, stem, template), _words(tree, stem))
+
+
+def _lesson_files(tree: Tree, stem: str) -> list[tuple[Path, Path]]:
+    return [(SKELETONS / "lesson.py.txt", tree.sources / f"{stem}.py")]
+
+
+def _exercise_files(tree: Tree, stem: str, template: str) -> list[tuple[Path, Path]]:
+    """Pairs of a template and the file that it becomes."""
+    folder = SKELETONS / "exercises" / template
     files = [
-        (SKELETONS / "solution.py.txt", tree.solutions / f"{stem}.py"),
-        (SKELETONS / "criteria.py.txt", tree.criteria / f"{stem}.py"),
+        (folder / "solution.py.txt", tree.solutions / f"{stem}.py"),
+        (folder / "criteria.py.txt", tree.criteria / f"{stem}.py"),
     ]
-    for kind, folder in (("right_answers", tree.right_answers), ("wrong_answers", tree.wrong_answers)):
-        for path in sorted((SKELETONS / kind).glob("*.py.txt")):
-            files.append((path, folder / stem / path.name.removesuffix(".txt")))
-    return _write(files, _words(stem))
+    driver = folder / "driver.py.txt"
+    if driver.is_file():
+        files.append((driver, tree.drivers / f"{stem}.py"))
+    for kind, answers in (("right_answers", tree.right_answers), ("wrong_answers", tree.wrong_answers)):
+        for path in sorted((folder / kind).glob("*.py.txt")):
+            files.append((path, answers / stem / path.name.removesuffix(".txt")))
+    files.append((folder / "requirements.toml.txt", tree.requirements / f"{stem}.toml"))
+    return files
 
 
 def _stem(tree: Tree, name: str, taken: tuple[str, ...], partners: tuple[str, ...]) -> str:
@@ -67,9 +85,16 @@ def _stem(tree: Tree, name: str, taken: tuple[str, ...], partners: tuple[str, ..
     return stem
 
 
-def _words(stem: str) -> dict[str, str]:
+def _words(tree: Tree, stem: str) -> dict[str, str]:
     slug = stem[3:]
-    return {"STEM": stem, "NUMBER": stem[:2], "SLUG": slug, "TITLE": slug.replace("_", " ").capitalize()}
+    own = [other for other in tree.exercise_stems() if other[:2] == stem[:2]]
+    return {
+        "STEM": stem,
+        "NUMBER": stem[:2],
+        "SLUG": slug,
+        "TITLE": slug.replace("_", " ").capitalize(),
+        "EXERCISE_LINK": f", then [the exercise](../exercises/{own[0]}.ipynb)" if own else "",
+    }
 
 
 def _write(files: list[tuple[Path, Path]], words: dict[str, str]) -> list[Path]:
@@ -81,9 +106,39 @@ def _write(files: list[tuple[Path, Path]], words: dict[str, str]) -> list[Path]:
 
 def _written(files: list[tuple[Path, Path]], words: dict[str, str]) -> Iterator[Path]:
     for template, target in files:
-        text = template.read_text(encoding="utf-8")
-        for name, word in words.items():
-            text = text.replace(f"@{name}@", word)
         target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(text, encoding="utf-8")
+        target.write_text(_filled(template, words).replace(EXAMPLE, ""), encoding="utf-8")
         yield target
+
+
+def _filled(template: Path, words: dict[str, str]) -> str:
+    text = template.read_text(encoding="utf-8")
+    for name, word in words.items():
+        text = text.replace(f"@{name}@", word)
+    return text
+
+
+def still_from_template(tree: Tree) -> Iterator[Violation]:
+    """Lines of lessons and exercises that their author has not yet replaced: nothing wrong, but not theirs."""
+    for stem in tree.lesson_stems():
+        yield from _example_lines(tree, stem, _lesson_files(tree, stem))
+    for stem in tree.exercise_stems():
+        for template in TEMPLATES:
+            yield from _example_lines(tree, stem, _exercise_files(tree, stem, template))
+
+
+def _example_lines(tree: Tree, stem: str, files: list[tuple[Path, Path]]) -> Iterator[Violation]:
+    words = _words(tree, stem)
+    for template, target in files:
+        if not target.is_file():
+            continue
+        marked = {
+            line.removesuffix(EXAMPLE)
+            for line in _filled(template, words).splitlines()
+            if line.endswith(EXAMPLE)
+        }
+        for number, line in enumerate(target.read_text(encoding="utf-8").splitlines(), start=1):
+            if line in marked:
+                yield Violation(
+                    tree.name(target), f"is still the template's text: {line.strip('#| ')}", number
+                )

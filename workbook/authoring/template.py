@@ -15,7 +15,6 @@ EXPERIMENTS = range(2, 4)
 TAKE_AWAY_LINES = 5
 OFFICIAL = "https://docs.ros.org/"
 GOOD_ANSWER = "What a good answer contains"
-UNWRITTEN = "TODO(author)"
 
 _PREDICT = re.compile(r"^\s*predict\(\s*(?P<quote>['\"])(?P<choice>.*?)(?P=quote)", re.MULTILINE)
 _RECALL = re.compile(r"^\s*(?:recall|.*\bpredicted)\(", re.MULTILINE)
@@ -38,41 +37,47 @@ class Section:
     has_exercise: bool
 
     @property
+    def line(self) -> int:
+        """Where it begins in the text of the lesson."""
+        return self.cells[0].line if self.cells else 1
+
+    @property
     def markdown(self) -> str:
+        """The text of the section's Markdown cells, separated by blank lines."""
         return "\n\n".join(cell.source for cell in self.cells if cell.kind == "markdown")
 
     @property
     def code(self) -> tuple[Cell, ...]:
+        """The section's code cells, in order."""
         return tuple(cell for cell in self.cells if cell.kind == "code")
 
 
 Rule = Callable[[Section], Iterable[str]]
 
 
-def problems(cells: Sequence[Cell], number: int, *, has_exercise: bool) -> Iterator[str]:
-    """What keeps these cells from being a lesson. Empty when they are one."""
+def shape_violations(cells: Sequence[Cell], number: int, *, has_exercise: bool) -> Iterator[tuple[int, str]]:
+    """What keeps these cells from being a lesson: line of the text, and words. Empty when they are one."""
     yield from _headings_open_cells(cells)
     sections = split(cells, number, has_exercise=has_exercise)
     found = [section.title for section in sections[1:]]
     if found != list(SHAPE):
-        yield from _order(found)
+        yield from ((0, words) for words in _order(found))
     by_title = {section.title: section for section in sections}
     for title, rules in {OPENING: _OPENING_RULES, **SHAPE}.items():
         section = by_title.get(title)
         if section is None:
             continue
+        shown = "the opening" if title == OPENING else f"## {title}"
         for rule in rules:
-            yield from (
-                f"{'the opening' if title == OPENING else f'## {title}'}: {words}" for words in rule(section)
-            )
+            yield from ((section.line, f"{shown}: {words}") for words in rule(section))
     if not any(cell.kind == "code" and _RECALL.search(cell.source) for cell in cells):
-        yield "no cell shows a prediction again beside what happened: recall('b')"
+        yield 0, "no cell shows a prediction again beside what happened: recall('b')"
     for cell in cells:
         if cell.kind == "code" and _SETUP.search(cell.source):
-            yield f"cell {cell.id} sets something up: a lesson has no set-up cell, the environment is there"
-        for line in cell.source.splitlines():
-            if UNWRITTEN in line:
-                yield f"cell {cell.id} is still to be written: {line.strip().lstrip('#>- ')}"
+            yield (
+                cell.line,
+                f"cell {cell.id} sets something up: a lesson has no set-up cell, the environment is there",
+            )
 
 
 def split(cells: Sequence[Cell], number: int, *, has_exercise: bool) -> list[Section]:
@@ -100,13 +105,13 @@ def _order(found: list[str]) -> Iterator[str]:
         yield f"the sections must come in this order: {', '.join(SHAPE)}"
 
 
-def _headings_open_cells(cells: Sequence[Cell]) -> Iterator[str]:
+def _headings_open_cells(cells: Sequence[Cell]) -> Iterator[tuple[int, str]]:
     for cell in cells:
         if cell.kind == "markdown":
             inner = _FENCE.sub("", cell.source).split("\n")[1:]
             for line in inner:
                 if re.match(r"##? ", line):
-                    yield f"cell {cell.id}: the heading {line!r} must be the first line of a cell"
+                    yield cell.line, f"cell {cell.id}: the heading {line!r} must be the first line of a cell"
 
 
 def _opening(section: Section) -> Iterator[str]:

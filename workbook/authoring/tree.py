@@ -11,7 +11,7 @@ IGNORED_NAMES = ("__pycache__",)
 
 
 class AuthoringError(RuntimeError):
-    """A lesson or an exercise cannot be built. The message says what to mend, and where."""
+    """A lesson or an exercise cannot be built. The message says what to fix, and where."""
 
 
 @dataclass(frozen=True)
@@ -22,42 +22,62 @@ class Tree:
 
     @property
     def notebooks(self) -> Path:
+        """Folder of the built lessons."""
         return self.root / "notebooks"
 
     @property
     def sources(self) -> Path:
+        """Folder of the lesson texts, one percent script per lesson."""
         return self.notebooks / "sources"
 
     @property
     def museum(self) -> Path:
+        """Folder of the error museum and the glossary, one TOML file per lesson."""
         return self.sources / "museum"
 
     @property
     def exercises(self) -> Path:
+        """Folder of the built exercise notebooks, which hold the starter."""
         return self.root / "exercises"
 
     @property
     def criteria(self) -> Path:
+        """Folder of the criteria files, one per exercise."""
         return self.exercises / "criteria"
 
     @property
     def drivers(self) -> Path:
+        """Folder of the programs that call the functions of an answer, for exercises that need one."""
         return self.exercises / "drivers"
 
     @property
     def solutions(self) -> Path:
+        """Folder of the exercise sources: text, starter and reference answer in one file."""
         return self.root / "solutions"
 
     @property
     def right_answers(self) -> Path:
+        """Folder of further programs that must get full marks, one folder per exercise."""
         return self.root / "tests" / "right_answers"
 
     @property
     def wrong_answers(self) -> Path:
+        """Folder of programs with one mistake each, which must lose the points they name, one folder per exercise."""
         return self.root / "tests" / "wrong_answers"
 
     @property
+    def requirements(self) -> Path:
+        """Folder of the tables that tie each demand of a task to what judges it, one TOML file per exercise."""
+        return self.root / "tests" / "requirements"
+
+    @property
+    def mutants(self) -> Path:
+        """Reports on what the judges let through; see `workbook.authoring.mutants`."""
+        return self.root / "tests" / "mutants"
+
+    @property
     def lesson_nodes(self) -> Path:
+        """Folder of the ROS nodes that lessons import or run."""
         return self.root / "lesson_nodes"
 
     @property
@@ -66,9 +86,11 @@ class Tree:
         return self.root / "build" / "solved"
 
     def lesson_stems(self) -> tuple[str, ...]:
+        """The stem (NN_slug) of every lesson that has a text, sorted."""
         return stems_in(self.sources, ".py")
 
     def exercise_stems(self) -> tuple[str, ...]:
+        """The stem (NN_slug) of every exercise that has a source, sorted."""
         return stems_in(self.solutions, ".py")
 
     def name(self, path: Path) -> str:

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from workbook.observing.typecheck import TYPINGS
+from workbook.typechecking.typecheck import TYPINGS
 
 # Those that lessons and exercises import, and what their messages are made of.
 PACKAGES = (

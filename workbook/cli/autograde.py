@@ -16,6 +16,7 @@ JUDGED, NOT_YET, FAULT = 0, 1, 2
 
 
 def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the subcommand with its places."""
     parser = subparsers.add_parser(
         "autograde",
         help="judge one submission at Gradescope or GitHub (what `workbook package` makes calls this)",
@@ -65,16 +66,12 @@ def run_gradescope(options: argparse.Namespace) -> int:
         write_whole(options.results, fault_json(f"{type(error).__name__}: {error}"))
         return FAULT
     print(_line(result))
-    return FAULT if result["status"] == "infra_error" else JUDGED
+    return FAULT if result.status == "infra_error" else JUDGED
 
 
 def _line(result: "Result") -> str:
-    said = (
-        result["reason"]
-        if result["score"] is None
-        else f"{result['score']:g} of {result['max_score']:g} points"
-    )
-    return f"{result['exercise']}: {result['status']}, {said}. Isolation: {result['isolation']}."
+    said = result.reason if result.score is None else f"{result.score:g} of {result.max_score:g} points"
+    return f"{result.exercise}: {result.status}, {said}. Isolation: {result.isolation}."
 
 
 def run_github(options: argparse.Namespace) -> int:
@@ -98,7 +95,7 @@ def run_github(options: argparse.Namespace) -> int:
         print(f"{one.exercise.stem}: nothing handed in" if one.result is None else _line(one.result))
     _append(options.summary, text)
     _append(options.outputs, _outputs(pushed, options.out))
-    if any(one.result is not None and one.result["status"] == "infra_error" for one in pushed):
+    if any(one.result is not None and one.result.status == "infra_error" for one in pushed):
         return FAULT
     return JUDGED if all_hold(pushed) else NOT_YET
 
@@ -113,7 +110,7 @@ def _outputs(pushed: "Sequence[Pushed]", out: Path) -> str:
     """Keep results below `out`, and return those for Classroom as lines of name=value."""
     from workbook.grading.files import write_whole
     from workbook.grading.github import classroom, encoded
-    from workbook.grading.results import RESULTS, ResultsFile
+    from workbook.grading.results_file import RESULTS, ResultsFile
 
     book = ResultsFile(out / RESULTS)
     lines = []

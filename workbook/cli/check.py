@@ -7,16 +7,19 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from workbook.exercise.answers import Answer
-    from workbook.exercise.starting import StartedAnswer
+    from workbook.exercise.definition import Exercise
+    from workbook.exercise.early_start import StartedAnswer
+    from workbook.exercise.judgement import Judgement
 
 FULL_MARKS, NOT_YET, NOT_JUDGED = 0, 1, 2
 
 
 def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the subcommand."""
     parser = subparsers.add_parser(
         "check",
         help="judge your answer to an exercise",
-        description="Run an answer, watch what it does on the topics, and say what holds and what does not yet. "
+        description="Run an answer, watch what it does on the topics, and say what is right and what is not yet. "
         "Exit code 0: full marks, 1: not yet, 2: could not be judged.",
     )
     parser.add_argument("exercise", metavar="EXERCISE", help="such as 09_joint_positions or joint_positions")
@@ -45,10 +48,11 @@ def _default_file(stem: str) -> Path | None:
 
 
 def run(options: argparse.Namespace) -> int:
+    """Start the answer, then import the judge, then judge."""
     from workbook.exercise.answers import Ungradable, read_answer
     from workbook.exercise.course import NoCourse, course_folder
+    from workbook.exercise.early_start import StartedAnswer
     from workbook.exercise.source import SourceError, UnknownExercise, find, load
-    from workbook.exercise.starting import StartedAnswer
     from workbook.ros.domains import NoDomainFree
 
     try:
@@ -73,41 +77,17 @@ def _not_judged(error: Exception) -> int:
 def _judge(
     options: argparse.Namespace, stem: str, file: Path, answer: "Answer", started: "StartedAnswer"
 ) -> int:
-    """Judge an answer that runs already. What needs ROS is imported here, while the answer does so as well."""
+    """Judge an answer that runs already. What needs ROS is imported here, while the answer imports it as well."""
     from workbook.exercise.definition import BrokenCriteria, load_exercise
-    from workbook.exercise.judging import Judge, Judgement
     from workbook.feedback import wording
     from workbook.feedback.review import review_prompt
     from workbook.feedback.text import as_text
-    from workbook.grading.tries import until_sure
-    from workbook.observing.watch import Observer
-
-    def report(judgement: Judgement) -> None:
-        if judgement.doubt:
-            print(wording.provisional_line(judgement), file=sys.stderr)
-        elif judgement.provisional:
-            print("Watching it on the wall clock as well; that takes some seconds ...", file=sys.stderr)
-        else:
-            print("Judged on robot time; watching that it lives on ...", file=sys.stderr)
 
     try:
         exercise = load_exercise(stem)
     except BrokenCriteria as error:
         return _not_judged(error)
-    with Observer(started.lease) as observer:
-        judge = Judge(observer)
-        running = [started]
-
-        def once() -> Judgement:
-            return judge.judge(
-                exercise,
-                answer,
-                thorough=options.as_graded,
-                report=report,
-                started=running.pop() if running else None,
-            )
-
-        judgement = until_sure(once, report)
+    judgement = _judgement_of(exercise, answer, started, thorough=options.as_graded)
     print(as_text(judgement, sys.stdout.isatty(), exhibit=wording.exhibit_of(judgement)))
     if judgement.status != "graded":
         return NOT_JUDGED
@@ -117,3 +97,39 @@ def _judge(
             print("\n" + review_prompt(exercise.source, answer.text, judgement))
         return FULL_MARKS
     return NOT_YET
+
+
+def _judgement_of(
+    exercise: "Exercise", answer: "Answer", started: "StartedAnswer", *, thorough: bool
+) -> "Judgement":
+    """Judge the started program; one more try, if that is inconclusive, starts it anew."""
+    from workbook.exercise.judging import Judge
+    from workbook.grading.retries import until_sure
+    from workbook.watching.observer import Observer
+
+    with Observer(started.lease) as observer:
+        judge = Judge(observer)
+        running = [started]
+
+        def once() -> "Judgement":
+            return judge.judge(
+                exercise,
+                answer,
+                thorough=thorough,
+                report=_report,
+                started=running.pop() if running else None,
+            )
+
+        return until_sure(once, _report)
+
+
+def _report(judgement: "Judgement") -> None:
+    """Say what is still under way."""
+    from workbook.feedback import wording
+
+    if judgement.doubt:
+        print(wording.provisional_line(judgement), file=sys.stderr)
+    elif judgement.provisional:
+        print("Watching it on the wall clock as well; that takes some seconds ...", file=sys.stderr)
+    else:
+        print("Judged on robot time; watching that it lives on ...", file=sys.stderr)

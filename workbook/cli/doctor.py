@@ -6,11 +6,11 @@ import sys
 from typing import TYPE_CHECKING, Any, TextIO
 
 if TYPE_CHECKING:
-    from workbook.lab.health import Finding
+    from workbook.lab.health import HealthFinding
 
-SIGNS = {"ok": "✓", "note": "!", "mend": "✗"}
-PLAIN_SIGNS = {"ok": "+", "note": "!", "mend": "x"}
-COLOURS = {"ok": "32", "note": "33", "mend": "31"}
+SIGNS = {"ok": "✓", "note": "!", "fix": "✗"}
+PLAIN_SIGNS = {"ok": "+", "note": "!", "fix": "x"}
+COLORS = {"ok": "32", "note": "33", "fix": "31"}
 
 
 def register(subparsers: Any) -> None:
@@ -19,13 +19,13 @@ def register(subparsers: Any) -> None:
         "doctor",
         help="is this machine ready? what to do if not",
         description="Check Python, packages, ROS, folders and Jupyter, and let two processes really talk. "
-        "Exit code 0: ready, 1: something is to be mended.",
+        "Exit code 0: ready, 1: something is to be fixed.",
     )
     parser.set_defaults(run=run)
 
 
-def line(finding: "Finding", stream: TextIO) -> str:
-    """One finding as text, coloured on a terminal: sign, word, what was seen, and what to do below it."""
+def line(finding: "HealthFinding", stream: TextIO) -> str:
+    """One finding as text, colored on a terminal: sign, word, what was seen, and what to do below it."""
     try:
         "✓✗".encode(stream.encoding or "ascii")
         sign = SIGNS[finding.status]
@@ -33,7 +33,7 @@ def line(finding: "Finding", stream: TextIO) -> str:
         sign = PLAIN_SIGNS[finding.status]
     mark = f"{sign} {finding.status:<5}"
     if stream.isatty() and "NO_COLOR" not in os.environ:
-        mark = f"\033[{COLOURS[finding.status]}m{mark}\033[0m"
+        mark = f"\033[{COLORS[finding.status]}m{mark}\033[0m"
     text = f"{mark}{finding.title:<15} {finding.saw}"
     return (
         f"{text}\n{'':23}→ {finding.todo}"
@@ -50,12 +50,12 @@ def run(_options: argparse.Namespace) -> int:
     """Print each finding as it is made, and a summary."""
     from workbook.lab.health import examine
 
-    to_mend = 0
+    to_fix = 0
     for finding in examine():
-        to_mend += finding.status == "mend"
+        to_fix += finding.status == "fix"
         print(line(finding, sys.stdout), flush=True)
-    if to_mend:
-        print(f"\n{to_mend} to mend. Begin with the first.")
+    if to_fix:
+        print(f"\n{to_fix} to fix. Begin with the first.")
         return 1
     print("\nReady. `make lab` opens the lessons.")
     return 0

@@ -1,4 +1,4 @@
-"""`workbook node`, `workbook topic` and `workbook graph`: a second window on the open notebook's robot."""
+"""`workbook node`, `workbook topic` and `workbook graph`: the ROS graph of the open notebook in a terminal."""
 
 import argparse
 import math
@@ -8,11 +8,11 @@ from collections.abc import Callable
 from typing import Any
 
 from workbook.ros.environment import prepare
-from workbook.ros.presence import OpenNotebook, open_notebooks
+from workbook.ros.notebook_registry import OpenNotebook, open_notebooks
 
 
 class NoChoice(Exception):
-    """Several notebooks are open and nobody is there to say which is meant."""
+    """Several notebooks are open and there is no terminal to ask which is meant."""
 
 
 def register(subparsers: Any) -> None:
@@ -59,7 +59,7 @@ def _positive(text: str) -> int:
     return number
 
 
-def _command(subparsers: Any, name: str, help_text: str, look: Callable[[Any, Any], Any]) -> Any:
+def _command(subparsers: Any, name: str, help_text: str, query: Callable[[Any, Any], Any]) -> Any:
     parser = subparsers.add_parser(
         name, help=help_text, description=help_text[0].upper() + help_text[1:] + "."
     )
@@ -67,11 +67,11 @@ def _command(subparsers: Any, name: str, help_text: str, look: Callable[[Any, An
         "--domain", type=int, metavar="N", help="ROS domain (default: that of the open notebook)"
     )
     parser.add_argument("--hidden", action="store_true", help="show what is usually left out, too")
-    parser.set_defaults(run=lambda options: _run(options, look))
+    parser.set_defaults(run=lambda options: _run(options, query))
     return parser
 
 
-def _run(options: argparse.Namespace, look: Callable[[Any, Any], Any]) -> int:
+def _run(options: argparse.Namespace, query: Callable[[Any, Any], Any]) -> int:
     try:
         domain_id = choose_domain(options.domain, open_notebooks(), os.environ.get("ROS_DOMAIN_ID"))
     except NoChoice as error:
@@ -79,11 +79,11 @@ def _run(options: argparse.Namespace, look: Callable[[Any, Any], Any]) -> int:
         return 2
     prepare(domain_id=domain_id, check_fields=False)
     import workbook.ros as tools
-    from workbook.ros import ending
+    from workbook.ros import exit_cleanup
 
-    ending.register()
+    exit_cleanup.register()
     try:
-        shown = look(tools, options)
+        shown = query(tools, options)
     except LookupError as error:
         print(error, file=sys.stderr)
         return 1
@@ -93,13 +93,13 @@ def _run(options: argparse.Namespace, look: Callable[[Any, Any], Any]) -> int:
 
 
 def _echo(tools: Any, options: argparse.Namespace) -> Any:
-    from workbook.ros.listening import message_text
+    from workbook.ros.topic_monitor import message_text
 
     def show(message: Any) -> None:
         print(f"{message_text(message)}\n---", flush=True)
 
-    heard = tools.topic_echo(options.topic, options.count, options.timeout, on_message=show)
-    return None if heard.messages else heard
+    echo = tools.topic_echo(options.topic, options.count, options.timeout, on_message=show)
+    return None if echo.messages else echo
 
 
 def _hz(tools: Any, options: argparse.Namespace) -> Any:

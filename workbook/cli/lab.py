@@ -34,8 +34,8 @@ def run_lab(options: argparse.Namespace) -> int:
 def run_reset(options: argparse.Namespace) -> int:
     """Restore the starter of one exercise."""
     from workbook.exercise.course import NoCourse, course_folder
-    from workbook.lab.delivery import NoSuchExercise, reset
     from workbook.lab.launch import student_folder
+    from workbook.lab.work_folder import NoSuchExercise, reset
 
     try:
         course, work = course_folder(), student_folder()

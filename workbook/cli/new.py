@@ -1,56 +1,66 @@
-"""`workbook new`: the skeleton of a lesson or an exercise, for authors."""
+"""`workbook new`: a small, whole lesson or exercise to begin with, for authors."""
 
 import argparse
 import sys
 from typing import Any
+
+TEMPLATES = ("publisher", "listener", "service", "function")
+"""Those of `workbook.authoring.skeleton`, which is not imported before it is needed."""
 
 
 def register(subparsers: Any) -> None:
     """Add the subcommand."""
     parser = subparsers.add_parser(
         "new",
-        help="for authors: start a lesson or an exercise with everything the checks demand",
-        description="Write the skeleton of a lesson or an exercise and build its notebook. "
-        "`make notebooks-check` then lists what you still have to write.",
+        help="for authors: start a lesson or an exercise from a template that passes every check",
+        description="Write a small lesson or exercise that passes every check as it is, and build its notebook. "
+        "Then make it yours, step by step; CONTRIBUTING.md says how.",
     )
     parser.add_argument("what", choices=("lesson", "exercise"))
     parser.add_argument(
         "slug", metavar="SLUG", help="slow_callbacks, or 10_slow_callbacks to choose the number"
     )
+    parser.add_argument(
+        "--template",
+        choices=TEMPLATES,
+        default=TEMPLATES[0],
+        help="what the exercise is about: a publisher (a rate and a value, the default), a listener (reacts to a "
+        "sensor), a service (answers calls), or a function that a driver calls",
+    )
     parser.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the files, build the notebook, say what comes next."""
+    """Write the files, build what depends on them, say what comes next."""
     from workbook.authoring.skeleton import new_exercise, new_lesson
     from workbook.authoring.tree import AuthoringError, Tree
     from workbook.exercise.course import NoCourse, course_folder
 
     try:
         tree = Tree(course_folder())
-        files = (new_lesson if options.what == "lesson" else new_exercise)(tree, options.slug)
+        if options.what == "lesson":
+            files = new_lesson(tree, options.slug)
+        else:
+            files = new_exercise(tree, options.slug, options.template)
     except (AuthoringError, NoCourse) as problem:
         print(f"workbook new: {problem}", file=sys.stderr)
         return 2
     for path in files:
         print(f"written    {tree.name(path)}")
     try:
-        from workbook.authoring.building import build_exercise, build_lesson
-        from workbook.authoring.pages import write_pages
+        from workbook.authoring.building import build
     except ImportError as missing:
         print(
             f"The notebook is not built: {missing}. `make notebooks` installs what authors need and builds it."
         )
         return 0
-    try:
-        if options.what == "lesson":
-            print(build_lesson(tree, files[0].stem))
-        for stem in tree.exercise_stems():  # their links to lessons may have changed
-            print(build_exercise(tree, stem))
-        for page in write_pages(tree):
-            print(f"built      {tree.name(page)}")
-    except AuthoringError as problem:
-        print(f"workbook new: the notebook could not be built: {problem}", file=sys.stderr)
+    if build(tree, say=lambda words: None if words.startswith("as it was") else print(words)):
+        print("workbook new: not all could be built, see above", file=sys.stderr)
         return 1
-    print("Next: `make notebooks-check` lists what is still to be written. CONTRIBUTING.md explains it.")
+    stem = files[0].stem
+    if options.what == "exercise" and not any(other[:2] == stem[:2] for other in tree.lesson_stems()):
+        print(f"Next: `workbook new lesson {stem}`, because each exercise has a lesson that leads to it.")
+    print(
+        "`make notebooks-check ARGS=--notes` lists what is still the template's. CONTRIBUTING.md explains it."
+    )
     return 0

@@ -8,6 +8,7 @@ from pathlib import Path
 
 
 def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
+    """Add the subcommand with its places."""
     parser = subparsers.add_parser(
         "package",
         help="for instructors: an autograder for Gradescope, a workflow for a class repository",
@@ -38,6 +39,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
 
 
 def run_gradescope(options: argparse.Namespace) -> int:
+    """Write the zip file of an autograder."""
     from workbook.exercise.course import course_folder
     from workbook.exercise.definition import OWN_CRITERIA, load_exercise
     from workbook.grading.packaging import CannotPackage, gradescope_zip
@@ -59,10 +61,11 @@ def run_gradescope(options: argparse.Namespace) -> int:
         )
         return 0
 
-    return _told(work)
+    return _run(work)
 
 
 def run_github(options: argparse.Namespace) -> int:
+    """Write the workflow into a class repository."""
     from workbook.exercise.course import course_folder
     from workbook.exercise.definition import load_exercise
     from workbook.grading.packaging import classroom_workflow, commit_of, origin_of
@@ -76,11 +79,11 @@ def run_github(options: argparse.Namespace) -> int:
         print(f"with the course at {address}, commit {revision}. Others must be able to fetch that commit.")
         return 0
 
-    return _told(work)
+    return _run(work)
 
 
-def _told(work: "Callable[[], int]") -> int:
-    """Run a command; what goes wrong is told in one line."""
+def _run(work: "Callable[[], int]") -> int:
+    """Run a command; an expected error becomes one line."""
     from workbook.exercise.course import NoCourse
     from workbook.exercise.definition import BrokenCriteria
     from workbook.exercise.source import SourceError, UnknownExercise

@@ -6,6 +6,7 @@ from typing import Any
 
 
 def register(subparsers: Any) -> None:
+    """Add the subcommand."""
     parser = subparsers.add_parser(
         "progress", help="what you have read, predicted and solved so far", description=__doc__
     )
@@ -13,18 +14,19 @@ def register(subparsers: Any) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
+    """Print the table."""
+    from workbook.exercise.answer_files import ANSWERS
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.exercise.definition import BrokenCriteria
-    from workbook.magics.answers import ANSWERS
-    from workbook.magics.overview import overview
-    from workbook.magics.progress import all_progress, progress_file
+    from workbook.lesson.progress import all_progress, progress_file
+    from workbook.magics.progress_table import progress_table
 
     try:
         kept = all_progress()
         if not kept and not progress_file().is_file():
             # In a terminal one often stands above the work folder.
             kept = all_progress(course_folder() / "work" / ANSWERS)
-        print(overview(done=kept))
+        print(progress_table(done=kept))
     except (NoCourse, BrokenCriteria, OSError) as error:
         print(f"workbook progress: {error}", file=sys.stderr)
         return 2

@@ -1,40 +1,54 @@
-"""How answers are judged: criteria, their points, and the vocabulary they are written in."""
+"""How answers are judged: criteria, their points, and the vocabulary they are written in.
+
+A criteria file imports this package alone, as `see`, and message types. It runs without rclpy.
+"""
 
 from workbook.criteria.criterion import Criterion, Topic, criterion, topic, watching
 from workbook.criteria.verdict import Verdict, all_of, failed, partial, passed
-from workbook.criteria.words_of_nodes import nodes_gone_at_end, on_the_graph
-from workbook.criteria.words_of_programs import alive_at_end, exits_cleanly, program_runs
-from workbook.criteria.words_of_qos import hears, kept_for_latecomers
-from workbook.criteria.words_of_rates import counts, keeps_period, rate, topic_pace
-from workbook.criteria.words_of_services import calls_service
-from workbook.criteria.words_of_talk import (
-    answered_calls,
-    calls_of,
+from workbook.criteria.vocabulary.arrays import length, varies
+from workbook.criteria.vocabulary.batteries import begins_full, drains, word_fits_charge
+from workbook.criteria.vocabulary.driver import DriverCall, driver_calls, driver_reports, failed_in_call
+from workbook.criteria.vocabulary.endings import exits_cleanly
+from workbook.criteria.vocabulary.heartbeats import Beats, beats, beats_meanwhile
+from workbook.criteria.vocabulary.known_errors import failed_at_the_end, failed_by_error, last_error
+from workbook.criteria.vocabulary.nodes import nodes_gone_at_end, on_the_graph
+from workbook.criteria.vocabulary.numbers import finite, given_floats, never_rises, really_arrives, within
+from workbook.criteria.vocabulary.pairing import (
+    Output,
     latencies,
-    listens,
-    offers,
-    processor_share,
+    latest_before,
+    outputs,
+    pair_in_order,
     said,
 )
-from workbook.criteria.words_of_topics import no_message, publishes
-from workbook.criteria.words_of_types import Probe, findings, mypy_accepts, mypy_clean, mypy_objects, probe
-from workbook.criteria.words_of_values import (
-    finite,
-    length,
-    never_rises,
-    one_of,
-    really_arrives,
-    values,
-    varies,
-    within,
+from workbook.criteria.vocabulary.phrasing import count, listing, number
+from workbook.criteria.vocabulary.processor import processor_share
+from workbook.criteria.vocabulary.programs import alive_at_end, ended_by_error, program_runs
+from workbook.criteria.vocabulary.qos import hears, kept_for_latecomers
+from workbook.criteria.vocabulary.rates import counts, keeps_period, rate, topic_pace
+from workbook.criteria.vocabulary.services import answered_calls, calls_of, calls_service, offers
+from workbook.criteria.vocabulary.subscriptions import listens
+from workbook.criteria.vocabulary.texts import has_text, one_of
+from workbook.criteria.vocabulary.topics import needs_messages, no_message, publishes
+from workbook.criteria.vocabulary.type_checks import (
+    Probe,
+    findings,
+    mypy_accepts,
+    mypy_clean,
+    mypy_objects,
+    probe,
 )
-from workbook.observing.recording import CallSeen, Recording
-from workbook.observing.script import BEFORE_START, calls, says, serves
+from workbook.criteria.vocabulary.values import part_of, values
+from workbook.recording.recording import CallSeen, Recording
+from workbook.recording.script import BEFORE_START, calls, says, serves
 
 __all__ = [
     "BEFORE_START",
+    "Beats",
     "CallSeen",
     "Criterion",
+    "DriverCall",
+    "Output",
     "Probe",
     "Recording",
     "Topic",
@@ -42,30 +56,51 @@ __all__ = [
     "alive_at_end",
     "all_of",
     "answered_calls",
+    "beats",
+    "beats_meanwhile",
+    "begins_full",
     "calls",
     "calls_of",
     "calls_service",
+    "count",
     "counts",
     "criterion",
+    "drains",
+    "driver_calls",
+    "driver_reports",
+    "ended_by_error",
     "exits_cleanly",
     "failed",
+    "failed_at_the_end",
+    "failed_by_error",
+    "failed_in_call",
     "findings",
     "finite",
+    "given_floats",
+    "has_text",
     "hears",
     "keeps_period",
     "kept_for_latecomers",
+    "last_error",
     "latencies",
+    "latest_before",
     "length",
     "listens",
+    "listing",
     "mypy_accepts",
     "mypy_clean",
     "mypy_objects",
+    "needs_messages",
     "never_rises",
     "no_message",
     "nodes_gone_at_end",
+    "number",
     "offers",
     "on_the_graph",
     "one_of",
+    "outputs",
+    "pair_in_order",
+    "part_of",
     "partial",
     "passed",
     "probe",
@@ -83,4 +118,5 @@ __all__ = [
     "varies",
     "watching",
     "within",
+    "word_fits_charge",
 ]

@@ -6,17 +6,17 @@ from types import ModuleType
 from typing import Any
 
 from workbook.criteria.verdict import Verdict
-from workbook.observing.recording import Recording
-from workbook.observing.script import NOTHING_SAID, Part, Script
-from workbook.observing.values import type_name
-from workbook.observing.watch import SPEEDS, Plan
+from workbook.recording.plan import Plan
+from workbook.recording.recording import Recording
+from workbook.recording.script import NOTHING_SAID, Part, Script
+from workbook.recording.type_names import type_name
 
 Judgement = Callable[[Recording], Verdict]
 
 
 @dataclass(frozen=True)
 class Criterion:
-    """A judged statement. `needs` must hold first; otherwise this one is skipped and costs no red line."""
+    """A judged statement about a recording. It is skipped unless every criterion in `needs` passes."""
 
     id: str
     title: str
@@ -24,6 +24,9 @@ class Criterion:
     needs: tuple["Criterion", ...]
     hidden: bool
     judge: Judgement = field(compare=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "__doc__", self.judge.__doc__)
 
     def __call__(self, recording: Recording) -> Verdict:
         return self.judge(recording)
@@ -92,10 +95,10 @@ def watching(
 ) -> Watching:
     """Declare how to watch, once per criteria file.
 
-    `robot_seconds`: robot time to watch in all, instead of seven of the longest period. `wall_seconds`: real time to
+    `robot_seconds`: robot time to watch in all, instead of nine of the longest period. `wall_seconds`: real time to
     watch on the wall clock, instead of four of the longest period. `to_the_end`: the program is sent Ctrl-C (SIGINT)
-    before it is judged, so that criteria see how it ends, and which of its nodes stay on the graph. `script`: what is
-    said to the program meanwhile, made with `says`, `serves` and `calls`.
+    before it is judged, so that criteria see how it ends, and which of its nodes stay on the graph. `script`: the
+    messages, services and calls that the judge sends to the program meanwhile, made with `says`, `serves` and `calls`.
     """
     return Watching(robot_seconds, wall_seconds, to_the_end, Script(tuple(script)))
 
@@ -118,14 +121,14 @@ def topics_in(module: ModuleType) -> tuple[Topic, ...]:
 def plan_for(topics: Iterable[Topic], how: Watching) -> Plan:
     """How finely and how long to watch for these topics."""
     declared = tuple(topics)
-    per_speed = None if how.robot_seconds is None else how.robot_seconds / len(SPEEDS)
     periods = [one.period for one in declared if one.hz is not None] or [1.0]
     return Plan(
         tuple(one.name for one in declared),
         min(periods),
         max(periods),
-        per_speed,
+        how.robot_seconds,
         how.wall_seconds,
         how.script,
         how.to_the_end,
+        tuple(one.name for one in declared if one.hz is not None),
     )

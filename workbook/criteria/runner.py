@@ -1,13 +1,14 @@
 """Runs criteria over a recording: passed, failed, partial or skipped. An error of ours is never a student's zero."""
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
-from typing import Any, Literal
+from dataclasses import dataclass, field
+from typing import Literal
 
 from workbook.criteria.criterion import Criterion
 from workbook.criteria.verdict import Verdict
-from workbook.observing.process import without_commands
-from workbook.observing.recording import Recording
+from workbook.recording.codec import stored_as
+from workbook.recording.plain_text import without_commands
+from workbook.recording.recording import Recording
 
 Status = Literal["passed", "failed", "partial", "skipped"]
 
@@ -29,15 +30,11 @@ class CriterionResult:
     saw: str
     expected: str
     because: str
-    try_this: str
+    try_this: str = field(metadata=stored_as("try"))
     about_time: bool = False
-    garbled: bool = False
-
-    def to_json(self) -> dict[str, Any]:
-        data = asdict(self)
-        del data["about_time"], data["garbled"]
-        data["try"] = data.pop("try_this")
-        return data
+    recheck_fields: bool = False
+    pace_of: str = ""
+    cause: str = ""
 
 
 def _skipped(criterion: Criterion, missing: Criterion) -> CriterionResult:
@@ -69,7 +66,9 @@ def _judged(criterion: Criterion, verdict: Verdict) -> CriterionResult:
         because=without_commands(verdict.because),
         try_this=without_commands(verdict.try_this),
         about_time=verdict.about_time,
-        garbled=verdict.garbled,
+        recheck_fields=verdict.recheck_fields,
+        pace_of=verdict.pace_of,
+        cause=verdict.cause,
     )
 
 

@@ -2,19 +2,20 @@
 
 import ast
 import hashlib
-import json
 import re
 import tokenize
 from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path
 
+from workbook.exercise.notebook_cells import LARGEST_NOTEBOOK_BYTES as LARGEST_NOTEBOOK_BYTES
+from workbook.exercise.notebook_cells import answer_cells
+from workbook.exercise.notebook_cells import named_exercise as named_exercise
+
 LARGEST_ANSWER_BYTES = 1_000_000
-LARGEST_NOTEBOOK_BYTES = 50_000_000
-MOST_PARTS = 2_000_000
-"""Of a notebook's JSON. A file of brackets alone would take thirty times its size in memory."""
+"""A hundred times a long answer; more is no program that a person wrote."""
 ANSWER_MAGIC = "%%answer"
-_MAGIC_LINE = re.compile(r"^%%answer\s+(?P<stem>[\w-]+)\s*$")
+ZERO_BYTES = "the file holds zero bytes, so it is no Python program. Delete them and save it again"
 _CODING = re.compile(r"^([ \t\f]*#.*?coding[:=][ \t]*)[-\w.]+", re.ASCII)
 _NUMBER = re.compile(r"(?<![\w.])\d{1,3}(?![\w.])")
 
@@ -31,6 +32,7 @@ class Answer:
 
     @property
     def sha256(self) -> str:
+        """The hash that identifies this answer in results."""
         return hashlib.sha256(self.text.encode()).hexdigest()
 
 
@@ -50,15 +52,13 @@ def syntax_mistake(text: str, name: str = "answer.py") -> SyntaxMistake | None:
         ast.parse(text, name)
     except SyntaxError as error:
         return SyntaxMistake(error.lineno or 1, error.offset or 1, (error.text or "").rstrip("\n"), error.msg)
-    except (ValueError, RecursionError, MemoryError) as error:
+    except (RecursionError, MemoryError):
+        return SyntaxMistake(
+            1, 1, "", "something in it is nested too deeply, or too long, for Python to read"
+        )
+    except ValueError as error:
         return SyntaxMistake(1, 1, "", str(error))
     return None
-
-
-def named_exercise(line: str) -> str | None:
-    """The exercise that a `%%answer` line names, or None for any other line."""
-    found = _MAGIC_LINE.match(line.strip())
-    return found["stem"] if found else None
 
 
 def read_program(raw: bytes) -> str:
@@ -66,7 +66,7 @@ def read_program(raw: bytes) -> str:
     if raw[:2] in (b"\xff\xfe", b"\xfe\xff"):
         raise Ungradable("the file is UTF-16 text; Python reads UTF-8. Save it again as UTF-8")
     if b"\0" in raw:
-        raise Ungradable("the file holds zero bytes, so it is no Python program")
+        raise Ungradable(ZERO_BYTES)
     try:
         encoding, _ = tokenize.detect_encoding(BytesIO(raw).readline)
         text = raw.decode(encoding)
@@ -89,45 +89,19 @@ def _as_utf8(text: str) -> str:
     return "\n".join(lines)
 
 
-def _cell_text(source: object) -> str:
-    if isinstance(source, str):
-        return source
-    if isinstance(source, list):
-        return "".join(part for part in source if isinstance(part, str))
-    return ""
-
-
-def answer_in_notebook(raw: bytes, stem: str) -> str:
-    """The program in the last cell whose first non-blank line is `%%answer STEM`. Raises Ungradable."""
-    if _too_many_parts(raw):
-        raise Ungradable("this is no notebook: it consists of millions of empty parts")
-    try:
-        notebook = json.loads(raw)
-        cells = notebook["cells"]
-        texts = [_cell_text(cell.get("source")) for cell in cells if cell.get("cell_type") == "code"]
-    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        raise Ungradable(f"this is no readable notebook: {error!r}") from error
-    found: str | None = None
-    others: list[str] = []
-    for text in texts:
-        lines = text.lstrip("\n \t").split("\n")
-        named = named_exercise(lines[0])
-        if named == stem:
-            found = "\n".join(lines[1:])
-        elif named is not None:
-            others.append(named)
-    if found is not None:
-        return found
-    if others:
+def answer_in_notebook(path: Path, stem: str) -> str:
+    """The program in the last cell whose first non-blank line is `%%answer STEM`. Raises Ungradable, OSError."""
+    found = answer_cells(path, stem)
+    if "problem" in found:
+        raise Ungradable(found["problem"])
+    if found["text"] is not None:
+        return str(found["text"])
+    if found["named"]:
         raise Ungradable(
-            f"the notebook answers {', '.join(sorted(set(others)))}, and not {stem}: no cell begins with "
+            f"the notebook answers {', '.join(sorted(found['named']))}, and not {stem}: no cell begins with "
             f"`{ANSWER_MAGIC} {stem}`"
         )
     raise Ungradable(f"the notebook has no cell that begins with `{ANSWER_MAGIC} {stem}`")
-
-
-def _too_many_parts(raw: bytes) -> bool:
-    return raw.count(b"{") + raw.count(b"[") > MOST_PARTS
 
 
 def exercises_named(path: Path) -> list[str]:
@@ -136,14 +110,12 @@ def exercises_named(path: Path) -> list[str]:
         if path.is_symlink() or not path.is_file() or path.stat().st_size > LARGEST_NOTEBOOK_BYTES:
             return []
         if path.suffix == ".ipynb":
-            raw = path.read_bytes()
-            cells = [] if _too_many_parts(raw) else json.loads(raw)["cells"]
-            firsts = [_cell_text(cell.get("source")).lstrip().split("\n")[0] for cell in cells]
-        else:
-            firsts = path.read_bytes()[:2000].decode("utf-8", "replace").lstrip().split("\n")[:1]
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+            return [str(stem) for stem in answer_cells(path).get("named", [])]
+        with path.open("rb") as file:
+            first = file.read(2000).decode("utf-8", "replace").lstrip().split("\n")[0]
+    except OSError:
         return []
-    return [stem for stem in map(named_exercise, firsts) if stem]
+    return [stem for stem in [named_exercise(first)] if stem]
 
 
 def read_answer(path: Path, stem: str) -> Answer:
@@ -159,11 +131,10 @@ def read_answer(path: Path, stem: str) -> Answer:
     if path.stat().st_size > largest:
         advice = ". Clear the outputs of the notebook and save it again" if path.suffix == ".ipynb" else ""
         raise Ungradable(f"the file is larger than {largest // 1_000_000} MB{advice}")
-    raw = path.read_bytes()
     if path.suffix == ".ipynb":
-        text = answer_in_notebook(raw, stem)
+        text = answer_in_notebook(path, stem)
     elif path.suffix == ".py":
-        text = read_program(raw)
+        text = read_program(path.read_bytes())
         lines = text.lstrip().split("\n")
         named = named_exercise(lines[0]) if lines else None
         if named is not None:
@@ -174,6 +145,8 @@ def read_answer(path: Path, stem: str) -> Answer:
         raise Ungradable(f"an answer is a .py or .ipynb file, not {path.suffix or 'a file without ending'}")
     if not text.strip():
         raise Ungradable("the answer is empty")
+    if "\0" in text:
+        raise Ungradable(ZERO_BYTES)
     if len(text) > LARGEST_ANSWER_BYTES:
         raise Ungradable(f"the answer is larger than {LARGEST_ANSWER_BYTES // 1_000_000} MB")
     text = _as_utf8(text)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 _PACKAGE = Path(__file__).resolve().parents[1]
 _JUDGED_WITH = (".py", ".pyi", ".xml", ".ini")
+"""Code, stubs that mypy reads, the DDS profile and mypy's settings. Pictures and pages change no verdict."""
 
 
 class NoCourse(RuntimeError):
@@ -28,7 +29,7 @@ def course_folder() -> Path:
 
 
 def course_sha256() -> str:
-    """What a judgement depends on besides the answer, as one hash: the bench, the criteria, drivers and solutions."""
+    """One hash of what a judgement depends on besides the answer: the judge, the criteria, drivers and solutions."""
     course = course_folder()
     digest = hashlib.sha256()
     folders = [course / "exercises" / "criteria", course / "exercises" / "drivers", course / "solutions"]

@@ -11,10 +11,10 @@ from pathlib import Path
 from types import ModuleType
 
 from workbook.criteria.criterion import Criterion, criteria_in, plan_for, topics_in, watching_in
-from workbook.criteria.words_of_types import probes_in
+from workbook.criteria.vocabulary.type_checks import probes_in
 from workbook.exercise.course import course_folder
 from workbook.exercise.source import ExerciseSource, driver_of, find, load
-from workbook.observing.watch import Plan
+from workbook.recording.plan import Plan
 
 OWN_CRITERIA = "WORKBOOK_CRITERIA"
 """Variable that names a folder with an instructor's own criteria, `NN_slug.py`, outside of the course."""
@@ -40,9 +40,12 @@ def _import(path: Path) -> ModuleType:
 
 @dataclass(frozen=True)
 class Exercise:
-    """One exercise: its stem, the criteria in order, the watch that they need, the judged periods (s) by topic,
-    and whether its end is judged too. `driver`: what calls the functions of an answer that is no program. `probes`: by
-    name, code that uses an answer and is read by the type checker together with it."""
+    """One exercise as the judge needs it.
+
+    `criteria` are in order, `plan` is the watch that they need, and `periods` are the judged periods (s) by topic.
+    `to_the_end`: the program's end is judged as well. `driver`: what calls the functions of an answer that is no
+    program. `probes`: by name, code that uses an answer and is read by the type checker together with it.
+    """
 
     stem: str
     criteria: tuple[Criterion, ...]
@@ -61,6 +64,7 @@ class Exercise:
 
     @property
     def max_points(self) -> float:
+        """The sum of all criteria, hidden ones included."""
         return sum(criterion.points for criterion in self.criteria)
 
 

@@ -3,79 +3,36 @@
 The student's check and the instructor's grade both come through `judge`; they differ only in `thorough`.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from pathlib import Path
-from typing import Literal
 
-from workbook.criteria.garbled import field_check_note
-from workbook.criteria.runner import CriterionError, CriterionResult, run_criteria
+from workbook.criteria.runner import CriterionResult
+from workbook.criteria.vocabulary.field_checks import field_check_note
 from workbook.exercise.answers import Answer, domains_named, syntax_mistake
+from workbook.exercise.conclusiveness import reason_inconclusive
 from workbook.exercise.definition import Exercise
-from workbook.exercise.doubt import doubt_about
-from workbook.exercise.starting import StartedAnswer, write_program
-from workbook.observing.process import NodeProcess
-from workbook.observing.recording import Finding, Recording
-from workbook.observing.typecheck import TypeCheckFailed, type_check
-from workbook.observing.watch import PATIENCE_WITH_THE_END_S, SPEEDS, Observer, Watch, speeds_agree
+from workbook.exercise.early_start import StartedAnswer, write_program
+from workbook.exercise.judgement import Judgement, Report, judge_recording, judgement_as_provisional
+from workbook.programs.process import NodeProcess
+from workbook.programs.spec import ProgramSpec
+from workbook.recording.limits import NO_LIMITS, Limits
+from workbook.recording.plan import SPEEDS, Plan
+from workbook.recording.recording import Finding, Recording
 from workbook.ros.scratch import remove_scratch, scratch_folder
+from workbook.typechecking.typecheck import TypeCheckFailed, type_check
+from workbook.watching.observer import Observer
+from workbook.watching.watch import PATIENCE_WITH_THE_END_S, Watch
 
 REAL_LIFE_S = 8.0
 FIELD_CHECKS_S = 2.0
 FIELD_CHECKS_PERIODS = 1.5
+WORKED_PERIODS = 3
+"""Of robot time, the longest judged period: so long the wall clock watches in any case."""
 
-JudgementStatus = Literal["graded", "infra_error"]
-
-
-@dataclass(frozen=True)
-class Judgement:
-    """What came out for one answer. `provisional` is set when the wall clock has not had its word yet.
-
-    `doubt`: why points that were lost may be lost without the answer's fault; empty for a conclusive judgement.
-    """
-
-    stem: str
-    answer_sha256: str
-    status: JudgementStatus
-    reason: str | None
-    criteria: tuple[CriterionResult, ...]
-    recording: Recording | None
-    provisional: bool = False
-    watched_real_life: bool = False
-    doubt: str = ""
-
-    @property
-    def score(self) -> float | None:
-        if self.status != "graded":
-            return None
-        return round(sum(result.points for result in self.criteria), 6)
-
-    @property
-    def max_score(self) -> float:
-        return sum(result.max_points for result in self.criteria)
-
-    @property
-    def full_marks(self) -> bool:
-        return self.status == "graded" and all(result.status == "passed" for result in self.criteria)
-
-
-Report = Callable[[Judgement], None]
-
-
-def judge_recording(
-    exercise: Exercise,
-    answer_sha256: str,
-    recording: Recording,
-    *,
-    provisional: bool = False,
-    real_life: bool = False,
-) -> Judgement:
-    """Judge a recording without running anything. A criterion that crashes gives an `infra_error`."""
-    try:
-        results = run_criteria(exercise.criteria, recording)
-    except CriterionError as error:
-        return Judgement(exercise.stem, answer_sha256, "infra_error", str(error), (), recording)
-    return Judgement(exercise.stem, answer_sha256, "graded", None, results, recording, provisional, real_life)
+STOPPED_PERIODS = 2.5
+"""A topic that is silent for so many of its periods has stopped."""
+MOST_WALL_S = 26.0
+"""The wall clock watches at most so long (s) for a topic to stop: twenty seconds of messages, and the silence after."""
 
 
 def _needs_wall_clock(exercise: Exercise, answer: Answer, judgement: Judgement) -> bool:
@@ -83,12 +40,69 @@ def _needs_wall_clock(exercise: Exercise, answer: Answer, judgement: Judgement) 
     if recording is None or judgement.status != "graded":
         return False
     if recording.process.ended_by == "itself":
-        return syntax_mistake(answer.text) is None
+        return syntax_mistake(answer.text) is None and not _ended_for_good(exercise, recording)
     if recording.follows_clock is None:
         return False
-    if not recording.follows_clock or not speeds_agree(recording, tuple(exercise.periods)):
+    if not recording.follows_clock or any(_is_undecided(recording, topic) for topic in exercise.periods):
         return True
-    return any(result.about_time for result in judgement.criteria)
+    return any(result.about_time and not _is_final(recording, result) for result in judgement.criteria)
+
+
+def _ended_for_good(exercise: Exercise, recording: Recording) -> bool:
+    """Whether a program that ended by itself on robot time had long been at its work.
+
+    One that ends early may not know the arguments that it is given, and the wall clock sees its end as well.
+    """
+    published = any(recording.topic(name).arrivals for name in exercise.periods)
+    return published and recording.robot_s >= WORKED_PERIODS * exercise.plan.longest_period
+
+
+def _is_undecided(recording: Recording, topic: str) -> bool:
+    """Whether messages came of which it is not proved that they follow robot time."""
+    return bool(recording.topic(topic).arrivals) and not recording.following.get(topic, False)
+
+
+def _is_final(recording: Recording, result: CriterionResult) -> bool:
+    """Whether robot time has the last word on this result: it judges the pace of a topic that follows the clock.
+
+    At a fixed pace of that clock, a callback that sleeps for a moment would be late by many times that moment. That a
+    topic stops while others go on is no matter of a moment.
+    """
+    return (recording.in_lockstep or not result.about_time) and recording.following.get(result.pace_of, False)
+
+
+def _wall_plan(exercise: Exercise, on_robot: Judgement | None) -> Plan:
+    """The plan for the wall clock: long enough for a topic to stop there, too, if it did so on robot time.
+
+    A topic that brings few messages does not prove that it follows robot time.
+    """
+    plan, seen = exercise.plan, on_robot.recording if on_robot is not None else None
+    if seen is None:
+        return plan
+    needed = [plan.wall_s]
+    for name, period in exercise.periods.items():
+        arrivals = seen.topic(name).arrivals
+        if arrivals and seen.robot_s - arrivals[-1].t > STOPPED_PERIODS * period:
+            needed.append((len(arrivals) + STOPPED_PERIODS) * period)
+    return replace(plan, wall_seconds=max(one for one in needed if one <= max(MOST_WALL_S, plan.wall_s)))
+
+
+def _with_what_robot_time_proved(on_robot: Judgement, on_wall: Judgement) -> Judgement:
+    """The judgement of the wall clock, but for the pace of topics that follow robot time.
+
+    A shorter watch in real time does not overrule what many messages of robot time have shown.
+    """
+    recording = on_robot.recording
+    if recording is None or on_wall.status != "graded":
+        return on_wall
+    before = {result.id: result for result in on_robot.criteria}
+    results = tuple(
+        before.get(result.id, result)
+        if any(_is_final(recording, one) for one in (result, before.get(result.id, result)))
+        else result
+        for result in on_wall.criteria
+    )
+    return replace(on_wall, criteria=results)
 
 
 def _with_doubt(exercise: Exercise, judgement: Judgement, on_robot: Judgement | None = None) -> Judgement:
@@ -98,18 +112,39 @@ def _with_doubt(exercise: Exercise, judgement: Judgement, on_robot: Judgement | 
         return judgement
     before: tuple[CriterionResult, ...] = ()
     if on_robot is not None and on_robot.recording is not None and on_robot.recording.follows_clock:
-        if speeds_agree(on_robot.recording, tuple(exercise.periods)):
+        if not any(_is_undecided(on_robot.recording, topic) for topic in exercise.periods):
             before = on_robot.criteria
-    doubt = doubt_about(judgement.criteria, recording, exercise.plan, exercise.periods, before)
+    doubt = reason_inconclusive(judgement.criteria, recording, exercise.plan, exercise.periods, before)
     return replace(judgement, doubt=doubt)
+
+
+@dataclass(frozen=True)
+class _Case:
+    """One answer to judge: what `Judge.judge` was given, and the program to run."""
+
+    exercise: Exercise
+    answer: Answer
+    spec: ProgramSpec
+    findings: tuple[Finding, ...] | None
+    thorough: bool
+    second_start: bool
+    report: Report
+    enough: Callable[[], bool]
+
+    def judged(self, recording: Recording, *, real_life: bool) -> Judgement:
+        return judge_recording(self.exercise, self.answer.sha256, recording, real_life=real_life)
+
+
+def _to_nobody(judgement: Judgement) -> None:
+    """The report of whoever wants none."""
 
 
 class Judge:
     """Judges answers to exercises, one after another, from one warm observer."""
 
-    def __init__(self, observer: Observer, limits: Mapping[str, int] | None = None) -> None:
+    def __init__(self, observer: Observer, limits: Limits = NO_LIMITS) -> None:
         self._observer = observer
-        self._limits = dict(limits or {})
+        self._limits = limits
 
     def judge(
         self,
@@ -117,6 +152,7 @@ class Judge:
         answer: Answer,
         *,
         thorough: bool = False,
+        second_start: bool = False,
         report: Report | None = None,
         enough: Callable[[], bool] = lambda: False,
         started: StartedAnswer | None = None,
@@ -124,7 +160,8 @@ class Judge:
         """Judge one answer.
 
         `thorough`: as an instructor grades, a program that passes on robot time is kept running until eight real
-        seconds after it was matched, unless `enough` cuts that short. `report` receives a provisional judgement as
+        seconds after it was matched, unless `enough` cuts that short. With `second_start` it is ended instead, started
+        once more without arguments, and judged on the wall clock, too. `report` receives a provisional judgement as
         soon as there is one. `started`: this answer, if it runs already on the observer's domain.
         """
         if started is None:
@@ -133,80 +170,58 @@ class Judge:
         folder = scratch_folder("answer") if started is None else started.folder
         process = None if started is None else started.process
         try:
-            program = write_program(folder, exercise.stem, answer) if process is None else process.program
+            program = write_program(folder, exercise.stem, answer) if process is None else process.spec.file
             findings = None
             if exercise.source.kind == "static":
                 try:
                     findings = type_check(answer.text, exercise.probes)
                 except TypeCheckFailed as error:
                     return Judgement(exercise.stem, answer.sha256, "infra_error", str(error), (), None)
-            judgement = self._on_both_clocks(
-                exercise, answer, program, process, findings, thorough, report, enough
-            )
-            if any(result.garbled for result in judgement.criteria):
-                return self._with_field_checks(exercise, answer, program, judgement)
+            spec = ProgramSpec(program, driver=exercise.driver, limits=self._limits)
+            again = thorough and second_start
+            case = _Case(exercise, answer, spec, findings, thorough, again, report or _to_nobody, enough)
+            judgement = self._on_both_clocks(case, process)
+            if any(result.recheck_fields for result in judgement.criteria):
+                return self._with_field_checks(case, judgement)
             return judgement
         finally:
             remove_scratch(folder)
 
-    def _on_both_clocks(
-        self,
-        exercise: Exercise,
-        answer: Answer,
-        program: Path,
-        process: NodeProcess | None,
-        findings: tuple[Finding, ...] | None,
-        thorough: bool,
-        report: Report | None,
-        enough: Callable[[], bool],
-    ) -> Judgement:
+    def _on_both_clocks(self, case: _Case, process: NodeProcess | None) -> Judgement:
         """Judge on robot time where the exercise allows it, and on the wall clock where that is not enough."""
+        exercise = case.exercise
         on_robot: Judgement | None = None
         if exercise.source.clock == "simulated":
-            with self._observer.watch(
-                program,
-                exercise.plan,
-                "simulated",
-                limits=self._limits,
-                process=process,
-                driver=exercise.driver,
-            ) as watch:
-                judgement = self._judge(exercise, answer, watch, findings)
-                on_robot_time = not _needs_wall_clock(exercise, answer, judgement)
-                if on_robot_time:
-                    judgement = self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
-            if on_robot_time and not (exercise.to_the_end and thorough and judgement.full_marks):
+            with self._observer.watch(case.spec, exercise.plan, "simulated", process) as watch:
+                judgement = self._judge(case, watch)
+                on_robot_time = not _needs_wall_clock(exercise, case.answer, judgement)
+                second_start = on_robot_time and case.second_start and judgement.full_marks
+                if on_robot_time and not second_start:
+                    judgement = self._live_on(case, watch, judgement)
+            if second_start:
+                case.report(judgement)
+                return self._second_start(case, judgement)
+            if on_robot_time and not (exercise.to_the_end and case.thorough and judgement.full_marks):
                 return _with_doubt(exercise, judgement)
             if on_robot_time:
-                if report is not None:
-                    report(judgement)
-                return self._second_life(exercise, answer, program, judgement, enough)
-            if report is not None:
-                report(judgement_as_provisional(judgement))
+                case.report(judgement)
+                return self._second_life(case, judgement)
+            case.report(judgement_as_provisional(judgement))
             process = None
             on_robot = judgement
-        with self._observer.watch(
-            program, exercise.plan, "wall", limits=self._limits, process=process, driver=exercise.driver
-        ) as watch:
-            judgement = self._judge(exercise, answer, watch, findings)
-            judgement = self._live_on(exercise, answer, watch, judgement, thorough, report, enough)
+        with self._observer.watch(case.spec, _wall_plan(exercise, on_robot), "wall", process) as watch:
+            judgement = self._judge(case, watch)
+            judgement = self._live_on(case, watch, judgement)
+        if on_robot is not None:
+            judgement = _with_what_robot_time_proved(on_robot, judgement)
         return _with_doubt(exercise, judgement, on_robot)
 
-    def _with_field_checks(
-        self, exercise: Exercise, answer: Answer, program: Path, judgement: Judgement
-    ) -> Judgement:
+    def _with_field_checks(self, case: _Case, judgement: Judgement) -> Judgement:
         """Run the program once more, briefly, with field checks on; what they say goes into the recording's notes."""
         recording = judgement.recording
         assert recording is not None
-        plan = exercise.plan
-        with self._observer.watch(
-            program,
-            plan,
-            recording.clock,
-            check_fields=True,
-            limits=self._limits,
-            driver=exercise.driver,
-        ) as watch:
+        plan = case.exercise.plan
+        with self._observer.watch(replace(case.spec, check_fields=True), plan, recording.clock) as watch:
             watch.wait_until_seen()
             watch.keep_watching(
                 max(FIELD_CHECKS_S, FIELD_CHECKS_PERIODS * plan.longest_period), speed=SPEEDS[-1]
@@ -215,55 +230,48 @@ class Judge:
             if process.ended_by is not None:
                 process = watch.finish(recording).process
         recording = replace(recording, notes=(*recording.notes, field_check_note(process)))
-        again = judge_recording(exercise, answer.sha256, recording, real_life=judgement.watched_real_life)
+        again = case.judged(recording, real_life=judgement.watched_real_life)
         return replace(again, doubt=judgement.doubt)
 
-    def _judge(
-        self, exercise: Exercise, answer: Answer, watch: Watch, findings: tuple[Finding, ...] | None
-    ) -> Judgement:
-        recording = replace(watch.observe(), findings=findings)
-        if exercise.to_the_end:
+    def _judge(self, case: _Case, watch: Watch) -> Judgement:
+        recording = replace(watch.observe(), findings=case.findings)
+        if case.exercise.to_the_end:
             recording = watch.finish(recording, PATIENCE_WITH_THE_END_S, look_who_stays=True)
-        real_life = exercise.to_the_end and recording.clock == "wall"
-        return judge_recording(exercise, answer.sha256, recording, real_life=real_life)
+        real_life = case.exercise.to_the_end and recording.clock == "wall"
+        return case.judged(recording, real_life=real_life)
 
-    def _live_on(
-        self,
-        exercise: Exercise,
-        answer: Answer,
-        watch: Watch,
-        judgement: Judgement,
-        thorough: bool,
-        report: Report | None,
-        enough: Callable[[], bool],
-    ) -> Judgement:
+    def _live_on(self, case: _Case, watch: Watch, judgement: Judgement) -> Judgement:
         """End the watch; when thorough, only after the program has lived its real seconds."""
-        recording = judgement.recording
+        recording, lived = judgement.recording, case.thorough
         assert recording is not None
-        if exercise.to_the_end:
+        if case.exercise.to_the_end:
             return judgement  # it has been ended before it was judged
-        if thorough and recording.process.ended_by is None and judgement.status == "graded":
-            if report is not None:
-                report(judgement)
-            thorough = watch.keep_watching(REAL_LIFE_S, enough)
+        if case.thorough and recording.process.ended_by is None and judgement.status == "graded":
+            case.report(judgement)
+            lived = watch.keep_watching(REAL_LIFE_S, case.enough)
         recording = watch.finish(recording)
-        real_life = thorough or recording.clock == "wall"
-        return judge_recording(exercise, answer.sha256, recording, real_life=real_life)
+        real_life = lived or recording.clock == "wall"
+        return case.judged(recording, real_life=real_life)
 
-    def _second_life(
-        self,
-        exercise: Exercise,
-        answer: Answer,
-        program: Path,
-        judgement: Judgement,
-        enough: Callable[[], bool],
-    ) -> Judgement:
+    def _second_start(self, case: _Case, on_robot: Judgement) -> Judgement:
+        """Start a program that passed on robot time as its author starts it, and judge it on the wall clock as well."""
+        with self._observer.watch(case.spec, case.exercise.plan, "wall") as watch:
+            judgement = self._live_on(case, watch, self._judge(case, watch))
+        if judgement.full_marks:
+            recording = on_robot.recording
+            assert recording is not None and judgement.recording is not None
+            lived = replace(recording, process=judgement.recording.process)
+            return _with_doubt(case.exercise, case.judged(lived, real_life=True))
+        return _with_doubt(case.exercise, judgement, on_robot)
+
+    def _second_life(self, case: _Case, judgement: Judgement) -> Judgement:
         """Where the end was judged on robot time: run the program again, for its real seconds."""
         recording = judgement.recording
         assert recording is not None
-        with self._observer.watch(program, exercise.plan, "wall", limits=self._limits) as watch:
+        spec = replace(case.spec, driver=None)
+        with self._observer.watch(spec, case.exercise.plan, "wall") as watch:
             watch.wait_until_seen()
-            if not watch.keep_watching(REAL_LIFE_S, enough):
+            if not watch.keep_watching(REAL_LIFE_S, case.enough):
                 return judgement
             process = watch.process_record()
         if process.ended_by == "itself":
@@ -272,9 +280,4 @@ class Judge:
             recording = replace(
                 recording, process=replace(recording.process, watched_for=process.watched_for)
             )
-        return judge_recording(exercise, answer.sha256, recording, real_life=True)
-
-
-def judgement_as_provisional(judgement: Judgement) -> Judgement:
-    """The same judgement, marked as not final."""
-    return replace(judgement, provisional=True)
+        return case.judged(recording, real_life=True)

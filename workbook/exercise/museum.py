@@ -1,4 +1,4 @@
-"""The error museum: what goes wrong in which lesson, with its cause and its cure; and the terms of each lesson.
+"""The error museum: what goes wrong in which lesson, with its cause and its fix; and the terms of each lesson.
 
 The data is `notebooks/sources/museum/NN_slug.toml`, one file a lesson. Pages and feedback are made from it.
 """
@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-SHORTEST_SIGN = 12
-"""Characters. A shorter sign stands in too many texts to name an error by."""
+SHORTEST_SYMPTOM_TEXT = 12
+"""Characters. A shorter text occurs in too many outputs to identify an error."""
 
 
 class BrokenMuseum(ValueError):
@@ -49,12 +49,13 @@ class Museum:
     terms: tuple[Term, ...]
 
     def exhibit_for(self, text: str) -> Exhibit | None:
-        """The exhibit whose sign stands in `text`; the longest sign wins. None when there is none."""
-        fits = [one for one in self.exhibits if len(one.shows) >= SHORTEST_SIGN and one.shows in text]
+        """The exhibit whose `shows` occurs in `text`; the longest one wins. None when there is none."""
+        fits = [one for one in self.exhibits if len(one.shows) >= SHORTEST_SYMPTOM_TEXT and one.shows in text]
         return max(fits, key=lambda one: len(one.shows), default=None)
 
 
 def museum_folder(course: Path) -> Path:
+    """Where the files of the museum are."""
     return course / "notebooks" / "sources" / "museum"
 
 

@@ -17,12 +17,14 @@ if TYPE_CHECKING:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add `--answer` and `--recording`."""
     group = parser.getgroup("rclpy-workbook")
     group.addoption("--answer", type=Path, help="run this answer and judge it by the criteria file given")
     group.addoption("--recording", type=Path, help="judge this stored recording by the criteria file given")
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> "CriteriaFile | None":
+    """Collect a criteria file when one of the options is given."""
     config = parent.config
     if file_path.suffix != ".py" or file_path.parent.name != "criteria":
         return None
@@ -35,6 +37,7 @@ class CriteriaFile(pytest.File):
     """A criteria file; its tests are the criteria."""
 
     def collect(self) -> Iterator["CriterionItem"]:
+        """One item per criterion of the exercise."""
         from workbook.exercise.definition import load_exercise
 
         exercise = load_exercise(self.path.stem, self.path.parents[2])
@@ -50,9 +53,10 @@ class CriteriaFile(pytest.File):
     def _judge(self) -> tuple["CriterionResult", ...]:
         from workbook.exercise.answers import read_answer
         from workbook.exercise.definition import load_exercise
-        from workbook.exercise.judging import Judge, judge_recording
-        from workbook.observing.recording import Recording
-        from workbook.observing.watch import Observer
+        from workbook.exercise.judgement import judge_recording
+        from workbook.exercise.judging import Judge
+        from workbook.recording.recording import Recording
+        from workbook.watching.observer import Observer
 
         exercise = load_exercise(self.path.stem, self.path.parents[2])
         stored = self.config.getoption("--recording", None)
@@ -68,26 +72,30 @@ class CriteriaFile(pytest.File):
 
 
 class CriterionFailed(AssertionError):
-    """A criterion that does not hold; its text is the feedback."""
+    """A criterion that is not met; its text is the feedback, with the id of the cause."""
 
 
 class CriterionItem(pytest.Item):
     """One criterion as a test."""
 
     def runtest(self) -> None:
+        """Pass, skip or fail as the criterion did."""
         assert isinstance(self.parent, CriteriaFile)
         result = self.parent.results()[self.name]
         if result.status == "skipped":
             pytest.skip(result.saw)
         if result.status != "passed":
             raise CriterionFailed(
-                f"saw: {result.saw}\nexpected: {result.expected}\nbecause: {result.because}\ntry: {result.try_this}"
+                f"cause: {result.cause}\nsaw: {result.saw}\nexpected: {result.expected}\n"
+                f"because: {result.because}\ntry: {result.try_this}"
             )
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> str:
+        """The feedback of a failed criterion; anything else as pytest shows it."""
         if isinstance(excinfo.value, CriterionFailed):
             return str(excinfo.value)
         return str(super().repr_failure(excinfo, style))
 
     def reportinfo(self) -> tuple[Path, None, str]:
+        """The criteria file and the criterion's id."""
         return self.path, None, self.name

@@ -2,11 +2,11 @@
 
 import re
 import string
-from html import escape
 
 from workbook.criteria.runner import CriterionResult
-from workbook.exercise.judging import Judgement
+from workbook.exercise.judgement import Judgement
 from workbook.feedback import wording
+from workbook.templating import as_markup, render
 
 _SPACE = re.compile(r"\s+")
 _PUNCTUATION = re.compile(f"[{re.escape(string.punctuation)}]")
@@ -17,33 +17,28 @@ def plain(text: str) -> str:
     return _PUNCTUATION.sub(lambda found: f"&#{ord(found[0])};", _SPACE.sub(" ", text).strip())
 
 
-def _row(result: CriterionResult) -> str:
-    state = f"{wording.SIGNS[result.status]} {wording.WORDS[result.status]}"
-    earned = f"{wording.points(result.points)} of {wording.points(result.max_points)}"
-    return f"<tr><td>{state}</td><td>{earned}</td><td>{plain(result.title)}</td><td>{plain(result.saw)}</td></tr>"
-
-
-def _advice(result: CriterionResult) -> str:
-    lines = (
-        ("You showed", result.saw),
-        ("Expected", result.expected),
-        ("Likely reason", result.because),
-        ("Try", result.try_this),
-    )
-    rows = "".join(f"<tr><th>{label}</th><td>{plain(text)}</td></tr>" for label, text in lines if text)
-    return f"<table>{rows}</table>"
+def plain_markup(text: str) -> str:
+    """The same for a template, which is not to escape it once more."""
+    return as_markup(plain(text))
 
 
 def as_markdown(judgement: Judgement) -> str:
-    """The card: the headline, the first thing to mend, every criterion, and what the program printed."""
+    """The card: the headline, the first thing to fix, every criterion, and what the program printed."""
     parts = [f"**{plain(wording.headline(judgement))}**"]
     first = wording.first_to_mend(judgement)
     if first is not None:
         parts += [f"First to mend: {plain(first.title)}", _advice(first)]
     shown = wording.visible(judgement)
     if shown:
-        head = "<tr><th>State</th><th>Points</th><th>Criterion</th><th>Seen on the wire</th></tr>"
-        parts.append(f"<table>{head}{''.join(map(_row, shown))}</table>")
+        parts.append(
+            render(
+                "feedback/github_criteria",
+                shown=shown,
+                signs=wording.SIGNS,
+                words=wording.WORDS,
+                plain=plain_markup,
+            )
+        )
     for line in (
         wording.doubt_line(judgement),
         wording.hidden_line(judgement),
@@ -51,12 +46,17 @@ def as_markdown(judgement: Judgement) -> str:
     ):
         if line:
             parts.append(plain(line))
-    recording = judgement.recording
-    log = "" if recording is None else (recording.process.log + recording.process.end_log).strip()
+    log = wording.printed(judgement).strip()
     if log:
-        parts += [
-            "<details><summary>What your program printed</summary>",
-            f"<pre>{escape(log)}</pre>",
-            "</details>",
-        ]
+        parts.append(render("feedback/github_log", log=log))
     return "\n\n".join(parts)
+
+
+def _advice(result: CriterionResult) -> str:
+    advice = (
+        ("You showed", result.saw),
+        ("Expected", result.expected),
+        ("Likely reason", result.because),
+        ("Try", result.try_this),
+    )
+    return render("feedback/github_advice", advice=advice, plain=plain_markup)

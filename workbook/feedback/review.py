@@ -1,6 +1,6 @@
 """A ready prompt for a review of a full-marks answer by a colleague or an AI assistant."""
 
-from workbook.exercise.judging import Judgement
+from workbook.exercise.judgement import Judgement
 from workbook.exercise.source import ExerciseSource
 
 

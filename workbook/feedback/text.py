@@ -3,7 +3,7 @@
 import textwrap
 
 from workbook.criteria.runner import CriterionResult
-from workbook.exercise.judging import Judgement
+from workbook.exercise.judgement import Judgement
 from workbook.exercise.museum import Exhibit
 from workbook.feedback import wording
 
@@ -40,9 +40,9 @@ def _criterion(result: CriterionResult, color: bool, in_full: bool) -> list[str]
 def as_text(
     judgement: Judgement, color: bool = False, log_lines: int = 12, exhibit: Exhibit | None = None
 ) -> str:
-    """The judgement for a terminal: the headline, every criterion, the first one to mend in full.
+    """The judgement for a terminal: the headline, every criterion, and the first one to fix in full.
 
-    `exhibit`: what the error museum has on it.
+    `exhibit`: the entry of the error museum that fits.
     """
     lines = [f"{judgement.stem}: {wording.headline(judgement)}"]
     first = wording.first_to_mend(judgement)
@@ -58,8 +58,7 @@ def as_text(
     ):
         if line:
             lines.append(f"  {line}")
-    recording = judgement.recording
-    log = "" if recording is None else recording.process.log + recording.process.end_log
+    log = wording.printed(judgement)
     if first is not None and "Traceback" in log:
         tail = log.rstrip().splitlines()[-log_lines:]
         lines += ["  Last lines of your program's log:", *(f"    {line}" for line in tail)]

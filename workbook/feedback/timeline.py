@@ -1,7 +1,7 @@
 """The picture on a card: when messages were expected and when they came."""
 
 from workbook.exercise.definition import Exercise
-from workbook.observing.recording import Recording
+from workbook.recording.recording import Recording
 
 
 def judged_timeline(exercise: Exercise, recording: Recording) -> tuple[bytes, str]:

@@ -2,7 +2,7 @@
 
 from workbook.criteria.runner import CriterionResult
 from workbook.exercise.course import NoCourse, course_folder
-from workbook.exercise.judging import Judgement
+from workbook.exercise.judgement import Judgement
 from workbook.exercise.museum import BrokenMuseum, Exhibit, load_museum
 
 SIGNS = {"passed": "✓", "failed": "✗", "partial": "◐", "skipped": "–"}
@@ -24,16 +24,17 @@ def visible(judgement: Judgement) -> list[CriterionResult]:
 
 
 def hidden_count(judgement: Judgement) -> int:
+    """Number of hidden criteria: they count, but a student does not see them."""
     return sum(result.hidden for result in judgement.criteria)
 
 
 def first_to_mend(judgement: Judgement) -> CriterionResult | None:
-    """The criterion to begin with: the first that does not hold."""
+    """The criterion to fix first: the first one shown that failed or passed in part; None when there is none."""
     return next((one for one in visible(judgement) if one.status in ("failed", "partial")), None)
 
 
 def exhibit_of(judgement: Judgement) -> Exhibit | None:
-    """What the error museum has on the first thing to mend; None when there is nothing, or no museum."""
+    """The entry of the error museum that fits the first criterion to fix; None when there is none, or no museum."""
     first = first_to_mend(judgement)
     if first is None:
         return None
@@ -45,18 +46,18 @@ def exhibit_of(judgement: Judgement) -> Exhibit | None:
 
 
 def also_to_mend(judgement: Judgement) -> list[CriterionResult]:
-    """The criteria that do not hold, without the first."""
+    """The other criteria shown that failed or passed in part."""
     return [one for one in visible(judgement) if one.status in ("failed", "partial")][1:]
 
 
 def shown_points(judgement: Judgement) -> tuple[float, float]:
-    """Points earned and points there are, without the hidden criteria: their marks would give them away."""
+    """Points earned and the maximum, hidden criteria left out: their marks would give them away."""
     shown = [result for result in judgement.criteria if not result.hidden]
     return round(sum(result.points for result in shown), 6), sum(result.max_points for result in shown)
 
 
 def all_shown_hold(judgement: Judgement) -> bool:
-    """Whether everything that the student is shown holds."""
+    """Whether every criterion that is not hidden passed."""
     shown = [result for result in judgement.criteria if not result.hidden]
     return judgement.status == "graded" and all(result.status == "passed" for result in shown)
 
@@ -71,8 +72,14 @@ def headline(judgement: Judgement) -> str:
     return f"{score} of {most} points."
 
 
+def printed(judgement: Judgement) -> str:
+    """All that the program printed."""
+    recording = judgement.recording
+    return "" if recording is None else recording.process.log + recording.process.end_log
+
+
 def clock_line(judgement: Judgement) -> str:
-    """Which clock the judgement stands on, and how long it took."""
+    """Which clock the judgement comes from, and how long the watch took."""
     recording = judgement.recording
     if recording is None:
         return ""
@@ -85,7 +92,7 @@ def clock_line(judgement: Judgement) -> str:
 
 
 def provisional_line(judgement: Judgement) -> str:
-    """Why this is not the last word yet; empty for a final judgement."""
+    """Why this judgement may still change; empty for a final one."""
     if not judgement.provisional:
         return ""
     if judgement.doubt:
@@ -101,6 +108,7 @@ def doubt_line(judgement: Judgement) -> str:
 
 
 def hidden_line(judgement: Judgement) -> str:
+    """A sentence that says how many hidden criteria there are; empty when there are none."""
     count = hidden_count(judgement)
     if not count:
         return ""

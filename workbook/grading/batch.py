@@ -1,6 +1,8 @@
 """Grading a folder: find the answers, skip what is done, judge the rest on several slots, keep the books."""
 
 import hashlib
+import os
+import random
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -8,25 +10,20 @@ from pathlib import Path
 
 from workbook.exercise.answers import LARGEST_NOTEBOOK_BYTES, Ungradable, read_answer
 from workbook.exercise.definition import Exercise
-from workbook.exercise.judging import Judgement
-from workbook.grading.books import write_books
-from workbook.grading.hand_ins import HandIn, find_hand_ins
-from workbook.grading.pool import Isolation, Job, Judges, LocalSlots
-from workbook.grading.results import (
-    RESULTS,
-    Done,
-    Result,
-    ResultsFile,
-    done_before,
-    graded_result,
-    last_results,
-    ungradable_result,
-)
-from workbook.grading.tries import counting, judge_until_sure
+from workbook.exercise.judgement import Judgement
+from workbook.grading.gradebook import write_gradebook
+from workbook.grading.hand_ins import HandIn, all_hand_ins
+from workbook.grading.judges import Job, Judges
+from workbook.grading.new_results import GradedBy, Submission, graded_result, ungradable_result
+from workbook.grading.results import Result, StudentAndExercise
+from workbook.grading.results_file import RESULTS, BrokenLine, Done, ResultsFile, done_before, last_results
+from workbook.grading.retries import judge_until_sure
+from workbook.grading.roster import Roster, about_unused
+from workbook.grading.skipped import about_skipped, find_skipped
 
 
 @dataclass(frozen=True)
-class Progress:
+class BatchProgress:
     """How far a batch is. `left_s` is None until the first answer is done."""
 
     done: int
@@ -39,27 +36,39 @@ class Progress:
 
 @dataclass(frozen=True)
 class BatchSummary:
-    """What a batch did: the results of its answers, counts of those judged now and those kept from an earlier run, and
-    seconds. `everything`: all results of the folder that count, by student and exercise."""
+    """What one run over a folder of answers did.
+
+    `results`: of the answers below the paths of this run; `everything`: all results of the folder that count, by
+    student and exercise. `judged` answers were judged now, `kept` ones in an earlier run, in `seconds` altogether.
+    `broken`: lines of results.jsonl that are not a result. `remarks`: sentences on files and aliases that do not count.
+    """
 
     results: tuple[Result, ...]
-    everything: Mapping[tuple[str, str], Result]
+    everything: Mapping[StudentAndExercise, Result]
+    broken: tuple[BrokenLine, ...]
     kept: int
     judged: int
     seconds: float
     stopped: bool
+    remarks: tuple[str, ...]
 
 
 def _submitted_at(hand_in: HandIn) -> str | None:
-    """What the `timestamp.txt` beside an answer says, or one further up in what its student handed in."""
+    """What the outermost `timestamp.txt` says of all above an answer in what its student handed in.
+
+    Others are the student's own. Where the outermost one cannot be read, the time is unknown.
+    """
     depth = max(1, len(Path(hand_in.label).parts) - 1)
-    for folder in [*hand_in.path.parents][:depth]:
+    for folder in reversed([*hand_in.path.parents][:depth]):
         stamp = folder / "timestamp.txt"
         try:
+            if not os.path.lexists(stamp):
+                continue
             if stamp.is_file() and not stamp.is_symlink() and stamp.stat().st_size < 200:
                 return stamp.read_text(errors="replace").strip() or None
         except OSError:
-            continue  # nobody knows then
+            pass  # nobody knows then
+        return None
     return None
 
 
@@ -68,7 +77,8 @@ def _file_sha(path: Path) -> str:
     try:
         if path.is_symlink() or not path.is_file() or path.stat().st_size > LARGEST_NOTEBOOK_BYTES:
             return ""
-        return hashlib.sha256(path.read_bytes()).hexdigest()
+        with path.open("rb") as file:
+            return hashlib.file_digest(file, "sha256").hexdigest()
     except OSError:
         return ""
 
@@ -76,68 +86,42 @@ def _file_sha(path: Path) -> str:
 class Batch:
     """Grades hand-ins of one exercise into the folder `out`; can be killed and started again at any time.
 
-    `judges`: who judges the answers, in place of `slots` slots of this machine.
+    `second_start`: share of the answers that, if they pass on robot time, are started once more as their authors start
+    them. Which ones is drawn anew in each run, so that nobody can count on being left out.
     """
 
     def __init__(
         self,
         exercise: Exercise,
         out: Path,
-        slots: int = 1,
-        isolation: Isolation = "limits",
-        aliases: Mapping[str, str] | None = None,
-        assignment: str | None = None,
-        judges: Judges | None = None,
+        judges: Judges,
+        roster: Roster | None = None,
+        *,
+        second_start: float = 0.0,
     ) -> None:
-        self._assignment = assignment
-        self._aliases = dict(aliases or {})
+        self._second_start = second_start
         self._exercise = exercise
         self._out = out
-        self._judges = LocalSlots(slots, isolation) if judges is None else judges
-        self._earlier: dict[str, Done] = {}
-
-    def _is_done(self, hand_in: HandIn, sha256: str) -> bool:
-        known = self._earlier.get(hand_in.student)
-        return (
-            known is not None
-            and known.status != "infra_error"
-            and known.answer_sha256 == sha256
-            and known.criteria_sha256 == self._exercise.criteria_sha256
-        )
-
-    def _attempt(self, student: str) -> int:
-        known = self._earlier.get(student)
-        return 1 if known is None else known.attempt + 1
-
-    def _refuse(self, hand_in: HandIn, reason: str, sha256: str) -> Result:
-        return ungradable_result(
-            student=hand_in.student,
-            answer=hand_in.label,
-            answer_sha256=sha256,
-            submitted_at=_submitted_at(hand_in),
-            exercise=self._exercise.stem,
-            attempt=self._attempt(hand_in.student),
-            reason=reason,
-            isolation=self._judges.isolation,
-            criteria_sha256=self._exercise.criteria_sha256,
-            max_score=self._exercise.max_points,
-        )
+        self._judges = judges
+        self._roster = roster or Roster()
 
     def hand_ins(self, paths: Sequence[Path]) -> list[HandIn]:
-        """What is handed in below `paths`, under the names that the alias file gives."""
-        found = find_hand_ins(paths, self._exercise.stem, self._assignment)
-        return [replace(one, student=self._name_of(one)) for one in found]
+        """What is handed in below `paths`, under the names of the roster."""
+        return self._roster.hand_ins(self._found(paths))
 
-    def _name_of(self, hand_in: HandIn) -> str:
-        for name in (hand_in.label, Path(hand_in.label).name, hand_in.student):
-            if name in self._aliases:
-                return self._aliases[name]
-        return hand_in.student
+    def _found(self, paths: Sequence[Path]) -> list[HandIn]:
+        return all_hand_ins(paths, self._exercise.stem, self._roster.assignment)
+
+    def _remarks(self, paths: Sequence[Path], found: Sequence[HandIn]) -> tuple[str, ...]:
+        """What was skipped, and which aliases fit nothing, as sentences."""
+        return tuple(
+            filter(None, (about_skipped(find_skipped(paths)), about_unused(self._roster.unused(found))))
+        )
 
     def run(
         self,
         paths: Sequence[Path],
-        progress: Callable[[Progress], None] = lambda _: None,
+        progress: Callable[[BatchProgress], None] = lambda _: None,
         stop: Callable[[], bool] = lambda: False,
     ) -> BatchSummary:
         """Grade everything below `paths` that is new or changed.
@@ -145,72 +129,105 @@ class Batch:
         `progress` is called after each answer; `stop` is asked before each new one. Raises FileNotFoundError for a
         path that is not there, FolderInUse when another grader writes to the same folder.
         """
-        began = time.monotonic()
-        hand_ins = self.hand_ins(paths)
-        book = ResultsFile(self._out / RESULTS)
-        self._earlier = done_before(self._out / RESULTS, self._exercise.stem)
-        jobs: list[Job[HandIn]] = []
-        kept = done = 0
+        found = self._found(paths)
+        hand_ins = self._roster.hand_ins(found)
+        broken: list[BrokenLine] = []
+        file = ResultsFile(self._out / RESULTS)
+        run = _Run(GradedBy(self._exercise, self._judges.isolation, self._out), file, progress)
         try:
-            for hand_in in hand_ins:
-                try:
-                    if hand_in.problem is not None:
-                        raise Ungradable(hand_in.problem)
-                    answer = read_answer(hand_in.path, self._exercise.stem)
-                except (Ungradable, OSError) as error:
-                    sha256 = _file_sha(hand_in.path)
-                    if self._is_done(hand_in, sha256):
-                        kept += 1
-                        continue
-                    result = self._refuse(hand_in, str(error), sha256)
-                    book.append(result)
-                    done += 1
-                    progress(self._progress(done, len(hand_ins) - kept, kept, began, done, result))
-                    continue
-                if self._is_done(hand_in, answer.sha256):
-                    kept += 1
-                else:
-                    jobs.append(Job(hand_in, self._exercise.stem, answer))
-            total = done + len(jobs)
-            refused = done
+            drawn = random.SystemRandom()
+            jobs = [
+                replace(job, second_start=drawn.random() < self._second_start)
+                for job in run.refuse_or_keep(hand_ins)
+            ]
 
             def judge(some: Sequence[Job[HandIn]]) -> Iterator[tuple[Job[HandIn], Judgement]]:
                 return self._judges.judge_all(some, stop=stop)
 
             for job, tries in judge_until_sure(jobs, judge):
-                result = graded_result(
-                    self._out,
-                    counting(tries),
-                    student=job.key.student,
-                    answer=job.key.label,
-                    submitted_at=_submitted_at(job.key),
-                    attempt=self._attempt(job.key.student),
-                    isolation=self._judges.isolation,
-                    criteria_sha256=self._exercise.criteria_sha256,
-                    max_score=self._exercise.max_points,
-                    tries=tries,
-                )
-                book.append(result)
-                done += 1
-                progress(self._progress(done, total, kept, began, refused, result))
+                run.judged(job, tries)
         finally:
-            book.close()
-            everything = last_results(self._out / RESULTS)
-            write_books(self._out, self._exercise, everything)
+            file.close()
+            everything = last_results(self._out / RESULTS, broken.append)
+            write_gradebook(self._out, self._exercise, everything)
         mine = {(hand_in.student, self._exercise.stem) for hand_in in hand_ins}
         return BatchSummary(
             results=tuple(everything[key] for key in sorted(mine & everything.keys())),
             everything=everything,
-            kept=kept,
-            judged=done,
-            seconds=time.monotonic() - began,
-            stopped=done < total,
+            broken=tuple(broken),
+            kept=run.kept,
+            judged=run.done,
+            seconds=run.seconds,
+            stopped=run.done < run.total,
+            remarks=self._remarks(paths, found),
         )
 
-    @staticmethod
-    def _progress(done: int, total: int, kept: int, began: float, refused: int, latest: Result) -> Progress:
-        seconds = max(time.monotonic() - began, 1e-6)
-        ran = done - refused
-        per_minute = 60 * ran / seconds
-        left = (total - done) * seconds / ran if ran else None
-        return Progress(done, total, kept, per_minute, left, latest)
+
+class _Run:
+    """One run of a batch: what is done, and what is still to do. Results go to `file` as they come."""
+
+    def __init__(self, by: GradedBy, file: ResultsFile, progress: Callable[[BatchProgress], None]) -> None:
+        self._began = time.monotonic()
+        self._by = by
+        self._file = file
+        self._progress = progress
+        self._earlier: Mapping[str, Done] = done_before(by.out / RESULTS, by.exercise.stem)
+        self.kept = 0
+        self.refused = 0
+        self.done = 0
+        self.total = 0
+
+    @property
+    def seconds(self) -> float:
+        return time.monotonic() - self._began
+
+    def refuse_or_keep(self, hand_ins: Sequence[HandIn]) -> list[Job[HandIn]]:
+        """Refuse what cannot be judged, keep what an earlier run has judged. Returns the answers to judge now."""
+        jobs: list[Job[HandIn]] = []
+        self.total = len(hand_ins)
+        for hand_in in hand_ins:
+            try:
+                if hand_in.problem is not None:
+                    raise Ungradable(hand_in.problem)
+                answer = read_answer(hand_in.path, self._by.exercise.stem)
+            except (Ungradable, OSError) as error:
+                sha256 = _file_sha(hand_in.path)
+                if not self._keep(hand_in.student, sha256):
+                    self.refused += 1
+                    self._add(ungradable_result(self._submission(hand_in, sha256), str(error), self._by))
+                continue
+            if not self._keep(hand_in.student, answer.sha256):
+                jobs.append(Job(hand_in, self._by.exercise.stem, answer))
+        self.total = self.refused + len(jobs)
+        return jobs
+
+    def judged(self, job: Job[HandIn], tries: Sequence[Judgement]) -> None:
+        """Take note of an answer that was judged now."""
+        self._add(graded_result(self._submission(job.key, job.answer.sha256), tries, self._by))
+
+    def _submission(self, hand_in: HandIn, sha256: str) -> Submission:
+        known = self._earlier.get(hand_in.student)
+        attempt = 1 if known is None else known.attempt + 1
+        return Submission(hand_in.student, hand_in.label, sha256, _submitted_at(hand_in), attempt)
+
+    def _keep(self, student: str, sha256: str) -> bool:
+        """Whether an earlier run has judged this very answer by these very criteria; it then counts as kept."""
+        known = self._earlier.get(student)
+        kept = (
+            known is not None
+            and known.status != "infra_error"
+            and known.answer_sha256 == sha256
+            and known.criteria_sha256 == self._by.exercise.criteria_sha256
+        )
+        if kept:
+            self.kept += 1
+            self.total -= 1
+        return kept
+
+    def _add(self, result: Result) -> None:
+        self._file.append(result)
+        self.done += 1
+        seconds = max(self.seconds, 1e-6)
+        ran = self.done - self.refused
+        left_s = (self.total - self.done) * seconds / ran if ran else None
+        self._progress(BatchProgress(self.done, self.total, self.kept, 60 * ran / seconds, left_s, result))

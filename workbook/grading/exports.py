@@ -10,7 +10,7 @@ import json
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from workbook.grading.gradebook import safe_cell
+from workbook.grading.grades_csv import logins, safe_cell, student_cell
 from workbook.grading.results import Result
 
 FORMATS = ("csv", "html", "gradescope", "canvas", "moodle", "nbgrader")
@@ -18,7 +18,7 @@ FORMATS = ("csv", "html", "gradescope", "canvas", "moodle", "nbgrader")
 
 def by_student(results: Iterable[Result]) -> list[Result]:
     """In the order of exercises and students."""
-    return sorted(results, key=lambda result: (result["exercise"], result["student"]))
+    return sorted(results, key=lambda result: (result.exercise, result.student))
 
 
 def _rows(rows: Sequence[Sequence[object]]) -> str:
@@ -28,57 +28,62 @@ def _rows(rows: Sequence[Sequence[object]]) -> str:
 
 
 def _said(result: Result) -> str:
-    """The feedback of one result in a few plain sentences, hidden criteria left out."""
-    if result["status"] != "graded":
-        return f"Not graded: {result['reason']}"
+    """The feedback of one result in a few plain sentences, hidden criteria left out; first what a person changed."""
+    return f"{result.changed_by_hand()} {_judged(result)}".strip()
+
+
+def _judged(result: Result) -> str:
+    if result.status != "graded":
+        return f"Not graded: {result.reason}"
     first = next(
-        (one for one in result["criteria"] if one["status"] in ("failed", "partial") and not one["hidden"]),
+        (one for one in result.criteria if one.is_lost and not one.hidden),
         None,
     )
     if first is None:
-        return "All that is judged holds."
-    return f"{first['title']}: seen {first['saw']}; expected {first['expected']}. {first['because']} {first['try']}"
+        return "All that is judged holds." if result.criteria else ""
+    return f"{first.title}: seen {first.saw}; expected {first.expected}. {first.because} {first.try_this}"
 
 
 def gradescope(result: Result) -> str:
-    """results.json of one submission. An answer that could not be graded has no score: Gradescope shows it as failed
-    to run, and nobody gets a zero from it."""
+    """Gradescope's results.json for one submission, as text.
+
+    An answer that could not be graded has no score: Gradescope shows it as failed to run, and nobody gets a zero
+    from it.
+    """
     tests: list[dict[str, Any]] = []
-    for number, one in enumerate(result["criteria"], start=1):
-        if one["max_points"] == 0 and one["status"] == "passed":
+    for number, one in enumerate(result.criteria, start=1):
+        if one.max_points == 0 and one.status == "passed":
             continue
-        told = [f"saw: {one['saw']}"]
-        told += [f"{word}: {one[word]}" for word in ("expected", "because", "try") if one[word]]
         tests.append(
             {
-                "name": one["title"],
+                "name": one.title,
                 "name_format": "text",
                 "number": str(number),
-                "score": one["points"],
-                "max_score": one["max_points"],
-                "status": "passed" if one["status"] == "passed" else "failed",
-                "output": "\n".join(told),
+                "score": one.points,
+                "max_score": one.max_points,
+                "status": "passed" if one.status == "passed" else "failed",
+                "output": "\n".join(one.told()),
                 "output_format": "text",
-                "visibility": "hidden" if one["hidden"] else "visible",
+                "visibility": "hidden" if one.hidden else "visible",
             }
         )
     data: dict[str, Any] = {
-        "output": f"{result['exercise']}: {_said(result)}",
+        "output": f"{result.exercise}: {_said(result)}",
         "output_format": "text",
         "test_output_format": "text",
         "test_name_format": "text",
         "stdout_visibility": "hidden",
         "extra_data": {
-            "status": result["status"],
-            "clock": result["clock"],
-            "isolation": result["isolation"],
+            "status": result.status,
+            "clock": result.clock,
+            "isolation": result.isolation,
         },
         "tests": tests,
     }
-    if result["score"] is not None:
-        data["score"] = result["score"]
-    if result["wall_s"] is not None:
-        data["execution_time"] = round(result["wall_s"])
+    if result.score is not None:
+        data["score"] = result.score
+    if result.wall_s is not None:
+        data["execution_time"] = round(result.wall_s)
     return json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
@@ -89,9 +94,11 @@ def canvas(results: Iterable[Result], assignment: str, points: float) -> str:
     """
     head: list[object] = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", assignment]
     rows: list[list[object]] = [head, ["    Points Possible", "", "", "", "", f"{points:g}"]]
-    for result in by_student(results):
-        student = safe_cell(result["student"])
-        rows.append([student, "", "", student, "", safe_cell(result["score"])])
+    mine = by_student(results)
+    login = logins(result.student for result in mine)
+    for result in mine:
+        student = login[result.student]
+        rows.append([student, "", "", student, "", safe_cell(result.score)])
     return _rows(rows)
 
 
@@ -101,9 +108,11 @@ def moodle(results: Iterable[Result], item: str) -> str:
     Results without a score are left out: an empty grade would take an earlier one away.
     """
     rows: list[list[object]] = [["ID number", item, f"{item} (feedback)"]]
-    for result in by_student(results):
-        if result["score"] is not None:
-            rows.append([safe_cell(result["student"]), safe_cell(result["score"]), safe_cell(_said(result))])
+    mine = by_student(results)
+    login = logins(result.student for result in mine)
+    for result in mine:
+        if result.score is not None:
+            rows.append([login[result.student], safe_cell(result.score), safe_cell(_said(result))])
     return _rows(rows)
 
 
@@ -117,21 +126,20 @@ def nbgrader(results: Iterable[Result], assignment: str | None = None) -> str:
     """The columns of nbgrader's own export. `assignment`: its name there, where it is not that of the exercise."""
     rows: list[Sequence[object]] = [NBGRADER]
     for result in by_student(results):
-        late = result.get("late_points", 0.0)
-        raw = None if result["score"] is None else round(result["score"] + late, 6)
+        raw = None if result.score is None else round(result.score + result.late_points, 6)
         rows.append(
             [
-                safe_cell(assignment or result["exercise"]),
+                safe_cell(assignment or result.exercise),
                 "",
-                safe_cell(result["submitted_at"]),
-                safe_cell(result["student"]),
+                safe_cell(result.submitted_at),
+                student_cell(result.student),
                 "",
                 "",
                 "",
                 safe_cell(raw),
-                safe_cell(late),
-                safe_cell(result["score"]),
-                safe_cell(result["max_score"]),
+                safe_cell(result.late_points),
+                safe_cell(result.score),
+                safe_cell(result.max_score),
             ]
         )
     return _rows(rows)

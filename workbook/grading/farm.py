@@ -5,11 +5,8 @@ more answers than there are threads, so that a worker that dies takes few answer
 judged again elsewhere, each with a worker to itself: whoever takes that one down, too, harms nobody else.
 """
 
-import asyncio
 import json
-import logging
 import queue
-import re
 import time
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
@@ -20,21 +17,18 @@ from typing import Any, Generic
 
 from workbook.exercise.course import course_sha256
 from workbook.exercise.definition import load_exercise, own_criteria
-from workbook.exercise.exchange import judgement_from_afar, no_constant
-from workbook.exercise.judging import Judgement
+from workbook.exercise.judgement import Judgement
+from workbook.exercise.serialization import judgement_from_afar
 from workbook.grading import farm_worker
-from workbook.grading.pool import Isolation, Job, Key, NoJudges
+from workbook.grading.farm_connection import LOOK_EVERY_S, connect, in_words, reply_in, text_of
+from workbook.grading.judges import Job, Key, NoJudges
+from workbook.isolation.tiers import Isolation
 
-CONNECT_S = 10.0
 INTRODUCTION_S = 60.0
-MUSTER_EVERY_S = 1.0
 PATIENCE_WITHOUT_WORKERS_S = 60.0
-FETCH_S = 30.0
 TRIES = 3
 """How often an answer is judged when the worker dies meanwhile: once, and twice more alone."""
-LARGEST_REPLY = 300_000_000
 _START_HERE = "Start it in the course's folder: .venv/bin/dask worker"
-_ADDRESS = re.compile(r"(tcp|tls)://(\[[0-9A-Fa-f:.]+\]|[\w.-]+):\d{1,5}")
 
 
 @dataclass(eq=False)
@@ -87,11 +81,11 @@ class Farm:
         self._machines: dict[str, _Machine] = {}
         self._questions: dict[str, tuple[_Machine, Any]] = {}
         self._done: queue.SimpleQueue[str] = queue.SimpleQueue()
-        self._mustered_at = -MUSTER_EVERY_S
+        self._mustered_at = -LOOK_EVERY_S
         self._seen_at = time.monotonic()
         self._refusals: list[str] = []
         self._course = course_sha256()
-        self._client = _connect(address)
+        self._client = connect(address)
         try:
             self._meet_everybody()
         except BaseException:
@@ -100,6 +94,7 @@ class Farm:
 
     @property
     def isolation(self) -> Isolation:
+        """The tier of isolation that programs run in on every worker."""
         return self._isolation
 
     @property
@@ -113,6 +108,7 @@ class Farm:
         return sum(machine.places for machine in self._machines.values() if machine.ready)
 
     def close(self) -> None:
+        """Disconnect from the scheduler."""
         self._client.close()
 
     def __enter__(self) -> "Farm":
@@ -128,7 +124,7 @@ class Farm:
         self._muster()
         while self._questions and time.monotonic() < deadline:
             try:
-                self._meet(self._done.get(timeout=MUSTER_EVERY_S))
+                self._meet(self._done.get(timeout=LOOK_EVERY_S))
             except queue.Empty:
                 self._muster()
         if self.machines:
@@ -145,7 +141,7 @@ class Farm:
 
         Returns those that are gone. Raises NoJudges when the scheduler does not answer.
         """
-        if time.monotonic() - self._mustered_at < MUSTER_EVERY_S:
+        if time.monotonic() - self._mustered_at < LOOK_EVERY_S:
             return []
         try:
             if self._client.status != "running":
@@ -153,7 +149,7 @@ class Farm:
             threads: dict[str, int] = self._client.nthreads()
         except Exception as error:
             raise NoJudges(
-                f"the scheduler at {self._address} does not answer any more ({_words(error)}). What was judged is "
+                f"the scheduler at {self._address} does not answer any more ({in_words(error)}). What was judged is "
                 "kept: start the scheduler and the workers again, and run the same command"
             ) from error
         self._mustered_at = time.monotonic()
@@ -164,7 +160,7 @@ class Farm:
             if machine in gone:
                 del self._questions[key]
                 question.cancel()
-                self._refuse(machine, f"it ended when it was asked who it is. {_START_HERE} {self._address}")
+                self.refuse(machine, f"it ended when it was asked who it is. {_START_HERE} {self._address}")
         for address, places in threads.items():
             if address not in self._machines:
                 self._ask(_Machine(address, places))
@@ -199,17 +195,18 @@ class Farm:
         if self._machines.get(machine.address) is not machine:
             return True
         try:
-            told = json.loads(_text_of(question))
+            told = json.loads(text_of(question))
             machine.host, machine.process, problem = told["host"], told["process"], told["problem"]
         except Exception as error:
-            problem = f"it does not know this course ({_words(error)}). {_START_HERE} {self._address}"
+            problem = f"it does not know this course ({in_words(error)}). {_START_HERE} {self._address}"
         if problem is None:
             machine.ready = True
         else:
-            self._refuse(machine, problem)
+            self.refuse(machine, problem)
         return True
 
-    def _refuse(self, machine: _Machine, why: str) -> None:
+    def refuse(self, machine: _Machine, why: str) -> None:
+        """Stop using a worker for the rest of the run, and report why; does nothing if it is refused already."""
         if machine.refused:
             return
         machine.ready, machine.refused = False, True
@@ -222,88 +219,36 @@ class Farm:
         self, jobs: Iterable[Job[Key]], *, thorough: bool = True, stop: Callable[[], bool] = lambda: False
     ) -> Iterator[tuple[Job[Key], Judgement]]:
         """See `Judges`. Raises NoJudges when the scheduler is lost, or no worker is left for a minute."""
-        waiting = deque(_Task(job) for job in jobs)
-        suspects: deque[_Task[Key]] = deque()
-        sent: dict[str, _Sent[Key]] = {}
-
-        def send(task: _Task[Key], machine: _Machine) -> None:
-            future = self._submit(machine, farm_worker.judge, self._order(task.job, thorough, machine))
-            machine.under_way.add(future.key)
-            machine.alone = task.losses > 0
-            sent[future.key] = _Sent(task, machine, future)
-
-        def hand_out() -> None:
-            ready = [machine for machine in self._machines.values() if machine.ready]
-            while waiting and ready:
-                machine = max(ready, key=lambda one: one.free)
-                if machine.free <= 0:
-                    return
-                send(waiting.popleft(), machine)
-            for machine in ready:
-                if suspects and not machine.under_way:
-                    send(suspects.popleft(), machine)
-
-        def take_back(key: str) -> _Task[Key]:
-            one = sent.pop(key)
-            one.machine.under_way.discard(key)
-            one.machine.alone = False
-            return one.task
-
-        def lost(task: _Task[Key], why: str) -> tuple[Job[Key], Judgement] | None:
-            task.losses += 1
-            if task.losses < TRIES:
-                suspects.append(task)
-                return None
-            return task.job, _given_up(task.job, why)
-
+        distribution = _Distribution(self, jobs, thorough)
         try:
             while True:
                 for machine in self._muster():
-                    self._announce_loss(machine)
-                    for key in list(machine.under_way):
-                        sent[key].future.cancel()
-                        if (settled := lost(take_back(key), f"{machine} went away")) is not None:
-                            yield settled
+                    yield from distribution.give_up_on(machine)
                 if not stop():
-                    hand_out()
-                if not sent:
-                    if stop() or not (waiting or suspects):
+                    distribution.hand_out()
+                if not distribution.is_under_way:
+                    if stop() or not distribution.is_left:
                         return
                     self._expect_somebody()
                 try:
-                    key = self._done.get(timeout=MUSTER_EVERY_S)
+                    key = self._done.get(timeout=LOOK_EVERY_S)
                 except queue.Empty:
                     continue
-                if self._meet(key) or key not in sent:
-                    continue
-                machine, future = sent[key].machine, sent[key].future
-                task = take_back(key)
-                try:
-                    reply = _reply(_text_of(future))
-                    if "judgement" in reply:
-                        judgement = judgement_from_afar(
-                            reply["judgement"], task.job.stem, task.job.answer.sha256
-                        )
-                        _check_criteria(judgement)
-                        yield task.job, judgement
-                        continue
-                    why = f"{reply.get('fault') or 'the worker was started again'} (on {machine})"
-                except Exception as error:
-                    why = f"{_words(error)} (on {machine})"
-                    reply = {}
-                if "refused" in reply:
-                    self._refuse(machine, str(reply["refused"]))
-                    waiting.appendleft(task)
-                elif (settled := lost(task, why)) is not None:
-                    yield settled
+                if not self._meet(key):
+                    yield from distribution.settle(key)
         finally:
-            for one in sent.values():
-                one.machine.under_way.clear()
-                one.machine.alone = False
-                one.future.cancel()
+            distribution.cancel()
+
+    def ready_machines(self) -> list["_Machine"]:
+        """The workers that answers can be sent to now."""
+        return [machine for machine in self._machines.values() if machine.ready]
+
+    def send(self, job: Job[Key], thorough: bool, machine: "_Machine") -> Any:
+        """Let a machine judge an answer. Returns the future of its reply."""
+        return self._submit(machine, farm_worker.judge, self._order(job, thorough, machine))
 
     def _order(self, job: Job[Key], thorough: bool, machine: _Machine) -> str:
-        return farm_worker.Order(
+        return farm_worker.FarmJob(
             exercise=job.stem,
             answer=job.answer.text,
             thorough=thorough,
@@ -311,9 +256,11 @@ class Farm:
             course=self._course,
             own_criteria=_text_of_file(own_criteria(job.stem)),
             process=machine.process,
+            second_start=job.second_start,
         ).to_text()
 
-    def _announce_loss(self, machine: _Machine) -> None:
+    def announce_loss(self, machine: _Machine) -> None:
+        """Report that a worker is gone, and how many of its answers are judged again elsewhere."""
         if not machine.ready:
             return
         again = len(machine.under_way)
@@ -332,91 +279,95 @@ class Farm:
             )
 
 
-def check_address(address: str) -> None:
-    """Raises NoJudges for what is no address of a scheduler."""
-    if not _ADDRESS.fullmatch(address):
-        raise NoJudges(f"--farm {address}: write it as tcp://host:8786, as the scheduler prints it")
+class _Distribution(Generic[Key]):
+    """Which answers wait, which are under way on which machine, and which are to be judged again, alone.
 
-
-def _connect(address: str) -> Any:
-    """A client of the scheduler. Raises NoJudges."""
-    try:
-        from distributed import Client, Security
-    except ImportError as error:
-        raise NoJudges(
-            f"--farm needs the package dask.distributed ({error}). Install it here and on the machines of the farm: "
-            "make env EXTRAS=farm"
-        ) from error
-    for name in [*logging.root.manager.loggerDict]:
-        if name.split(".")[0] in ("distributed", "tornado"):  # for developers; we say ourselves what matters
-            logging.getLogger(name).setLevel(logging.CRITICAL + 1)
-    try:
-        security = Security()
-        if address.startswith("tls:") and security.get_connection_args("client").get("ssl_context") is None:
-            raise NoJudges("--farm tls://... needs certificates: see 'A farm' in environment.md")
-        client = Client(
-            address,
-            security=security,
-            timeout=CONNECT_S,
-            name="workbook-grade",
-            set_as_default=False,
-            direct_to_workers=False,
-        )
-        client.loop.asyncio_loop.set_exception_handler(quiet_about_lost_waits)
-        return client
-    except NoJudges:
-        raise
-    except Exception as error:
-        raise NoJudges(
-            f"no scheduler answers at {address} within {CONNECT_S:.0f} s ({_words(error)}). Start one in the course's "
-            "folder, .venv/bin/dask scheduler, and look at the firewall between you and it"
-        ) from error
-
-
-def quiet_about_lost_waits(loop: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:
-    """Handler of an event loop that says nothing of waits for replies that went away, and passes on all else.
-
-    When the worker that holds a reply is lost while the reply is fetched, distributed waits for it anew. We give up and
-    cancel the reply; that wait then ends with AllExit, and nobody is left to receive it.
+    An answer is settled when its judgement is there, or when it was lost too often.
     """
-    if type(context.get("exception")).__name__ != "AllExit":
-        loop.default_exception_handler(context)
 
+    def __init__(self, farm: Farm, jobs: Iterable[Job[Key]], thorough: bool) -> None:
+        self._farm = farm
+        self._thorough = thorough
+        self._waiting = deque(_Task(job) for job in jobs)
+        self._suspects: deque[_Task[Key]] = deque()
+        self._sent: dict[str, _Sent[Key]] = {}
 
-def _fetch(future: Any) -> object:
-    """The reply of work that is finished. Raises RuntimeError as soon as its worker is seen to be lost."""
+    @property
+    def is_under_way(self) -> bool:
+        return bool(self._sent)
 
-    async def fetched() -> object:
-        return await future.client.gather(future, asynchronous=True)
+    @property
+    def is_left(self) -> bool:
+        """Whether answers wait that nobody judges yet."""
+        return bool(self._waiting or self._suspects)
 
-    deadline = time.monotonic() + FETCH_S
-    reply = asyncio.run_coroutine_threadsafe(fetched(), future.client.loop.asyncio_loop)
-    while True:
+    def hand_out(self) -> None:
+        """Fill the free places. A suspect gets a machine to itself."""
+        ready = self._farm.ready_machines()
+        while self._waiting and ready:
+            machine = max(ready, key=lambda one: one.free)
+            if machine.free <= 0:
+                return
+            self._send(self._waiting.popleft(), machine)
+        for machine in ready:
+            if self._suspects and not machine.under_way:
+                self._send(self._suspects.popleft(), machine)
+
+    def give_up_on(self, machine: _Machine) -> Iterator[tuple[Job[Key], Judgement]]:
+        """Take back what a machine had that is gone. Yields what is settled by that."""
+        self._farm.announce_loss(machine)
+        for key in list(machine.under_way):
+            self._sent[key].future.cancel()
+            yield from self._lost(self._take_back(key), f"{machine} went away")
+
+    def settle(self, key: str) -> Iterator[tuple[Job[Key], Judgement]]:
+        """Take note of a reply. Yields what is settled by it: nothing where the answer is judged again."""
+        if key not in self._sent:
+            return
+        machine, future = self._sent[key].machine, self._sent[key].future
+        task = self._take_back(key)
+        reply: dict[str, Any] = {}
+        judgement, why = None, "the worker was started again"
         try:
-            return reply.result(timeout=MUSTER_EVERY_S)
-        except TimeoutError:
-            if future.status != "finished" or time.monotonic() > deadline:
-                reply.cancel()
-                raise RuntimeError("the worker was lost before it could hand over the judgement") from None
+            reply = reply_in(text_of(future))
+            if "judgement" in reply:
+                judgement = _checked(reply["judgement"], task.job)
+            why = reply.get("fault") or why
+        except Exception as error:
+            reply, why = {}, in_words(error)
+        if judgement is not None:
+            yield task.job, judgement
+        elif "refused" in reply:
+            self._farm.refuse(machine, str(reply["refused"]))
+            self._waiting.appendleft(task)
+        else:
+            yield from self._lost(task, f"{why} (on {machine})")
 
+    def cancel(self) -> None:
+        """Let go of all that is under way."""
+        for one in self._sent.values():
+            one.machine.under_way.clear()
+            one.machine.alone = False
+            one.future.cancel()
 
-def _text_of(future: Any) -> str:
-    """What a worker replied. Raises RuntimeError when it did not."""
-    if future.status != "finished":
-        error = future.exception(timeout=FETCH_S) if future.status == "error" else None
-        raise RuntimeError(_words(error) if error is not None else f"the work was {future.status}")
-    text = _fetch(future)
-    if not isinstance(text, str) or len(text) > LARGEST_REPLY:
-        raise RuntimeError("the reply is not text, or far too much of it")
-    return text
+    def _send(self, task: _Task[Key], machine: _Machine) -> None:
+        future = self._farm.send(task.job, self._thorough, machine)
+        machine.under_way.add(future.key)
+        machine.alone = task.losses > 0
+        self._sent[future.key] = _Sent(task, machine, future)
 
+    def _take_back(self, key: str) -> _Task[Key]:
+        one = self._sent.pop(key)
+        one.machine.under_way.discard(key)
+        one.machine.alone = False
+        return one.task
 
-def _reply(text: str) -> dict[str, Any]:
-    """Raises ValueError."""
-    reply = json.loads(text, parse_constant=no_constant)
-    if not isinstance(reply, dict) or not reply.keys() & {"judgement", "refused", "fault", "elsewhere"}:
-        raise ValueError("the reply is damaged")
-    return reply
+    def _lost(self, task: _Task[Key], why: str) -> Iterator[tuple[Job[Key], Judgement]]:
+        task.losses += 1
+        if task.losses < TRIES:
+            self._suspects.append(task)
+        else:
+            yield task.job, _given_up(task.job, why)
 
 
 def _given_up(job: Job[Key], why: str) -> Judgement:
@@ -429,20 +380,16 @@ def _judged_criteria(stem: str) -> dict[str, float]:
     return {one.id: one.points for one in load_exercise(stem).criteria}
 
 
-def _check_criteria(judgement: Judgement) -> None:
-    """Raises ValueError when a graded answer was not judged by exactly the criteria that are known here."""
+def _checked(data: object, job: Job[Key]) -> Judgement:
+    """The judgement of this answer. Raises ValueError when it is damaged, of another answer, or by other criteria."""
+    judgement = judgement_from_afar(data, job.stem, job.answer.sha256)
     if judgement.status == "graded":
         judged = {one.id: one.max_points for one in judgement.criteria}
         if judged != _judged_criteria(judgement.stem) or len(judged) != len(judgement.criteria):
             raise ValueError("the answer was judged by other criteria than those of this course")
+    return judgement
 
 
 @cache
 def _text_of_file(path: Path | None) -> str | None:
     return None if path is None else path.read_text(encoding="utf-8")
-
-
-def _words(error: BaseException) -> str:
-    """The first line of an error, or its name, for people."""
-    first = "".join(one for one in str(error).strip().split("\n")[0][:200] if one.isprintable())
-    return first or type(error).__name__

@@ -11,16 +11,19 @@ import secrets
 import threading
 import time
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from workbook.exercise.answers import Answer
 from workbook.exercise.course import NoCourse, course_folder, course_sha256
-from workbook.exercise.exchange import judgement_to_json
-from workbook.grading.pool import Isolation, Job, Slot, judge_with_retry
+from workbook.exercise.serialization import judgement_to_json
+from workbook.grading.judges import Job
+from workbook.grading.pool import Slot, judge_with_retry
 from workbook.grading.tier_check import tier_problem
+from workbook.isolation.tiers import Isolation
+from workbook.recording.codec import decode, encode
 from workbook.ros.scratch import scratch_folder
 
 IDLE_S = 60.0
@@ -30,9 +33,12 @@ PROCESS = secrets.token_hex(8)
 
 
 @dataclass(frozen=True)
-class Order:
-    """One answer to judge. `course`: the version of the course that whoever asks has. `own_criteria`: the text of an
-    instructor's own criteria. `process`: the worker process that the order is for."""
+class FarmJob:
+    """One answer to judge, as it is sent to a worker.
+
+    `course`: hash of the sender's version of the course, which the worker must have, too. `own_criteria`: the text of
+    an instructor's own criteria. `process`: the worker process that the job is meant for.
+    """
 
     exercise: str
     answer: str
@@ -41,12 +47,15 @@ class Order:
     course: str
     own_criteria: str | None
     process: str
+    second_start: bool = False
 
     def to_text(self) -> str:
-        return json.dumps(asdict(self))
+        """The job as JSON."""
+        return json.dumps(encode(self))
 
 
 def rclpy_version() -> str:
+    """The version of the rclpy wheel; "system" where rclpy is not installed as a wheel."""
     try:
         return metadata.version("ros-jazzy-rclpy")
     except metadata.PackageNotFoundError:
@@ -69,7 +78,7 @@ _COURSE_LOADED = _course_now()
 
 
 def course_problem(wanted: str) -> str | None:
-    """Why answers cannot be judged here by the course as whoever asks has it."""
+    """Why answers cannot be judged here by the version of the course whose hash is `wanted`; None when they can."""
     now = _course_now()
     if now == wanted == _COURSE_LOADED:
         return None
@@ -101,22 +110,25 @@ def introduce(isolation: Isolation, course: str, rclpy: str, python: str) -> str
 
 
 def judge(text: str) -> str:
-    """Follow an order. The reply has one key: "judgement", "refused" (why no answer can be judged here any more),
-    "fault" (why this one was not judged), or "elsewhere" (the order was for another process)."""
+    """Judge the answer of a `FarmJob`, given as JSON. Returns the reply as JSON.
+
+    The reply has one key: "judgement", "refused" (why no answer can be judged here any more), "fault" (why this one was
+    not judged), or "elsewhere" (the job was meant for another process).
+    """
     try:
-        return json.dumps(_judge(Order(**json.loads(text))), allow_nan=False)
+        return json.dumps(_judge(decode(FarmJob, json.loads(text))), allow_nan=False)
     except Exception as error:  # whatever it is goes back as words: exceptions would be pickled
         return json.dumps({"fault": f"{type(error).__name__}: {error}"})
 
 
-def _judge(order: Order) -> Mapping[str, Any]:
+def _judge(order: FarmJob) -> Mapping[str, Any]:
     if order.process != PROCESS:
         return {"elsewhere": True}
     problem = course_problem(order.course)
     if problem is not None:
         return {"refused": problem}
     kind = Kind(order.isolation, _folder_of(order.exercise, order.own_criteria))
-    job = Job(None, order.exercise, Answer(order.answer))
+    job = Job(None, order.exercise, Answer(order.answer), order.second_start)
     slot, judgement = judge_with_retry(
         _rack.take(kind), job, order.thorough, order.isolation, kind.own_criteria
     )
@@ -149,7 +161,7 @@ def _folder_of(stem: str, text: str | None) -> Path | None:
 
 
 class Kind(NamedTuple):
-    """What a slot was started for."""
+    """What a slot must have in common with a job to judge it."""
 
     isolation: Isolation
     own_criteria: Path | None
@@ -181,7 +193,7 @@ class Rack:
         return None
 
     def give(self, kind: Kind, slot: Slot) -> None:
-        """Put a slot here until somebody takes it."""
+        """Keep an idle slot for the next `take` of this kind."""
         with self._changed:
             self._slots.append(_Waiting(kind, slot, time.monotonic()))
             if self._keeper is None:

@@ -14,12 +14,13 @@ from typing import Any
 
 from workbook.criteria.criterion import Criterion
 from workbook.exercise.definition import Exercise
-from workbook.feedback.markdown import as_markdown, plain
+from workbook.feedback.markdown import as_markdown, plain_markup
 from workbook.grading.hand_ins import hand_in_named
 from workbook.grading.pages import judgement_of
-from workbook.grading.pool import Isolation
-from workbook.grading.results import Result, tried_twice
-from workbook.grading.single import TIERS, grade_one
+from workbook.grading.results import CriterionLine, Result
+from workbook.grading.single import grade_one
+from workbook.isolation.tiers import IN_SHORT, Isolation
+from workbook.templating import as_markup, render
 
 LONGEST_MESSAGE = 1_000
 NOTHING = "Nothing is handed in for this exercise yet."
@@ -59,11 +60,11 @@ def classroom(pushed: Pushed) -> dict[str, dict[str, Any]]:
     result = pushed.result
     if result is None:
         return {name: _one(one, "fail", 0.0, NOTHING) for name, one in runners(pushed.exercise).items()}
-    if result["status"] != "graded":
-        status = "error" if result["status"] == "infra_error" else "fail"
-        told = f"Not judged: {result['reason']}"
+    if result.status != "graded":
+        status = "error" if result.status == "infra_error" else "fail"
+        told = f"Not judged: {result.reason}"
         return {name: _one(one, status, 0.0, told) for name, one in runners(pushed.exercise).items()}
-    judged = {one["id"]: one for one in result["criteria"]}
+    judged = {one.id: one for one in result.criteria}
     return {name: _judged(one, judged[one.id]) for name, one in runners(pushed.exercise).items()}
 
 
@@ -79,14 +80,9 @@ def encoded(result: Mapping[str, Any]) -> str:
     return base64.b64encode(json.dumps(result, ensure_ascii=True, allow_nan=False).encode()).decode()
 
 
-def _judged(criterion: Criterion, one: Mapping[str, Any]) -> dict[str, Any]:
-    told = f"saw: {one['saw']}"
-    for word in ("expected", "because", "try"):
-        if one[word]:
-            told += f"\n{word}: {one[word]}"
-    if criterion.hidden:
-        told = ""
-    return _one(criterion, "pass" if one["status"] == "passed" else "fail", one["points"], told)
+def _judged(criterion: Criterion, one: CriterionLine) -> dict[str, Any]:
+    told = "" if criterion.hidden else "\n".join(one.told())
+    return _one(criterion, "pass" if one.status == "passed" else "fail", one.points, told)
 
 
 def _one(criterion: Criterion, status: str, score: float, message: str) -> dict[str, Any]:
@@ -108,29 +104,25 @@ def _one(criterion: Criterion, status: str, score: float, message: str) -> dict[
 
 def summary(pushed: Sequence[Pushed], out: Path, isolation: Isolation) -> str:
     """Markdown for the page of a run: points at a glance, then a card for each answer."""
-    rows = "".join(
-        f"<tr><td>{plain(one.exercise.source.title)}</td><td>{_points(one)}</td></tr>" for one in pushed
+    return render(
+        "grading/run_summary",
+        pushed=pushed,
+        nothing=NOTHING,
+        plain=plain_markup,
+        points=_points,
+        card=lambda result: as_markup(as_markdown(judgement_of(result, out))),
+        isolation=isolation,
+        tier=IN_SHORT[isolation],
     )
-    parts = [f"## What your programs do\n\n<table><tr><th>Exercise</th><th>Points</th></tr>{rows}</table>"]
-    for one in pushed:
-        parts.append(f"### {plain(one.exercise.source.title)}")
-        if one.result is None:
-            parts.append(f"{NOTHING} Push it as <code>answers/{one.exercise.stem}.py</code>.")
-            continue
-        parts.append(as_markdown(judgement_of(one.result, out)))
-        if twice := tried_twice(one.result):
-            parts.append(plain(twice))
-    parts.append(f"<sub>Isolation: {isolation} (each program ran {TIERS[isolation]}).</sub>")
-    return "\n\n".join(parts) + "\n"
 
 
 def _points(one: Pushed) -> str:
     if one.result is None:
         return "nothing handed in"
-    if one.result["score"] is None:
+    if one.result.score is None:
         return "not judged"
-    shown = [each for each in one.result["criteria"] if not each["hidden"]]
-    return f"{sum(each['points'] for each in shown):g} of {sum(each['max_points'] for each in shown):g}"
+    shown = [each for each in one.result.criteria if not each.hidden]
+    return f"{sum(each.points for each in shown):g} of {sum(each.max_points for each in shown):g}"
 
 
 def all_hold(pushed: Sequence[Pushed]) -> bool:
@@ -138,8 +130,8 @@ def all_hold(pushed: Sequence[Pushed]) -> bool:
     return all(
         one.result is None
         or (
-            one.result["status"] == "graded"
-            and all(each["status"] == "passed" for each in one.result["criteria"] if not each["hidden"])
+            one.result.status == "graded"
+            and all(each.status == "passed" for each in one.result.criteria if not each.hidden)
         )
         for one in pushed
     )

@@ -1,56 +1,74 @@
-"""grades.csv: a pure function of the results."""
+"""The gradebook: everything that is made from results.jsonl. grades.csv, pages, and the forms of other systems."""
 
-import csv
-import io
-import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
 
-from workbook.grading.results import Result, tried_twice
+from workbook.exercise.definition import Exercise
+from workbook.grading.appeals import kept, with_changes
+from workbook.grading.exports import canvas, gradescope, moodle, nbgrader
+from workbook.grading.files import write_whole
+from workbook.grading.grades_csv import grades_csv
+from workbook.grading.lateness import Lateness, with_lateness
+from workbook.grading.pages import CLASS, PAGES, class_page, page_name, student_page
+from workbook.grading.results import Result, StudentAndExercise
 
-_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+")
-_FORMULA_STARTS = ("=", "+", "-", "@")
-
-
-def safe_cell(value: object) -> str:
-    """Text that no spreadsheet takes for a formula: a leading = + - @ gets an apostrophe, control bytes go."""
-    if value is None:
-        return ""
-    if isinstance(value, (int, float)) and not isinstance(value, bool):
-        return f"{value:g}"
-    text = _CONTROL.sub(" ", str(value)).strip()
-    return f"'{text}" if text.startswith(_FORMULA_STARTS) else text
+GRADES = "grades.csv"
 
 
-def grades_csv(results: Iterable[Result]) -> str:
-    """One row per student and exercise, a column of points per criterion.
+@dataclass(frozen=True)
+class GradebookOptions:
+    """What to make of the results besides grades.csv.
 
-    An answer without a score has an empty cell, never a zero.
+    `column`: what Canvas and Moodle call the exercise. `assignment`: what nbgrader calls it.
     """
-    rows = sorted(results, key=lambda result: (result["exercise"], result["student"]))
-    criteria: list[str] = []
-    for result in rows:
-        for one in result["criteria"]:
-            if one["max_points"] > 0 and one["id"] not in criteria:
-                criteria.append(one["id"])
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    before = ("student", "exercise", "score", "max_score", "status", "reason")
-    writer.writerow([*before, *criteria, "clock", "answer", "tries", "remark"])
-    for result in rows:
-        earned = {one["id"]: one["points"] for one in result["criteria"]}
-        writer.writerow(
-            [
-                safe_cell(result["student"]),
-                result["exercise"],
-                safe_cell(result["score"]),
-                safe_cell(result["max_score"]),
-                result["status"],
-                safe_cell(result["reason"]),
-                *(safe_cell(earned.get(name)) for name in criteria),
-                safe_cell(result["clock"]),
-                safe_cell(result["answer"]),
-                safe_cell(max(1, len(result.get("tries") or []))) if result["criteria"] else "",
-                safe_cell(tried_twice(result)),
-            ]
+
+    formats: tuple[str, ...] = ()
+    lateness: Lateness | None = None
+    column: str | None = None
+    assignment: str | None = None
+
+
+def write_gradebook(
+    out: Path,
+    exercise: Exercise,
+    results: Mapping[StudentAndExercise, Result],
+    options: GradebookOptions | None = None,
+) -> list[Path]:
+    """Write grades.csv and the forms that were asked for below `out`. Returns the files and folders written.
+
+    Marks that a person has changed (see `appeals`) are changed in all of them. Raises BadOption where those cannot be
+    read.
+    """
+    options = options or GradebookOptions()
+    changed = with_changes(results.values(), kept(out))
+    everything = with_lateness(changed, options.lateness)
+    mine = [result for result in everything if result.exercise == exercise.stem]
+    written = [write_whole(out / GRADES, grades_csv(everything))]
+    title = options.column or exercise.source.title
+    if "canvas" in options.formats:
+        written.append(write_whole(out / "canvas.csv", canvas(mine, title, exercise.max_points)))
+    if "moodle" in options.formats:
+        written.append(write_whole(out / "moodle.csv", moodle(mine, title)))
+    if "nbgrader" in options.formats:
+        written.append(write_whole(out / "nbgrader.csv", nbgrader(mine, options.assignment)))
+    if "gradescope" in options.formats:
+        written.append(_write_gradescope(out / "gradescope", mine))
+    if "html" in options.formats:
+        written.append(_write_pages(out, exercise, mine))
+    return written
+
+
+def _write_gradescope(folder: Path, results: Iterable[Result]) -> Path:
+    for result in results:
+        name = page_name(result.student, result.exercise).removesuffix(".html")
+        write_whole(folder / f"{name}.json", gradescope(result))
+    return folder
+
+
+def _write_pages(out: Path, exercise: Exercise, results: Sequence[Result]) -> Path:
+    for result in results:
+        write_whole(
+            out / PAGES / page_name(result.student, result.exercise), student_page(result, exercise, out)
         )
-    return out.getvalue()
+    return write_whole(out / PAGES / CLASS, class_page(results, exercise))

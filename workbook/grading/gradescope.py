@@ -8,8 +8,10 @@ from workbook.exercise.definition import Exercise
 from workbook.grading.exports import gradescope
 from workbook.grading.files import write_whole
 from workbook.grading.hand_ins import hand_in_below
-from workbook.grading.results import Result, tried_twice
-from workbook.grading.single import TIERS, choose_isolation, grade_one
+from workbook.grading.results import Result
+from workbook.grading.single import choose_isolation, grade_one
+from workbook.isolation.tiers import IN_SHORT
+from workbook.recording.codec import encode
 
 FAULT = (
     "infra_error: this submission was not judged, through a fault of the grader and not of the program ({reason}). "
@@ -24,14 +26,14 @@ def results_json(result: Result) -> str:
     submit again. After a fault of ours there is no score at all, so that Gradescope takes no points away.
     """
     data: dict[str, Any] = json.loads(gradescope(result))
-    if result["status"] == "infra_error":
-        data |= {"output": FAULT.format(reason=result["reason"]), "tests": []}
-    elif result["status"] == "ungradable":
-        data["output"] = f"{result['exercise']}: not judged, because {result['reason']}."
+    if result.status == "infra_error":
+        data |= {"output": FAULT.format(reason=result.reason), "tests": []}
+    elif result.status == "ungradable":
+        data["output"] = f"{result.exercise}: not judged, because {result.reason}."
         data["tests"] = [_unjudged(result)]
-    data["extra_data"]["versions"] = result["versions"]
-    tier = result["isolation"]
-    said = [data["output"], tried_twice(result), f"Isolation: {tier} (the program ran {TIERS[tier]})."]
+    data["extra_data"]["versions"] = encode(result.versions)
+    tier = result.isolation
+    said = [data["output"], result.tried_twice(), f"Isolation: {tier} (the program ran {IN_SHORT[tier]})."]
     data["output"] = "\n".join(filter(None, said))
     return json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
@@ -42,9 +44,9 @@ def _unjudged(result: Result) -> dict[str, Any]:
         "name_format": "text",
         "number": "1",
         "score": 0.0,
-        "max_score": result["max_score"],
+        "max_score": result.max_score,
         "status": "failed",
-        "output": f"{result['reason']}\nSubmit again: one .py or .ipynb file with your answer.",
+        "output": f"{result.reason}\nSubmit again: one .py or .ipynb file with your answer.",
         "output_format": "text",
         "visibility": "visible",
     }

@@ -2,7 +2,7 @@
 
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,7 +15,10 @@ SHADOWS = frozenset(
 )
 """Names of files that are no answers, but would get between a program and the module of that name."""
 _ARCHIVE = "archives are not opened: unpack it into a folder with the student's name"
-_SKIPPED_FOLDERS = {"__pycache__", ".ipynb_checkpoints", "__MACOSX"}
+SKIPPED_FOLDERS = frozenset({"__pycache__", ".ipynb_checkpoints", "__MACOSX"})
+_LOOKS_LIKE_ONE = re.compile(r"\.(py\w?|ipynb)(?![^\W\d_])", re.IGNORECASE)
+_BESIDE_OTHERS = "._"
+"""How names of files begin that macOS puts beside others."""
 
 
 @dataclass(frozen=True)
@@ -32,11 +35,29 @@ def _is_answer(path: Path) -> bool:
     return path.suffix in ANSWER_SUFFIXES and not path.name.startswith((".", "__"))
 
 
+def why_no_answer(name: str) -> str | None:
+    """Why a file whose name looks like that of an answer is none; None for an answer, and for all other files."""
+    path = Path(name)
+    if _is_answer(path) or not _LOOKS_LIKE_ONE.search(name):
+        return None
+    if name.startswith(_BESIDE_OTHERS) or name == "__init__.py":
+        return None
+    if name.startswith("."):
+        return "its name begins with a dot, so it counts as hidden: rename it"
+    if name.startswith("__"):
+        return "its name begins with two underscores, as those of Python's own files do: rename it"
+    suffix = path.suffix
+    if suffix.lower() in ANSWER_SUFFIXES:
+        return f"its name ends in {suffix}, so rename it to {path.stem}{suffix.lower()}"
+    shown = suffix if suffix.isprintable() and " " not in suffix else repr(suffix)
+    return f"its name ends in {shown}, and not in .py or .ipynb: rename it"
+
+
 def _files_below(folder: Path) -> list[Path]:
     found: list[Path] = []
     for base, folders, files in os.walk(folder, followlinks=False):
         folders[:] = sorted(
-            name for name in folders if name not in _SKIPPED_FOLDERS and not name.startswith(".")
+            name for name in folders if name not in SKIPPED_FOLDERS and not name.startswith(".")
         )
         found += [Path(base) / name for name in sorted(files) if _is_answer(Path(name))]
     return found
@@ -104,6 +125,10 @@ def _why_nothing(folder: Path) -> str:
     packed = [name for name in sorted(inside) if name.lower().endswith(ARCHIVE_SUFFIXES)]
     if packed:
         return f"the folder holds no .py and no .ipynb file, but {packed[0]}; {_ARCHIVE}"
+    for name in sorted(inside):
+        reason = why_no_answer(name)
+        if reason is not None:
+            return f"the folder holds no .py and no .ipynb file, but {name}: {reason}"
     return "the folder holds no .py and no .ipynb file"
 
 
@@ -122,8 +147,18 @@ def _choose_in(student: str, folder: Path, root: Path, stem: str, assignment: st
     return _choose(student, named[0] if len(named) == 1 else folder, root, stem)
 
 
+def hand_in_root(path: Path) -> Path:
+    """The folder with the hand-ins: in nbgrader's layout `submitted`, otherwise `path` itself."""
+    return path / "submitted" if (path / "submitted").is_dir() else path
+
+
 def find_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = None) -> list[HandIn]:
-    """All answers to `stem` below `paths`, sorted by student.
+    """All answers to `stem` below `paths`, one for each student, sorted; see `all_hand_ins`."""
+    return one_for_each(all_hand_ins(paths, stem, assignment))
+
+
+def all_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = None) -> list[HandIn]:
+    """All answers to `stem` below `paths`, under the names that files and folders have; maybe several of a student.
 
     A folder may hold files (`s1042.py`: the name is the student), one folder per student with the answer anywhere
     below it, or nbgrader's `submitted/STUDENT/ASSIGNMENT/`. `assignment` is what that system calls the exercise; of
@@ -132,48 +167,55 @@ def find_hand_ins(paths: Sequence[Path], stem: str, assignment: str | None = Non
     found: list[HandIn] = []
     for path in paths:
         if path.is_dir():
-            root = path / "submitted" if (path / "submitted").is_dir() else path
-            for entry in sorted(root.iterdir()):
-                if entry.name.startswith(".") or entry.name in _SKIPPED_FOLDERS:
-                    continue
-                if entry.is_symlink() and (entry.is_dir() or _is_answer(entry)):
-                    found.append(HandIn(entry.stem, entry, entry.name, "a symbolic link is not an answer"))
-                elif entry.is_dir():
-                    found.append(_choose_in(entry.name, entry, root, stem, assignment))
-                elif _is_answer(entry):
-                    found.append(HandIn(entry.stem, entry, entry.name))
-                elif entry.name.lower().endswith(ARCHIVE_SUFFIXES):
-                    found.append(HandIn(entry.name.split(".")[0], entry, entry.name, _ARCHIVE))
+            found += _in_class(hand_in_root(path), stem, assignment)
         elif path.is_file():
             found.append(HandIn(path.stem, path, path.name))
         else:
             raise FileNotFoundError(f"there is no file or folder {path}")
-    return _settle_twins(found)
+    return [_as_text(hand_in) for hand_in in found]
 
 
-def _readable(text: str) -> str:
-    """A file name as text that can be stored. Bytes of another encoding are spelled out (\\xfc), so that two names
-    never become one."""
+def _in_class(root: Path, stem: str, assignment: str | None) -> Iterator[HandIn]:
+    for entry in sorted(root.iterdir()):
+        if entry.name.startswith(".") or entry.name in SKIPPED_FOLDERS:
+            continue
+        if entry.is_symlink() and (entry.is_dir() or _is_answer(entry)):
+            yield HandIn(entry.stem, entry, entry.name, "a symbolic link is not an answer")
+        elif entry.is_dir():
+            yield _choose_in(entry.name, entry, root, stem, assignment)
+        elif _is_answer(entry):
+            yield HandIn(entry.stem, entry, entry.name)
+        elif entry.name.lower().endswith(ARCHIVE_SUFFIXES):
+            yield HandIn(entry.name.split(".")[0], entry, entry.name, _ARCHIVE)
+
+
+def readable(text: str) -> str:
+    """A file name as text that can be stored.
+
+    Bytes of another encoding are spelled out (\\xfc), so that two names never become one.
+    """
     return os.fsencode(text).decode("utf-8", "backslashreplace")
 
 
-def _settle_twins(found: list[HandIn]) -> list[HandIn]:
-    """Two hand-ins of one student are both refused: guessing which counts would be unfair."""
+def _as_text(raw: HandIn) -> HandIn:
+    problem = None if raw.problem is None else readable(raw.problem)
+    return HandIn(readable(raw.student), raw.path, readable(raw.label), problem)
+
+
+def one_for_each(found: Sequence[HandIn]) -> list[HandIn]:
+    """One hand-in for each student. Two of one student are both refused: guessing which counts would be unfair."""
     by_student: dict[str, list[HandIn]] = {}
-    for raw in found:
-        problem = None if raw.problem is None else _readable(raw.problem)
-        hand_in = HandIn(_readable(raw.student), raw.path, _readable(raw.label), problem)
+    for hand_in in found:
         by_student.setdefault(hand_in.student, []).append(hand_in)
     settled = []
     for student in sorted(by_student):
         own = by_student[student]
         if len(own) == 1:
             settled.append(own[0])
-        else:
-            labels = ", ".join(hand_in.label for hand_in in own)
-            settled.append(
-                HandIn(student, own[0].path, labels, f"{len(own)} hand-ins of one student: {labels}")
-            )
+            continue
+        labels = ", ".join(hand_in.label for hand_in in own)
+        why = [f"{len(own)} hand-ins of one student: {labels}", *(one.problem for one in own if one.problem)]
+        settled.append(HandIn(student, own[0].path, labels, ". ".join(dict.fromkeys(why))))
     return settled
 
 

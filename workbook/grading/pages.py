@@ -4,39 +4,22 @@ import hashlib
 import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from html import escape
+from dataclasses import dataclass
 from pathlib import Path
 
 from workbook.exercise.definition import Exercise
-from workbook.exercise.exchange import criteria_from_json
-from workbook.exercise.judging import Judgement
+from workbook.exercise.judgement import Judgement
 from workbook.feedback.card import COLORS, Extras, as_html
 from workbook.feedback.timeline import judged_timeline
 from workbook.grading.exports import by_student
-from workbook.grading.results import Result, tried_twice, tries_differ
-from workbook.observing.recording import Recording
+from workbook.grading.results import Result, criterion_result
+from workbook.recording.recording import Recording
+from workbook.templating import as_markup, render
 
 PAGES = "pages"
 CLASS = "class.html"
 SLOWEST = 5
 COMMON = 3
-_STYLE = (
-    "body{font-family:system-ui,sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;line-height:1.5;"
-    "color-scheme:light dark}"
-    "table{border-collapse:collapse}td,th{text-align:left;padding:3px 14px 3px 0;vertical-align:top}"
-    "pre{white-space:pre-wrap;overflow-wrap:anywhere}img{max-width:100%}"
-)
-
-
-def _page(title: str, body: str) -> str:
-    policy = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
-    return (
-        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
-        f'<meta http-equiv="Content-Security-Policy" content="{policy}">'
-        '<meta name="viewport" content="width=device-width">'
-        f"<title>{escape(title)}</title><style>{_STYLE}</style></head>\n<body><h1>{escape(title)}</h1>\n"
-        f"{body}\n</body></html>\n"
-    )
 
 
 def page_name(student: str, exercise: str) -> str:
@@ -50,19 +33,19 @@ def page_name(student: str, exercise: str) -> str:
 def judgement_of(result: Result, out: Path) -> Judgement:
     """The judgement that a result tells of, with its stored recording where there is one."""
     recording = None
-    if result["recording"] is not None:
+    if result.recording is not None:
         try:
-            recording = Recording.load(out / result["recording"])
+            recording = Recording.load(out / result.recording)
         except (OSError, ValueError):
             recording = None
     return Judgement(
-        stem=result["exercise"],
-        answer_sha256=result["answer_sha256"],
-        status="graded" if result["status"] == "graded" else "infra_error",
-        reason=result["reason"],
-        criteria=criteria_from_json(result["criteria"]),
+        stem=result.exercise,
+        answer_sha256=result.answer_sha256,
+        status="graded" if result.status == "graded" else "infra_error",
+        reason=result.reason,
+        criteria=tuple(map(criterion_result, result.criteria)),
         recording=recording,
-        doubt=result.get("doubt") or "",
+        doubt=result.doubt,
     )
 
 
@@ -72,135 +55,97 @@ def student_page(result: Result, exercise: Exercise, out: Path) -> str:
     timeline, words = None, ""
     if judgement.recording is not None and exercise.periods:
         timeline, words = judged_timeline(exercise, judgement.recording)
-    facts = [f"Answer: <code>{escape(result['answer'])}</code>", f"attempt {result['attempt']}"]
-    facts.append(f"isolation: {escape(result['isolation'])}")
-    if result["submitted_at"]:
-        facts.append(f"handed in {escape(result['submitted_at'])}")
-    if result.get("late_points"):
-        facts.append(f"{result['late_points']:g} points taken off for handing in late")
-    body = f"<p>{', '.join(facts)}.</p>"
-    if twice := tried_twice(result):
-        body += f"<p>{escape(twice)}</p>"
-    body += as_html(judgement, Extras(timeline=timeline, timeline_text=words))
-    return _page(f"{exercise.source.title}: {result['student']}", body)
+    return render(
+        "grading/student",
+        title=f"{exercise.source.title}: {result.student}",
+        result=result,
+        card=as_markup(as_html(judgement, Extras(timeline=timeline, timeline_text=words))),
+    )
 
 
 def class_page(results: Iterable[Result], exercise: Exercise) -> str:
     """How the class did: points, the criteria that fail most, common sights, the slowest, and who is not graded."""
     rows = by_student(results)
-    graded = [row for row in rows if row["score"] is not None]
-    parts = [f"<p>{len(rows)} answers, {len(graded)} graded.{_mean(graded)}{_isolation(rows)}</p>"]
-    parts += [_distribution(graded, exercise), _criteria(graded), _common(graded), _slowest(graded)]
-    parts.append(_twice(rows))
-    missing = [row for row in rows if row["score"] is None]
-    if missing:
-        lines = "".join(
-            f"<tr><td>{_name_of(row)}</td><td>{escape(row['status'])}</td>"
-            f"<td>{escape(str(row['reason']))}</td></tr>"
-            for row in missing
-        )
-        parts.append(f"<h2>Not graded</h2><table>{lines}</table>")
-    links = "".join(
-        f'<tr><td><a href="{_page_of(row)}">{_name_of(row)}</a></td><td>{_points(row)}</td></tr>'
-        for row in rows
+    graded = [row for row in rows if row.score is not None]
+    return render(
+        "grading/class",
+        title=f"{exercise.source.title}: the class",
+        colors=COLORS,
+        page_name=page_name,
+        rows=rows,
+        graded=graded,
+        mean=_mean(graded),
+        isolation=_isolation(rows),
+        distribution=_distribution(graded, round(exercise.max_points)),
+        criteria=_losses(graded),
+        common=_common(graded),
+        slowest=_slowest(graded),
+        twice=sorted((row for row in rows if row.tries), key=lambda row: row.tries_differ, reverse=True),
+        missing=[row for row in rows if row.score is None],
     )
-    parts.append(f"<h2>Everybody</h2><table><tr><th>student</th><th>points</th></tr>{links}</table>")
-    return _page(f"{exercise.source.title}: the class", "\n".join(parts))
 
 
 def _mean(graded: Sequence[Result]) -> str:
-    if not graded:
+    scores = sorted(row.score for row in graded if row.score is not None)
+    if not scores:
         return ""
-    scores = sorted(row["score"] for row in graded)
     middle = (scores[(len(scores) - 1) // 2] + scores[len(scores) // 2]) / 2
-    return f" Mean {sum(scores) / len(scores):.2g}, median {middle:g} points."
+    return f"Mean {sum(scores) / len(scores):.2g}, median {middle:g} points."
 
 
 def _isolation(rows: Sequence[Result]) -> str:
-    tiers = Counter(str(row["isolation"]) for row in rows)
-    if not tiers:
-        return ""
-    told = ", ".join(f"{escape(tier)} ({count})" for tier, count in sorted(tiers.items()))
-    return f" Isolation: {told}."
+    tiers = Counter(row.isolation for row in rows)
+    told = ", ".join(f"{tier} ({count})" for tier, count in sorted(tiers.items()))
+    return f"Isolation: {told}." if told else ""
 
 
-def _page_of(row: Result) -> str:
-    return escape(page_name(row["student"], row["exercise"]))
-
-
-def _name_of(row: Result) -> str:
-    return escape(row["student"])
-
-
-def _points(row: Result) -> str:
-    return "–" if row["score"] is None else f"{row['score']:g}"
-
-
-def _bar(share: float, color: str) -> str:
-    if not share:
-        return ""
-    width = max(0.2, 16 * share)
-    return f'<span style="display:inline-block;height:0.8em;width:{width:.1f}em;background:{color}"></span>'
-
-
-def _distribution(graded: Sequence[Result], exercise: Exercise) -> str:
-    most = round(exercise.max_points)
-    bins = Counter(min(most, int(row["score"])) for row in graded)
+def _distribution(graded: Sequence[Result], most: int) -> list[tuple[int, int, float]]:
+    """For all points, rounded down, from the most to none: how many answers got them, as a share of the largest."""
+    bins = Counter(min(most, int(row.score)) for row in graded if row.score is not None)
     largest = max(bins.values(), default=1)
-    lines = "".join(
-        f"<tr><td>{points}</td><td>{_bar(bins[points] / largest, COLORS['passed'])} {bins[points]}</td></tr>"
-        for points in range(most, -1, -1)
-    )
-    return f"<h2>Points</h2><table><tr><th>points, rounded down</th><th>answers</th></tr>{lines}</table>"
+    return [(points, bins[points], bins[points] / largest) for points in range(most, -1, -1)]
 
 
-def _criteria(graded: Sequence[Result]) -> str:
+@dataclass(frozen=True)
+class _Losses:
+    """How many answers lost a criterion, and in how many it was not looked at."""
+
+    title: str
+    lost: int
+    skipped: int
+
+
+def _losses(graded: Sequence[Result]) -> list[_Losses]:
     titles: dict[str, str] = {}
     lost: Counter[str] = Counter()
     skipped: Counter[str] = Counter()
     for row in graded:
-        for one in row["criteria"]:
-            titles[one["id"]] = one["title"]
-            lost[one["id"]] += one["status"] in ("failed", "partial")
-            skipped[one["id"]] += one["status"] == "skipped"
-    lines = "".join(
-        f"<tr><td>{escape(titles[name])}</td><td>{_bar(count / len(graded), COLORS['failed'])} {count}</td>"
-        f"<td>{skipped[name]}</td></tr>"
+        for one in row.criteria:
+            titles[one.id] = one.title
+            lost[one.id] += one.is_lost
+            skipped[one.id] += one.status == "skipped"
+    return [
+        _Losses(titles[name], count, skipped[name])
         for name, count in sorted(lost.items(), key=lambda item: -item[1])
-    )
-    head = "<tr><th>criterion</th><th>does not hold</th><th>not looked at</th></tr>"
-    return f"<h2>What fails most</h2><table>{head}{lines}</table>"
+    ]
 
 
-def _common(graded: Sequence[Result]) -> str:
+def _common(graded: Sequence[Result]) -> list[tuple[str, str, int]]:
+    """What was seen in more than one answer that lost a criterion: its title, the sight, and how often."""
     seen: dict[str, Counter[str]] = {}
     for row in graded:
-        for one in row["criteria"]:
-            if one["status"] in ("failed", "partial"):
-                seen.setdefault(one["title"], Counter())[one["saw"]] += 1
-    lines = "".join(
-        f"<tr><td>{escape(title)}</td><td>{escape(saw)}</td><td>{count} ×</td></tr>"
+        for one in row.criteria:
+            if one.is_lost:
+                seen.setdefault(one.title, Counter())[one.saw] += 1
+    return [
+        (title, saw, count)
         for title, sights in sorted(seen.items())
         for saw, count in sights.most_common(COMMON)
         if count > 1
-    )
-    return f"<h2>Seen more than once</h2><table>{lines}</table>" if lines else ""
+    ]
 
 
-def _twice(rows: Sequence[Result]) -> str:
-    twice = [row for row in rows if row.get("tries")]
-    lines = "".join(
-        f'<tr><td><a href="{_page_of(row)}">{_name_of(row)}</a></td>'
-        f"<td>{'<b>differ</b>' if tries_differ(row) else 'agree'}</td><td>{escape(tried_twice(row))}</td></tr>"
-        for row in sorted(twice, key=tries_differ, reverse=True)
-    )
-    return f"<h2>Tried twice</h2><table>{lines}</table>" if lines else ""
-
-
-def _slowest(graded: Sequence[Result]) -> str:
-    timed = sorted((row for row in graded if row["wall_s"] is not None), key=lambda row: -row["wall_s"])
-    lines = "".join(
-        f"<tr><td>{escape(row['student'])}</td><td>{row['wall_s']:.1f} s</td><td>{escape(row['clock'] or '')}</td></tr>"
-        for row in timed[:SLOWEST]
-    )
-    return f"<h2>Slowest</h2><table>{lines}</table>" if lines else ""
+def _slowest(graded: Sequence[Result]) -> list[Result]:
+    return sorted((row for row in graded if row.wall_s is not None), key=lambda row: -(row.wall_s or 0.0))[
+        :SLOWEST
+    ]

@@ -4,37 +4,31 @@ import atexit
 import contextlib
 import json
 import os
-import queue
 import select
 import signal
 import subprocess
 import sys
-import threading
 import time
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Any
 
 from workbook.exercise.answers import Answer
-from workbook.exercise.definition import OWN_CRITERIA, load_exercise
-from workbook.exercise.exchange import judgement_from_json
-from workbook.exercise.judging import Judgement, Report
-from workbook.observing.orphans import StillThere
-from workbook.observing.process import kill_programs_of
-from workbook.observing.sandbox import outer_command
-from workbook.observing.tiers import Isolation as Isolation
-from workbook.observing.typecheck import TypeCheckFailed, learn
-from workbook.observing.uids import NoIds, lease_ids
+from workbook.exercise.definition import OWN_CRITERIA
+from workbook.exercise.judgement import Judgement, Report
+from workbook.exercise.serialization import judgement_from_json
+from workbook.grading.judges import Job, Key
+from workbook.inside.orphans import StillThere
+from workbook.isolation.tiers import Isolation, lease_for, slot_command
+from workbook.isolation.user_ids import NoIds
+from workbook.programs.ending import kill_programs_of
 from workbook.ros.environment import child_environment
 
 ANSWER_DEADLINE_S = 120.0
 TRIES = 2
-Key = TypeVar("Key")
 
 
 class SlotBroken(RuntimeError):
-    """The slot died or did not answer in time. Says which; the answer was not judged."""
+    """The slot ended or did not answer in time. The message says which; the answer was not judged."""
 
 
 def _environment(own_criteria: Path | None) -> dict[str, str]:
@@ -54,7 +48,7 @@ def _environment(own_criteria: Path | None) -> dict[str, str]:
 class Slot:
     """A running slot process. Not for two threads at once.
 
-    `isolation`: one of `workbook.observing.tiers`. `own_criteria`: the folder with an instructor's own criteria, where
+    `isolation`: one of `workbook.isolation.tiers`. `own_criteria`: the folder with an instructor's own criteria, where
     it is not the one that this process was told of. `port`: of a listener on this machine; the slot then tries first
     whether the tier isolates (see `problem`). Raises SlotBroken when "uid" finds no free user id.
     """
@@ -64,7 +58,7 @@ class Slot:
     ) -> None:
         command = [sys.executable, "-m", "workbook.grading.slot", isolation]
         try:
-            self._ids = lease_ids() if isolation == "uid" else None
+            self._ids = lease_for(isolation)
         except NoIds as error:
             raise SlotBroken(str(error)) from error
         if self._ids is not None:
@@ -73,7 +67,7 @@ class Slot:
             command += ["--try", str(port)]
         self.environ = _environment(own_criteria)
         self._process = subprocess.Popen(
-            outer_command(command) if isolation == "sandbox" else command,
+            slot_command(isolation, command),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             env=self.environ,
@@ -91,6 +85,7 @@ class Slot:
 
     @property
     def is_running(self) -> bool:
+        """Whether the slot's process is alive."""
         return self._process.poll() is None
 
     def _read_line(self, deadline: float) -> dict[str, Any]:
@@ -111,13 +106,21 @@ class Slot:
         assert isinstance(message, dict)
         return message
 
-    def judge(self, stem: str, answer: Answer, *, thorough: bool, report: Report | None = None) -> Judgement:
-        """Judge one answer. Raises SlotBroken; use a new slot then."""
+    def judge(
+        self,
+        stem: str,
+        answer: Answer,
+        *,
+        thorough: bool,
+        second_start: bool = False,
+        report: Report | None = None,
+    ) -> Judgement:
+        """Judge one answer; see `Judge.judge`. Raises SlotBroken; use a new slot then."""
         deadline = time.monotonic() + ANSWER_DEADLINE_S
-        job = json.dumps({"exercise": stem, "answer": answer.text, "thorough": thorough}) + "\n"
+        order = {"exercise": stem, "answer": answer.text, "thorough": thorough, "second_start": second_start}
         assert self._process.stdin is not None
         try:
-            self._process.stdin.write(job.encode())
+            self._process.stdin.write((json.dumps(order) + "\n").encode())
             self._process.stdin.flush()
         except OSError as error:
             raise SlotBroken("the slot is gone") from error
@@ -182,7 +185,7 @@ class Slot:
         self.close()
 
 
-class _Spare:
+class _StandbySlots:
     """A slot that was started to try a tier, kept for the first answer that is judged in that tier."""
 
     def __init__(self) -> None:
@@ -212,50 +215,7 @@ class _Spare:
             self._slots.popitem()[1].close()
 
 
-spare = _Spare()
-
-
-@dataclass(frozen=True)
-class Job(Generic[Key]):
-    """One answer to judge; `key` is handed back with the judgement."""
-
-    key: Key
-    stem: str
-    answer: Answer
-
-
-class NoJudges(RuntimeError):
-    """Nobody is there to judge, or nobody any longer. The message says why and what to do."""
-
-
-class Judges(Protocol):
-    """Whoever judges many answers: the slots of this machine, or a farm."""
-
-    @property
-    def isolation(self) -> Isolation:
-        """How programs are shut in there."""
-
-    def judge_all(
-        self, jobs: Iterable[Job[Key]], *, thorough: bool = True, stop: Callable[[], bool] = lambda: False
-    ) -> Iterator[tuple[Job[Key], Judgement]]:
-        """Judge many answers; yields each judgement as it is ready, each job once.
-
-        `stop` is asked before each new answer, so that an interrupted run ends after those under way. Raises NoJudges.
-        """
-
-
-@dataclass(frozen=True)
-class LocalSlots:
-    """Judges on `slots` slots of this machine."""
-
-    slots: int
-    isolation: Isolation = "limits"
-
-    def judge_all(
-        self, jobs: Iterable[Job[Key]], *, thorough: bool = True, stop: Callable[[], bool] = lambda: False
-    ) -> Iterator[tuple[Job[Key], Judgement]]:
-        """See `Judges`."""
-        return judge_all(jobs, self.slots, thorough=thorough, isolation=self.isolation, stop=stop)
+standby = _StandbySlots()
 
 
 def judge_with_retry(
@@ -264,6 +224,7 @@ def judge_with_retry(
     thorough: bool,
     isolation: Isolation = "limits",
     own_criteria: Path | None = None,
+    report: Report | None = None,
 ) -> tuple[Slot | None, Judgement]:
     """Judge a job, replacing a slot that breaks, at most twice; then the fault is ours: `infra_error` and no slot."""
     reason = ""
@@ -272,8 +233,11 @@ def judge_with_retry(
             if slot is not None and not slot.is_running:
                 slot.close()
                 slot = None
-            slot = slot or spare.take(isolation, own_criteria)
-            return slot, slot.judge(job.stem, job.answer, thorough=thorough)
+            slot = slot or standby.take(isolation, own_criteria)
+            judgement = slot.judge(
+                job.stem, job.answer, thorough=thorough, second_start=job.second_start, report=report
+            )
+            return slot, judgement
         except Exception as error:  # whatever it is, the answer must not get lost
             reason = str(error) or type(error).__name__
             if slot is not None:
@@ -281,67 +245,3 @@ def judge_with_retry(
             slot = None
     reason += f", {TRIES} times with this answer. Run the command again; if it stays so, look at this answer yourself"
     return None, Judgement(job.stem, job.answer.sha256, "infra_error", reason, (), None)
-
-
-def _is_type_checked(stem: str) -> bool:
-    try:
-        return load_exercise(stem).source.kind == "static"
-    except Exception:  # what is wrong with it, its judgements tell
-        return False
-
-
-def judge_all(
-    jobs: Iterable[Job[Key]],
-    slots: int,
-    *,
-    thorough: bool = True,
-    isolation: Isolation = "limits",
-    stop: Callable[[], bool] = lambda: False,
-) -> Iterator[tuple[Job[Key], Judgement]]:
-    """Judge many answers on `slots` slots; yields each judgement as it is ready.
-
-    `stop` is asked before each new answer, so that an interrupted run ends after those under way.
-    """
-    waiting: queue.SimpleQueue[Job[Key]] = queue.SimpleQueue()
-    total = 0
-    stems = set()
-    for job in jobs:
-        waiting.put(job)
-        stems.add(job.stem)
-        total += 1
-    if any(_is_type_checked(stem) for stem in stems):
-        with contextlib.suppress(TypeCheckFailed):  # those who judge will say it
-            learn()
-    done: queue.SimpleQueue[tuple[Job[Key], Judgement] | None] = queue.SimpleQueue()
-
-    def work() -> None:
-        slot: Slot | None = None
-        try:
-            while not stop():
-                try:
-                    job = waiting.get_nowait()
-                except queue.Empty:
-                    break
-                slot, judgement = judge_with_retry(slot, job, thorough, isolation)
-                done.put((job, judgement))
-        finally:
-            if slot is not None:
-                slot.close()
-            done.put(None)
-
-    threads = [threading.Thread(target=work, name=f"slot {n}") for n in range(max(1, min(slots, total)))]
-    for thread in threads:
-        thread.start()
-    running = len(threads)
-    try:
-        while running:
-            item = done.get()
-            if item is None:
-                running -= 1
-            else:
-                yield item
-    finally:
-        while not waiting.empty():
-            waiting.get_nowait()
-        for thread in threads:
-            thread.join()

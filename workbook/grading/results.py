@@ -1,259 +1,179 @@
-"""`results.jsonl`: one line per judged answer, the one truth that every export is made from."""
+"""What a result holds: one line of `results.jsonl`, the one truth that every export is made from.
 
-import fcntl
-import hashlib
-import json
-import os
-import platform
-from collections.abc import Iterator, Mapping, Sequence
-from importlib import metadata
-from pathlib import Path
-from typing import Any, NamedTuple
+These classes are the schema: their fields, in this order, are what is stored (see `workbook.recording.codec`).
+Fields of a newer version are kept in `unknown`, and written again.
+"""
 
-import workbook
-from workbook.exercise.judging import Judgement
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
 
-RESULTS = "results.jsonl"
-LOG_BYTES = 8_000
+from workbook.criteria.runner import CriterionResult, Status
+from workbook.grading.changes import ByHand
+from workbook.recording.codec import NOT_STORED, UNKNOWN_FIELDS, stored_as
+from workbook.recording.recording import Clock
 
-Result = dict[str, Any]
+ResultStatus = Literal["graded", "ungradable", "infra_error"]
+StudentAndExercise = tuple[str, str]
 
 
-def versions(criteria_sha256: str) -> dict[str, str]:
-    """What a result was made with."""
-    try:
-        rclpy_version = metadata.version("ros-jazzy-rclpy")
-    except metadata.PackageNotFoundError:
-        rclpy_version = "system"
-    return {
-        "workbook": workbook.__version__,
-        "criteria": criteria_sha256,
-        "rclpy": rclpy_version,
-        "python": platform.python_version(),
-    }
+@dataclass(frozen=True)
+class CriterionLine:
+    """What one criterion gave."""
+
+    id: str
+    title: str
+    status: Status
+    points: float
+    max_points: float
+    hidden: bool
+    saw: str
+    expected: str
+    because: str
+    try_this: str = field(metadata=stored_as("try"))
+    unknown: Mapping[str, Any] = field(default_factory=dict, metadata=UNKNOWN_FIELDS)
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether the criterion failed or passed only in part."""
+        return self.status in ("failed", "partial")
+
+    def told(self) -> list[str]:
+        """The feedback of the criterion, one part a line: saw, expected, because, try."""
+        lines = (("expected", self.expected), ("because", self.because), ("try", self.try_this))
+        return [f"saw: {self.saw}", *(f"{word}: {text}" for word, text in lines if text)]
 
 
-def _recording_file(out: Path, judgement: Judgement) -> str | None:
-    if judgement.recording is None:
-        return None
-    text = json.dumps(judgement.recording.to_json(), allow_nan=False, separators=(",", ":"))
-    name = f"recordings/{hashlib.sha256(text.encode()).hexdigest()}.json"
-    path = out / name
-    path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_suffix(f".{os.getpid()}.part")
-    partial.write_text(text)
-    partial.replace(path)
-    return name
+@dataclass(frozen=True)
+class ProcessSummary:
+    """How the program ended, and the beginning of what it printed."""
+
+    exit: int | None
+    signal: str | None
+    limits_hit: tuple[str, ...]
+    log: str
+    unknown: Mapping[str, Any] = field(default_factory=dict, metadata=UNKNOWN_FIELDS)
 
 
-def _try(out: Path, judgement: Judgement, counts: bool) -> dict[str, Any]:
-    recording = judgement.recording
-    return {
-        "counts": counts,
-        "doubt": judgement.doubt,
-        "status": judgement.status,
-        "reason": judgement.reason,
-        "score": judgement.score,
-        "criteria": [result.to_json() for result in judgement.criteria],
-        "recording": _recording_file(out, judgement),
-        "clock": None if recording is None else recording.clock,
-        "wall_s": None if recording is None else recording.wall_s,
-    }
+@dataclass(frozen=True)
+class Versions:
+    """What a result was made with. `criteria`: SHA-256 of all that the exercise is judged by."""
+
+    workbook: str
+    criteria: str
+    rclpy: str
+    python: str = ""
+    unknown: Mapping[str, Any] = field(default_factory=dict, metadata=UNKNOWN_FIELDS)
 
 
-def graded_result(
-    out: Path,
-    judgement: Judgement,
-    *,
-    student: str,
-    answer: str,
-    submitted_at: str | None,
-    attempt: int,
-    isolation: str,
-    criteria_sha256: str,
-    max_score: float,
-    tries: Sequence[Judgement] = (),
-) -> Result:
-    """The result of an answer that was run, with its recording stored under `out`.
+@dataclass(frozen=True)
+class Try:
+    """One of the judgements of an answer that was tried more than once. `counts`: whether the result is this one."""
 
-    `tries`: all judgements of an answer that was tried more than once; `judgement` is the one that counts.
+    counts: bool
+    doubt: str
+    status: ResultStatus
+    reason: str | None
+    score: float | None
+    criteria: tuple[CriterionLine, ...]
+    recording: str | None
+    clock: Clock | None
+    wall_s: float | None
+    unknown: Mapping[str, Any] = field(default_factory=dict, metadata=UNKNOWN_FIELDS)
+
+
+@dataclass(frozen=True)
+class Result:
+    """What came out for one answer. `score` is None unless it was graded: an error of ours is never a zero.
+
+    `answer`: the path of the file as it was handed in; `recording`: that of the recording, below the results.
+    `tries`: all judgements of an answer that was tried more than once, because the first was inconclusive (`doubt`).
+    `late_points`: what lateness has taken off `score`; 0 in what is stored. `by_hand`: what a person has changed in it;
+    nothing in what is stored.
     """
-    recording = judgement.recording
-    process = None
-    if recording is not None:
-        process = {
-            "exit": recording.process.exit,
-            "signal": recording.process.signal,
-            "limits_hit": list(recording.process.limits_hit),
-            "log": recording.process.log[:LOG_BYTES],
-        }
-    return {
-        "student": student,
-        "answer": answer,
-        "answer_sha256": judgement.answer_sha256,
-        "submitted_at": submitted_at,
-        "exercise": judgement.stem,
-        "attempt": attempt,
-        "status": judgement.status,
-        "reason": judgement.reason,
-        "score": judgement.score,
-        "max_score": max_score,
-        "criteria": [result.to_json() for result in judgement.criteria],
-        "process": process,
-        "recording": _recording_file(out, judgement),
-        "clock": None if recording is None else recording.clock,
-        "robot_s": None if recording is None else recording.robot_s,
-        "wall_s": None if recording is None else recording.wall_s,
-        "isolation": isolation,
-        "versions": versions(criteria_sha256),
-        "doubt": judgement.doubt,
-        "tries": [_try(out, one, one is judgement) for one in tries] if len(tries) > 1 else [],
-    }
 
-
-def ungradable_result(
-    *,
-    student: str,
-    answer: str,
-    answer_sha256: str,
-    submitted_at: str | None,
-    exercise: str,
-    attempt: int,
-    reason: str,
-    isolation: str,
-    criteria_sha256: str,
-    max_score: float,
-) -> Result:
-    """The result of an answer that could not be run. It has no score: that is not a zero."""
-    return {
-        "student": student,
-        "answer": answer,
-        "answer_sha256": answer_sha256,
-        "submitted_at": submitted_at,
-        "exercise": exercise,
-        "attempt": attempt,
-        "status": "ungradable",
-        "reason": reason,
-        "score": None,
-        "max_score": max_score,
-        "criteria": [],
-        "process": None,
-        "recording": None,
-        "clock": None,
-        "robot_s": None,
-        "wall_s": None,
-        "isolation": isolation,
-        "versions": versions(criteria_sha256),
-        "doubt": "",
-        "tries": [],
-    }
-
-
-def tried_twice(result: Result) -> str:
-    """What both tries of an answer gave, as a sentence; empty for an answer that was judged once."""
-    tries = result.get("tries") or []
-    if len(tries) < 2:
-        return ""
-    told = [_told(one) for one in tries]
-    kept = " The better one counts." if told[0] != told[1] else ""
-    doubt = tries[0]["doubt"]
-    second = " So was the second." if tries[1]["doubt"] else ""
-    return f"Tried twice: {told[0]}, then {told[1]}.{kept} The first try was inconclusive ({doubt}).{second}"
-
-
-def tries_differ(result: Result) -> bool:
-    """Whether an answer was tried twice and did not get the same both times."""
-    return len({_told(one) for one in result.get("tries") or []}) > 1
-
-
-def _told(one: Mapping[str, Any]) -> str:
-    return "not judged" if one["score"] is None else f"{one['score']:g} points"
-
-
-def read_results(path: Path) -> Iterator[Result]:
-    """All complete lines of a results file. A torn line (a run was killed while writing) is left out."""
-    if not path.exists():
-        return
-    with path.open("rb") as file:
-        for line in file:
-            if not line.endswith(b"\n"):
-                return
-            try:
-                result = json.loads(line)
-            except ValueError:
-                continue
-            if isinstance(result, dict) and "student" in result and "exercise" in result:
-                yield result
-
-
-def last_results(path: Path) -> dict[tuple[str, str], Result]:
-    """The result that counts per (student, exercise): the last complete line."""
-    return {(result["student"], result["exercise"]): result for result in read_results(path)}
-
-
-class Done(NamedTuple):
-    """What an earlier run has to say of one answer: enough to know whether it must be judged again."""
-
-    status: str
+    student: str
+    answer: str
     answer_sha256: str
-    criteria_sha256: str
+    submitted_at: str | None
+    exercise: str
     attempt: int
+    status: ResultStatus
+    reason: str | None
+    score: float | None
+    max_score: float
+    criteria: tuple[CriterionLine, ...]
+    process: ProcessSummary | None
+    recording: str | None
+    clock: Clock | None
+    robot_s: float | None
+    wall_s: float | None
+    isolation: str
+    versions: Versions
+    doubt: str = ""
+    tries: tuple[Try, ...] = ()
+    late_points: float = field(default=0.0, metadata=NOT_STORED)
+    by_hand: tuple[ByHand, ...] = field(default=(), metadata=NOT_STORED)
+    unknown: Mapping[str, Any] = field(default_factory=dict, metadata=UNKNOWN_FIELDS)
 
+    @property
+    def key(self) -> StudentAndExercise:
+        """Whose result this is, and of which exercise: the last one of each counts."""
+        return self.student, self.exercise
 
-def done_before(path: Path, exercise: str) -> dict[str, Done]:
-    """By student, what is known of one exercise. Small: a large class fits many times into memory."""
-    return {
-        result["student"]: Done(
-            result["status"],
-            result["answer_sha256"],
-            result["versions"]["criteria"],
-            int(result["attempt"]),
+    @property
+    def tries_differ(self) -> bool:
+        """Whether the answer was tried twice and did not get the same both times."""
+        return len({_told(one) for one in self.tries}) > 1
+
+    def changed_by_hand(self) -> str:
+        """What a person has changed in it, and why; empty where nothing was changed."""
+        return " ".join(one.told() for one in self.by_hand)
+
+    def tried_twice(self) -> str:
+        """What both tries gave, as a sentence; empty for an answer that was judged once."""
+        if len(self.tries) < 2:
+            return ""
+        told = [_told(one) for one in self.tries]
+        kept = " The better one counts." if told[0] != told[1] else ""
+        doubt = self.tries[0].doubt
+        second = " So was the second." if self.tries[1].doubt else ""
+        return (
+            f"Tried twice: {told[0]}, then {told[1]}.{kept} The first try was inconclusive ({doubt}).{second}"
         )
-        for result in read_results(path)
-        if result["exercise"] == exercise
-    }
 
 
-class FolderInUse(OSError):
-    """Another grader writes to the same folder. The message says which, and what to do."""
+def _told(one: Try) -> str:
+    return "not judged" if one.score is None else f"{one.score:g} points"
 
 
-class ResultsFile:
-    """Appends results, each flushed to the disk before the next answer counts as done.
+def criterion_line(judged: CriterionResult) -> CriterionLine:
+    """What is stored of a judged criterion."""
+    return CriterionLine(
+        id=judged.id,
+        title=judged.title,
+        status=judged.status,
+        points=judged.points,
+        max_points=judged.max_points,
+        hidden=judged.hidden,
+        saw=judged.saw,
+        expected=judged.expected,
+        because=judged.because,
+        try_this=judged.try_this,
+    )
 
-    One at a time: raises FolderInUse while another process has it open.
-    """
 
-    def __init__(self, path: Path) -> None:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        self._file = path.open("a", encoding="utf-8")
-        try:
-            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            self._file.close()
-            raise FolderInUse(
-                f"another grader is writing to {path.parent}. Wait until it has finished, or name another folder "
-                "with --out"
-            ) from None
-        except OSError:
-            pass  # this file system knows no locks
-        self._drop_torn_line(path)
-        for half_written in (path.parent / "recordings").glob("*.part"):
-            half_written.unlink(missing_ok=True)
-
-    @staticmethod
-    def _drop_torn_line(path: Path) -> None:
-        if not path.exists():
-            return
-        raw = path.read_bytes()
-        if raw and not raw.endswith(b"\n"):
-            with path.open("r+b") as file:
-                file.truncate(raw.rfind(b"\n") + 1)
-
-    def append(self, result: Result) -> None:
-        self._file.write(json.dumps(result, allow_nan=False, ensure_ascii=False) + "\n")
-        self._file.flush()
-        os.fsync(self._file.fileno())
-
-    def close(self) -> None:
-        self._file.close()
+def criterion_result(line: CriterionLine) -> CriterionResult:
+    """A judged criterion, as far as it was stored."""
+    return CriterionResult(
+        id=line.id,
+        title=line.title,
+        status=line.status,
+        points=line.points,
+        max_points=line.max_points,
+        hidden=line.hidden,
+        saw=line.saw,
+        expected=line.expected,
+        because=line.because,
+        try_this=line.try_this,
+    )

@@ -1,6 +1,6 @@
 """One place to run an answer: a process of its own with a warm observer, fed with jobs as lines of JSON.
 
-    {"exercise": "09_joint_positions", "answer": "<program text>", "thorough": true}
+    {"exercise": "09_joint_positions", "answer": "<program text>", "thorough": true, "second_start": false}
 
 comes in on standard input, judgements go out on standard output, the last one with `"final": true`. The line
 `{"enough": true}` cuts short the real seconds that a passing program is kept running for.
@@ -12,44 +12,32 @@ The first line that goes out says that it is ready and, with `--try`, what is wr
 
 import argparse
 import contextlib
-import ctypes
 import json
 import os
 import queue
 import signal
 import sys
 import threading
-from dataclasses import replace
+from collections.abc import Callable, Mapping
+from functools import cache
 from pathlib import Path
 from typing import Any, TextIO
 
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
-from workbook.exercise.exchange import judgement_to_json
-from workbook.exercise.judging import Judge, Judgement
-from workbook.observing.orphans import StillThere, adopt_orphans, sweep_orphans
-from workbook.observing.self_test import try_out
-from workbook.observing.tiers import Isolation, named_tier, walls
-from workbook.observing.uids import Ids
-from workbook.observing.warm_start import ForkServer, own_server
-from workbook.observing.watch import Observer
+from workbook.exercise.judgement import Judgement, Report
+from workbook.exercise.judging import Judge
+from workbook.exercise.serialization import judgement_to_json
+from workbook.inside.libc import set_parent_death_signal
+from workbook.inside.orphans import StillThere, adopt_orphans, sweep_orphans
+from workbook.isolation.sandbox import sandbox_environment
+from workbook.isolation.tiers import Isolation, make_tier, named_tier
+from workbook.isolation.user_ids import Ids
+from workbook.programs.warm_start import ForkServer, own_server
+from workbook.recording.limits import ANSWER_LIMITS
 from workbook.ros.environment import child_environment
-
-PR_SET_PDEATHSIG = 1
-PROCESSES = 64
-"""Processes and threads of one answer; a node takes about 16."""
-FILES = 20_000
-"""Files and folders of one answer, in each of the three folders where it may write."""
-LIMITS = {
-    # Bytes, numbers, and seconds of processor time. No core file fits into one byte; with 0, a kernel that hands them
-    # to a program would do so all the same.
-    "memory": 2_500_000_000,
-    "file_size": 100_000_000,
-    "open_files": 512,
-    "cpu": 60,
-    "core": 1,
-    "processes": PROCESSES,
-}
+from workbook.watching.observer import Observer
+from workbook.watching.tier_self_test import try_out
 
 
 def _private_output() -> TextIO:
@@ -84,6 +72,11 @@ class _Inbox:
         self.jobs.put(None)
 
 
+@cache
+def _exercise(stem: str) -> Exercise:
+    return load_exercise(stem)
+
+
 def serve(isolation: Isolation, ids: Ids | None = None, port: int | None = None) -> None:
     """Answer jobs until standard input is closed. With "uid" the programs run under `ids`, which the caller leased.
 
@@ -91,10 +84,9 @@ def serve(isolation: Isolation, ids: Ids | None = None, port: int | None = None)
     """
     channel = _private_output()
     adopt_orphans()
-    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
+    set_parent_death_signal(signal.SIGTERM)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, _end_on_sigterm)
-    exercises: dict[str, Exercise] = {}
     inbox = _Inbox()
 
     def send(message: dict[str, Any]) -> None:
@@ -104,43 +96,51 @@ def serve(isolation: Isolation, ids: Ids | None = None, port: int | None = None)
     def report(judgement: Judgement) -> None:
         send({"final": False, "judgement": judgement_to_json(judgement)})
 
-    cage, confinement = walls(isolation, ids, adopts=True)
     server = ForkServer()
-    limits = dict(LIMITS)
-    if cage is not None:
-        limits["files"] = FILES
-        cage = replace(cage, server=server)
-        server.start(cage.environment(child_environment(0, log_folder=Path(os.devnull))))
-    else:
-        own_server.keep()
-    with contextlib.closing(server), Observer(cage=cage, confinement=confinement) as observer:
-        judge = Judge(observer, limits)
-        problem = None if port is None else try_out(isolation, observer, limits, port, ids)
+    tier = make_tier(isolation, ids=ids, server=server)
+    warm_up(isolation, server)
+    with contextlib.closing(server), Observer(tier=tier) as observer:
+        judge = Judge(observer, ANSWER_LIMITS)
+        problem = None if port is None else try_out(isolation, observer, ANSWER_LIMITS, port, ids)
         send({"ready": os.getpid(), "problem": problem})
         while (job := inbox.jobs.get()) is not None:
             inbox.enough.clear()
-            try:
-                stem = job["exercise"]
-                if stem not in exercises:
-                    exercises[stem] = load_exercise(stem)
-                judgement = judge.judge(
-                    exercises[stem],
-                    Answer(job["answer"]),
-                    thorough=job["thorough"],
-                    report=report,
-                    enough=inbox.enough.is_set,
-                )
-                message = {"final": True, "judgement": judgement_to_json(judgement)}
-            except Exception as error:
-                message = {"final": True, "error": f"{type(error).__name__}: {error}"}
-            try:
-                sweep_orphans()
-            except StillThere as error:
-                message = {"final": True, "error": str(error)}
-            send(message)
+            send(_follow(job, judge, report, inbox.enough.is_set))
+
+
+def _follow(
+    job: Mapping[str, Any], judge: Judge, report: Report, enough: Callable[[], bool]
+) -> dict[str, Any]:
+    """Judge one answer and sweep up behind it. Returns the last line on it: its judgement, or what went wrong."""
+    try:
+        judgement = judge.judge(
+            _exercise(job["exercise"]),
+            Answer(job["answer"]),
+            thorough=job["thorough"],
+            second_start=job["second_start"],
+            report=report,
+            enough=enough,
+        )
+        message = {"final": True, "judgement": judgement_to_json(judgement)}
+    except Exception as error:
+        message = {"final": True, "error": f"{type(error).__name__}: {error}"}
+    try:
+        sweep_orphans()
+    except StillThere as error:
+        message = {"final": True, "error": str(error)}
+    return message
+
+
+def warm_up(isolation: Isolation, server: ForkServer) -> None:
+    """Prepare to fork programs: in a sandbox from `server`, in other tiers from this process's own fork server."""
+    if isolation == "sandbox":
+        server.start(sandbox_environment(child_environment(0, log_folder=Path(os.devnull))))
+    else:
+        own_server.keep()
 
 
 def main() -> None:
+    """Read the command line, then answer jobs until standard input is closed."""
     parser = argparse.ArgumentParser()
     parser.add_argument("tier", type=named_tier)
     parser.add_argument("--user", type=lambda text: Ids(int(text)))

@@ -1,13 +1,10 @@
-"""Which ways to keep a stranger's program in work on this machine: the slot for the first answer tries it."""
+"""Which tiers of isolation work on this machine: the slot for the first answer tries it."""
 
 import socket
 from functools import cache
 
-from workbook.grading.pool import Slot, SlotBroken, spare
-from workbook.observing.confine import landlock_abi
-from workbook.observing.sandbox import sandbox_problem
-from workbook.observing.tiers import BEST_FIRST, Isolation, closed_folder
-from workbook.observing.uids import NoIds, lease_ids
+from workbook.grading.pool import Slot, SlotBroken, standby
+from workbook.isolation.tiers import BEST_FIRST, Isolation, known_problem
 
 SELF_TEST_S = 60.0
 
@@ -16,31 +13,14 @@ SELF_TEST_S = 60.0
 def tier_problem(isolation: Isolation) -> str | None:
     """Why a tier does not work here, and what to do; None when it does. Tries it, once: it takes a second.
 
-    The slot that has tried a tier that works is kept for the first answer (see `workbook.grading.pool.spare`).
+    The slot that has tried a tier that works is kept for the first answer (see `workbook.grading.pool.standby`).
     """
-    return _known_problem(isolation) or _try_out(isolation)
+    return known_problem(isolation) or _try_out(isolation)
 
 
 def best_below_sandbox() -> Isolation:
     """The best of the weaker tiers that works here."""
     return next((name for name in BEST_FIRST[1:] if tier_problem(name) is None), "limits")
-
-
-def _known_problem(isolation: Isolation) -> str | None:
-    """What can be told without running a program."""
-    if isolation == "sandbox":
-        return sandbox_problem()
-    if isolation == "landlock" and landlock_abi() == 0:
-        return "this kernel has no Landlock, or it is switched off (Linux 5.13 or newer, lsm=landlock)"
-    if isolation == "uid":
-        try:
-            lease_ids().release()
-        except NoIds as error:
-            return str(error)
-        closed = closed_folder()
-        if closed is not None:
-            return f"other users may not enter {closed}, on the way to this Python: chmod o+x {closed}"
-    return None
 
 
 def _try_out(isolation: Isolation) -> str | None:
@@ -58,7 +38,7 @@ def _try_out(isolation: Isolation) -> str | None:
             slot.kill()
             raise
     if problem is None:
-        spare.keep(isolation, slot)
+        standby.keep(isolation, slot)
     else:
         slot.kill()
     return problem

@@ -1,1 +1,4 @@
-"""Creating the environment, launching JupyterLab, and the student's own copy of the lessons."""
+"""Around the notebooks: creating the environment, launching JupyterLab, setting up kernels, the student's own copy.
+
+It is a face: only `cli` and `authoring` import from it. `bootstrap` runs before anything is installed.
+"""

@@ -37,11 +37,12 @@ LEFTOVERS = (
 )  # fmt: skip
 
 
-class Problem(Exception):
+class EnvironmentProblem(Exception):
     """The environment cannot be made here; the text says what is missing and where environment.md helps."""
 
 
 def version_text(version: tuple[int, ...]) -> str:
+    """A version as people write it, 3.12."""
     return ".".join(str(part) for part in version)
 
 
@@ -52,53 +53,64 @@ def check_machine(
     version: tuple[int, ...] | None = None,
     implementation: str | None = None,
 ) -> None:
-    """Raise Problem when the wheels of rclpy cannot work on this machine.
+    """Raise EnvironmentProblem when the wheels of rclpy cannot work on this machine.
 
     The arguments stand in for what this machine says of itself.
     """
-    system = platform.system() if system is None else system
-    machine = platform.machine() if machine is None else machine
-    libc = platform.libc_ver() if libc is None else libc
-    version = tuple(sys.version_info[:2]) if version is None else version
-    implementation = platform.python_implementation() if implementation is None else implementation
+    _check_platform(
+        platform.system() if system is None else system, platform.machine() if machine is None else machine
+    )
+    _check_interpreter(
+        tuple(sys.version_info[:2]) if version is None else version,
+        platform.python_implementation() if implementation is None else implementation,
+    )
+    _check_libc(*(platform.libc_ver() if libc is None else libc))
+
+
+def _check_platform(system: str, machine: str) -> None:
     if system != "Linux":
         section = "Windows" if system == "Windows" else "macOS and ARM"
-        raise Problem(
+        raise EnvironmentProblem(
             "the wheels of rclpy are for Linux and this is {}. See '{}' in environment.md.".format(
                 system, section
             )
         )
     if machine not in ("x86_64", "AMD64"):
-        raise Problem(
+        raise EnvironmentProblem(
             "the wheels of rclpy are for x86_64 and this machine is {}. "
             "See 'macOS and ARM' in environment.md.".format(machine)
         )
+
+
+def _check_interpreter(version: tuple[int, ...], implementation: str) -> None:
     if not OLDEST <= version <= NEWEST:
-        raise Problem(
+        raise EnvironmentProblem(
             "Python {} to {} is needed and {} is Python {}. Install one and name it, for example "
             "`make env PYTHON=python3.12`. See 'A suitable Python' in environment.md.".format(
                 version_text(OLDEST), version_text(NEWEST), sys.executable, version_text(version)
             )
         )
     if implementation != "CPython":
-        raise Problem(
+        raise EnvironmentProblem(
             "the wheels of rclpy are for CPython and {} is {}. "
             "See 'A suitable Python' in environment.md.".format(sys.executable, implementation)
         )
-    name, number = libc
+
+
+def _check_libc(name: str, number: str) -> None:
     digits = tuple(int(part) for part in re.findall(r"\d+", number)[:2])
     if name != "glibc" or digits < OLDEST_GLIBC:
         found = (
             "glibc {}".format(number) if name == "glibc" else "another C library ({})".format(name or "musl?")
         )
-        raise Problem(
+        raise EnvironmentProblem(
             "the wheels of rclpy need glibc {} or newer and this system has {}. "
             "See 'Docker' in environment.md.".format(version_text(OLDEST_GLIBC), found)
         )
 
 
 def check_venv_module(uv: str | None) -> None:
-    """Raise Problem when neither uv nor this Python's own venv module can create an environment."""
+    """Raise EnvironmentProblem when neither uv nor this Python's own venv module can create an environment."""
     if uv is not None:
         return
     try:
@@ -106,7 +118,7 @@ def check_venv_module(uv: str | None) -> None:
         import venv  # noqa: F401
     except ImportError as error:
         package = "python{}-venv".format(version_text(sys.version_info[:2]))
-        raise Problem(
+        raise EnvironmentProblem(
             "{} has no complete venv module ({}). On Debian and Ubuntu: `sudo apt install {}`. "
             "See 'A suitable Python' in environment.md.".format(sys.executable, error, package)
         ) from None
@@ -158,6 +170,7 @@ def read_stamp() -> dict[str, Any]:
 
 
 def clean_environ() -> dict[str, str]:
+    """The environment for installers: without what a sourced ROS left, and with a quiet pip."""
     environ = {name: value for name, value in os.environ.items() if name not in LEFTOVERS}
     environ["PIP_DISABLE_PIP_VERSION_CHECK"] = "1"
     environ["PIP_ROOT_USER_ACTION"] = "ignore"
@@ -165,13 +178,13 @@ def clean_environ() -> dict[str, str]:
 
 
 def run(command: list[Any], what: str, temporary: str | None = None) -> None:
-    """Run a command with its output shown and temporary files in a folder; Problem when it fails."""
+    """Run a command with its output shown and temporary files in a folder; raises EnvironmentProblem when it fails."""
     environ = clean_environ()
     if temporary is not None:
         environ["TMPDIR"] = temporary
     done = subprocess.run([str(part) for part in command], cwd=str(ROOT), env=environ)
     if done.returncode:
-        raise Problem(
+        raise EnvironmentProblem(
             "{} failed (exit {}; the lines above say why). No network, a full disk and a proxy are the usual "
             "reasons. Run the same command again: it goes on by itself. See 'When something fails' in "
             "environment.md.".format(what, done.returncode)
@@ -181,11 +194,13 @@ def run(command: list[Any], what: str, temporary: str | None = None) -> None:
 def create(uv: str | None) -> None:
     """An empty virtual environment in `.venv`, marked as unfinished."""
     if VENV.is_symlink() or (VENV.exists() and not VENV.is_dir()):
-        raise Problem("{} is not a folder. Move it away and try again.".format(VENV))
+        raise EnvironmentProblem("{} is not a folder. Move it away and try again.".format(VENV))
     if VENV.exists():
         ours = (VENV / "pyvenv.cfg").exists() or (VENV / UNFINISHED).exists() or not any(VENV.iterdir())
         if not ours:
-            raise Problem("{} exists and is not an environment. Move it away and try again.".format(VENV))
+            raise EnvironmentProblem(
+                "{} exists and is not an environment. Move it away and try again.".format(VENV)
+            )
         shutil.rmtree(str(VENV))
     VENV.mkdir()
     (VENV / UNFINISHED).touch()
@@ -277,7 +292,7 @@ def version_of(python: Path) -> str:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Parse, make the environment, and turn a Problem into one line on stderr and exit code 1."""
+    """Parse, make the environment, and turn an EnvironmentProblem into one line on stderr and exit code 1."""
     parser = argparse.ArgumentParser(description="Create the environment of the workbook in .venv.")
     parser.add_argument("--extras", default="", help="further sections of the lock: dev, ai, farm")
     parser.add_argument(
@@ -292,7 +307,7 @@ def main(arguments: list[str] | None = None) -> int:
         with OneAtATime():
             if not ensure(["build", "student", *extras], options.chosen_python) and sys.stdout.isatty():
                 print("The environment is ready.")
-    except Problem as problem:
+    except EnvironmentProblem as problem:
         print("make: {}".format(problem), file=sys.stderr)
         return 1
     except KeyboardInterrupt:

@@ -1,6 +1,6 @@
 """The checks behind `workbook doctor`: what this machine has, and what to do about what it lacks.
 
-Each check returns one Finding and may raise: `examine` turns an exception into a finding that says so.
+Each check returns one HealthFinding and may raise: `examine` turns an exception into a finding that says so.
 """
 
 import os
@@ -15,18 +15,23 @@ from contextlib import suppress
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
-Status = Literal["ok", "note", "mend"]
-HEARTBEAT = Path(__file__).with_name("heartbeat.py")
-TALK_LIMIT_S = 40.0
+if TYPE_CHECKING:
+    from workbook.recording.recording import ProcessRecord
+
+Status = Literal["ok", "note", "fix"]
+PING_PUBLISHER = Path(__file__).with_name("ping_publisher.py")
+PING_LIMIT_S = 40.0
+"""Only an upper bound: with a cold disk and a busy processor, a program needs many seconds to start."""
 KERNEL_LIMIT_S = 50.0
+"""Only an upper bound, as above; a kernel imports IPython as well."""
 GIB = 2**30
 
 
 @dataclass(frozen=True)
-class Finding:
-    """One line of the report: `mend` must be put right, `note` is worth knowing."""
+class HealthFinding:
+    """One line of the report: `fix` must be fixed, `note` is worth knowing."""
 
     status: Status
     title: str
@@ -34,13 +39,13 @@ class Finding:
     todo: str = ""
 
 
-def check_python() -> Finding:
+def check_python() -> HealthFinding:
     """Interpreter and system."""
-    from workbook.lab.bootstrap import Problem, check_machine
+    from workbook.lab.bootstrap import EnvironmentProblem, check_machine
 
     saw = f"{platform.python_version()} on {platform.system()} {platform.machine()}, {' '.join(platform.libc_ver())}"
     if sys.prefix == sys.base_prefix:
-        return Finding(
+        return HealthFinding(
             "note", "Python", f"{saw}, outside any environment", "The wheels route uses .venv/bin/workbook."
         )
     from workbook.ros.environment import uses_wheels
@@ -48,12 +53,12 @@ def check_python() -> Finding:
     if uses_wheels():
         try:
             check_machine()
-        except Problem as problem:
-            return Finding("mend", "Python", saw, f"{str(problem)[0].upper()}{str(problem)[1:]}")
-    return Finding("ok", "Python", saw)
+        except EnvironmentProblem as problem:
+            return HealthFinding("fix", "Python", saw, f"{str(problem)[0].upper()}{str(problem)[1:]}")
+    return HealthFinding("ok", "Python", saw)
 
 
-def check_packages() -> Finding:
+def check_packages() -> HealthFinding:
     """Versions of what the lessons stand on, and whether the environment fits the lock file."""
     from workbook.ros.environment import uses_wheels
 
@@ -69,19 +74,19 @@ def check_packages() -> Finding:
             missing.append(name)
     saw = ", ".join(found)
     if missing:
-        return Finding(
-            "mend", "Packages", f"missing: {', '.join(missing)}; there: {saw or 'none'}", "Run `make env`."
+        return HealthFinding(
+            "fix", "Packages", f"missing: {', '.join(missing)}; there: {saw or 'none'}", "Run `make env`."
         )
     if not uses_wheels():
-        return Finding(
+        return HealthFinding(
             "note", "Packages", f"{saw}; rclpy comes from another ROS installation, not from the wheels"
         )
     from workbook.lab import bootstrap
 
     stamp = bootstrap.read_stamp()
     if Path(sys.prefix).resolve() == bootstrap.VENV.resolve() and stamp.get("digest") != bootstrap.digest():
-        return Finding("mend", "Packages", f"{saw}; not what requirements.lock says", "Run `make env`.")
-    return Finding("ok", "Packages", saw)
+        return HealthFinding("fix", "Packages", f"{saw}; not what requirements.lock says", "Run `make env`.")
+    return HealthFinding("ok", "Packages", saw)
 
 
 def leftovers(environ: Mapping[str, str]) -> list[str]:
@@ -91,16 +96,16 @@ def leftovers(environ: Mapping[str, str]) -> list[str]:
     return sorted(name for name in environ if is_leftover(name))
 
 
-def check_leftovers(names: list[str]) -> Finding:
+def check_leftovers(names: list[str]) -> HealthFinding:
     """What the shell carries from a sourced ROS; our own processes drop it."""
     from workbook.ros.environment import uses_wheels
 
     if not names:
-        return Finding("ok", "Shell", "no variables of another ROS")
+        return HealthFinding("ok", "Shell", "no variables of another ROS")
     shown = ", ".join(names[:6]) + (f" and {len(names) - 6} more" if len(names) > 6 else "")
     if not uses_wheels():
-        return Finding("ok", "Shell", f"a ROS installation is sourced ({shown})")
-    return Finding(
+        return HealthFinding("ok", "Shell", f"a ROS installation is sourced ({shown})")
+    return HealthFinding(
         "note",
         "Shell",
         f"{shown}: left by a sourced ROS or another environment",
@@ -108,7 +113,7 @@ def check_leftovers(names: list[str]) -> Finding:
     )
 
 
-def check_rclpy() -> Finding:
+def check_rclpy() -> HealthFinding:
     """rclpy imports, from the right place, and speaks through an RMW we know."""
     import rclpy
     import std_msgs.msg
@@ -117,34 +122,36 @@ def check_rclpy() -> Finding:
 
     home = Path(rclpy.__file__).resolve()
     if uses_wheels() and not home.is_relative_to(Path(sys.prefix).resolve()):
-        return Finding(
-            "mend",
+        return HealthFinding(
+            "fix",
             "rclpy",
             f"imported from {home.parent}, not from the environment",
             "Another ROS is in front: open a terminal without its `source` line (PYTHONPATH must not name it).",
         )
     identifier = rclpy.get_rmw_implementation_identifier()
-    return Finding("ok", "rclpy", f"imports, with messages ({std_msgs.msg.__package__}); RMW {identifier}")
+    return HealthFinding(
+        "ok", "rclpy", f"imports, with messages ({std_msgs.msg.__package__}); RMW {identifier}"
+    )
 
 
-def check_domain() -> Finding:
+def check_domain() -> HealthFinding:
     """A domain can be leased, and a second lease of it is refused."""
     from workbook.ros.domains import lease_domain
 
     with lease_domain() as first, lease_domain(first.domain_id) as second:
         if first.domain_id == second.domain_id:
-            return Finding(
-                "mend",
+            return HealthFinding(
+                "fix",
                 "Domains",
                 f"domain {first.domain_id} was leased twice",
-                "Notebooks may hear each other. See 'When something fails' in environment.md.",
+                "Notebooks may receive each other's messages. See 'When something fails' in environment.md.",
             )
-        return Finding(
+        return HealthFinding(
             "ok", "Domains", f"leased {first.domain_id} and {second.domain_id}, each held by one process"
         )
 
 
-def check_loopback() -> Finding:
+def check_loopback() -> HealthFinding:
     """A UDP packet sent to 127.0.0.1 arrives."""
     with (
         socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver,
@@ -156,16 +163,16 @@ def check_loopback() -> Finding:
         try:
             receiver.recv(16)
         except TimeoutError:
-            return Finding(
-                "mend",
+            return HealthFinding(
+                "fix",
                 "Loopback",
                 "a UDP packet to 127.0.0.1 did not arrive",
                 "A firewall drops it, or the interface `lo` is down (`ip link set lo up`).",
             )
-    return Finding("ok", "Loopback", "UDP on 127.0.0.1 arrives")
+    return HealthFinding("ok", "Loopback", "UDP on 127.0.0.1 arrives")
 
 
-def check_folders() -> Finding:
+def check_folders() -> HealthFinding:
     """Home, temporary folder and shared memory can be written, with room left."""
     temporary = Path(tempfile.gettempdir())
     saw = []
@@ -183,30 +190,53 @@ def check_folders() -> Finding:
                 saw.append("/dev/shm cannot be written (the workbook does not need it)")
                 continue
             todo = "Set HOME to a folder of yours." if name == "home" else "Set TMPDIR to a folder of yours."
-            return Finding(
-                "mend", "Folders", f"{name} folder {place} cannot be written: {error.strerror}", todo
+            return HealthFinding(
+                "fix", "Folders", f"{name} folder {place} cannot be written: {error.strerror}", todo
             )
         free = shutil.disk_usage(place).free / GIB
         if free < needed:
-            return Finding(
-                "mend", "Folders", f"{name} folder {place} has {free * 1024:.0f} MB left", "Make room."
+            return HealthFinding(
+                "fix", "Folders", f"{name} folder {place} has {free * 1024:.0f} MB left", "Make room."
             )
         saw.append(f"{name} {free:.1f} GB free")
-    return Finding("ok", "Folders", ", ".join(saw))
+    return HealthFinding("ok", "Folders", ", ".join(saw))
 
 
-def check_two_processes() -> Finding:
-    """Another process publishes, this one hears it."""
+def check_two_processes() -> HealthFinding:
+    """Another process publishes, this one receives it."""
+    record, took = _receive_ping()
+    if took is not None:
+        return HealthFinding("ok", "Two processes", f"a node in another process was heard after {took:.1f} s")
+    said = record.log.strip().splitlines()
+    last = f" It said: {said[-1]}" if said else ""
+    if record.ended_by == "itself":
+        return HealthFinding(
+            "fix",
+            "Two processes",
+            f"the other process ended by itself (exit {record.exit}).{last}",
+            "Run `make env`.",
+        )
+    return HealthFinding(
+        "fix",
+        "Two processes",
+        f"nothing was heard from another process in {PING_LIMIT_S:.0f} s.{last}",
+        "A firewall or VPN often filters multicast and UDP on 127.0.0.1. See 'When something fails' in environment.md.",
+    )
+
+
+def _receive_ping() -> "tuple[ProcessRecord, float | None]":
+    """Start a publisher. Returns how it ran, and after how many seconds its first message came (None: never)."""
     import rclpy
     from rclpy.context import Context
     from rclpy.executors import SingleThreadedExecutor
     from rclpy.signals import SignalHandlerOptions
     from std_msgs.msg import String
 
-    from workbook.observing.process import NodeProcess
+    from workbook.programs.process import NodeProcess
+    from workbook.programs.spec import ProgramSpec
     from workbook.ros.domains import lease_domain
 
-    heard: list[str] = []
+    pings: list[str] = []
     with lease_domain() as lease:
         context = Context()
         rclpy.init(context=context, domain_id=lease.domain_id, signal_handler_options=SignalHandlerOptions.NO)
@@ -214,13 +244,13 @@ def check_two_processes() -> Finding:
         executor = SingleThreadedExecutor(context=context)
         executor.add_node(node)
 
-        def hear(message: String) -> None:
-            heard.append(message.data)
+        def on_ping(message: String) -> None:
+            pings.append(message.data)
 
-        node.create_subscription(String, "/doctor/beat", hear, 10)
-        program = NodeProcess(HEARTBEAT, lease.domain_id)
+        node.create_subscription(String, "/doctor/ping", on_ping, 10)
+        program = NodeProcess(ProgramSpec(PING_PUBLISHER), lease.domain_id)
         try:
-            while not heard and program.is_running() and time.monotonic() - program.started_at < TALK_LIMIT_S:
+            while not pings and program.is_running() and time.monotonic() - program.started_at < PING_LIMIT_S:
                 executor.spin_once(timeout_sec=0.05)
             took = time.monotonic() - program.started_at
         finally:
@@ -229,24 +259,7 @@ def check_two_processes() -> Finding:
             node.destroy_node()
             rclpy.shutdown(context=context)
             lease.release(killed=program.killed)
-    if heard:
-        return Finding("ok", "Two processes", f"a node in another process was heard after {took:.1f} s")
-    record = program.record()
-    said = record.log.strip().splitlines()
-    last = f" It said: {said[-1]}" if said else ""
-    if record.ended_by == "itself":
-        return Finding(
-            "mend",
-            "Two processes",
-            f"the other process ended by itself (exit {record.exit}).{last}",
-            "Run `make env`.",
-        )
-    return Finding(
-        "mend",
-        "Two processes",
-        f"nothing was heard from another process in {TALK_LIMIT_S:.0f} s.{last}",
-        "A firewall or VPN often filters multicast and UDP on 127.0.0.1. See 'When something fails' in environment.md.",
-    )
+    return program.record(), took if pings else None
 
 
 _CELL = "import os, rclpy"
@@ -255,7 +268,7 @@ f"domain {os.environ.get('ROS_DOMAIN_ID')} magics {'workbook.magics' in get_ipyt
 """
 
 
-def check_kernel() -> Finding:
+def check_kernel() -> HealthFinding:
     """A Jupyter kernel starts, with a domain and the magics."""
     from jupyter_client.manager import start_new_kernel
 
@@ -276,23 +289,25 @@ def check_kernel() -> Finding:
         told.get("data", {}).get("text/plain") or told.get("evalue") or reply.get("evalue") or ""
     ).strip("'\"")
     if "domain None" in said or "magics True" not in said or "domain" not in said:
-        return Finding(
-            "mend", "Jupyter kernel", f"started, but is not set up: {said or 'no answer'}", "Run `make env`."
+        return HealthFinding(
+            "fix", "Jupyter kernel", f"started, but is not set up: {said or 'no answer'}", "Run `make env`."
         )
     domain = said.split("domain ")[1].split()[0]
-    return Finding("ok", "Jupyter kernel", f"starts in {took:.1f} s, with domain {domain} and the magics")
+    return HealthFinding(
+        "ok", "Jupyter kernel", f"starts in {took:.1f} s, with domain {domain} and the magics"
+    )
 
 
-def check_machine_size() -> Finding:
+def check_machine_size() -> HealthFinding:
     """Processors and memory."""
     processors = len(os.sched_getaffinity(0))
     memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") / GIB
     saw = f"{processors} processor{'s' if processors != 1 else ''}, {memory:.1f} GB of memory"
     if processors < 2 or memory < 1.8:
-        return Finding(
+        return HealthFinding(
             "note", "Machine", saw, "Lessons work, slowly. Two processors and 2 GB are comfortable."
         )
-    return Finding("ok", "Machine", saw)
+    return HealthFinding("ok", "Machine", saw)
 
 
 def chromium() -> str | None:
@@ -309,26 +324,26 @@ def chromium() -> str | None:
     return None
 
 
-def check_chromium() -> Finding:
+def check_chromium() -> HealthFinding:
     """A browser for the tests: for authors only."""
     found = chromium()
     if found:
-        return Finding("ok", "Chromium", found)
-    return Finding(
+        return HealthFinding("ok", "Chromium", found)
+    return HealthFinding(
         "note", "Chromium", "not found", "Only the browser tests of `make test` need it (apt: chromium)."
     )
 
 
-def check_sandbox() -> Finding:
-    """How well other people's programs can be shut in: for instructors only."""
+def check_sandbox() -> HealthFinding:
+    """How well untrusted programs can be confined: for instructors only."""
     from workbook.grading.tier_check import best_below_sandbox, tier_problem
-    from workbook.observing.tiers import covers, leaves_open
+    from workbook.isolation.tiers import covers, leaves_open
 
     problem = tier_problem("sandbox")
     if problem is None:
-        return Finding("ok", "Isolation", "sandbox: bubblewrap isolates a program")
+        return HealthFinding("ok", "Isolation", "sandbox: bubblewrap isolates a program")
     best = best_below_sandbox()
-    return Finding(
+    return HealthFinding(
         "note",
         "Isolation",
         f"no sandbox: {problem}. The best that works here is {best}: {covers(best)}. {leaves_open(best)}",
@@ -336,8 +351,8 @@ def check_sandbox() -> Finding:
     )
 
 
-def examine(environ: Mapping[str, str] | None = None) -> Iterator[Finding]:
-    """Every finding, as it is made. Sets up this process for ROS on the way."""
+def examine(environ: Mapping[str, str] | None = None) -> Iterator[HealthFinding]:
+    """Every finding, as it is made. Sets up this process for ROS before the first check that needs it."""
     found = leftovers(os.environ if environ is None else environ)
     yield from _made("Python", check_python)
     yield from _made("Packages", check_packages)
@@ -360,14 +375,14 @@ def examine(environ: Mapping[str, str] | None = None) -> Iterator[Finding]:
         yield from _made(title, check)
 
 
-def _made(title: str, check: Callable[[], Finding]) -> Iterable[Finding]:
+def _made(title: str, check: Callable[[], HealthFinding]) -> Iterable[HealthFinding]:
     try:
         return [check()]
     except Exception as error:
         text = str(error).strip() or "no further text"
         return [
-            Finding(
-                "mend",
+            HealthFinding(
+                "fix",
                 title,
                 f"{type(error).__name__}: {text.splitlines()[0]}",
                 "Run `make env`. If it stays: 'When something fails' in environment.md.",

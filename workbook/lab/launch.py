@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from workbook.exercise.course import NoCourse, course_folder
-from workbook.lab.delivery import deliver, first_lesson
+from workbook.lab.work_folder import first_lesson, update_work_folder
 from workbook.ros.environment import is_leftover, uses_wheels
 
 
@@ -85,7 +85,7 @@ def launch(arguments: Sequence[str]) -> int:
         print(f"workbook lab: {problem}", file=sys.stderr)
         return 1
     try:
-        for said in deliver(course, work).lines():
+        for said in update_work_folder(course, work).lines():
             print(said)
     except OSError as error:
         print(

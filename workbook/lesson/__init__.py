@@ -1,23 +1,27 @@
-"""What the cells of a lesson use: predictions, programs beside the notebook, live views, pictures of recordings."""
+"""What the cells of a lesson use: predictions, programs beside the notebook, live views, pictures of recordings.
+
+Lessons import from the package itself (`from workbook.lesson import run`). The faces above import modules of it for
+what a lesson and an exercise share: `startup` and `progress`. Each name is imported at first use.
+"""
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from workbook.lesson.doctor_report import doctor
     from workbook.lesson.graphs import graph_picture
-    from workbook.lesson.machine import doctor
     from workbook.lesson.predictions import predict, predicted, recall
     from workbook.lesson.programs import arrivals, processor_seconds, record, run_program, start, stop, values
     from workbook.lesson.type_reports import check_types, stub_of
     from workbook.lesson.views import robot, watch_robot, watch_status
+    from workbook.ros.fresh_nodes import fresh
     from workbook.ros.session import init, run, spin_for
-    from workbook.ros.twins import fresh
 
 _HOME = {
     "arrivals": "workbook.lesson.programs",
     "check_types": "workbook.lesson.type_reports",
-    "doctor": "workbook.lesson.machine",
-    "fresh": "workbook.ros.twins",
+    "doctor": "workbook.lesson.doctor_report",
+    "fresh": "workbook.ros.fresh_nodes",
     "graph_picture": "workbook.lesson.graphs",
     "init": "workbook.ros.session",
     "predict": "workbook.lesson.predictions",

@@ -1,6 +1,6 @@
 """Predictions: say what will happen before you run it, and see afterwards whether it did."""
 
-from workbook.magics.following import note_prediction
+from workbook.lesson.activity import note_prediction
 
 _predictions: dict[str, str] = {}
 _latest = ""

@@ -8,22 +8,25 @@ from contextlib import closing
 from pathlib import Path
 from types import ModuleType
 
-from workbook.criteria.mishaps import shutdown_overtaken, without_executors_end
-from workbook.magics.readiness import wait_until_it_serves
-from workbook.magics.running import node_names, wait_for_nodes
-from workbook.observing.process import NodeProcess, ros_arguments
-from workbook.observing.process import processor_seconds as processor_time_of
-from workbook.observing.recording import Clock, ProcessRecord, Recording
-from workbook.observing.rest import Rest
-from workbook.observing.tree import seconds_in_line
-from workbook.observing.warm_start import own_server
-from workbook.observing.watch import SPEEDS, Observer, Plan
+from workbook.criteria.vocabulary.known_errors import shutdown_overtaken, without_executors_end
+from workbook.inside.proc import processor_seconds as processor_seconds_of
+from workbook.inside.proc import run_queue_s
+from workbook.lesson.startup import node_names, wait_for_nodes, wait_until_it_serves
+from workbook.programs.process import NodeProcess
+from workbook.programs.spec import ProgramSpec
+from workbook.programs.warm_start import own_server
+from workbook.recording.plan import Plan
+from workbook.recording.recording import Clock, ProcessRecord, Recording
 from workbook.ros.scratch import remove_scratch, scratch_folder
+from workbook.watching.observer import Observer
+from workbook.watching.quiescence import Quiescence
 
 Program = ModuleType | Path | str
-LOOK_S = 0.02
+POLL_S = 0.02
 AT_WORK_WITHIN_S = 30.0
+"""On a busy machine a program may take this long to open its DDS ports."""
 SETTLE_S = 1.0
+"""After the ports are open: imports and discovery are over by then, and only the work itself is measured."""
 
 own_server.keep()  # a lesson runs many programs
 _started: dict[str, NodeProcess] = {}
@@ -47,7 +50,7 @@ def start(program: Program, **parameters: object) -> str:
     file = program_file(program)
     _end(file.stem)
     known = node_names()
-    process = NodeProcess(file, int(os.environ["ROS_DOMAIN_ID"]), ros_arguments(parameters))
+    process = NodeProcess(ProgramSpec(file, parameters=parameters), int(os.environ["ROS_DOMAIN_ID"]))
     _started[file.stem] = process
     nodes = wait_for_nodes(process, known)
     if nodes:
@@ -84,7 +87,7 @@ def record(
 ) -> Recording:
     """Run a program on a domain of its own and record the topics in `periods` (topic name: expected period in s).
 
-    On the "simulated" clock, `seconds` of robot time pass in about a fifteenth of that; on the "wall" clock they
+    On the "simulated" clock, `seconds` of robot time pass as fast as the program can follow; on the "wall" clock they
     really pass. `parameters` are ROS parameters for its nodes.
     """
     if clock not in ("simulated", "wall"):
@@ -93,11 +96,11 @@ def record(
         tuple(periods),
         min(periods.values()),
         max(periods.values()),
-        robot_seconds=seconds / len(SPEEDS),
+        robot_seconds=seconds,
         wall_seconds=seconds,
     )
     with Observer() as observer:
-        with observer.watch(program_file(program), plan, clock, parameters=parameters) as watch:
+        with observer.watch(ProgramSpec(program_file(program), parameters=parameters), plan, clock) as watch:
             return watch.finish(watch.observe())
 
 
@@ -106,27 +109,28 @@ def processor_seconds(
 ) -> float:
     """Processor time (s) that a program takes in its first `seconds` of real time on a domain of its own.
 
-    Without `with_start`: in `seconds` of real time once it is at work, a second after its node has come up. It counts
-    then as well how long its first thread was ready and stood in line: on a busy machine it gets less than it takes.
+    Without `with_start`: in `seconds` of real time once it is at work, a second after its node has come up. That
+    includes how long its first thread waited in the run queue: on a busy machine it gets less time than it needs.
     """
+    spec = ProgramSpec(program_file(program), parameters=parameters)
     with Observer() as observer:
-        with NodeProcess(program_file(program), observer.domain_id, ros_arguments(parameters)) as process:
+        with NodeProcess(spec, observer.domain_id) as process:
             before = 0.0
             if not with_start:
                 _wait_until_at_work(process, observer.domain_id)
-                before = (processor_time_of([process.pid]) or 0.0) + seconds_in_line(process.pid)
+                before = (processor_seconds_of([process.pid]) or 0.0) + run_queue_s(process.pid)
             if process.wait(seconds):
                 raise RuntimeError(f"the program ended early:\n{process.record().log}")
-            used = processor_time_of([process.pid]) or 0.0
+            used = processor_seconds_of([process.pid]) or 0.0
             if not with_start:
-                used += seconds_in_line(process.pid)
+                used += run_queue_s(process.pid)
     return used - before
 
 
 def _wait_until_at_work(process: NodeProcess, domain_id: int) -> None:
     deadline = time.monotonic() + AT_WORK_WITHIN_S
     while domain_id not in process.domains_used() and time.monotonic() < deadline:
-        if process.wait(LOOK_S):
+        if process.wait(POLL_S):
             return
     process.wait(SETTLE_S)
 
@@ -148,10 +152,10 @@ def run_program(
     interrupt_at: str | None = None,
     silence: float | None = None,
 ) -> ProcessRecord:
-    """Run a piece of code as its own program behind a watchdog, and return what became of it.
+    """Run a piece of code as its own program behind a watchdog, and return how it ended.
 
     The program is ended after `seconds` at the latest, so nothing in it can hang the notebook. With `silence` it is
-    ended when it has said nothing for so many seconds after its first words: how long it takes to start does not
+    ended when it has printed nothing for so many seconds after its first output: the time to start does not
     count. With `interrupt_at` it gets Ctrl-C (SIGINT) as soon as it has printed that text and waits. It runs on a
     domain of its own. Where rclpy itself spoiled the end (see `shutdown_overtaken` and `without_executors_end`), the
     program is run once more.
@@ -171,17 +175,19 @@ def _run_once(
     file.write_text(code, encoding="utf-8")
     deadline = time.monotonic() + seconds
     try:
-        with Observer() as observer, NodeProcess(file, observer.domain_id, arguments) as process:
-            said, said_at = "", time.monotonic()
-            while not process.wait(LOOK_S) and time.monotonic() < deadline:
-                if (log := process.log.text()) != said:
-                    said, said_at = log, time.monotonic()
-                if interrupt_at is not None and interrupt_at in said:
-                    with closing(Rest(process.pid)) as rest:  # a person is slower than the rest of its turn
-                        rest.wait()
+        with Observer() as observer, NodeProcess(ProgramSpec(file, arguments), observer.domain_id) as process:
+            printed, printed_at = "", time.monotonic()
+            while not process.wait(POLL_S) and time.monotonic() < deadline:
+                if (log := process.log.text()) != printed:
+                    printed, printed_at = log, time.monotonic()
+                if interrupt_at is not None and interrupt_at in printed:
+                    with closing(
+                        Quiescence(process.pid)
+                    ) as quiescence:  # nobody presses Ctrl-C within microseconds
+                        quiescence.wait()
                     process.interrupt()
                     interrupt_at = None
-                if silence is not None and said and time.monotonic() - said_at > silence:
+                if silence is not None and printed and time.monotonic() - printed_at > silence:
                     break
             process.stop()
             if process.killed:

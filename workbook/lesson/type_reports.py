@@ -4,11 +4,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 
-from workbook.criteria.phrasing import count
+from workbook.criteria.vocabulary.phrasing import count
+from workbook.exercise.answer_files import answer_file
 from workbook.exercise.source import STEM
-from workbook.magics.answers import answer_file
-from workbook.observing.recording import Finding
-from workbook.observing.typecheck import BARE, NOTE, SETTINGS, TYPINGS, type_check
+from workbook.recording.recording import Finding
+from workbook.typechecking.typecheck import BARE, NOTE, SETTINGS, TYPINGS, MypyOptions, type_check
 
 _STRICT = ("--strict", "--allow-untyped-calls", "--implicit-reexport")
 
@@ -53,7 +53,7 @@ def check_types(
     """
     text = _text_of(program)
     settings = (f"--config-file={SETTINGS}",) if stubs and strict else (*BARE, *(_STRICT if strict else ()))
-    return TypeReport(text, type_check(text, settings=settings, stubs=stubs, notes=notes))
+    return TypeReport(text, type_check(text, options=MypyOptions(settings, stubs, notes)))
 
 
 def _text_of(program: str | Path | ModuleType) -> str:

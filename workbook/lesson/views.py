@@ -12,8 +12,8 @@ from workbook.pictures import dashboard, humanoid
 from workbook.pictures.joints import Follower
 from workbook.pictures.live import LiveFigure
 from workbook.pictures.stills import Still
+from workbook.ros.kernel_node import kernel_node
 from workbook.ros.session import Stopped, run
-from workbook.ros.standing import standing_node
 
 MOST_PICTURES = "WORKBOOK_PICTURES_PER_SECOND"
 """Environment variable: draw no more, whatever a cell asks for."""
@@ -26,7 +26,7 @@ class _View(Node):
     def __init__(self, name: str) -> None:
         super().__init__(
             name,
-            context=standing_node().context,
+            context=kernel_node().context,
             enable_rosout=False,
             start_parameter_services=False,
             use_global_arguments=False,
@@ -61,10 +61,10 @@ class RobotView(_View):
         """The picture as it is now; None while it is the one before. A robot that stands still costs nothing."""
         words = self.complaint or ("" if self.received else "waiting for /robot/joint_positions")
         angles = () if words else tuple(self._follower.angles(time.monotonic()))
-        looks = (words, angles, self._lamp)
-        if looks == self._shown:
+        frame = (words, angles, self._lamp)
+        if frame == self._shown:
             return None
-        self._shown = looks
+        self._shown = frame
         if words:
             return humanoid.placeholder(words)
         return humanoid.draw(angles, lamp=self._lamp)  # type: ignore[arg-type]
@@ -95,6 +95,7 @@ class StatusView(_View):
         self.arrivals[dashboard.BATTERY_TOPIC].append(self._now())
 
     def frame(self) -> bytes:
+        """The dashboard as it is now, as PNG bytes."""
         return dashboard.draw(self.status, self.battery, self.arrivals, now=self._now(), window=self.window)
 
 

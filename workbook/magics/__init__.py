@@ -1,12 +1,15 @@
-"""IPython extension `workbook.magics`: what an exercise notebook uses. Loaded when a kernel starts."""
+"""The IPython extension of exercise notebooks: %%answer, %start, %check and the other magics.
+
+A kernel loads it when it starts. It is a face: only `cli` imports from it (the progress table).
+"""
 
 from typing import Any
 
 
 def load_ipython_extension(shell: Any) -> None:
     """Register the magics and make ROS safe in this kernel."""
+    from workbook.lesson.activity import note_cell
     from workbook.magics.extension import ExerciseMagics
-    from workbook.magics.following import note_cell
     from workbook.ros.kernel import install
 
     install()

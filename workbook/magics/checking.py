@@ -7,13 +7,13 @@ from pathlib import Path
 from workbook.criteria.runner import CriterionResult
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise
-from workbook.exercise.judging import Judgement
+from workbook.exercise.judgement import Judgement
 from workbook.feedback import wording
 from workbook.feedback.card import Card, Extras
 from workbook.feedback.review import review_prompt
 from workbook.feedback.timeline import judged_timeline
 from workbook.grading.pool import Slot, SlotBroken
-from workbook.grading.tries import until_sure
+from workbook.grading.retries import until_sure
 
 _slot: Slot | None = None
 
@@ -27,19 +27,20 @@ def warm_slot() -> Slot:
 
 
 def close_slot() -> None:
+    """End the slot of this kernel; does nothing when there is none."""
     global _slot
     if _slot is not None:
         _slot.close()
         _slot = None
 
 
-def hurry() -> None:
+def finish_soon() -> None:
     """Have the slot finish the judgement under way soon."""
     if _slot is not None and _slot.is_running:
         _slot.enough()
 
 
-def abandon() -> None:
+def kill_slot() -> None:
     """End the slot at once, and with it the program that it watches."""
     global _slot
     if _slot is not None:
@@ -68,7 +69,7 @@ def judge(stem: str, answer: Answer, report: Callable[[Judgement], None]) -> Jud
 def _timeline(
     exercise: Exercise, judgement: Judgement, first: CriterionResult | None
 ) -> tuple[bytes | None, str]:
-    """A picture of the arrivals when the first thing to mend is about time."""
+    """A picture of the arrivals when the first failed criterion is about time."""
     if first is None or not first.about_time or judgement.recording is None:
         return None, ""
     return judged_timeline(exercise, judgement.recording)

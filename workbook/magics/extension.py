@@ -8,17 +8,17 @@ from IPython.core.interactiveshell import InteractiveShell
 from IPython.core.magic import Magics, cell_magic, line_magic, magics_class
 from IPython.display import DisplayHandle, Markdown, display
 
+from workbook.exercise.answer_files import answer_file, answers_folder, restore_starter, save_answer
 from workbook.exercise.answers import ANSWER_MAGIC, Ungradable, read_answer, syntax_mistake
 from workbook.exercise.course import NoCourse
 from workbook.exercise.definition import BrokenCriteria, Exercise, load_exercise
-from workbook.exercise.judging import Judgement
+from workbook.exercise.judgement import Judgement
 from workbook.exercise.source import STEM, SourceError, UnknownExercise
 from workbook.feedback import wording
+from workbook.lesson.progress import TRIES_BEFORE_SOLUTION, load_progress, save_progress
 from workbook.magics import checking
-from workbook.magics.answers import answer_file, answers_folder, restore_starter, save_answer
-from workbook.magics.overview import overview
-from workbook.magics.progress import TRIES_BEFORE_SOLUTION, load_progress, save_progress
-from workbook.magics.running import Running, node_names, wait_for_nodes
+from workbook.magics.progress_table import progress_table
+from workbook.magics.running import Running
 
 _EXPECTED = (Ungradable, UnknownExercise, NoCourse, BrokenCriteria, SourceError, OSError)
 
@@ -32,12 +32,12 @@ def shown_path(path: Path) -> str:
 
 
 class _Notice(Exception):
-    """Something to tell the student instead of doing what was asked."""
+    """A message for the student, shown instead of doing what was asked."""
 
 
 @magics_class
 class ExerciseMagics(Magics):
-    """One per kernel. Remembers the exercise at hand and what is running."""
+    """The magics of one kernel. Remembers the current exercise and what is running."""
 
     def __init__(self, shell: InteractiveShell | None) -> None:
         super().__init__(shell)
@@ -67,7 +67,7 @@ class ExerciseMagics(Magics):
     @cell_magic
     def answer(self, line: str, cell: str) -> None:
         """Save this cell as the answer to an exercise. It does not run here: %start and %check run it."""
-        self._tell(self._answer, line, cell)
+        self._report(self._answer, line, cell)
 
     def _answer(self, line: str, cell: str) -> None:
         if not line.strip():
@@ -103,7 +103,7 @@ class ExerciseMagics(Magics):
     @line_magic
     def reset(self, line: str) -> None:
         """Put the starter back. Your answer so far is kept."""
-        self._tell(self._reset, line)
+        self._report(self._reset, line)
 
     def _reset(self, line: str) -> None:
         exercise = self._exercise(line)
@@ -117,11 +117,11 @@ class ExerciseMagics(Magics):
     @line_magic
     def start(self, line: str) -> None:
         """Run your answer as its own process on this notebook's domain."""
-        self._tell(self._start, line)
+        self._report(self._start, line)
 
     def _start(self, line: str) -> None:
-        from workbook.criteria.mishaps import find_mishap
-        from workbook.magics.readiness import wait_until_it_serves
+        from workbook.criteria.vocabulary.known_errors import find_error
+        from workbook.lesson.startup import node_names, wait_for_nodes, wait_until_it_serves
 
         exercise = self._exercise(line)
         file = self._need_file(exercise.stem)
@@ -146,10 +146,10 @@ class ExerciseMagics(Magics):
             return
         self._running.stop(exercise.stem)
         record = process.record()
-        mishap = find_mishap(record.log, record.program)
-        if mishap is not None:
+        error = find_error(record.log, record.program)
+        if error is not None:
             raise _Notice(
-                f"Your program ended with {mishap.where}{mishap.error}\n{mishap.because}\n{mishap.try_this}"
+                f"Your program ended with {error.where}{error.error}\n{error.because}\n{error.try_this}"
             )
         how = record.signal or f"exit code {record.exit}"
         raise _Notice(f"Your program ended at once ({how}). Does it spin?\n{record.log.strip()}".rstrip())
@@ -157,7 +157,7 @@ class ExerciseMagics(Magics):
     @line_magic
     def stop(self, line: str) -> None:
         """End the program that %start has started, as Ctrl-C would."""
-        self._tell(self._stop, line)
+        self._report(self._stop, line)
 
     def _stop(self, line: str) -> None:
         stopped = self._running.stop_all() if not line.strip() else None
@@ -171,7 +171,7 @@ class ExerciseMagics(Magics):
     @line_magic
     def check(self, line: str) -> None:
         """Judge your answer by what it does on the topics."""
-        self._tell(self._check, line)
+        self._report(self._check, line)
 
     def _check(self, line: str) -> None:
         exercise = self._exercise(line)
@@ -180,7 +180,7 @@ class ExerciseMagics(Magics):
         progress = load_progress(exercise.stem)
         hints_left = len(exercise.source.hints) - progress.hints
         if self._watcher is not None and self._watcher.is_alive():
-            checking.hurry()
+            checking.finish_soon()
             self._watcher.join()
         checking.warm_slot()  # here, not in the thread below: a slot ends with the thread that started it
         handle: list[DisplayHandle] = []
@@ -214,7 +214,7 @@ class ExerciseMagics(Magics):
                 pass
         except KeyboardInterrupt:
             abandoned.set()
-            checking.abandon()
+            checking.kill_slot()
             raise _Notice("Check stopped.") from None
 
     @staticmethod
@@ -233,7 +233,7 @@ class ExerciseMagics(Magics):
     @line_magic
     def hint(self, line: str) -> None:
         """The next of three hints: a nudge, a pointer, a sketch."""
-        self._tell(self._hint, line)
+        self._report(self._hint, line)
 
     def _hint(self, line: str) -> None:
         words = line.split()
@@ -254,7 +254,7 @@ class ExerciseMagics(Magics):
     @line_magic
     def solution(self, line: str) -> None:
         """The reference answer, once yours passes or after some honest tries."""
-        self._tell(self._solution, line)
+        self._report(self._solution, line)
 
     def _solution(self, line: str) -> None:
         exercise = self._exercise(line)
@@ -271,7 +271,7 @@ class ExerciseMagics(Magics):
     @line_magic
     def progress(self, line: str) -> None:
         """What you have read, predicted and solved so far."""
-        self._tell(lambda: display(overview()))
+        self._report(lambda: display(progress_table()))
 
     # --- shared -----------------------------------------------------------------------------------------------
 
@@ -285,8 +285,8 @@ class ExerciseMagics(Magics):
         return file
 
     @staticmethod
-    def _tell(action: object, *arguments: str) -> None:
-        """Run an action; what goes wrong in an expected way becomes a sentence, not a traceback."""
+    def _report(action: object, *arguments: str) -> None:
+        """Run an action; an expected error is shown as a sentence, not as a traceback."""
         assert callable(action)
         try:
             action(*arguments)

@@ -6,6 +6,7 @@ it stays sharp on a fine screen. It uses matplotlib's rasterizer without figure,
 
 import math
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Literal
 
@@ -23,6 +24,33 @@ Point = tuple[float, float]
 Align = Literal["left", "center", "right"]
 
 
+@dataclass(frozen=True)
+class Paint:
+    """How a shape is drawn: `fill` and `stroke` are colors, `width` (px) and `dash` (px on, px off) are of its line.
+
+    Without `fill` only the line is drawn, without `stroke` only the face. `alpha`: 0 (invisible) to 1 (opaque).
+    """
+
+    fill: str | None = None
+    stroke: str | None = None
+    width: float = 2.0
+    alpha: float = 1.0
+    dash: Sequence[float] | None = None
+
+
+@dataclass(frozen=True)
+class Font:
+    """How text is drawn: `size` in pixels."""
+
+    size: float = 12.0
+    color: str = GREY
+    bold: bool = False
+
+
+GREY_LINE = Paint(stroke=GREY)
+PLAIN_TEXT = Font()
+
+
 class Canvas:
     """A transparent picture of `width` by `height` pixels."""
 
@@ -36,143 +64,63 @@ class Canvas:
         """The picture."""
         return encode(np.asarray(self._renderer.buffer_rgba()), dots_per_pixel=self.scale)
 
-    def path(
-        self,
-        path: Path,
-        *,
-        fill: str | None = None,
-        stroke: str | None = None,
-        width: float = 2.0,
-        alpha: float = 1.0,
-        dash: Sequence[float] | None = None,
-        at: Affine2D | None = None,
-    ) -> None:
-        """Any path; `at` places it. Without `fill` only its line is drawn, without `stroke` only its face."""
+    def path(self, path: Path, paint: Paint, *, at: Affine2D | None = None) -> None:
+        """Any path; `at` places it."""
         pen = self._pen
-        pen.set_linewidth(width * self.scale if stroke else 0.0)
-        pen.set_foreground(rgba(stroke or GREY, alpha), isRGBA=True)
-        pen.set_alpha(alpha)
+        pen.set_linewidth(paint.width * self.scale if paint.stroke else 0.0)
+        pen.set_foreground(rgba(paint.stroke or GREY, paint.alpha), isRGBA=True)
+        pen.set_alpha(paint.alpha)
         pen.set_capstyle("round")
         pen.set_joinstyle("round")
-        pen.set_dashes(0, [part * self.scale for part in dash] if dash else None)
+        pen.set_dashes(0, [part * self.scale for part in paint.dash] if paint.dash else None)
         pen.set_antialiased(True)
         place = self._base if at is None else at + self._base
-        self._renderer.draw_path(pen, path, place, rgba(fill, alpha) if fill else None)
+        self._renderer.draw_path(pen, path, place, rgba(paint.fill, paint.alpha) if paint.fill else None)
 
-    def polygon(
-        self,
-        points: Iterable[Point],
-        *,
-        fill: str | None = None,
-        stroke: str | None = None,
-        width: float = 2.0,
-        alpha: float = 1.0,
-    ) -> None:
+    def polygon(self, points: Iterable[Point], paint: Paint) -> None:
         """A closed polygon."""
         corners = list(points)
-        self.path(
-            Path([*corners, corners[0]], closed=True), fill=fill, stroke=stroke, width=width, alpha=alpha
-        )
+        self.path(Path([*corners, corners[0]], closed=True), paint)
 
-    def line(
-        self,
-        points: Iterable[Point],
-        *,
-        stroke: str = GREY,
-        width: float = 2.0,
-        alpha: float = 1.0,
-        dash: Sequence[float] | None = None,
-    ) -> None:
-        """An open line through the points, with round ends."""
-        self.path(Path(list(points)), stroke=stroke, width=width, alpha=alpha, dash=dash)
+    def line(self, points: Iterable[Point], paint: Paint = GREY_LINE) -> None:
+        """An open line through the points, with round ends; gray where the paint names no stroke."""
+        self.path(Path(list(points)), _stroked(paint))
 
-    def curve(
-        self,
-        start: Point,
-        pull: Point,
-        push: Point,
-        end: Point,
-        *,
-        stroke: str = GREY,
-        width: float = 2.0,
-        alpha: float = 1.0,
-        dash: Sequence[float] | None = None,
-    ) -> None:
-        """A Bézier curve from `start` to `end`."""
+    def curve(self, start: Point, pull: Point, push: Point, end: Point, paint: Paint = GREY_LINE) -> None:
+        """A Bézier curve from `start` to `end`; gray where the paint names no stroke."""
         codes = [Path.MOVETO, Path.CURVE4, Path.CURVE4, Path.CURVE4]
-        self.path(Path([start, pull, push, end], codes), stroke=stroke, width=width, alpha=alpha, dash=dash)
+        self.path(Path([start, pull, push, end], codes), _stroked(paint))
 
-    def disc(
-        self,
-        center: Point,
-        radius: float,
-        *,
-        fill: str | None = None,
-        stroke: str | None = None,
-        width: float = 2.0,
-        alpha: float = 1.0,
-        flat: float = 1.0,
-    ) -> None:
+    def disc(self, center: Point, radius: float, paint: Paint, *, flat: float = 1.0) -> None:
         """A disc, or an ellipse `flat` times as high as wide."""
         place = Affine2D.from_values(radius, 0, 0, radius * flat, *center)
-        self.path(_CIRCLE, fill=fill, stroke=stroke, width=width, alpha=alpha, at=place)
+        self.path(_CIRCLE, paint, at=place)
 
     def box(
-        self,
-        x: float,
-        y: float,
-        width: float,
-        height: float,
-        *,
-        radius: float = 0.0,
-        fill: str | None = None,
-        stroke: str | None = None,
-        line: float = 2.0,
-        alpha: float = 1.0,
-        at: Affine2D | None = None,
+        self, corner: Point, size: Point, paint: Paint, *, radius: float = 0.0, at: Affine2D | None = None
     ) -> None:
-        """A box with rounded corners; (x, y) is its upper left corner."""
+        """A box with rounded corners: its upper left corner, and its width and height."""
+        width, height = size
         if width <= 0 or height <= 0:
             return
-        path = rounded(x, y, width, height, min(radius, width / 2, height / 2))
-        self.path(path, fill=fill, stroke=stroke, width=line, alpha=alpha, at=at)
+        self.path(rounded(*corner, width, height, min(radius, width / 2, height / 2)), paint, at=at)
 
-    def capsule(
-        self,
-        start: Point,
-        end: Point,
-        start_radius: float,
-        end_radius: float,
-        *,
-        fill: str | None = None,
-        stroke: str | None = None,
-        width: float = 2.0,
-        alpha: float = 1.0,
-    ) -> None:
+    def capsule(self, start: Point, end: Point, start_radius: float, end_radius: float, paint: Paint) -> None:
         """A limb: two round ends and the straight sides between them."""
-        self.path(
-            capsule(start, end, start_radius, end_radius), fill=fill, stroke=stroke, width=width, alpha=alpha
-        )
+        self.path(capsule(start, end, start_radius, end_radius), paint)
 
-    def text(
-        self,
-        at: Point,
-        words: str,
-        *,
-        size: float = 12.0,
-        color: str = GREY,
-        bold: bool = False,
-        align: Align = "left",
-        alpha: float = 1.0,
-        angle: float = 0.0,
-    ) -> None:
-        """One line of text; `at` is on its base line. `size` in pixels, `angle` in rad."""
+    def text(self, at: Point, words: str, font: Font = PLAIN_TEXT, *, align: Align = "left") -> None:
+        """One line of text; `at` is on its base line."""
         if not words:
             return
-        outline, length = _outline(words, size, bold)
+        outline, length = _outline(words, font.size, font.bold)
         shift = {"left": 0.0, "center": -length / 2, "right": -length}[align]
-        place = Affine2D().translate(shift, 0).scale(1, -1).rotate(-angle).translate(*at)
-        self.path(outline, fill=color, alpha=alpha, at=place)
+        place = Affine2D().translate(shift, 0).scale(1, -1).translate(*at)
+        self.path(outline, Paint(fill=font.color), at=place)
+
+
+def _stroked(paint: Paint) -> Paint:
+    return paint if paint.stroke else replace(paint, stroke=GREY)
 
 
 def text_width(words: str, size: float = 12.0, *, bold: bool = False) -> float:

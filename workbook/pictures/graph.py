@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from workbook.pictures.canvas import Canvas, Point, shorten, text_width
+from workbook.pictures.canvas import Canvas, Font, Paint, Point, shorten, text_width
 from workbook.pictures.palette import BLUE, GREEN, GREY
 
 Edge = tuple[str, str]
@@ -58,7 +58,7 @@ def draw(
     boxes = [*node_boxes.values(), *topic_boxes.values()]
     if not boxes:
         canvas = Canvas(300, 48)
-        canvas.text((150, 29), "no nodes and no topics", size=13, align="center")
+        canvas.text((150, 29), "no nodes and no topics", Font(size=13), align="center")
         return canvas.png()
     forward, backward = _directed(boxes, pairs)
     width, height = _place(boxes, forward)
@@ -128,7 +128,7 @@ def _directed(boxes: list[_Box], pairs: _Pairs) -> tuple[_Pairs, _Pairs]:
 
 
 def _place(boxes: list[_Box], forward: _Pairs) -> tuple[float, float]:
-    """Layers from left to right, each ordered by its neighbors; returns width and height."""
+    """Layers from left to right, each ordered by the boxes it is joined to; returns width and height."""
     for start, end in forward:
         start.after.append(end)
         end.before.append(start)
@@ -174,45 +174,53 @@ def _wish(box: _Box) -> float:
 def _arrow(canvas: Canvas, start: _Box, end: _Box) -> None:
     a, b = (start.x + start.width, start.middle), (end.x - 3, end.middle)
     pull = max(24.0, (b[0] - a[0]) * 0.45)
-    canvas.curve(a, (a[0] + pull, a[1]), (b[0] - pull, b[1]), (b[0] - 7, b[1]), width=2)
+    canvas.curve(a, (a[0] + pull, a[1]), (b[0] - pull, b[1]), (b[0] - 7, b[1]), Paint(width=2))
     _head(canvas, b, 1)
 
 
-def _arrow_back(canvas: Canvas, start: _Box, end: _Box, floor: float) -> None:
+def _arrow_back(canvas: Canvas, start: _Box, end: _Box, bottom: float) -> None:
     a = (start.x + start.width * 0.5, start.y + start.height)
     b = (end.x + end.width * 0.5, end.y + end.height + 3)
-    low = max(floor + 8, a[1] + 26, b[1] + 26)
-    canvas.curve(a, (a[0], low + 8), (b[0], low + 8), (b[0], b[1] + 7), width=2)
+    low = max(bottom + 8, a[1] + 26, b[1] + 26)
+    canvas.curve(a, (a[0], low + 8), (b[0], low + 8), (b[0], b[1] + 7), Paint(width=2))
     _head(canvas, b, 0)
 
 
 def _head(canvas: Canvas, tip: Point, right: int) -> None:
     x, y = tip
     sides = [(x - 10, y - 5.5), (x - 10, y + 5.5)] if right else [(x - 5.5, y + 10), (x + 5.5, y + 10)]
-    canvas.polygon([tip, *sides], fill=GREY, stroke=GREY, width=1)
+    canvas.polygon([tip, *sides], Paint(fill=GREY, stroke=GREY, width=1))
 
 
 def _paint(canvas: Canvas, box: _Box, *, strong: bool) -> None:
     color = BLUE if box.is_node else GREEN
     radius = box.height / 2 if box.is_node else 6.0
-    canvas.box(box.x, box.y, box.width, box.height, radius=radius, fill=color, alpha=0.08)
-    canvas.box(box.x, box.y, box.width, box.height, radius=radius, stroke=color, line=3.6 if strong else 2.0)
+    canvas.box((box.x, box.y), (box.width, box.height), Paint(fill=color, alpha=0.08), radius=radius)
+    canvas.box(
+        (box.x, box.y),
+        (box.width, box.height),
+        Paint(stroke=color, width=3.6 if strong else 2.0),
+        radius=radius,
+    )
     middle = box.x + box.width / 2
     if len(box.lines) == 1:
         canvas.text(
-            (middle, box.middle + 4.5), box.lines[0], size=13, bold=box.is_node, color=color, align="center"
+            (middle, box.middle + 4.5),
+            box.lines[0],
+            Font(size=13, bold=box.is_node, color=color),
+            align="center",
         )
     else:
-        canvas.text((middle, box.middle - 3), box.lines[0], size=13, color=color, align="center")
-        canvas.text((middle, box.middle + 13), box.lines[1], size=11, align="center")
+        canvas.text((middle, box.middle - 3), box.lines[0], Font(size=13, color=color), align="center")
+        canvas.text((middle, box.middle + 13), box.lines[1], Font(size=11), align="center")
 
 
 def _legend(canvas: Canvas, y: float) -> None:
     x = _MARGIN
-    canvas.box(x, y - 11, 26, 14, radius=7, stroke=BLUE, line=1.8)
-    canvas.text((x + 33, y), "node", size=11)
-    canvas.box(x + 76, y - 11, 26, 14, radius=3, stroke=GREEN, line=1.8)
-    canvas.text((x + 109, y), "topic", size=11)
-    canvas.line([(x + 154, y - 4), (x + 172, y - 4)], width=2)
+    canvas.box((x, y - 11), (26, 14), Paint(stroke=BLUE, width=1.8), radius=7)
+    canvas.text((x + 33, y), "node", Font(size=11))
+    canvas.box((x + 76, y - 11), (26, 14), Paint(stroke=GREEN, width=1.8), radius=3)
+    canvas.text((x + 109, y), "topic", Font(size=11))
+    canvas.line([(x + 154, y - 4), (x + 172, y - 4)], Paint(width=2))
     _head(canvas, (x + 180, y - 4), 1)
-    canvas.text((x + 187, y), "messages", size=11)
+    canvas.text((x + 187, y), "messages", Font(size=11))

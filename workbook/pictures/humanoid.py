@@ -7,7 +7,7 @@ from typing import Literal
 from matplotlib.path import Path
 from matplotlib.transforms import Affine2D
 
-from workbook.pictures.canvas import Canvas, shorten
+from workbook.pictures.canvas import Canvas, Font, Paint, shorten
 from workbook.pictures.joints import (
     COMFORTABLE,
     FOOT_INNER,
@@ -30,12 +30,16 @@ Lamp = Literal["operational", "error"]
 
 WIDTH, HEIGHT, PANEL = 420, 420, 284
 SCALE = 1.5
+"""Dots per pixel: sharp enough, and fast enough for twenty pictures a second."""
 DESCRIPTION = "humanoid, 12 joints"
 
 _GROUND = 388.0
 _SHELL, _SHADE, _DARK, _VISOR = "#eef2f7", "#cdd7e3", "#4c5a69", "#1b2733"
 _EYES, _ANGRY, _DIM = "#7fd0ff", "#ffb3a1", "#9aa7b5"
 _LINE = 2.2
+_OUTLINE = Paint(stroke=GREY, width=_LINE)
+_DARK_PART = Paint(fill=_DARK, stroke=GREY, width=_LINE)
+_SHELL_PART = Paint(fill=_SHELL, stroke=GREY, width=_LINE)
 
 
 def draw(
@@ -58,7 +62,7 @@ def draw(
     _ground(canvas, figure)
     _robot(canvas, figure, lamp)
     if caption:
-        canvas.text((WIDTH / 2, HEIGHT - 8), shorten(caption, WIDTH - 20, 13), size=13, align="center")
+        canvas.text((WIDTH / 2, HEIGHT - 8), shorten(caption, WIDTH - 20, 13), Font(size=13), align="center")
     if panel:
         _panel(canvas, pose)
     return canvas.png()
@@ -71,8 +75,8 @@ def placeholder(text: str = "no message yet", *, panel: bool = False, scale: flo
     _ground(canvas, figure)
     _robot(canvas, figure, None, asleep=True)
     for at, size in (((282, 92), 15.0), ((299, 72), 19.0), ((320, 48), 24.0)):
-        canvas.text(at, "z", size=size, bold=True)
-    canvas.text((WIDTH / 2, HEIGHT - 8), shorten(text, WIDTH - 20, 13), size=13, align="center")
+        canvas.text(at, "z", Font(size=size, bold=True))
+    canvas.text((WIDTH / 2, HEIGHT - 8), shorten(text, WIDTH - 20, 13), Font(size=13), align="center")
     if panel:
         _panel(canvas, None)
     return canvas.png()
@@ -88,8 +92,8 @@ def _ground(canvas: Canvas, figure: Skeleton) -> None:
     reach = (max(xs) - min(xs)) / 2 + 44
     fade = max(0.35, 1 - max(0.0, height) / 200)
     middle = WIDTH / 2 + (max(xs) + min(xs)) / 2
-    canvas.disc((middle, _GROUND + 3), reach * fade, fill=GREY, alpha=0.28 * fade, flat=0.1)
-    canvas.line([(26, _GROUND), (WIDTH - 26, _GROUND)], width=2)
+    canvas.disc((middle, _GROUND + 3), reach * fade, Paint(fill=GREY, alpha=0.28 * fade), flat=0.1)
+    canvas.line([(26, _GROUND), (WIDTH - 26, _GROUND)], Paint(width=2))
 
 
 def _robot(canvas: Canvas, figure: Skeleton, lamp: Lamp | None, *, asleep: bool = False) -> None:
@@ -103,10 +107,10 @@ def _robot(canvas: Canvas, figure: Skeleton, lamp: Lamp | None, *, asleep: bool 
         _arm(canvas, arm)
 
 
-def _segment(canvas: Canvas, limb: Limb, start: Point, end: Point, thick: float, thin: float) -> None:
+def _segment(canvas: Canvas, start: Point, end: Point, thick: float, thin: float) -> None:
     """A part of a limb: shell, a shaded edge on its outer side, outline."""
     a, b = _at(start), _at(end)
-    canvas.capsule(a, b, thick, thin, fill=_SHADE)
+    canvas.capsule(a, b, thick, thin, Paint(fill=_SHADE))
     length = math.hypot(b[0] - a[0], b[1] - a[1]) or 1.0
     across = (-(b[1] - a[1]) / length, (b[0] - a[0]) / length)
     sign = 1.0 if across[0] + across[1] < 0 else -1.0
@@ -116,44 +120,44 @@ def _segment(canvas: Canvas, limb: Limb, start: Point, end: Point, thick: float,
         (b[0] + shift[0], b[1] + shift[1]),
         thick - 2.8,
         thin - 2.8,
-        fill=_SHELL,
+        Paint(fill=_SHELL),
     )
-    canvas.capsule(a, b, thick, thin, stroke=GREY, width=_LINE)
+    canvas.capsule(a, b, thick, thin, _OUTLINE)
 
 
 def _pivot(canvas: Canvas, at: Point, radius: float) -> None:
-    canvas.disc(_at(at), radius, fill=_DARK, stroke=GREY, width=_LINE)
-    canvas.disc(_at(at), radius * 0.4, fill=_DIM)
+    canvas.disc(_at(at), radius, _DARK_PART)
+    canvas.disc(_at(at), radius * 0.4, Paint(fill=_DIM))
 
 
 def _leg(canvas: Canvas, leg: Limb) -> None:
     inner, outer = FOOT_INNER, FOOT_OUTER
     shoe = [(-inner, -SOLE + 3), (-inner + 3, -3), (-10, 8), (10, 8), (outer - 6, -3), (outer, -SOLE + 3)]
     corners = [_at(foot(leg, x, y)) for x, y in shoe]
-    _segment(canvas, leg, leg.bend, leg.end, 13.5, 11.0)
-    _soft(canvas, corners, fill=_SHELL, stroke=GREY)
+    _segment(canvas, leg.bend, leg.end, 13.5, 11.0)
+    _soft(canvas, corners, _SHELL_PART)
     a, b = _at(foot(leg, -inner + 3, -SOLE + 4)), _at(foot(leg, outer - 3, -SOLE + 4))
-    canvas.capsule(a, b, 4.2, 4.2, fill=_DARK, stroke=GREY, width=_LINE)
-    _segment(canvas, leg, leg.root, leg.bend, 16.5, 13.5)
+    canvas.capsule(a, b, 4.2, 4.2, _DARK_PART)
+    _segment(canvas, leg.root, leg.bend, 16.5, 13.5)
     _pivot(canvas, leg.bend, 9.5)
 
 
 def _arm(canvas: Canvas, arm: Limb) -> None:
-    _segment(canvas, arm, arm.root, arm.bend, 13.0, 11.0)
+    _segment(canvas, arm.root, arm.bend, 13.0, 11.0)
     _hand(canvas, arm)
-    _segment(canvas, arm, arm.bend, arm.end, 11.0, 12.5)
+    _segment(canvas, arm.bend, arm.end, 11.0, 12.5)
     for part in (0.62, 0.78):  # two blue rings around the wrist
         middle = _along(arm.bend, arm.end, part)
         half = 10.6 + 1.4 * part
         across = (math.cos(arm.lower) * half, math.sin(arm.lower) * half)
         ends = [(middle[0] + sign * arm.side * across[0], middle[1] + sign * across[1]) for sign in (-1, 1)]
-        canvas.line([_at(end) for end in ends], stroke=BLUE, width=3.4)
+        canvas.line([_at(end) for end in ends], Paint(stroke=BLUE, width=3.4))
     _pivot(canvas, arm.bend, 8.5)
-    canvas.disc(_at(arm.root), 17.5, fill=_SHELL, stroke=GREY, width=_LINE)
-    canvas.disc(_at(arm.root), 9.0, fill=_DARK)
+    canvas.disc(_at(arm.root), 17.5, _SHELL_PART)
+    canvas.disc(_at(arm.root), 9.0, Paint(fill=_DARK))
     letter = "L" if arm.side > 0 else "R"
     x, y = _at(arm.root)
-    canvas.text((x, y + 4.2), letter, size=11.5, color="#ffffff", bold=True, align="center")
+    canvas.text((x, y + 4.2), letter, Font(size=11.5, color="#ffffff", bold=True), align="center")
 
 
 def _hand(canvas: Canvas, arm: Limb) -> None:
@@ -164,22 +168,26 @@ def _hand(canvas: Canvas, arm: Limb) -> None:
         return (palm[0] + arm.side * length * math.sin(angle), palm[1] - length * math.cos(angle))
 
     for spread, length in ((-1.25, 13.5), (-0.42, 18.0), (0.05, 19.0), (0.5, 17.5)):
-        canvas.capsule(_at(palm), _at(reach(spread, length)), 5.2, 4.2, fill=_DARK, stroke=GREY, width=_LINE)
-    canvas.disc(_at(palm), HAND * 0.68, fill=_DARK)
+        canvas.capsule(_at(palm), _at(reach(spread, length)), 5.2, 4.2, _DARK_PART)
+    canvas.disc(_at(palm), HAND * 0.68, Paint(fill=_DARK))
 
 
 def _hips(canvas: Canvas, figure: Skeleton) -> None:
     x, y = _at(figure.pelvis)
-    canvas.capsule((x, y - 12), _at(figure.on_torso(0, 12)), 17, 20, fill=_DARK, stroke=GREY, width=_LINE)
-    canvas.box(x - 37, y - 12, 74, 27, radius=13, fill=_SHADE)
-    canvas.box(x - 34, y - 10, 68, 19, radius=10, fill=_SHELL)
-    canvas.box(x - 37, y - 12, 74, 27, radius=13, stroke=GREY, line=_LINE)
-    canvas.box(x - 12, y - 6, 24, 13, radius=5, fill=BLUE)
+    canvas.capsule((x, y - 12), _at(figure.on_torso(0, 12)), 17, 20, _DARK_PART)
+    canvas.box((x - 37, y - 12), (74, 27), Paint(fill=_SHADE), radius=13)
+    canvas.box((x - 34, y - 10), (68, 19), Paint(fill=_SHELL), radius=10)
+    canvas.box((x - 37, y - 12), (74, 27), _OUTLINE, radius=13)
+    canvas.box((x - 12, y - 6), (24, 13), Paint(fill=BLUE), radius=5)
 
 
 def _neck(canvas: Canvas, figure: Skeleton) -> None:
     canvas.capsule(
-        _at(figure.on_torso(0, 82)), _at(figure.on_head(0, 22)), 12, 12, fill=_DARK, stroke=GREY, width=_LINE
+        _at(figure.on_torso(0, 82)),
+        _at(figure.on_head(0, 22)),
+        12,
+        12,
+        _DARK_PART,
     )
 
 
@@ -189,38 +197,44 @@ def _torso(canvas: Canvas, figure: Skeleton, lamp: Lamp | None) -> None:
 
     shell = [(-27, 14), (27, 14), (51, 60), (49, 92), (-49, 92), (-51, 60)]
     inner = [(-26, 19), (23, 19), (44, 60), (43, 88), (-46, 88), (-48, 60)]
-    _soft(canvas, place(shell), fill=_SHADE, round_off=0.32)
-    _soft(canvas, place(inner), fill=_SHELL, round_off=0.32)
-    _soft(canvas, place(shell), stroke=GREY, round_off=0.32)
+    _soft(canvas, place(shell), Paint(fill=_SHADE), round_off=0.32)
+    _soft(canvas, place(inner), Paint(fill=_SHELL), round_off=0.32)
+    _soft(canvas, place(shell), _OUTLINE, round_off=0.32)
     for y, half in ((33, 15), (27, 12)):
-        canvas.line(place([(-half, y), (half, y)]), stroke=_DIM, width=2.4)
+        canvas.line(place([(-half, y), (half, y)]), Paint(stroke=_DIM, width=2.4))
     center = _at(figure.on_torso(0, 61))
     color = {"operational": GREEN, "error": RED, None: _DIM}[lamp]
     if lamp:
-        canvas.disc(center, 24, fill=color, alpha=0.22)
-    canvas.disc(center, 17.5, fill=_VISOR, stroke=GREY, width=_LINE)
-    canvas.disc(center, 13.5, fill=color)
+        canvas.disc(center, 24, Paint(fill=color, alpha=0.22))
+    canvas.disc(center, 17.5, Paint(fill=_VISOR, stroke=GREY, width=_LINE))
+    canvas.disc(center, 13.5, Paint(fill=color))
     if lamp == "operational":
-        canvas.line(place([(-6, 61), (-1.8, 56.5), (6.5, 66)]), stroke="#ffffff", width=3.6)
+        canvas.line(place([(-6, 61), (-1.8, 56.5), (6.5, 66)]), Paint(stroke="#ffffff", width=3.6))
     elif lamp == "error":
-        canvas.line(place([(0, 68.5), (0, 60)]), stroke="#ffffff", width=3.6)
-        canvas.disc(_at(figure.on_torso(0, 54)), 2.3, fill="#ffffff")
+        canvas.line(place([(0, 68.5), (0, 60)]), Paint(stroke="#ffffff", width=3.6))
+        canvas.disc(_at(figure.on_torso(0, 54)), 2.3, Paint(fill="#ffffff"))
 
 
 def _head(canvas: Canvas, figure: Skeleton, lamp: Lamp | None, *, asleep: bool) -> None:
     turn = _frame(figure.neck, figure.lean + figure.tilt)
     color = {"operational": GREEN, "error": RED, None: BLUE}[lamp]
     tip, root = _at(figure.on_head(0, NECK + 98)), _at(figure.on_head(0, NECK + 74))
-    canvas.line([root, tip], stroke=GREY, width=3.4)
+    canvas.line([root, tip], Paint(stroke=GREY, width=3.4))
     if lamp:
-        canvas.disc(tip, 10, fill=color, alpha=0.22)
-    canvas.disc(tip, 6.2, fill=color, stroke=GREY, width=1.6)
+        canvas.disc(tip, 10, Paint(fill=color, alpha=0.22))
+    canvas.disc(tip, 6.2, Paint(fill=color, stroke=GREY, width=1.6))
     for side in (-1, 1):
-        canvas.box(side * 54 - 8, -NECK - 54, 16, 34, radius=7, fill=BLUE, stroke=GREY, line=_LINE, at=turn)
-    canvas.box(-52, -NECK - 78, 104, 78, radius=28, fill=_SHADE, at=turn)
-    canvas.box(-49, -NECK - 76, 95, 70, radius=26, fill=_SHELL, at=turn)
-    canvas.box(-52, -NECK - 78, 104, 78, radius=28, stroke=GREY, line=_LINE, at=turn)
-    canvas.box(-41, -NECK - 63, 82, 50, radius=20, fill=_VISOR, stroke=_DARK, line=1.6, at=turn)
+        canvas.box(
+            (side * 54 - 8, -NECK - 54),
+            (16, 34),
+            Paint(fill=BLUE, stroke=GREY, width=_LINE),
+            radius=7,
+            at=turn,
+        )
+    canvas.box((-52, -NECK - 78), (104, 78), Paint(fill=_SHADE), radius=28, at=turn)
+    canvas.box((-49, -NECK - 76), (95, 70), Paint(fill=_SHELL), radius=26, at=turn)
+    canvas.box((-52, -NECK - 78), (104, 78), _OUTLINE, radius=28, at=turn)
+    canvas.box((-41, -NECK - 63), (82, 50), Paint(fill=_VISOR, stroke=_DARK, width=1.6), radius=20, at=turn)
     _face(canvas, figure, lamp, asleep=asleep)
 
 
@@ -236,52 +250,59 @@ def _face(canvas: Canvas, figure: Skeleton, lamp: Lamp | None, *, asleep: bool) 
     for side in (-1, 1):
         x, y = side * 18 + glance, 42 + lift
         if asleep:
-            canvas.line(place([(x - 8, y), (x - 4, y - 3), (x, y - 4), (x + 4, y - 3), (x + 8, y)]),
-                        stroke=_DIM, width=3)  # fmt: skip
+            canvas.line(
+                place([(x - 8, y), (x - 4, y - 3), (x, y - 4), (x + 4, y - 3), (x + 8, y)]),
+                Paint(stroke=_DIM, width=3),
+            )
             continue
-        canvas.disc(place([(x, y)])[0], 10.5, fill=glow, alpha=0.22)
-        canvas.disc(place([(x, y)])[0], 7.4, fill=glow)
-        canvas.disc(place([(x + 2.4, y + 2.6)])[0], 2.3, fill="#ffffff")
+        canvas.disc(place([(x, y)])[0], 10.5, Paint(fill=glow, alpha=0.22))
+        canvas.disc(place([(x, y)])[0], 7.4, Paint(fill=glow))
+        canvas.disc(place([(x + 2.4, y + 2.6)])[0], 2.3, Paint(fill="#ffffff"))
         if lamp == "error":
-            canvas.line(place([(x - side * 9, y + 11.5), (x + side * 7, y + 6)][::-1]), stroke=glow, width=3)
+            canvas.line(
+                place([(x - side * 9, y + 11.5), (x + side * 7, y + 6)][::-1]), Paint(stroke=glow, width=3)
+            )
     if asleep:
-        canvas.line(place([(-5, 25), (5, 25)]), stroke=_DIM, width=3)
+        canvas.line(place([(-5, 25), (5, 25)]), Paint(stroke=_DIM, width=3))
     elif lamp == "error":
-        canvas.line(place(_bow(0, 22.5, 9, 4)), stroke=glow, width=3)
+        canvas.line(place(_bow(0, 22.5, 9, 4)), Paint(stroke=glow, width=3))
     else:
-        canvas.line(place(_bow(glance * 0.5, 27, 10, -5)), stroke=glow, width=3)
+        canvas.line(place(_bow(glance * 0.5, 27, 10, -5)), Paint(stroke=glow, width=3))
 
 
 def _panel(canvas: Canvas, pose: Sequence[float] | None) -> None:
     """The twelve values: index, name, a gauge from -π to π with the comfortable range, the number."""
     left, gauge, number = WIDTH + 4.0, WIDTH + 138.0, WIDTH + PANEL - 8.0
     half = 34.0
-    canvas.text((left, 26), "joint", size=11.5, bold=True)
-    canvas.text((gauge + half, 26), "−π … π", size=11.5, bold=True, align="center")
-    canvas.text((number, 26), "rad", size=11.5, bold=True, align="right")
+    canvas.text((left, 26), "joint", Font(size=11.5, bold=True))
+    canvas.text((gauge + half, 26), "−π … π", Font(size=11.5, bold=True), align="center")
+    canvas.text((number, 26), "rad", Font(size=11.5, bold=True), align="right")
     for index, name in enumerate(JOINT_NAMES):
         y = 52.0 + index * 29
         low, high = COMFORTABLE[name]
-        canvas.text((left + 14, y), str(index), size=11.5, align="right")
-        canvas.text((left + 22, y), name.replace("_", " "), size=12.5)
-        canvas.line([(gauge, y - 4), (gauge + 2 * half, y - 4)], width=1.6, alpha=0.7)
+        canvas.text((left + 14, y), str(index), Font(size=11.5), align="right")
+        canvas.text((left + 22, y), name.replace("_", " "), Font(size=12.5))
+        canvas.line([(gauge, y - 4), (gauge + 2 * half, y - 4)], Paint(width=1.6, alpha=0.7))
         start, end = (gauge + half * (1 + bound / math.pi) for bound in (low, high))
-        canvas.line([(start, y - 4), (end, y - 4)], width=5, alpha=0.4)
-        canvas.line([(gauge + half, y - 9), (gauge + half, y + 1)], width=1.2, alpha=0.7)
+        canvas.line([(start, y - 4), (end, y - 4)], Paint(width=5, alpha=0.4))
+        canvas.line([(gauge + half, y - 9), (gauge + half, y + 1)], Paint(width=1.2, alpha=0.7))
         if pose is None:
-            canvas.text((number, y), "–", size=12.5, align="right")
+            canvas.text((number, y), "–", Font(size=12.5), align="right")
             continue
         angle = pose[index]
         sign, color = (
             ("✗", RED) if abs(angle) > math.pi else ("!", AMBER) if not low <= angle <= high else ("", BLUE)
         )
         needle = gauge + half * (1 + max(-1.0, min(1.0, angle / math.pi)))
-        canvas.disc((needle, y - 4), 5, fill=color)
+        canvas.disc((needle, y - 4), 5, Paint(fill=color))
         value = f"{angle:+.2f}" if abs(angle) < 100 else f"{angle:+.0e}"
         canvas.text(
-            (number, y), value.replace("-", "−"), size=12.5, align="right", color=color if sign else GREY
+            (number, y),
+            value.replace("-", "−"),
+            Font(size=12.5, color=color if sign else GREY),
+            align="right",
         )
-        canvas.text((gauge + 2 * half + 6, y), sign, size=12.5, bold=True, color=color)
+        canvas.text((gauge + 2 * half + 6, y), sign, Font(size=12.5, bold=True, color=color))
 
 
 def _along(start: Point, end: Point, part: float) -> Point:
@@ -300,9 +321,8 @@ def _frame(origin: Point, lean: float) -> Affine2D:
 def _soft(
     canvas: Canvas,
     corners: Sequence[Point],
+    paint: Paint,
     *,
-    fill: str | None = None,
-    stroke: str | None = None,
     round_off: float = 0.25,
 ) -> None:
     """A polygon whose corners are rounded off."""
@@ -313,4 +333,4 @@ def _soft(
         before, after = corners[index - 1], corners[(index + 1) % len(corners)]
         points += [_along(corner, before, round_off), corner, _along(corner, after, round_off)]
         codes += [straight if codes else move, bent, bent]
-    canvas.path(Path([*points, points[0]], [*codes, close]), fill=fill, stroke=stroke, width=_LINE)
+    canvas.path(Path([*points, points[0]], [*codes, close]), paint)

@@ -17,11 +17,14 @@ from workbook.pictures.stills import Still
 class Screen(Protocol):
     """Where a live picture is shown."""
 
-    def show(self, still: Still) -> None: ...
+    def show(self, still: Still) -> None:
+        """Show the first picture."""
 
-    def update(self, still: Still) -> None: ...
+    def update(self, still: Still) -> None:
+        """Replace it by the next one."""
 
-    def finish(self, still: Still) -> None: ...
+    def finish(self, still: Still) -> None:
+        """Leave the last one."""
 
 
 class CellOutput:
@@ -34,16 +37,19 @@ class CellOutput:
         self._handle: Any = None
 
     def show(self, still: Still) -> None:
+        """Show the first picture in the cell."""
         from IPython.display import display
 
         self._handle = display(still, display_id=True)
 
     def update(self, still: Still) -> None:
+        """Replace the picture, as HTML only."""
         if self._handle is not None:
             bundle = {"text/plain": repr(still), "text/html": img_tag(still.png, still.description)}
             self._handle.update(bundle, raw=True)
 
     def finish(self, still: Still) -> None:
+        """Replace the picture by the last one, in all forms."""
         if self._handle is not None:
             self._handle.update(still)
 
@@ -113,7 +119,7 @@ async def animate(
 
     `frame` returns None when there is nothing new: the picture stays. It may let waiting ROS callbacks run, but it
     must not block. A busy machine shows fewer frames and never falls behind. Stop (the cell is interrupted, the task
-    cancelled) ends the showing early, without an error, and the code after it goes on.
+    canceled) ends the showing early, without an error, and the code after it goes on.
 
     Returns the last frame, with `frames_per_second` as really shown. Raises ValueError for a rate or time that is
     not positive, RuntimeError if `frame` never gave a picture.
@@ -121,30 +127,9 @@ async def animate(
     if not fps > 0 or not seconds > 0:
         raise ValueError(f"seconds and fps must be above zero, not {seconds} and {fps}")
     figure = LiveFigure(describe, screen)
-    period, stopped = 1.0 / fps, False
-    start = now = time.perf_counter()
-    due = start
+    start = time.perf_counter()
     try:
-        while now < start + seconds:
-            png = frame()
-            if png is not None:
-                figure.show(png)
-            now = time.perf_counter()
-            due = max(due + period, now)
-            # At least one turn of the loop for everybody else, also when a frame takes longer than its period.
-            await asyncio.sleep(max(0.0, min(due, start + seconds) - now))
-            now = time.perf_counter()
-    except asyncio.CancelledError:
-        if figure.still is None:
-            raise
-        stopped = True
-        task = asyncio.current_task()
-        if task is not None:
-            task.uncancel()
-    except KeyboardInterrupt:
-        if figure.still is None:
-            raise
-        stopped = True
+        stopped = await _show_frames(figure, frame, start + seconds, 1.0 / fps)
     finally:
         elapsed = time.perf_counter() - start
         figure.finish()
@@ -158,6 +143,38 @@ async def animate(
         stopped=stopped,
         cell=_running_cell(),
     )
+
+
+async def _show_frames(
+    figure: LiveFigure, frame: Callable[[], bytes | None], end: float, period: float
+) -> bool:
+    """Show frames until `end`, on the clock of `time.perf_counter`. Returns whether it was stopped before.
+
+    A Stop before there was any picture is passed on.
+    """
+    due = now = time.perf_counter()
+    try:
+        while now < end:
+            png = frame()
+            if png is not None:
+                figure.show(png)
+            now = time.perf_counter()
+            due = max(due + period, now)
+            # At least one iteration of the event loop for other tasks, also when a frame takes longer than its period.
+            await asyncio.sleep(max(0.0, min(due, end) - now))
+            now = time.perf_counter()
+    except asyncio.CancelledError:
+        if figure.still is None:
+            raise
+        task = asyncio.current_task()
+        if task is not None:
+            task.uncancel()
+        return True
+    except KeyboardInterrupt:
+        if figure.still is None:
+            raise
+        return True
+    return False
 
 
 def _running_cell() -> int | None:

@@ -8,6 +8,10 @@ import numpy as np
 from workbook.pictures.palette import BLUE, GREY, RED, rgba
 from workbook.pictures.png import encode
 
+TINY_WIDTH, TINY_HEIGHT = 240, 18
+"""Pixels: beside a line of text, and as high."""
+TINY_SCALE = 2
+"""Dots per pixel, for fine screens."""
 GAP = 1.5
 """Two messages further apart than this many periods have a gap between them."""
 
@@ -26,28 +30,24 @@ def tiny(
     end: float,
     start: float = 0.0,
     period: float | None = None,
-    width: int = 240,
-    height: int = 18,
 ) -> bytes:
     """A timeline as high as a line of text, for a card: blue marks, red where marks were missing, as PNG bytes."""
-    scale = 2
-    pixels = np.zeros((height * scale, width * scale, 4), np.uint8)
+    pixels = np.zeros((TINY_HEIGHT * TINY_SCALE, TINY_WIDTH * TINY_SCALE, 4), np.uint8)
+    height, width = pixels.shape[:2]
     span = end - start if end > start else 1.0
 
     def column(t: float) -> int:
-        return round((t - start) / span * (width * scale - 6)) + 3
+        return round((t - start) / span * (width - 6)) + 3
 
     def paint(x0: int, x1: int, y0: int, y1: int, color: str, alpha: float) -> None:
-        pixels[y0:y1, max(0, x0) : min(width * scale, x1)] = [
-            round(part * 255) for part in rgba(color, alpha)
-        ]
+        pixels[y0:y1, max(0, x0) : min(width, x1)] = [round(part * 255) for part in rgba(color, alpha)]
 
-    middle = height * scale // 2
+    middle = height // 2
     for a, b in gaps(times, period, start, end) if period else ():
-        paint(column(a), column(b), 4, height * scale - 4, RED, 0.35)
+        paint(column(a), column(b), 4, height - 4, RED, 0.35)
         paint(column(a), column(b), middle - 2, middle + 2, RED, 1.0)
-    paint(0, width * scale, middle - 1, middle + 1, GREY, 0.7)
+    paint(0, width, middle - 1, middle + 1, GREY, 0.7)
     for t in times:
         if start <= t <= end:
-            paint(column(t) - 2, column(t) + 3, 3, height * scale - 3, BLUE, 1.0)
-    return encode(pixels, dots_per_pixel=scale)
+            paint(column(t) - 2, column(t) + 3, 3, height - 3, BLUE, 1.0)
+    return encode(pixels, dots_per_pixel=TINY_SCALE)

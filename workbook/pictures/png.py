@@ -1,13 +1,14 @@
 """PNG bytes: from pixels, their size, and how they go into a page."""
 
 import base64
-import html
 import io
 import struct
 
 import numpy as np
 import numpy.typing as npt
 from PIL import Image
+
+from workbook.templating import render
 
 Pixels = npt.NDArray[np.uint8]
 
@@ -85,4 +86,4 @@ def data_uri(png: bytes) -> str:
 def img_tag(png: bytes, alt: str) -> str:
     """An `<img>` that carries the picture and its alternative text, at the size it was drawn for."""
     width, height = size_on_screen(png)
-    return f'<img alt="{html.escape(alt)}" width="{width}" height="{height}" src="{data_uri(png)}">'
+    return render("pictures/img", alt=alt, width=width, height=height, src=data_uri(png))

@@ -10,10 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from workbook.observing.recording import Recording
-from workbook.pictures.canvas import Canvas, shorten, text_width
+from workbook.pictures.canvas import Canvas, Font, Paint, shorten, text_width
 from workbook.pictures.marks import gaps
 from workbook.pictures.palette import AMBER, BLUE, CYCLE, RED
+from workbook.recording.recording import Recording
 
 WIDTH = 680
 
@@ -102,21 +102,25 @@ def draw(
     right = width - _RIGHT - max((text_width(note, 11.5) for note in notes), default=0.0) - 14
     axis = _Axis(start, stop, left, right)
     if not rows:
-        canvas.text((left, bottom - 12), "nothing was published", size=12.5)
+        canvas.text((left, bottom - 12), "nothing was published", Font(size=12.5))
     _axis(canvas, axis, bottom)
     for index, (row, note) in enumerate(zip(rows, notes, strict=True)):
         y = _TOP + _ROW * (index + 0.5)
-        canvas.text((left - 14, y + 4.5), shorten(row.label, 220, 12.5), size=12.5, align="right")
-        canvas.text((right + 14, y + 4.5), note, size=11.5)
+        canvas.text((left - 14, y + 4.5), shorten(row.label, 220, 12.5), Font(size=12.5), align="right")
+        canvas.text((right + 14, y + 4.5), note, Font(size=11.5))
         _row(canvas, axis, row, y, CYCLE[index % 3])
     if program_end is not None and start <= program_end <= stop:
         x = axis.x(program_end)
-        canvas.line([(x, 4), (x, bottom)], stroke=RED, width=2)
+        canvas.line([(x, 4), (x, bottom)], Paint(stroke=RED, width=2))
         room = width - x - 8
         words = shorten("✗ the program ended here", max(room, x - 8), 11.5, bold=True)
         fits = text_width(words, 11.5, bold=True) <= room
-        canvas.text((x + 6 if fits else x - 6, bottom + 32), words, size=11.5, bold=True, color=RED,
-                    align="left" if fits else "right")  # fmt: skip
+        canvas.text(
+            (x + 6 if fits else x - 6, bottom + 32),
+            words,
+            Font(size=11.5, bold=True, color=RED),
+            align="left" if fits else "right",
+        )
     return canvas.png()
 
 
@@ -142,24 +146,18 @@ def histogram(
     counts, _ = np.histogram(kept, bins=bins, range=(low - margin, high + margin))
     canvas = Canvas(width, 228)
     axis = _Axis(low - margin, high + margin, 24.0, width - 24.0)
-    floor, tall = 172.0, 116.0
+    base, tall = 172.0, 116.0
     step = (axis.right - axis.left) / bins
     for index, count in enumerate(counts):
         height = tall * float(count) / float(max(counts))
-        canvas.box(axis.left + index * step + 1, floor - height, step - 2, height, radius=2, fill=BLUE)
-    canvas.line([(axis.left, floor), (axis.right, floor)], width=1.4)
-    for value in _ticks(axis.start, axis.end, 6):
-        canvas.line([(axis.x(value), floor), (axis.x(value), floor + 4)], width=1.4)
-        canvas.text((axis.x(value), floor + 18), _number(value), size=11.5, align="center")
-    canvas.text(((axis.left + axis.right) / 2, floor + 40), f"{label} ({unit})", size=12, align="center")
+        canvas.box(
+            (axis.left + index * step + 1, base - height), (step - 2, height), Paint(fill=BLUE), radius=2
+        )
+    _value_axis(canvas, axis, base, f"{label} ({unit})")
     if target is not None:
-        x = axis.x(target)
-        canvas.line([(x, 44), (x, floor)], stroke=AMBER, width=2, dash=(5, 4))
-        side = "left" if x < width / 2 else "right"
-        canvas.text((x + (6 if side == "left" else -6), 46), f"asked: {_number(target)} {unit}", size=11.5,
-                    color=AMBER, bold=True, align="left" if side == "left" else "right")  # fmt: skip
+        _target(canvas, axis, base, target, unit)
     words = f"{len(kept)} values · mean {fmean(kept):.4g} {unit} · spread {pstdev(kept):.2g} {unit}"
-    canvas.text((axis.left, 20), words, size=12)
+    canvas.text((axis.left, 20), words, Font(size=12))
     return canvas.png()
 
 
@@ -215,28 +213,58 @@ class _Axis:
     def clip(self, t: float) -> float:
         return self.x(min(max(t, self.start), self.end))
 
+    def bounds(self, row: Row) -> tuple[float, float]:
+        """The time (s) in which marks of a row could be seen."""
+        return (
+            self.start if row.start is None else row.start,
+            self.end if row.end is None else row.end,
+        )
+
+
+def _value_axis(canvas: Canvas, axis: _Axis, base: float, label: str) -> None:
+    canvas.line([(axis.left, base), (axis.right, base)], Paint(width=1.4))
+    for value in _ticks(axis.start, axis.end, 6):
+        canvas.line([(axis.x(value), base), (axis.x(value), base + 4)], Paint(width=1.4))
+        canvas.text((axis.x(value), base + 18), _number(value), Font(size=11.5), align="center")
+    canvas.text(((axis.left + axis.right) / 2, base + 40), label, Font(size=12), align="center")
+
+
+def _target(canvas: Canvas, axis: _Axis, base: float, target: float, unit: str) -> None:
+    x = axis.x(target)
+    canvas.line([(x, 44), (x, base)], Paint(stroke=AMBER, width=2, dash=(5, 4)))
+    on_the_left = x < canvas.width / 2
+    canvas.text(
+        (x + (6 if on_the_left else -6), 46),
+        f"asked: {_number(target)} {unit}",
+        Font(size=11.5, color=AMBER, bold=True),
+        align="left" if on_the_left else "right",
+    )
+
 
 def _row(canvas: Canvas, axis: _Axis, row: Row, y: float, color: str) -> None:
-    begin = axis.start if row.start is None else row.start
-    finish = axis.end if row.end is None else row.end
-    canvas.line([(axis.clip(begin), y), (axis.clip(finish), y)], width=1.4, alpha=0.55)
+    begin, finish = axis.bounds(row)
+    canvas.line([(axis.clip(begin), y), (axis.clip(finish), y)], Paint(width=1.4, alpha=0.55))
     if row.period:
-        _expected(canvas, axis, row, y, begin, finish)
+        _expected(canvas, axis, row, y)
         for a, b in gaps(row.times, row.period, row.start, row.end):
             x0, x1 = axis.clip(a), axis.clip(b)
-            canvas.box(x0 + 3, y - 12, max(2.0, x1 - x0 - 6), 24, radius=4, fill=RED, alpha=0.24)
+            canvas.box((x0 + 3, y - 12), (max(2.0, x1 - x0 - 6), 24), Paint(fill=RED, alpha=0.24), radius=4)
             words = f"✗ {b - a:.3g} s"
             if text_width(words, 11, bold=True) < x1 - x0 - 8:
-                canvas.text(((x0 + x1) / 2, y + 4), words, size=11, bold=True, color=RED, align="center")
+                canvas.text(
+                    ((x0 + x1) / 2, y + 4), words, Font(size=11, bold=True, color=RED), align="center"
+                )
     xs = sorted({round(axis.x(t) * 2) / 2 for t in row.times if axis.start <= t <= axis.end})
     close = len(xs) > 1 and median(b - a for a, b in pairwise(xs)) < 5
     for x in xs:
         canvas.line(
-            [(x, y - 9), (x, y + 9)], stroke=color, width=1.2 if close else 3.4, alpha=0.8 if close else 1.0
+            [(x, y - 9), (x, y + 9)],
+            Paint(stroke=color, width=1.2 if close else 3.4, alpha=0.8 if close else 1.0),
         )
 
 
-def _expected(canvas: Canvas, axis: _Axis, row: Row, y: float, begin: float, finish: float) -> None:
+def _expected(canvas: Canvas, axis: _Axis, row: Row, y: float) -> None:
+    begin, finish = axis.bounds(row)
     period = row.period or 1.0
     anchor = min(row.times, default=begin + period)
     count = (finish - begin) / period
@@ -246,17 +274,17 @@ def _expected(canvas: Canvas, axis: _Axis, row: Row, y: float, begin: float, fin
     last = math.floor((min(finish, axis.end) - anchor) / period + 1e-9)
     for index in range(first, last + 1):
         x = axis.x(anchor + index * period)
-        canvas.line([(x, y - 15), (x, y - 11)], width=1.6, alpha=0.8)
-        canvas.line([(x, y + 11), (x, y + 15)], width=1.6, alpha=0.8)
+        canvas.line([(x, y - 15), (x, y - 11)], Paint(width=1.6, alpha=0.8))
+        canvas.line([(x, y + 11), (x, y + 15)], Paint(width=1.6, alpha=0.8))
 
 
 def _axis(canvas: Canvas, axis: _Axis, y: float) -> None:
-    canvas.line([(axis.left, y), (axis.right, y)], width=1.4)
+    canvas.line([(axis.left, y), (axis.right, y)], Paint(width=1.4))
     for value in _ticks(axis.start, axis.end, max(3, int((axis.right - axis.left) / 60))):
         x = axis.x(value)
-        canvas.line([(x, y), (x, y + 4)], width=1.4)
-        canvas.text((x, y + 17), _number(value), size=11, align="center")
-    canvas.text((axis.right + 14, y + 17), "s", size=11)
+        canvas.line([(x, y), (x, y + 4)], Paint(width=1.4))
+        canvas.text((x, y + 17), _number(value), Font(size=11), align="center")
+    canvas.text((axis.right + 14, y + 17), "s", Font(size=11))
 
 
 def _ticks(start: float, end: float, most: int) -> list[float]:

@@ -1,17 +1,18 @@
-"""ROS for notebooks: domains, the environment, nodes that run in a cell, logs, a look at the graph.
+"""ROS itself, made safe for notebooks: domain leases, the environment, contexts and executors, graph tools.
 
-Names are imported when they are first used, because rclpy must not be imported before the environment is set.
+Every layer above may import its modules; what cells use (`node_list`, `topic_echo`, …) the package itself offers.
+Those names are imported at first use, because rclpy must not be imported before the environment is set.
 """
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from workbook.ros.listening import topic_echo, topic_hz
-    from workbook.ros.presence import join_line
+    from workbook.ros.fresh_nodes import fresh
+    from workbook.ros.notebook_registry import join_line
     from workbook.ros.session import Stopped, init, live, run, shutdown, spin_for
     from workbook.ros.tools import graph, node_info, node_list, topic_info, topic_list
-    from workbook.ros.twins import fresh
+    from workbook.ros.topic_monitor import topic_echo, topic_hz
 
 __all__ = [
     "Stopped",
@@ -32,11 +33,11 @@ __all__ = [
 ]
 
 _HOME = {
-    "listening": ("topic_echo", "topic_hz"),
-    "presence": ("join_line",),
+    "topic_monitor": ("topic_echo", "topic_hz"),
+    "notebook_registry": ("join_line",),
     "session": ("Stopped", "init", "live", "run", "shutdown", "spin_for"),
     "tools": ("graph", "node_info", "node_list", "topic_info", "topic_list"),
-    "twins": ("fresh",),
+    "fresh_nodes": ("fresh",),
 }
 
 

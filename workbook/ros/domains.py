@@ -1,4 +1,4 @@
-"""Leases on ROS domains: who holds domain 17 hears nobody else and is heard by nobody else.
+"""Leases on ROS domains: a process that holds a domain shares it with no other.
 
 A lease is an abstract Unix socket named after the domain. The kernel closes it with its holder, so a lease can
 never be left behind, whatever happens to the process. Domains 1 to 101 keep clear of the ephemeral ports of
@@ -9,18 +9,23 @@ import os
 import random
 import socket
 import time
-from collections.abc import Container, Iterable
+from collections.abc import Container
 from pathlib import Path
 from types import TracebackType
 
+from workbook.inside.proc import udp_ports_in_use
+
 FIRST_DOMAIN = 1
+"""Domain 0 is everybody's default: a robot, or a student's own terminal, may be on it."""
 LAST_DOMAIN = 101
-REST_AFTER_KILL_S = 30.0
+"""The ports of domain 102 begin at 32900, within the ephemeral range of Linux (from 32768)."""
+COOL_DOWN_S = 30.0
+"""After a kill. Other participants keep a vanished one until its liveliness lease expires; this is well above that."""
 SOCKET_PREFIX = "rclpy-workbook/domain/"
 
 
 class NoDomainFree(RuntimeError):
-    """Every domain from 1 to 101 is in use or resting."""
+    """Every domain from 1 to 101 is in use or cooling down."""
 
 
 def dds_port_range(domain_id: int) -> range:
@@ -29,49 +34,36 @@ def dds_port_range(domain_id: int) -> range:
     return range(start, start + 250)
 
 
-def udp_ports_in_use(tables: Iterable[str] = ("/proc/net/udp", "/proc/net/udp6")) -> set[int]:
-    """Local UDP ports that any process of this machine has bound."""
-    ports: set[int] = set()
-    for table in tables:
-        try:
-            lines = Path(table).read_text().splitlines()[1:]
-        except OSError:
-            continue
-        for line in lines:
-            ports.add(int(line.split()[1].rsplit(":", 1)[1], 16))
-    return ports
-
-
 def domain_of_port(port: int) -> int | None:
     """The ROS domain that a UDP port belongs to, or None when it is no DDS port."""
     domain_id = (port - 7400) // 250
     return domain_id if port >= 7400 and domain_id <= 232 else None
 
 
-def _rest_folder() -> Path:
+def _cool_down_folder() -> Path:
     cache = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
     return Path(cache) / "rclpy-workbook" / "resting"
 
 
-def _is_resting(domain_id: int) -> bool:
-    marker = _rest_folder() / str(domain_id)
+def _is_cooling_down(domain_id: int) -> bool:
+    marker = _cool_down_folder() / str(domain_id)
     try:
         age = time.time() - marker.stat().st_mtime
     except OSError:
         return False
-    if 0 <= age < REST_AFTER_KILL_S:
+    if 0 <= age < COOL_DOWN_S:
         return True
     marker.unlink(missing_ok=True)
     return False
 
 
-def _rest(domain_id: int) -> None:
+def _begin_cool_down(domain_id: int) -> None:
     try:
-        folder = _rest_folder()
+        folder = _cool_down_folder()
         folder.mkdir(parents=True, exist_ok=True)
         (folder / str(domain_id)).touch()
     except OSError:
-        pass  # no writable cache: the domain is free again at once, and a stale peer fades by itself in 2 s
+        pass  # no writable cache: the domain is free again at once, and its stale participant expires after 2 s
 
 
 class DomainLease:
@@ -84,13 +76,13 @@ class DomainLease:
     def release(self, killed: bool = False) -> None:
         """Give the domain back.
 
-        `killed`: a program on it was killed without saying goodbye; others would see its ghost, so the domain
-        rests for 30 s.
+        `killed`: a program on it was killed and could not announce its end. Others would still discover its stale
+        participant, so the domain is not leased again for 30 s.
         """
         if self._holder is None:
             return
         if killed:
-            _rest(self.domain_id)
+            _begin_cool_down(self.domain_id)
         self._holder.close()
         self._holder = None
 
@@ -116,7 +108,7 @@ def _try_lease(domain_id: int) -> DomainLease | None:
 def lease_domain(preferred: int | None = None, avoid: Container[int] = ()) -> DomainLease:
     """Lease a free domain from 1 to 101: `preferred` if it is free, one of `avoid` only if no other is.
 
-    Skips domains that another process holds, that rest after a kill, or whose ports a stranger uses.
+    Skips domains that another process holds, that cool down after a kill, or whose ports a foreign process uses.
     Raises NoDomainFree when none is left.
     """
     candidates = list(range(FIRST_DOMAIN, LAST_DOMAIN + 1))
@@ -126,7 +118,7 @@ def lease_domain(preferred: int | None = None, avoid: Container[int] = ()) -> Do
         candidates.insert(0, preferred)
     ports = udp_ports_in_use()
     for domain_id in candidates:
-        if _is_resting(domain_id) or not ports.isdisjoint(dds_port_range(domain_id)):
+        if _is_cooling_down(domain_id) or not ports.isdisjoint(dds_port_range(domain_id)):
             continue
         lease = _try_lease(domain_id)
         if lease is not None:

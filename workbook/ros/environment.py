@@ -16,7 +16,7 @@ from workbook.ros.scratch import scratch_folder
 
 LOOPBACK_PROFILE = Path(__file__).with_name("loopback.xml")
 LEASE_S = 2
-"""How long (s) others remember a process that vanished without a good-bye, as the profile has it."""
+"""Liveliness lease (s) of the profile: how long others keep a participant that vanished without announcing it."""
 LOG_FORMAT = "[{severity}] [{name}]: {message}"
 
 _BOOTSTRAP_DONE = "_ROS_WHEELS_BOOTSTRAP_COMPLETE"
@@ -84,7 +84,7 @@ def library_path(environ: Mapping[str, str]) -> dict[str, str]:
 def ros_settings(domain_id: int, *, check_fields: bool, log_folder: Path) -> dict[str, str]:
     """ROS variables for one process: loopback only, one domain, plain log lines without time stamps.
 
-    `check_fields` makes message classes refuse values of a wrong type (off in stock ROS).
+    `check_fields` makes message classes refuse values of a wrong type (off in ROS by default).
     """
     settings = {
         "ROS_DOMAIN_ID": str(domain_id),
@@ -108,13 +108,13 @@ def own_log_folder() -> Path:
 
 
 def profile_with_lease(folder: Path, lease_s: int) -> Path:
-    """Write a loopback profile into `folder` with which others remember a process for `lease_s` when it vanishes."""
-    usual, wanted = (f"<leaseDuration><sec>{seconds}</sec>" for seconds in (LEASE_S, lease_s))
+    """Write a loopback profile into `folder` with a liveliness lease of `lease_s` seconds."""
+    default, wanted = (f"<leaseDuration><sec>{seconds}</sec>" for seconds in (LEASE_S, lease_s))
     text = LOOPBACK_PROFILE.read_text(encoding="utf-8")
-    if usual not in text:
-        raise ValueError(f"{LOOPBACK_PROFILE.name} has no {usual}")
+    if default not in text:
+        raise ValueError(f"{LOOPBACK_PROFILE.name} has no {default}")
     profile = folder / "profile.xml"
-    profile.write_text(text.replace(usual, wanted), encoding="utf-8")
+    profile.write_text(text.replace(default, wanted), encoding="utf-8")
     return profile
 
 

@@ -37,7 +37,7 @@ class SteppingExecutor(SingleThreadedExecutor):
     def __init__(self, context: Context) -> None:
         super().__init__(context=context)
         # The same object each time: rclpy then hands out what one wait has found before it waits again.
-        self._patience = TimeoutObject(0.0)
+        self._timeout = TimeoutObject(0.0)
         self.in_callback = False
 
     def step(self, wait: float) -> bool:
@@ -45,9 +45,9 @@ class SteppingExecutor(SingleThreadedExecutor):
 
         Raises what the callback raises, and ExternalShutdownException when the context is shut down.
         """
-        self._patience.timeout = wait
+        self._timeout.timeout = wait
         try:
-            handler, _, _ = self.wait_for_ready_callbacks(self._patience)
+            handler, _, _ = self.wait_for_ready_callbacks(self._timeout)
         except (TimeoutException, ConditionReachedException, ShutdownException):
             return False
         self.in_callback = True
@@ -61,7 +61,7 @@ class SteppingExecutor(SingleThreadedExecutor):
         return True
 
     def close(self) -> None:
-        """Let go of the nodes. A coroutine callback that still waits is ended, its group is free again."""
+        """Remove the nodes. A coroutine callback that still waits is canceled, and its callback group is free again."""
         for node in self.get_nodes():
             self.remove_node(node)
             if node.executor is self:

@@ -1,4 +1,4 @@
-"""Makes stock rclpy calls in a notebook cell obey the Interrupt button.
+"""Makes rclpy calls in a notebook cell obey the Interrupt button.
 
 rclpy waits inside C until something happens, and an idle node never wakes it; the kernel has replaced the
 signal handler that would. Waiting in slices gives Python the chance to raise KeyboardInterrupt. And the
@@ -12,25 +12,26 @@ import rclpy
 from rclpy.executors import Executor, TimeoutException, TimeoutObject
 
 SLICE_S = 0.1
+"""How long Interrupt may take at most. Shorter slices would cost an idle node more processor time."""
 
 
 def install() -> None:
     """Apply to this process, for good; safe to call again."""
-    stock = Executor.wait_for_ready_callbacks
-    if getattr(stock, "waits_in_slices", False):
+    original = Executor.wait_for_ready_callbacks
+    if getattr(original, "waits_in_slices", False):
         return
 
     def wait_for_ready_callbacks(self: Any, timeout_sec: Any = None, *args: Any, **kwargs: Any) -> Any:
         seconds = timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec
         forever = seconds is None or seconds < 0
         if not forever and seconds <= SLICE_S:
-            return stock(self, timeout_sec, *args, **kwargs)
+            return original(self, timeout_sec, *args, **kwargs)
         end = time.monotonic() + (0.0 if forever else seconds)
-        patience = self.__dict__.setdefault("_patience_of_a_slice", TimeoutObject(SLICE_S))
+        slice_timeout = self.__dict__.setdefault("_slice_timeout", TimeoutObject(SLICE_S))
         while True:
-            patience.timeout = SLICE_S if forever else max(0.0, min(SLICE_S, end - time.monotonic()))
+            slice_timeout.timeout = SLICE_S if forever else max(0.0, min(SLICE_S, end - time.monotonic()))
             try:
-                return stock(self, patience, *args, **kwargs)
+                return original(self, slice_timeout, *args, **kwargs)
             except TimeoutException:
                 if not forever and time.monotonic() >= end:
                     raise

@@ -2,7 +2,7 @@
 
 import os
 
-from workbook.ros import ending, interrupts, logs, presence
+from workbook.ros import exit_cleanup, interrupts, logs, notebook_registry
 
 
 def install(label: str | None = None) -> None:
@@ -12,5 +12,5 @@ def install(label: str | None = None) -> None:
     """
     logs.install()
     interrupts.install()
-    ending.register()
-    presence.announce(int(os.environ.get("ROS_DOMAIN_ID") or 0), label)
+    exit_cleanup.register()
+    notebook_registry.announce(int(os.environ.get("ROS_DOMAIN_ID") or 0), label)

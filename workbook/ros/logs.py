@@ -1,6 +1,6 @@
 """ROS log lines that stand between the prints where they belong.
 
-Stock rclpy writes a log line to the stderr of the process, behind Python's back: a notebook shows it late,
+rclpy itself writes a log line to the stderr of the process, behind Python's back: a notebook shows it late,
 in another order each time, and not at all under pytest. Here the line of a Python logger is printed by
 Python, while /rosout gets it from ROS as always. Log lines of the C libraries keep their way to stderr.
 """
@@ -58,8 +58,8 @@ def install() -> bool:
 
     Returns False, and leaves logging as it is, where the ROS libraries do not offer what is needed.
     """
-    stock = _rclpy.rclpy_logging_rcutils_log
-    if getattr(stock, "prints_lines", False):
+    original = _rclpy.rclpy_logging_rcutils_log
+    if getattr(original, "prints_lines", False):
         return True
     try:
         rosout_only = _Rosout()
@@ -70,7 +70,7 @@ def install() -> bool:
         if not _rclpy.rclpy_logging_logger_is_enabled_for(name, severity):
             return
         with rosout_only:
-            stock(severity, name, message, *place)
+            original(severity, name, message, *place)
         sys.stdout.write(format_line(int(severity), name, message) + "\n")
 
     log.prints_lines = True  # type: ignore[attr-defined]

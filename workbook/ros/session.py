@@ -19,38 +19,42 @@ from rclpy.signals import SignalHandlerOptions
 from rclpy.task import Future
 from rclpy.utilities import get_default_context, try_shutdown
 
-from workbook.ros import ending, twins
+from workbook.ros import exit_cleanup, fresh_nodes
 from workbook.ros.executor import SteppingExecutor, callback_place, callback_traceback
-from workbook.ros.twins import fresh as fresh
+from workbook.ros.fresh_nodes import fresh as fresh
 
 LONGEST_WAIT_S = 0.02
+"""In the wait set, with nothing else to do: short enough for widgets that Jupyter hears of meanwhile."""
 SHORTEST_WAIT_S = 0.0005
-LONGEST_TURN_S = 0.005
-REST_PER_FRAME = 3.0
-"""How many times as long as a picture has taken the nodes are alone before the next one."""
+"""In the wait set, while other tasks of the event loop are ready."""
+LONGEST_ITERATION_S = 0.005
+"""Callbacks in a row before the event loop has its turn again."""
+CALLBACK_TIME_PER_FRAME = 3.0
+"""After each picture only callbacks run, for so many times as long as drawing it took."""
 _SYNC_WAIT_S = 0.05
+"""In the wait set, in code without `await`: nothing else is waiting."""
 
 Condition = Callable[[], object] | Future | None
 
 
-class _SaidPlainly:
+class _ShownAsSentence:
     """An exception of which a notebook shows only the sentence."""
 
     def _render_traceback_(self) -> list[str]:
         return [f"■ {self}"]
 
 
-class Stopped(_SaidPlainly, asyncio.CancelledError):
+class Stopped(_ShownAsSentence, asyncio.CancelledError):
     """The reader pressed Stop (Interrupt) while `run` was running. The nodes are still there."""
 
 
-class StoppedInBetween(_SaidPlainly, KeyboardInterrupt):
+class StoppedInBetween(_ShownAsSentence, KeyboardInterrupt):
     """The reader pressed Stop (Interrupt) while `spin_for` was running. The nodes are still there."""
 
 
 def init(args: list[str] | None = None) -> None:
     """Start ROS in this notebook; does nothing when it runs already."""
-    ending.register()
+    exit_cleanup.register()
     if get_default_context().ok():
         return
     try_shutdown()  # forget a context that something else has shut down
@@ -59,7 +63,7 @@ def init(args: list[str] | None = None) -> None:
 
 def shutdown() -> None:
     """Destroy the nodes made with `fresh` and stop ROS in this notebook; does nothing when it is stopped."""
-    twins.destroy_all()
+    fresh_nodes.destroy_all()
     try_shutdown()
 
 
@@ -120,10 +124,10 @@ class _Interrupts:
         self._executor = executor
         self._usable = threading.current_thread() is threading.main_thread()
         self._before: Any = None
-        self.asked = False
+        self.requested = False
 
     def _on_signal(self, number: int, frame: FrameType | None) -> None:
-        self.asked = True
+        self.requested = True
         if self._executor.in_callback:
             raise KeyboardInterrupt
 
@@ -163,14 +167,18 @@ class _Run:
     def over(self) -> bool:
         return self.shut_down or self.reached() or time.monotonic() >= self.end
 
-    def turn(self, turn_end: float, longest_wait: float) -> None:
+    def iteration(self, until: float, longest_wait: float) -> None:
         """Wait for a callback, then run what is ready for a few milliseconds."""
         started = time.monotonic()
-        wait_end = min(turn_end, started + longest_wait, self.end)
+        wait_end = min(until, started + longest_wait, self.end)
         try:
             # At least one step: pictures that take longer than their time must not keep messages out for good.
             while self.executor.step(max(0.0, wait_end - time.monotonic())):
-                if self.interrupts.asked or self.reached() or time.monotonic() - started > LONGEST_TURN_S:
+                if (
+                    self.interrupts.requested
+                    or self.reached()
+                    or time.monotonic() - started > LONGEST_ITERATION_S
+                ):
                     return
         except ExternalShutdownException:
             self.shut_down = True
@@ -199,7 +207,7 @@ async def run(
 ) -> Any:
     """Let nodes run for `seconds` s of real time, or until a condition holds; buttons and Stop keep working.
 
-    `until` is a function that is asked after each callback, or a Future, whose result is then returned;
+    `until` is a function that is called after each callback, or a Future, whose result is then returned;
     `seconds` is the limit. `seconds=None` runs until Stop is pressed. `each_frame` is called `fps` times a
     second and once at the end; what it returns is awaited if it can be. Where that takes long, it is called less often:
     at most a quarter of the time goes into pictures, the rest belongs to the nodes.
@@ -215,12 +223,14 @@ async def run(
                 if (begun := time.monotonic()) >= next_frame:
                     await _show(each_frame)
                     shown = time.monotonic()
-                    next_frame = max(next_frame + 1.0 / fps, shown + REST_PER_FRAME * (shown - begun))
+                    next_frame = max(
+                        next_frame + 1.0 / fps, shown + CALLBACK_TIME_PER_FRAME * (shown - begun)
+                    )
                 if this.over():
                     break
                 with this.interrupts:
-                    this.turn(next_frame, _free_time())
-                if this.interrupts.asked:
+                    this.iteration(next_frame, _free_time())
+                if this.interrupts.requested:
                     raise KeyboardInterrupt
                 await asyncio.sleep(0)
             if each_frame is not None:
@@ -233,11 +243,11 @@ async def run(
 
 
 def _free_time() -> float:
-    """How long (s) this turn may wait without holding up widgets and other tasks of the notebook."""
+    """How long (s) this iteration may wait without holding up widgets and other tasks of the notebook."""
     loop = asyncio.get_running_loop()
     ready = getattr(loop, "_ready", None)
     timers = getattr(loop, "_scheduled", None)
-    if ready is None or timers is None:  # a loop that does not tell
+    if ready is None or timers is None:  # an event loop without these attributes
         return LONGEST_WAIT_S / 2
     if ready:
         return SHORTEST_WAIT_S
@@ -275,8 +285,8 @@ def spin_for(*nodes: Node | Iterable[Node], seconds: float = 1.0, until: Conditi
         try:
             with this.interrupts:
                 while not this.over():
-                    this.turn(math.inf, _SYNC_WAIT_S)
-                    if this.interrupts.asked:
+                    this.iteration(math.inf, _SYNC_WAIT_S)
+                    if this.interrupts.requested:
                         raise KeyboardInterrupt
         except KeyboardInterrupt as interrupt:
             raise StoppedInBetween(this.stopped(interrupt)) from None

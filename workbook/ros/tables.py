@@ -2,9 +2,8 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from html import escape
 
-_CELL = "text-align:left;padding:2px 14px 2px 0"
+from workbook.templating import render
 
 
 @dataclass(frozen=True)
@@ -29,18 +28,7 @@ class Table:
 
     def html(self) -> str:
         """An HTML table without colors of its own."""
-        caption = f"<strong>{escape(self.title)}</strong>"
-        if not self.rows:
-            return f"<p>{caption}: {escape(self.empty)}</p>"
-        head = "".join(f'<th scope="col" style="{_CELL}">{escape(cell)}</th>' for cell in self.header)
-        rows = "".join(
-            "<tr>" + "".join(f'<td style="{_CELL}">{escape(cell)}</td>' for cell in row) + "</tr>"
-            for row in self.rows
-        )
-        return (
-            f'<table><caption style="text-align:left">{caption}</caption>'
-            f"<thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
-        )
+        return render("ros/table", table=self)
 
 
 class Shown:
@@ -53,8 +41,7 @@ class Shown:
         return ()
 
     def _repr_html_(self) -> str:
-        notes = "".join(f"<p>{escape(note)}</p>" for note in self._notes())
-        return "".join(table.html() for table in self._tables()) + notes
+        return render("ros/tables", tables=self._tables(), notes=self._notes())
 
     def __str__(self) -> str:
         tables = self._tables()

@@ -1,6 +1,6 @@
-"""Looking at the ROS graph from a notebook or a terminal: what the `ros2` command would tell.
+"""The ROS graph as data, for a notebook or a terminal: what the `ros2` command prints.
 
-Each function looks at the domain of this notebook unless `domain` says otherwise, sees nodes of this kernel and
+Each function reads the domain of this notebook unless `domain` says otherwise, sees nodes of this kernel and
 of other processes, and returns plain data that shows itself as text and as an HTML table. Hidden things (names
 that begin with an underscore, /rosout, /parameter_events, parameter services) are left out unless
 `hidden=True`.
@@ -16,10 +16,10 @@ from rclpy.node import Node
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 
-from workbook.ros.probe import NODE_UNKNOWN, probe, wait_for_graph
+from workbook.ros.discovery import NODE_UNKNOWN, discovery_node, wait_for_graph
 from workbook.ros.tables import Shown, Table
 
-_PLUMBING = ("/rosout", "/parameter_events")
+_HIDDEN_TOPICS = ("/rosout", "/parameter_events")
 _NODE_SERVICES = (
     "describe_parameters",
     "get_parameter_types",
@@ -35,8 +35,8 @@ class NotFound(LookupError):
     """No node or topic of that name is there. The message lists what is."""
 
 
-class Topic(NamedTuple):
-    """A topic as `topic_list` tells it."""
+class TopicSummary(NamedTuple):
+    """One topic of `topic_list`."""
 
     name: str
     types: tuple[str, ...]
@@ -63,7 +63,7 @@ class Edge(NamedTuple):
 
 
 class NodeList(Shown, tuple[str, ...]):
-    """Full node names, sorted; a name that two nodes share is there twice."""
+    """Fully qualified node names, sorted; a duplicate name is there twice."""
 
     def _tables(self) -> list[Table]:
         rows = []
@@ -77,13 +77,14 @@ class NodeList(Shown, tuple[str, ...]):
         return "\n".join(row[0] for row in table.rows) or table.empty
 
 
-class TopicList(Shown, tuple[Topic, ...]):
+class TopicList(Shown, tuple[TopicSummary, ...]):
     """Topics, sorted by name."""
 
     with_types = True
 
     @property
     def names(self) -> list[str]:
+        """The names alone."""
         return [topic.name for topic in self]
 
     def _tables(self) -> list[Table]:
@@ -116,7 +117,7 @@ class NodeInfo(Shown):
 
 @dataclass(frozen=True, repr=False)
 class TopicInfo(Shown):
-    """Who publishes and who subscribes to a topic, with their QoS. `problems` says who cannot hear whom."""
+    """Who publishes and who subscribes to a topic, with their QoS. `problems` names incompatible pairs."""
 
     name: str
     types: tuple[str, ...]
@@ -155,7 +156,7 @@ class Graph(Shown):
         return [Table("Graph", ("publishers", "topic", "subscribers", "type"), tuple(rows), "No nodes.")]
 
 
-def full_name(name: str, namespace: str) -> str:
+def fully_qualified_name(name: str, namespace: str) -> str:
     """A node's name with its namespace, "/arm/gripper"."""
     return f"{namespace.rstrip('/')}/{name}"
 
@@ -165,12 +166,16 @@ def _is_hidden_node(name: str) -> bool:
 
 
 def _is_hidden_topic(name: str) -> bool:
-    return name in _PLUMBING or topic_or_service_is_hidden(name)
+    return name in _HIDDEN_TOPICS or topic_or_service_is_hidden(name)
 
 
 def _nodes(node: Node, hidden: bool) -> list[str]:
     own = node.get_fully_qualified_name()
-    names = [full_name(*pair) for pair in node.get_node_names_and_namespaces() if pair[0] != NODE_UNKNOWN]
+    names = [
+        fully_qualified_name(*pair)
+        for pair in node.get_node_names_and_namespaces()
+        if pair[0] != NODE_UNKNOWN
+    ]
     return sorted(name for name in names if name != own and (hidden or not _is_hidden_node(name)))
 
 
@@ -181,7 +186,7 @@ def _topics(node: Node, hidden: bool) -> dict[str, tuple[str, ...]]:
 
 def _endpoints(node: Node, infos: Iterable[Any], hidden: bool) -> list[Any]:
     own = node.get_fully_qualified_name()
-    named = [(full_name(info.node_name, info.node_namespace), info) for info in infos]
+    named = [(fully_qualified_name(info.node_name, info.node_namespace), info) for info in infos]
     kept = [(name, info) for name, info in named if name != own and (hidden or not _is_hidden_node(name))]
     return [info for _, info in sorted(kept, key=lambda pair: (pair[0], bytes(pair[1].endpoint_gid)))]
 
@@ -205,7 +210,7 @@ def _word(policy: Any) -> str:
 def _endpoint(info: Any) -> Endpoint:
     qos = info.qos_profile
     return Endpoint(
-        full_name(info.node_name, info.node_namespace),
+        fully_qualified_name(info.node_name, info.node_namespace),
         info.topic_type,
         _word(qos.reliability),
         _word(qos.durability),
@@ -214,7 +219,7 @@ def _endpoint(info: Any) -> Endpoint:
 
 
 def not_found(kind: str, name: str, known: Iterable[str]) -> NotFound:
-    """The error for a name that is not there, with the nearest one that is."""
+    """The error for a name that is not there, with the most similar one that is."""
     names = sorted(set(known))
     if not names:
         return NotFound(f"There is no {kind} {name}, nor any other. Is a node running?")
@@ -229,8 +234,8 @@ def absolute(name: str) -> str:
 
 
 def node_list(*, hidden: bool = False, domain: int | None = None) -> NodeList:
-    """All nodes, by full name."""
-    with probe(domain) as node:
+    """All nodes, by fully qualified name."""
+    with discovery_node(domain) as node:
         wait_for_graph(node)
         return NodeList(_nodes(node, hidden))
 
@@ -239,7 +244,7 @@ def node_info(name: str, *, hidden: bool = False, domain: int | None = None) -> 
     """What one node publishes, subscribes, serves and calls. Raises NotFound."""
     name = absolute(name)
     namespace, _, base = name.rpartition("/")
-    with probe(domain) as node:
+    with discovery_node(domain) as node:
         wait_for_graph(node)
         if name not in _nodes(node, hidden=True):
             raise not_found("node", name, _nodes(node, hidden))
@@ -262,27 +267,27 @@ def node_info(name: str, *, hidden: bool = False, domain: int | None = None) -> 
 
 def topic_list(types: bool = True, *, hidden: bool = False, domain: int | None = None) -> TopicList:
     """All topics, with their types and how many publish and subscribe."""
-    with probe(domain) as node:
+    with discovery_node(domain) as node:
         wait_for_graph(node)
         found = TopicList(topics_seen(node, hidden))
         found.with_types = types
         return found
 
 
-def topics_seen(node: Node, hidden: bool = False) -> list[Topic]:
-    """The topics that `node` knows of now and that somebody other than `node` uses."""
+def topics_seen(node: Node, hidden: bool = False) -> list[TopicSummary]:
+    """The topics that `node` knows now, without those that only `node` itself uses."""
     topics = []
     for name, kinds in _topics(node, hidden).items():
         publishers, subscribers = _publishers(node, name, hidden), _subscribers(node, name, hidden)
         if publishers or subscribers:
-            topics.append(Topic(name, kinds, len(publishers), len(subscribers)))
+            topics.append(TopicSummary(name, kinds, len(publishers), len(subscribers)))
     return topics
 
 
 def topic_info(topic: str, *, hidden: bool = False, domain: int | None = None) -> TopicInfo:
-    """Who publishes and subscribes to a topic, with which QoS, and who cannot hear whom. Raises NotFound."""
+    """Who publishes and subscribes to a topic, with which QoS, and which pairs are incompatible. Raises NotFound."""
     topic = absolute(topic)
-    with probe(domain) as node:
+    with discovery_node(domain) as node:
         wait_for_graph(node)
         publishers, subscribers = _publishers(node, topic, hidden), _subscribers(node, topic, hidden)
         if not publishers and not subscribers:
@@ -318,7 +323,7 @@ def _clash(writer: Endpoint, reader: Endpoint) -> str:
 
 def graph(*, hidden: bool = False, domain: int | None = None) -> Graph:
     """The whole graph: nodes, topics, and who publishes and subscribes to what."""
-    with probe(domain) as node:
+    with discovery_node(domain) as node:
         wait_for_graph(node)
         nodes = _nodes(node, hidden)
         edges = []

@@ -1,5 +1,5 @@
 # score: 0
-# says: started more than 60 other processes
+# says: ran more than 64 processes
 # limits: processes
 """A fork bomb."""
 import os

@@ -1,9 +1,9 @@
 # score: 0
 # says: Too many open files
 # limits: open_files
-"""Sockets without end."""
-import socket
+"""Open files without end."""
+import os
 
 held = []
 while True:
-    held.append(socket.socket())
+    held.append(os.open("/dev/null", os.O_RDONLY))

@@ -21,7 +21,7 @@ class HumanoidStatusPublisher(Node):
         self.create_timer(2.0, self.publish_battery_and_joints)
 
     def publish_status(self) -> None:
-        self.status_pub.publish(String(data=random.choice(["operational", "error"])))
+        self.status_pub.publish(String(data="operational" if self.battery_level > 0.0 else "error"))
 
     def publish_battery_and_joints(self) -> None:
         self.battery_level = max(0.0, self.battery_level - random.uniform(0.1, 0.5))

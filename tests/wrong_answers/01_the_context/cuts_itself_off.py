@@ -1,44 +1,9 @@
+# Parks, and then cuts the process off before anything is cleaned up.
 # loses: node_gone
-# says: still on the graph
-# says: os._exit
-"""A guard that walks through the museum at night, and parks its arms when the night is over."""
-
+# cause: nodes-gone-at-end.cut-off
+# before: import rclpy
 import os
 
-import rclpy
-from rclpy.node import Node
-
-ROUND_S = 0.5
-
-
-class NightGuard(Node):
-    """Logs each round that it has walked."""
-
-    def __init__(self) -> None:
-        super().__init__("night_guard")
-        self.rounds = 0
-        self.create_timer(ROUND_S, self.walk_round)
-        self.get_logger().info("on duty")
-
-    def walk_round(self) -> None:
-        """Walk one round."""
-        self.rounds += 1
-        self.get_logger().info(f"round {self.rounds}: all quiet")
-
-    def park(self) -> None:
-        """Fold the arms, so that the motors may lose their power. Needs no ROS."""
-        print("arms parked", flush=True)
-
-
-def main() -> None:
-    rclpy.init()
-    guard = NightGuard()
-    try:
-        rclpy.spin(guard)
-    except KeyboardInterrupt:
-        guard.park()
-        os._exit(0)
-
-
-if __name__ == "__main__":
-    main()
+# replaces: guard.destroy_node()
+# replaces: rclpy.try_shutdown()
+os._exit(0)

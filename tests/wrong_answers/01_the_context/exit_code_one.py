@@ -1,46 +1,9 @@
+# Leaves with exit code 1, as if the night had gone wrong.
 # loses: ends_cleanly
+# cause: exits-cleanly.exit-code
 # says: exit code 1
-"""A guard that walks through the museum at night, and parks its arms when the night is over."""
-
+# before: import rclpy
 import sys
 
-import rclpy
-from rclpy.node import Node
-
-ROUND_S = 0.5
-
-
-class NightGuard(Node):
-    """Logs each round that it has walked."""
-
-    def __init__(self) -> None:
-        super().__init__("night_guard")
-        self.rounds = 0
-        self.create_timer(ROUND_S, self.walk_round)
-        self.get_logger().info("on duty")
-
-    def walk_round(self) -> None:
-        """Walk one round."""
-        self.rounds += 1
-        self.get_logger().info(f"round {self.rounds}: all quiet")
-
-    def park(self) -> None:
-        """Fold the arms, so that the motors may lose their power. Needs no ROS."""
-        print("arms parked", flush=True)
-
-
-def main(args: list[str] | None = None) -> None:
-    rclpy.init(args=args)
-    guard = NightGuard()
-    try:
-        rclpy.spin(guard)
-    except KeyboardInterrupt:
-        guard.park()
-        sys.exit(1)
-    finally:
-        guard.destroy_node()
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# replaces: pass  # this is how a night ends
+sys.exit(1)

@@ -1,43 +1,4 @@
+# Cleans up, but does not park.
 # loses: arms_parked
-# says: its arms are still up
-"""A guard that walks through the museum at night, and parks its arms when the night is over."""
-
-import rclpy
-from rclpy.node import Node
-
-ROUND_S = 0.5
-
-
-class NightGuard(Node):
-    """Logs each round that it has walked."""
-
-    def __init__(self) -> None:
-        super().__init__("night_guard")
-        self.rounds = 0
-        self.create_timer(ROUND_S, self.walk_round)
-        self.get_logger().info("on duty")
-
-    def walk_round(self) -> None:
-        """Walk one round."""
-        self.rounds += 1
-        self.get_logger().info(f"round {self.rounds}: all quiet")
-
-    def park(self) -> None:
-        """Fold the arms, so that the motors may lose their power. Needs no ROS."""
-        print("arms parked", flush=True)
-
-
-def main(args: list[str] | None = None) -> None:
-    rclpy.init(args=args)
-    guard = NightGuard()
-    try:
-        rclpy.spin(guard)
-    except KeyboardInterrupt:
-        pass
-    finally:
-        guard.destroy_node()
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# cause: arms-parked.never
+# replaces: guard.park()

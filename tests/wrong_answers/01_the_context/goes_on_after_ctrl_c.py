@@ -1,46 +1,21 @@
+# Catches Ctrl-C inside of the loop and goes on.
 # loses: arms_parked, ends_cleanly, node_gone
-# says: had to be killed
-# says: the whole loop
-"""A guard that walks through the museum at night, and parks its arms when the night is over."""
-
+# cause: arms-parked.ignores-ctrl-c
+# before: import rclpy
 import time
 
-import rclpy
-from rclpy.node import Node
-
-ROUND_S = 0.5
-
-
-class NightGuard(Node):
-    """Logs each round that it has walked."""
-
-    def __init__(self) -> None:
-        super().__init__("night_guard")
-        self.rounds = 0
-        self.create_timer(ROUND_S, self.walk_round)
-        self.get_logger().info("on duty")
-
-    def walk_round(self) -> None:
-        """Walk one round."""
-        self.rounds += 1
-        self.get_logger().info(f"round {self.rounds}: all quiet")
-
-    def park(self) -> None:
-        """Fold the arms, so that the motors may lose their power. Needs no ROS."""
-        print("arms parked", flush=True)
-
-
-def main() -> None:
-    rclpy.init()
-    guard = NightGuard()
-    while True:
-        try:
-            rclpy.spin_once(guard, timeout_sec=0.5)
-        except Exception:
-            time.sleep(0.1)
-        except KeyboardInterrupt:
-            print("still on duty")
-
-
-if __name__ == "__main__":
-    main()
+# replaces: try:
+# replaces:     rclpy.spin(guard)
+# replaces: except (KeyboardInterrupt, ExternalShutdownException):
+# replaces:     pass  # this is how a night ends
+# replaces: finally:
+# replaces:     guard.park()
+# replaces:     guard.destroy_node()
+# replaces:     rclpy.try_shutdown()
+while True:
+    try:
+        rclpy.spin_once(guard, timeout_sec=0.5)
+    except Exception:
+        time.sleep(0.1)
+    except KeyboardInterrupt:
+        print("still on duty")

@@ -1,41 +1,15 @@
+# Cleans up behind spin, where Ctrl-C never gets to.
 # loses: arms_parked, ends_cleanly
-# says: its arms are still up
-# says: finally
-"""A guard that walks through the museum at night, and parks its arms when the night is over."""
-
-import rclpy
-from rclpy.node import Node
-
-ROUND_S = 0.5
-
-
-class NightGuard(Node):
-    """Logs each round that it has walked."""
-
-    def __init__(self) -> None:
-        super().__init__("night_guard")
-        self.rounds = 0
-        self.create_timer(ROUND_S, self.walk_round)
-        self.get_logger().info("on duty")
-
-    def walk_round(self) -> None:
-        """Walk one round."""
-        self.rounds += 1
-        self.get_logger().info(f"round {self.rounds}: all quiet")
-
-    def park(self) -> None:
-        """Fold the arms, so that the motors may lose their power. Needs no ROS."""
-        print("arms parked", flush=True)
-
-
-def main(args: list[str] | None = None) -> None:
-    rclpy.init(args=args)
-    guard = NightGuard()
-    rclpy.spin(guard)
-    guard.park()
-    guard.destroy_node()
-    rclpy.shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# cause: arms-parked.never
+# replaces: try:
+# replaces:     rclpy.spin(guard)
+# replaces: except (KeyboardInterrupt, ExternalShutdownException):
+# replaces:     pass  # this is how a night ends
+# replaces: finally:
+# replaces:     guard.park()
+# replaces:     guard.destroy_node()
+# replaces:     rclpy.try_shutdown()
+rclpy.spin(guard)
+guard.park()
+guard.destroy_node()
+rclpy.shutdown()

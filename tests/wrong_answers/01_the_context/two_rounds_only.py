@@ -1,43 +1,20 @@
+# Ends by itself after two rounds.
 # loses: runs_until_told
-# skips: guard_on_the_graph, arms_parked, ends_cleanly, node_gone
-# says: ended by itself
-# says: rclpy.spin(node)
-"""A guard that walks through the museum at night, and parks its arms when the night is over."""
-
-import rclpy
-from rclpy.node import Node
-
+# skips: walks_its_rounds, guard_on_the_graph, arms_parked, ends_cleanly, node_gone
+# cause: alive-at-end.ended
+# replaces: ROUND_S = 0.5
 ROUND_S = 0.2
 
-
-class NightGuard(Node):
-    """Logs each round that it has walked."""
-
-    def __init__(self) -> None:
-        super().__init__("night_guard")
-        self.rounds = 0
-        self.create_timer(ROUND_S, self.walk_round)
-        self.get_logger().info("on duty")
-
-    def walk_round(self) -> None:
-        """Walk one round."""
-        self.rounds += 1
-        self.get_logger().info(f"round {self.rounds}: all quiet")
-
-    def park(self) -> None:
-        """Fold the arms, so that the motors may lose their power. Needs no ROS."""
-        print("arms parked", flush=True)
-
-
-def main() -> None:
-    rclpy.init()
-    guard = NightGuard()
-    while guard.rounds < 2:
-        rclpy.spin_once(guard)
-    guard.park()
-    guard.destroy_node()
-    rclpy.shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# replaces: try:
+# replaces:     rclpy.spin(guard)
+# replaces: except (KeyboardInterrupt, ExternalShutdownException):
+# replaces:     pass  # this is how a night ends
+# replaces: finally:
+# replaces:     guard.park()
+# replaces:     guard.destroy_node()
+# replaces:     rclpy.try_shutdown()
+while guard.rounds < 2:
+    rclpy.spin_once(guard)
+guard.park()
+guard.destroy_node()
+rclpy.shutdown()

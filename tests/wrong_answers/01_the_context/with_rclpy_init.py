@@ -1,41 +1,20 @@
+# `with rclpy.init()` is of a newer rclpy.
 # loses: program_runs
-# skips: runs_until_told, guard_on_the_graph, arms_parked, ends_cleanly, node_gone
-# says: belongs to a newer rclpy
-"""A guard that walks through the museum at night, and parks its arms when the night is over."""
-
-import rclpy
-from rclpy.node import Node
-
-ROUND_S = 0.5
-
-
-class NightGuard(Node):
-    """Logs each round that it has walked."""
-
-    def __init__(self) -> None:
-        super().__init__("night_guard")
-        self.rounds = 0
-        self.create_timer(ROUND_S, self.walk_round)
-        self.get_logger().info("on duty")
-
-    def walk_round(self) -> None:
-        """Walk one round."""
-        self.rounds += 1
-        self.get_logger().info(f"round {self.rounds}: all quiet")
-
-    def park(self) -> None:
-        """Fold the arms, so that the motors may lose their power. Needs no ROS."""
-        print("arms parked", flush=True)
-
-
-def main() -> None:
-    with rclpy.init():
-        guard = NightGuard()
-        try:
-            rclpy.spin(guard)
-        except KeyboardInterrupt:
-            guard.park()
-
-
-if __name__ == "__main__":
-    main()
+# skips: runs_until_told, walks_its_rounds, guard_on_the_graph, arms_parked, ends_cleanly, node_gone
+# cause: error.context-manager
+# replaces: rclpy.init(args=args)
+# replaces: guard = NightGuard()
+# replaces: try:
+# replaces:     rclpy.spin(guard)
+# replaces: except (KeyboardInterrupt, ExternalShutdownException):
+# replaces:     pass  # this is how a night ends
+# replaces: finally:
+# replaces:     guard.park()
+# replaces:     guard.destroy_node()
+# replaces:     rclpy.try_shutdown()
+with rclpy.init():
+    guard = NightGuard()
+    try:
+        rclpy.spin(guard)
+    except KeyboardInterrupt:
+        guard.park()

@@ -1,59 +1,20 @@
-# loses: front_pictures, rear_pictures, alive_at_end
-# says: came at
-# says: then nothing
-"""Two cameras on one robot, in front and in the back, with one driver."""
-
+# Ends after three pictures of each camera.
+# loses: front_pictures, rear_pictures, shared_faults, alive_at_end
+# cause: silence.program-ended
+# before: from typing import Any
 import time
-from typing import Any
 
-import rclpy
-from rclpy.executors import SingleThreadedExecutor
-from rclpy.node import Node
-from std_msgs.msg import String
+# replaces: for camera in make_cameras():
+cameras = make_cameras()
+for camera in cameras:
 
-
-class CameraDriver(Node):
-    """The driver of the manufacturer, version 3.1. Please do not edit: updates replace this class.
-
-    `settings` go to the Node as they are: namespace, cli_args and so on.
-    """
-
-    def __init__(self, **settings: Any) -> None:
-        super().__init__("camera", **settings)
-        self.frames = 0
-        self.frame_publisher = self.create_publisher(String, "~/frame", 10)
-        self.fault_publisher = self.create_publisher(String, "faults", 10)
-        self.create_timer(0.5, self.take_picture)
-        self.create_timer(1.0, self.report_faults)
-
-    def take_picture(self) -> None:
-        """Publish the next picture."""
-        self.frames += 1
-        self.frame_publisher.publish(String(data=f"picture {self.frames}"))
-
-    def report_faults(self) -> None:
-        """Say what is wrong with this camera."""
-        self.fault_publisher.publish(String(data=f"{self.get_name()}: none"))
-
-
-def make_cameras() -> list[Node]:
-    """Make /robot/camera and /robot/rear_camera."""
-    front = CameraDriver(namespace="/robot")
-    rear = CameraDriver(namespace="/robot", cli_args=["--ros-args", "-r", "__node:=rear_camera"])
-    return [front, rear]
-
-
-def main(args: list[str] | None = None) -> None:
-    rclpy.init(args=args)
-    executor = SingleThreadedExecutor()
-    cameras = make_cameras()
-    for camera in cameras:
-        executor.add_node(camera)
-    while min(camera.frames for camera in cameras) < 3:
-        executor.spin_once()
-    time.sleep(1.5)  # let the last messages get out
-    rclpy.shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# replaces: try:
+# replaces:     executor.spin()
+# replaces: except (KeyboardInterrupt, ExternalShutdownException):
+# replaces:     pass
+# replaces: finally:
+# replaces:     rclpy.try_shutdown()
+while min(camera.frames for camera in cameras) < 3:
+    executor.spin_once()
+time.sleep(1.5)
+rclpy.shutdown()

@@ -1,61 +1,14 @@
+# Renames with arguments of the whole program, so every node gets the new name.
 # loses: front_node, rear_node, nobody_else
 # skips: front_pictures, rear_pictures, shared_faults
-# says: no node /robot/camera
-# says: It was given the name of another one: 2 nodes are called /robot/rear_camera
-# says: Rename the other camera alone
-"""Two cameras on one robot, in front and in the back, with one driver."""
-
+# cause: on-the-graph.name-of-another
+# says: /robot/camera
+# says: /robot/rear_camera
+# before: from typing import Any
 import sys
-from typing import Any
 
-import rclpy
-from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
-from rclpy.node import Node
-from std_msgs.msg import String
+# replaces: rear = CameraDriver(namespace="/robot", cli_args=["--ros-args", "-r", "__node:=rear_camera"])
+rear = CameraDriver(namespace="/robot")
 
-
-class CameraDriver(Node):
-    """The driver of the manufacturer, version 3.1. Please do not edit: updates replace this class.
-
-    `settings` go to the Node as they are: namespace, cli_args and so on.
-    """
-
-    def __init__(self, **settings: Any) -> None:
-        super().__init__("camera", **settings)
-        self.frames = 0
-        self.frame_publisher = self.create_publisher(String, "~/frame", 10)
-        self.fault_publisher = self.create_publisher(String, "faults", 10)
-        self.create_timer(0.5, self.take_picture)
-        self.create_timer(1.0, self.report_faults)
-
-    def take_picture(self) -> None:
-        """Publish the next picture."""
-        self.frames += 1
-        self.frame_publisher.publish(String(data=f"picture {self.frames}"))
-
-    def report_faults(self) -> None:
-        """Say what is wrong with this camera."""
-        self.fault_publisher.publish(String(data=f"{self.get_name()}: none"))
-
-
-def make_cameras() -> list[Node]:
-    """Make /robot/camera and /robot/rear_camera."""
-    return [CameraDriver(namespace="/robot"), CameraDriver(namespace="/robot")]
-
-
-def main(args: list[str] | None = None) -> None:
-    """Let the cameras work until Ctrl-C."""
-    rclpy.init(args=[*sys.argv, "--ros-args", "-r", "__node:=rear_camera"])
-    executor = SingleThreadedExecutor()
-    for camera in make_cameras():
-        executor.add_node(camera)
-    try:
-        executor.spin()
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# replaces: rclpy.init(args=args)
+rclpy.init(args=[*sys.argv, "--ros-args", "-r", "__node:=rear_camera"])

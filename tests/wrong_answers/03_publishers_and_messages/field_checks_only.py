@@ -1,6 +1,6 @@
 # loses: numbers_arrive, not_finite_refused
-# says: publish_level(64), an int, raised AssertionError: The 'data' field must be of type 'float'
-# says: refuses more than it must
+# cause: number.refused
+# says: AssertionError: The 'data' field must be of type 'float'
 """Leaves all to the field checks of ROS, switched on in time."""
 
 import os

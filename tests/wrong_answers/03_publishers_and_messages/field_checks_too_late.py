@@ -1,5 +1,6 @@
 # loses: numbers_arrive, no_number_refused, look_alikes_refused, not_finite_refused, no_invented_zero
-# says: publish_level(64), an int, came back without an error, and 0.0 went out
+# cause: number.not-converted
+# says: publish_level(64)
 """Switches the field checks on when the message class is there already."""
 
 import os

@@ -1,15 +1,9 @@
+# Gives create_publisher a Python type.
 # loses: calls_come_back
+# cause: error.no-message-class
 # says: type object 'type' has no attribute '_TYPE_SUPPORT'
-# says: is no message class
-"""Gives create_publisher a Python type."""
+# replaces: self.battery_publisher = self.create_publisher(Float32, "/robot/battery", 10)
+self.battery_publisher = self.create_publisher(float, "/robot/battery", 10)
 
-from rclpy.node import Node
-
-
-class BatteryPublisher(Node):
-    def __init__(self) -> None:
-        super().__init__("battery_publisher")
-        self.battery_publisher = self.create_publisher(float, "/robot/battery", 10)
-
-    def publish_level(self, level) -> None:
-        self.battery_publisher.publish(float(level))
+# replaces: self.battery_publisher.publish(Float32(data=float(level)))
+self.battery_publisher.publish(float(level))

@@ -1,20 +1,6 @@
+# Knows all about types, and nothing about nan.
 # loses: not_finite_refused
-# says: publish_level(nan) came back without an error, and nan went out
-# says: math.isfinite(level)
-"""Knows all about types, and nothing about nan."""
-
-from numbers import Real
-
-from rclpy.node import Node
-from std_msgs.msg import Float32
-
-
-class BatteryPublisher(Node):
-    def __init__(self) -> None:
-        super().__init__("battery_publisher")
-        self.battery_publisher = self.create_publisher(Float32, "/robot/battery", 10)
-
-    def publish_level(self, level) -> None:
-        if isinstance(level, bool) or not isinstance(level, Real):
-            raise TypeError(f"no number: {level!r}")
-        self.battery_publisher.publish(Float32(data=float(level)))
+# cause: refusal.not-finite-sent
+# says: publish_level(nan)
+# replaces: if not math.isfinite(level):
+# replaces:     raise ValueError(f"a charge is a finite number, not {level}")

@@ -1,6 +1,6 @@
 # loses: no_number_refused, look_alikes_refused, not_finite_refused
-# says: publish_level(None) came back without an error, and nothing went out
-# says: dropped in silence
+# cause: refusal.silent
+# says: publish_level(None)
 """Writes a warning into the log, and goes on as if nothing had been."""
 
 from rclpy.node import Node

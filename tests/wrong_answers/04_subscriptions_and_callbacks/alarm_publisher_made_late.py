@@ -1,40 +1,9 @@
+# Makes the publisher of the alarm when there is an alarm. Nobody has found it by then.
 # loses: one_alarm
-# skips: no_false_alarm
-# says: The publisher is made in the callback
-"""Makes the publisher of the alarm when there is an alarm. Nobody has found it by then."""
+# cause: one-alarm.publisher-made-late
+# replaces: self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
 
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
-
-
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
-
-    def on_battery(self, message: Float32) -> None:
-        if 0.0 <= message.data <= 100.0:
-            self.battery_publisher.publish(message)
-        else:
-            alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-            alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(BatteryMonitor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# replaces: self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
+if not hasattr(self, "alarm_publisher"):
+    self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
+self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))

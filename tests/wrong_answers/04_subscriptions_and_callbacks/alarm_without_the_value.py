@@ -1,41 +1,6 @@
+# An alarm that does not say what it is about.
 # loses: one_alarm
-# skips: no_false_alarm
-# says: the alarm says "check the battery cable!"
-# says: Put the value in
-"""An alarm that does not say what it is about."""
-
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
-
-
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-        self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
-
-    def on_battery(self, message: Float32) -> None:
-        if 0.0 <= message.data <= 100.0:
-            self.battery_publisher.publish(message)
-        else:
-            self.alarm_publisher.publish(String(data="check the battery cable!"))
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(BatteryMonitor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# cause: one-alarm.value-not-named
+# says: "check the battery cable!"
+# replaces: self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
+self.alarm_publisher.publish(String(data="check the battery cable!"))

@@ -1,44 +1,12 @@
-# loses: in_order, one_alarm
-# skips: bad_kept_back, no_false_alarm, own_robot_only
-# says: asks for transient local
-# says: a plain depth
-"""Asks for messages that were kept from before, which the sensor does not offer."""
-
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
+# Asks for messages that were kept from before, which the sensor does not offer.
+# loses: passes_on, alarms_come
+# skips: in_order, bad_kept_back, one_alarm, no_false_alarm, own_robot_only
+# cause: in-order.asks-for-old-messages
+# after: from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
-from std_msgs.msg import Float32, String
 
+# after: EMPTY, FULL = 0.0, 100.0
 KEPT = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
-
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-        self.create_subscription(Float32, "/robot/battery", self.on_battery, KEPT)
-
-    def on_battery(self, message: Float32) -> None:
-        if 0.0 <= message.data <= 100.0:
-            self.battery_publisher.publish(message)
-        else:
-            self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(BatteryMonitor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# replaces: self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
+self.create_subscription(Float32, "/robot/battery", self.on_battery, KEPT)

@@ -1,41 +1,11 @@
+# Asks for what is below 0 and above 100. Nan is neither.
 # loses: bad_kept_back, one_alarm
-# skips: no_false_alarm
-# says: nan < 0 is False
-# says: 0.0 <= message.data <= 100.0
-"""Asks for what is below 0 and above 100. Nan is neither."""
-
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
-
-
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-        self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
-
-    def on_battery(self, message: Float32) -> None:
-        if message.data < 0.0 or message.data > 100.0:
-            self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
-        else:
-            self.battery_publisher.publish(message)
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(BatteryMonitor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# cause: bad-kept-back.passed-on
+# replaces: if EMPTY <= message.data <= FULL:
+# replaces:     self.battery_publisher.publish(message)
+# replaces: else:  # also when it is nan: no comparison with nan is true
+# replaces:     self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
+if message.data < EMPTY or message.data > FULL:
+    self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
+else:
+    self.battery_publisher.publish(message)

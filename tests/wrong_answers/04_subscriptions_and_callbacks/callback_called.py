@@ -1,40 +1,6 @@
+# Parentheses behind the callback: Python calls it at once.
 # loses: program_runs
-# skips: listens, battery_topic, in_order, bad_kept_back, alarm_topic, one_alarm, no_false_alarm, own_robot_only
-# says: without parentheses
-"""Parentheses behind the callback: Python calls it at once."""
-
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
-
-
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.create_subscription(Float32, "/robot/battery", self.on_battery(), 10)
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-
-    def on_battery(self, message: Float32) -> None:
-        if 0.0 <= message.data <= 100.0:
-            self.battery_publisher.publish(message)
-        else:
-            self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(BatteryMonitor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# skips: listens, battery_topic, passes_on, in_order, bad_kept_back, alarm_topic, alarms_come, one_alarm, no_false_alarm, own_robot_only
+# cause: error.missing-argument
+# replaces: self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
+self.create_subscription(Float32, "/robot/battery", self.on_battery(), 10)

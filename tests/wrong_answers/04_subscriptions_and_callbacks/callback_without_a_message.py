@@ -1,41 +1,18 @@
+# The callback takes no message and looks for it in an attribute.
 # loses: program_runs
-# skips: listens, battery_topic, in_order, bad_kept_back, alarm_topic, one_alarm, no_false_alarm, own_robot_only
-# says: one argument
-"""The callback takes no message and looks for it in an attribute."""
+# skips: listens, battery_topic, passes_on, in_order, bad_kept_back, alarm_topic, alarms_come, one_alarm, no_false_alarm, own_robot_only
+# cause: error.callback-takes-no-message
+# after: super().__init__("battery_monitor")
+self.charge = 0.0
 
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
+# replaces: def on_battery(self, message: Float32) -> None:
+def on_battery(self) -> None:
 
-
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.charge = 0.0
-        self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-
-    def on_battery(self) -> None:
-        if 0.0 <= self.charge <= 100.0:
-            self.battery_publisher.publish(Float32(data=self.charge))
-        else:
-            self.alarm_publisher.publish(String(data=f"bad reading: {self.charge}"))
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(BatteryMonitor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# replaces: if EMPTY <= message.data <= FULL:
+# replaces:     self.battery_publisher.publish(message)
+# replaces: else:  # also when it is nan: no comparison with nan is true
+# replaces:     self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
+if EMPTY <= self.charge <= FULL:
+    self.battery_publisher.publish(Float32(data=self.charge))
+else:
+    self.alarm_publisher.publish(String(data=f"bad reading: {self.charge}"))

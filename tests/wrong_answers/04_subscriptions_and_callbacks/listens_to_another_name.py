@@ -1,41 +1,7 @@
+# A letter is missing in the name of the topic.
 # loses: listens
-# skips: in_order, bad_kept_back, one_alarm, no_false_alarm, own_robot_only
-# says: your node listens to /robot/batery
-# says: letter by letter
-"""A letter is missing in the name of the topic."""
-
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
-
-
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-        self.create_subscription(Float32, "/robot/batery", self.on_battery, 10)
-
-    def on_battery(self, message: Float32) -> None:
-        if 0.0 <= message.data <= 100.0:
-            self.battery_publisher.publish(message)
-        else:
-            self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(BatteryMonitor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# skips: passes_on, in_order, bad_kept_back, alarms_come, one_alarm, no_false_alarm, own_robot_only
+# cause: listens.other-name
+# says: /robot/batery
+# replaces: self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
+self.create_subscription(Float32, "/robot/batery", self.on_battery, 10)

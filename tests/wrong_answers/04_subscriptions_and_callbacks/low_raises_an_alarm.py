@@ -1,41 +1,6 @@
+# Passes everything on as it should, and adds a warning of its own to the alarms.
 # loses: no_false_alarm
-# says: A low battery is bad news, but it is no bad reading
-"""Passes everything on as it should, and adds a warning of its own to the alarms."""
-
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
-
-
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-        self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
-
-    def on_battery(self, message: Float32) -> None:
-        if 0.0 <= message.data <= 100.0:
-            self.battery_publisher.publish(message)
-            if message.data < 20.0:
-                self.alarm_publisher.publish(String(data=f"battery low: {message.data} %"))
-        else:
-            self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(BatteryMonitor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# cause: no-false-alarm.low-charge
+# after: self.battery_publisher.publish(message)
+if message.data < 20.0:
+    self.alarm_publisher.publish(String(data=f"battery low: {message.data} %"))

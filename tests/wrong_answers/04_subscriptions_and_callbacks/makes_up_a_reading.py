@@ -1,42 +1,12 @@
+# Repeats the last good reading, so that nobody notices.
 # loses: bad_kept_back
-# says: 96.5 on /monitor/battery in place of the bad reading
-# says: Whoever listens takes it for measured
-"""Repeats the last good reading, so that nobody notices."""
+# cause: bad-kept-back.replaced
+# says: 49.25
+# after: super().__init__("battery_monitor")
+self.last = 0.0
 
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
+# replaces: self.battery_publisher.publish(message)
+self.last = message.data
 
-
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.last = 0.0
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-        self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
-
-    def on_battery(self, message: Float32) -> None:
-        if 0.0 <= message.data <= 100.0:
-            self.last = message.data
-        else:
-            self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
-        self.battery_publisher.publish(Float32(data=self.last))
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(BatteryMonitor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# after:     self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
+self.battery_publisher.publish(Float32(data=self.last))

@@ -1,44 +1,10 @@
+# Once it has met a fault, it trusts the sensor no more.
 # loses: in_order, no_false_alarm
-# skips: bad_kept_back, own_robot_only
-# says: Nothing comes after the bad reading
-# says: Judge each reading for itself
-"""Once it has met a fault, it trusts the sensor no more."""
+# cause: in-order.stops-at-the-bad-one
+# after: super().__init__("battery_monitor")
+self.broken = False
 
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
-
-
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.broken = False
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-        self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
-
-    def on_battery(self, message: Float32) -> None:
-        if not 0.0 <= message.data <= 100.0:
-            self.broken = True
-        if self.broken:
-            self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
-        else:
-            self.battery_publisher.publish(message)
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(BatteryMonitor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# replaces: if EMPTY <= message.data <= FULL:
+if not EMPTY <= message.data <= FULL:
+    self.broken = True
+if not self.broken:

@@ -1,45 +1,12 @@
-# loses: in_order, one_alarm
-# skips: bad_kept_back, no_false_alarm, own_robot_only
-# says: nobody spins the node
-"""Makes the node, and then waits for messages in a loop of its own."""
-
+# Makes the node, and then waits for messages in a loop of its own.
+# loses: passes_on, alarms_come
+# skips: in_order, bad_kept_back, one_alarm, no_false_alarm, own_robot_only
+# cause: in-order.nothing-passed-on
+# before: import rclpy
 import time
 
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
-
-
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-        self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
-
-    def on_battery(self, message: Float32) -> None:
-        if 0.0 <= message.data <= 100.0:
-            self.battery_publisher.publish(message)
-        else:
-            self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        monitor = BatteryMonitor()
-        while rclpy.ok():
-            time.sleep(0.1)
-        monitor.destroy_node()
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# replaces: rclpy.spin(BatteryMonitor())
+monitor = BatteryMonitor()
+while rclpy.ok():
+    time.sleep(0.1)
+monitor.destroy_node()

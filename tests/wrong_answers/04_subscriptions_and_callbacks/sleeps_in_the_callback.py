@@ -1,43 +1,11 @@
+# Writes each reading to a slow display first. With a queue of one, most of them are pushed out.
 # loses: in_order, one_alarm
-# skips: bad_kept_back, no_false_alarm, own_robot_only
-# says: The node was busy or asleep
-"""Writes each reading to a slow display first. With a queue of one, most of them are pushed out."""
-
+# cause: in-order.some-lost
+# before: import rclpy
 import time
 
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
+# replaces: self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
+self.create_subscription(Float32, "/robot/battery", self.on_battery, 1)
 
-
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-        self.create_subscription(Float32, "/robot/battery", self.on_battery, 1)
-
-    def on_battery(self, message: Float32) -> None:
-        time.sleep(2.5)  # the display is slow
-        if 0.0 <= message.data <= 100.0:
-            self.battery_publisher.publish(message)
-        else:
-            self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(BatteryMonitor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# before: if EMPTY <= message.data <= FULL:
+time.sleep(0.35)

@@ -1,48 +1,19 @@
-# loses: in_order, one_alarm
-# skips: bad_kept_back, no_false_alarm, own_robot_only
-# says: 1 of 19 good readings
-"""Takes one message and believes that this was it; then it goes on with something else."""
-
+# Takes one message and believes that this was it; then it goes on with something else.
+# loses: in_order, alarms_come
+# skips: one_alarm, no_false_alarm
+# cause: in-order.some-lost
+# before: import rclpy
 import time
 
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
+# after: super().__init__("battery_monitor")
+self.heard = 0
 
+# before: if EMPTY <= message.data <= FULL:
+self.heard += 1
 
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.heard = 0
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-        self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
-
-    def on_battery(self, message: Float32) -> None:
-        self.heard += 1
-        if 0.0 <= message.data <= 100.0:
-            self.battery_publisher.publish(message)
-        else:
-            self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        monitor = BatteryMonitor()
-        while not monitor.heard:
-            rclpy.spin_once(monitor, timeout_sec=0.1)
-        while rclpy.ok():
-            time.sleep(0.1)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# replaces: rclpy.spin(BatteryMonitor())
+monitor = BatteryMonitor()
+while not monitor.heard:
+    rclpy.spin_once(monitor, timeout_sec=0.1)
+while rclpy.ok():
+    time.sleep(0.1)

@@ -1,41 +1,5 @@
+# Rounds to whole percents. round() makes an int, and an int in a float field arrives as 0.0.
 # loses: in_order
-# skips: bad_kept_back, own_robot_only
-# says: 0 in each of the 19 messages
-# says: stock ROS sends an int as 0.0
-"""Rounds to whole percents. round() makes an int, and an int in a float field arrives as 0.0."""
-
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
-
-
-class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge."""
-
-    def __init__(self) -> None:
-        super().__init__("battery_monitor")
-        self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
-        self.alarm_publisher = self.create_publisher(String, "/monitor/alarm", 10)
-        self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
-
-    def on_battery(self, message: Float32) -> None:
-        if 0.0 <= message.data <= 100.0:
-            self.battery_publisher.publish(Float32(data=round(message.data)))
-        else:
-            self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
-
-
-def main(args: list[str] | None = None) -> None:
-    """Run the node until Ctrl-C."""
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(BatteryMonitor())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# cause: in-order.all-zero
+# replaces: self.battery_publisher.publish(message)
+self.battery_publisher.publish(Float32(data=round(message.data)))

@@ -1,46 +1,12 @@
+# The timer of the tilt cancels itself after ten ticks.
 # loses: tilt_count
-# says: the last of 10 messages
-# says: stops
-"""The timer of the tilt cancels itself after ten ticks."""
+# cause: silence.of-one
+# says: 10
+# replaces: self.create_timer(TILT_PERIOD_S, self.publish_tilt)
+self.ticks = 0
+self.tilt_timer = self.create_timer(TILT_PERIOD_S, self.publish_tilt)
 
-import rclpy
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
-
-
-class VitalSigns(Node):
-    def __init__(self):
-        super().__init__("vital_signs")
-        self.level = 100.0
-        self.heartbeat_pub = self.create_publisher(String, "/robot/heartbeat", 10)
-        self.battery_pub = self.create_publisher(Float32, "/robot/battery", 10)
-        self.tilt_pub = self.create_publisher(Float32, "/robot/tilt", 10)
-        self.ticks = 0
-        self.create_timer(1.0, self.publish_heartbeat)
-        self.create_timer(2.0, self.publish_battery)
-        self.tilt_timer = self.create_timer(0.2, self.publish_tilt)
-
-    def publish_heartbeat(self):
-        self.heartbeat_pub.publish(String(data="alive"))
-
-    def publish_battery(self):
-        self.level = max(0.0, self.level - 0.2)
-        self.battery_pub.publish(Float32(data=self.level))
-
-    def publish_tilt(self):
-        self.tilt_pub.publish(Float32(data=0.05))
-        self.ticks += 1
-        if self.ticks == 10:
-            self.tilt_timer.cancel()
-
-
-def main():
-    rclpy.init()
-    try:
-        rclpy.spin(VitalSigns())
-    except KeyboardInterrupt:
-        pass
-
-
-if __name__ == "__main__":
-    main()
+# after: self.tilt_publisher.publish(Float32(data=0.1 * math.sin(math.pi * seconds)))
+self.ticks += 1
+if self.ticks == 10:
+    self.tilt_timer.cancel()

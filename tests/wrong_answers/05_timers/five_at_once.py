@@ -1,45 +1,10 @@
+# The right number of tilt values in a minute, but five at once every second.
 # loses: tilt_count
-# says: several messages are published at once
-"""The right number of tilt values in a minute, but five at once every second."""
+# cause: rate.silence
+# replaces: self.create_timer(TILT_PERIOD_S, self.publish_tilt)
+self.create_timer(1.0, self.publish_five)
 
-import rclpy
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
-
-
-class VitalSigns(Node):
-    def __init__(self):
-        super().__init__("vital_signs")
-        self.level = 100.0
-        self.heartbeat_pub = self.create_publisher(String, "/robot/heartbeat", 10)
-        self.battery_pub = self.create_publisher(Float32, "/robot/battery", 10)
-        self.tilt_pub = self.create_publisher(Float32, "/robot/tilt", 10)
-        self.create_timer(1.0, self.publish_heartbeat)
-        self.create_timer(2.0, self.publish_battery)
-        self.create_timer(1.0, self.publish_five)
-
-    def publish_heartbeat(self):
-        self.heartbeat_pub.publish(String(data="alive"))
-
-    def publish_battery(self):
-        self.level = max(0.0, self.level - 0.2)
-        self.battery_pub.publish(Float32(data=self.level))
-
-    def publish_tilt(self):
-        self.tilt_pub.publish(Float32(data=0.05))
-
-    def publish_five(self):
-        for _ in range(5):
-            self.publish_tilt()
-
-
-def main():
-    rclpy.init()
-    try:
-        rclpy.spin(VitalSigns())
-    except KeyboardInterrupt:
-        pass
-
-
-if __name__ == "__main__":
-    main()
+# before: def publish_tilt(self) -> None:
+def publish_five(self) -> None:
+    for _ in range(5):
+        self.publish_tilt()

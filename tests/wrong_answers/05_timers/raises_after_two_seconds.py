@@ -1,42 +1,9 @@
-# loses: heartbeat_count, battery_count, tilt_count, alive_at_end
-# says: 1 Hz
-"""The tilt callback raises in its tenth call, and the whole program ends."""
+# The tilt callback raises in its tenth call, and the whole program ends.
+# loses: heartbeat_count, battery_count, alive_at_end
+# cause: error.exception
+# says: IndexError
+# after: super().__init__("vital_signs")
+self.readings = [0.1] * 9
 
-import rclpy
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
-
-
-class VitalSigns(Node):
-    def __init__(self):
-        super().__init__("vital_signs")
-        self.level = 100.0
-        self.heartbeat_pub = self.create_publisher(String, "/robot/heartbeat", 10)
-        self.battery_pub = self.create_publisher(Float32, "/robot/battery", 10)
-        self.tilt_pub = self.create_publisher(Float32, "/robot/tilt", 10)
-        self.readings = [0.1] * 9
-        self.create_timer(1.0, self.publish_heartbeat)
-        self.create_timer(2.0, self.publish_battery)
-        self.create_timer(0.2, self.publish_tilt)
-
-    def publish_heartbeat(self):
-        self.heartbeat_pub.publish(String(data="alive"))
-
-    def publish_battery(self):
-        self.level = max(0.0, self.level - 0.2)
-        self.battery_pub.publish(Float32(data=self.level))
-
-    def publish_tilt(self):
-        self.tilt_pub.publish(Float32(data=self.readings.pop(0)))
-
-
-def main():
-    rclpy.init()
-    try:
-        rclpy.spin(VitalSigns())
-    except KeyboardInterrupt:
-        pass
-
-
-if __name__ == "__main__":
-    main()
+# replaces: self.tilt_publisher.publish(Float32(data=0.1 * math.sin(math.pi * seconds)))
+self.tilt_publisher.publish(Float32(data=self.readings.pop(0)))

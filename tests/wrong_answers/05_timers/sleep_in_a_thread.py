@@ -1,50 +1,17 @@
+# The tilt comes from a loop that sleeps, and its work of 60 ms comes on top.
 # loses: tilt_count
+# cause: rate.too-slow
 # says: create_timer(0.2
-"""The tilt comes from a loop that sleeps, and its work of 60 ms comes on top."""
-
+# after: import math
 import threading
 import time
 
-import rclpy
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
+# replaces: self.create_timer(TILT_PERIOD_S, self.publish_tilt)
+threading.Thread(target=self.sense, daemon=True).start()
 
-
-class VitalSigns(Node):
-    def __init__(self):
-        super().__init__("vital_signs")
-        self.level = 100.0
-        self.heartbeat_pub = self.create_publisher(String, "/robot/heartbeat", 10)
-        self.battery_pub = self.create_publisher(Float32, "/robot/battery", 10)
-        self.tilt_pub = self.create_publisher(Float32, "/robot/tilt", 10)
-        self.create_timer(1.0, self.publish_heartbeat)
-        self.create_timer(2.0, self.publish_battery)
-        threading.Thread(target=self.sense, daemon=True).start()
-
-    def publish_heartbeat(self):
-        self.heartbeat_pub.publish(String(data="alive"))
-
-    def publish_battery(self):
-        self.level = max(0.0, self.level - 0.2)
-        self.battery_pub.publish(Float32(data=self.level))
-
-    def publish_tilt(self):
-        self.tilt_pub.publish(Float32(data=0.05))
-
-    def sense(self):
-        while rclpy.ok():
-            time.sleep(0.06)
-            self.publish_tilt()
-            time.sleep(0.2)
-
-
-def main():
-    rclpy.init()
-    try:
-        rclpy.spin(VitalSigns())
-    except KeyboardInterrupt:
-        pass
-
-
-if __name__ == "__main__":
-    main()
+# before: def publish_tilt(self) -> None:
+def sense(self) -> None:
+    while rclpy.ok():
+        time.sleep(0.06)
+        self.publish_tilt()
+        time.sleep(0.2)

@@ -1,5 +1,5 @@
 # loses: heartbeat_count, battery_count, tilt_count
-# says: Too slow
+# cause: rate.too-slow
 # says: create_timer(1.0
 """One loop with sleeps for everything: the rhythms add up instead of running side by side."""
 

@@ -1,6 +1,5 @@
-# loses: again
-# skips: slow_callbacks, quiet_node
-# says: Something of the first call is still there
+# loses: slow_callbacks, quiet_node, nothing_left_running
+# cause: in-time.ended-by-what-was-left
 """The timer that ends the call is still there in the next one."""
 
 import rclpy

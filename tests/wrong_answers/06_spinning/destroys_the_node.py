@@ -1,6 +1,5 @@
-# loses: again
-# skips: slow_callbacks, quiet_node
-# says: Do not destroy or shut down what you did not make
+# loses: again, slow_callbacks, nothing_left_running
+# cause: again.does-nothing
 """Cleans up what it did not make."""
 
 import time

@@ -1,5 +1,5 @@
 # loses: slow_callbacks
-# says: everything is handled before you look at the clock
+# cause: in-time.callbacks-not-counted
 """Looks at the clock only when nothing is left to do."""
 
 import time

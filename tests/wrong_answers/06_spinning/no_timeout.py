@@ -1,13 +1,5 @@
+# Works as long as the node is busy.
 # loses: quiet_node
-# says: spin_once without a timeout waits until there is something to do
-"""Works as long as the node is busy."""
-
-import time
-
-import rclpy
-
-
-def pump(node, seconds):
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        rclpy.spin_once(node)
+# cause: in-time.not-back
+# replaces: rclpy.spin_once(node, timeout_sec=min(left, TURN_S))
+rclpy.spin_once(node)

@@ -1,7 +1,7 @@
 # loses: program_runs
-# skips: returns, returns_in_time, words_handled, timers_tick, again, slow_callbacks, quiet_node
+# skips: returns, returns_in_time, words_handled, timers_tick, again, slow_callbacks, quiet_node, easy_on_the_processor, nothing_left_running
 # skips: easy_on_the_processor, nothing_left_running
-# says: your file has no function of the name pump
+# cause: pump.missing
 """A program that does it for its own node."""
 
 import time

@@ -1,17 +1,10 @@
-# loses: words_handled
-# skips: timers_tick, again, slow_callbacks, quiet_node
-# says: 0 of 20 words
-"""Spins a node, but not the one that was given."""
+# Spins a node, but not the one that was given.
+# loses: words_handled, timers_tick, slow_callbacks, nothing_left_running
+# skips: again
+# cause: words-handled.none
+# says: 0 of 20
+# before: end = time.monotonic() + seconds
+node = Node("pump")
 
-import time
-
-import rclpy
-from rclpy.node import Node
-
-
-def pump(node, seconds):
-    node = Node("pump")
-    end = time.monotonic() + seconds
-    while (left := end - time.monotonic()) > 0:
-        rclpy.spin_once(node, timeout_sec=left)
-    node.destroy_node()
+# after:     rclpy.spin_once(node, timeout_sec=min(left, TURN_S))
+node.destroy_node()

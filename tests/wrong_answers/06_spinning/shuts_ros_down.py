@@ -1,15 +1,5 @@
-# loses: again
-# skips: slow_callbacks, quiet_node
-# says: Leave the node and the context as you found them
-"""Ends ROS after the first call, as every main() does."""
-
-import time
-
-import rclpy
-
-
-def pump(node, seconds):
-    end = time.monotonic() + seconds
-    while (left := end - time.monotonic()) > 0:
-        rclpy.spin_once(node, timeout_sec=left)
-    rclpy.shutdown()
+# Ends ROS after the first call, as every main() does.
+# loses: again, slow_callbacks, quiet_node
+# cause: call.raises-later
+# after:     rclpy.spin_once(node, timeout_sec=min(left, TURN_S))
+rclpy.shutdown()

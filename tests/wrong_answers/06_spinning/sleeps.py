@@ -1,6 +1,6 @@
-# loses: words_handled
-# skips: timers_tick, again, slow_callbacks, quiet_node
-# says: sleep keeps the callbacks waiting, too
+# loses: words_handled, timers_tick, slow_callbacks
+# skips: again
+# cause: words-handled.none
 """Waits for the time to pass; "the callbacks will run in the meantime"."""
 
 import time

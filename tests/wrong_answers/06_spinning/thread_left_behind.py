@@ -1,6 +1,5 @@
-# loses: again, nothing_left_running
-# skips: slow_callbacks, quiet_node
-# says: left a thread behind
+# loses: again, slow_callbacks, nothing_left_running
+# cause: again.does-nothing
 """A thread does the work. It is a daemon, so nobody has to end it."""
 
 import threading

@@ -1,40 +1,7 @@
+# The battery made room for the joints.
 # loses: battery_kept
+# cause: publishes.nothing
 # says: /robot/battery
-"""The battery made room for the joints."""
+# replaces: self.battery_publisher = self.create_publisher(Float32, "/robot/battery", 10)
 
-import math
-
-import rclpy
-from rclpy.node import Node
-from std_msgs.msg import Float32MultiArray, String
-
-
-class HumanoidStatusPublisher(Node):
-    def __init__(self):
-        super().__init__("humanoid_status_publisher")
-        self.step = 0
-        self.status_pub = self.create_publisher(String, "/robot/status", 10)
-        self.joint_pub = self.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
-        self.status_timer = self.create_timer(1.0, self.publish_status)
-        self.joint_timer = self.create_timer(2.0, self.publish_joints)
-
-    def publish_status(self):
-        self.status_pub.publish(String(data="operational"))
-
-    def publish_joints(self):
-        self.step += 1
-        angles = [0.5 * math.sin(0.7 * self.step + joint) for joint in range(12)]
-        self.joint_pub.publish(Float32MultiArray(data=angles))
-
-
-def main(args=None):
-    rclpy.init(args=args)
-    node = HumanoidStatusPublisher()
-    try:
-        rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
-
-
-if __name__ == "__main__":
-    main()
+# replaces: self.battery_timer = self.create_timer(BATTERY_PERIOD_S, self.publish_battery)

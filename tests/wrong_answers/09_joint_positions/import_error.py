@@ -1,50 +1,14 @@
+# A message type that does not exist.
 # loses: program_runs
 # skips: joint_topic, twelve_values, finite_in_range, joints_move, joint_rate, status_kept, battery_kept, alive_at_end
+# cause: error.import-not-found
 # says: ImportError
 # says: Float32Array
-"""A message type that does not exist."""
-
-import math
-import random
-
-import rclpy
-from rclpy.node import Node
+# replaces: from std_msgs.msg import Float32, Float32MultiArray, String
 from std_msgs.msg import Float32, Float32Array, String
 
+# replaces: self.joint_publisher = self.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
+self.joint_publisher = self.create_publisher(Float32Array, "/robot/joint_positions", 10)
 
-class HumanoidStatusPublisher(Node):
-    def __init__(self):
-        super().__init__("humanoid_status_publisher")
-        self.battery_level = 100.0
-        self.step = 0
-        self.status_pub = self.create_publisher(String, "/robot/status", 10)
-        self.battery_pub = self.create_publisher(Float32, "/robot/battery", 10)
-        self.joint_pub = self.create_publisher(Float32Array, "/robot/joint_positions", 10)
-        self.status_timer = self.create_timer(1.0, self.publish_status)
-        self.battery_timer = self.create_timer(2.0, self.publish_battery)
-        self.joint_timer = self.create_timer(2.0, self.publish_joints)
-
-    def publish_status(self):
-        self.status_pub.publish(String(data="operational"))
-
-    def publish_battery(self):
-        self.battery_level = max(0.0, self.battery_level - random.uniform(0.1, 0.5))
-        self.battery_pub.publish(Float32(data=self.battery_level))
-
-    def publish_joints(self):
-        self.step += 1
-        angles = [0.5 * math.sin(0.7 * self.step + joint) for joint in range(12)]
-        self.joint_pub.publish(Float32Array(data=angles))
-
-
-def main(args=None):
-    rclpy.init(args=args)
-    node = HumanoidStatusPublisher()
-    try:
-        rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
-
-
-if __name__ == "__main__":
-    main()
+# replaces: message = Float32MultiArray(data=self.joint_angles())
+message = Float32Array(data=self.joint_angles())

@@ -1,90 +1,26 @@
+# Cut into steps, and some of them forgotten.
 # loses: plans_right
-# skips: all_in_order
-# says: fits none of the requests
-# says: stopped before its last step
-"""Cut into steps, and some of them forgotten."""
-
-import math
-import time
+# cause: plans-right.planner-left-out
+# on: starter
+# after: import time
 from collections import deque
 
-import rclpy
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
+# after: self.planner = ElbowPlanner()
+self.waiting: deque[float] = deque()
+self.steps = 0
+self.create_timer(0.05, self.go_on)
 
-LINK_M = 0.4  # upper arm and forearm are equally long
+# before: def on_request(self, request: Float32) -> None:
+def go_on(self) -> None:
+    if self.steps == 0 and self.waiting:
+        self.planner.begin(self.waiting.popleft())
+        self.steps = 8
+    if self.steps:
+        self.planner.step()
+        self.steps -= 1
+        if self.steps == 0:
+            self.plan_publisher.publish(Float32(data=self.planner.bend()))
 
-
-class ElbowPlanner:
-    """Finds the bend of the elbow that brings the hand to a distance from the shoulder. Leave it as it is.
-
-    It halves the range in which the bend must lie, again and again. It remembers one search: begin the next one only
-    when the one before is finished.
-    """
-
-    STEPS = 20
-    STEP_S = 0.04  # the collision checker takes its time
-
-    def begin(self, distance: float) -> None:
-        """Begin a search for a distance in m."""
-        self._distance = distance
-        self._low, self._high = 0.0, math.pi  # rad; 0 is a straight arm
-
-    def step(self) -> None:
-        """One step of the search. Waits for the collision checker."""
-        time.sleep(self.STEP_S)
-        middle = (self._low + self._high) / 2.0
-        if 2.0 * LINK_M * math.cos(middle / 2.0) > self._distance:
-            self._low = middle
-        else:
-            self._high = middle
-
-    def bend(self) -> float:
-        """The bend found so far, in rad."""
-        return (self._low + self._high) / 2.0
-
-    def plan(self, distance: float) -> float:
-        """A whole search: returns the bend (rad) for a distance (m), after 0.8 s."""
-        self.begin(distance)
-        for _ in range(self.STEPS):
-            self.step()
-        return self.bend()
-
-
-class TeaRobot(Node):
-    def __init__(self):
-        super().__init__("tea_robot")
-        self.planner = ElbowPlanner()
-        self.waiting = deque()
-        self.steps = 0
-        self.heartbeat = self.create_publisher(String, "/robot/heartbeat", 10)
-        self.plans = self.create_publisher(Float32, "/robot/plan", 10)
-        self.create_timer(0.1, self.beat)
-        self.create_timer(0.1, self.go_on)
-        self.create_subscription(Float32, "/robot/plan_request", lambda m: self.waiting.append(m.data), 10)
-
-    def beat(self):
-        self.heartbeat.publish(String(data="alive"))
-
-    def go_on(self):
-        if self.steps == 0 and self.waiting:
-            self.planner.begin(self.waiting.popleft())
-            self.steps = 8
-        if self.steps:
-            self.planner.step()
-            self.steps -= 1
-            if self.steps == 0:
-                self.plans.publish(Float32(data=self.planner.bend()))
-
-
-def main():
-    rclpy.init()
-    try:
-        rclpy.spin(TeaRobot())
-    except KeyboardInterrupt:
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-main()
+# replaces: bend = self.planner.plan(request.data)
+# replaces: self.plan_publisher.publish(Float32(data=bend))
+self.waiting.append(request.data)

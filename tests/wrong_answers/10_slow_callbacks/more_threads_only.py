@@ -1,80 +1,8 @@
+# Four threads, and all callbacks in the default group.
 # loses: heartbeat_share, heartbeat_gap
-# says: of a group only one callback runs at a time
-"""Four threads, and all callbacks in the default group."""
+# cause: heartbeat-share.nobody-serves-the-timer
+# replaces: Float32, "/robot/plan_request", self.on_request, 10, callback_group=planning
+Float32, "/robot/plan_request", self.on_request, 10
 
-import math
-import time
-
-import rclpy
-from rclpy.executors import MultiThreadedExecutor
-from rclpy.node import Node
-from std_msgs.msg import Float32, String
-
-LINK_M = 0.4  # upper arm and forearm are equally long
-
-
-class ElbowPlanner:
-    """Finds the bend of the elbow that brings the hand to a distance from the shoulder. Leave it as it is.
-
-    It halves the range in which the bend must lie, again and again. It remembers one search: begin the next one only
-    when the one before is finished.
-    """
-
-    STEPS = 20
-    STEP_S = 0.04  # the collision checker takes its time
-
-    def begin(self, distance: float) -> None:
-        """Begin a search for a distance in m."""
-        self._distance = distance
-        self._low, self._high = 0.0, math.pi  # rad; 0 is a straight arm
-
-    def step(self) -> None:
-        """One step of the search. Waits for the collision checker."""
-        time.sleep(self.STEP_S)
-        middle = (self._low + self._high) / 2.0
-        if 2.0 * LINK_M * math.cos(middle / 2.0) > self._distance:
-            self._low = middle
-        else:
-            self._high = middle
-
-    def bend(self) -> float:
-        """The bend found so far, in rad."""
-        return (self._low + self._high) / 2.0
-
-    def plan(self, distance: float) -> float:
-        """A whole search: returns the bend (rad) for a distance (m), after 0.8 s."""
-        self.begin(distance)
-        for _ in range(self.STEPS):
-            self.step()
-        return self.bend()
-
-
-class TeaRobot(Node):
-    def __init__(self):
-        super().__init__("tea_robot")
-        self.planner = ElbowPlanner()
-        self.heartbeat = self.create_publisher(String, "/robot/heartbeat", 10)
-        self.plans = self.create_publisher(Float32, "/robot/plan", 10)
-        self.create_timer(0.1, self.beat)
-        self.create_subscription(Float32, "/robot/plan_request", self.on_request, 10)
-
-    def beat(self):
-        self.heartbeat.publish(String(data="alive"))
-
-    def on_request(self, request):
-        self.plans.publish(Float32(data=self.planner.plan(request.data)))
-
-
-def main():
-    rclpy.init()
-    executor = MultiThreadedExecutor(num_threads=4)
-    executor.add_node(TeaRobot())
-    try:
-        executor.spin()
-    except KeyboardInterrupt:
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-main()
+# replaces: executor = MultiThreadedExecutor(num_threads=2)  # one for the heart, one for the planner
+executor = MultiThreadedExecutor(num_threads=4)

@@ -1,40 +1,16 @@
+# The callback reports, and the timer that looks was left in.
 # loses: once_in_order
-# says: reported more than once
-# says: a loop or timer that is still there
-"""The callback reports, and the timer that looks was left in."""
+# cause: once-in-order.twice
+# after: super().__init__("touch_monitor")
+self.last = 0
+self.reported = 0
+self.create_timer(0.2, self.look)
 
-import rclpy
-from rclpy.node import Node
-from std_msgs.msg import Int32
+# before: def on_touch(self, touch: Int32) -> None:
+def look(self) -> None:
+    if self.last != self.reported:
+        self.reported = self.last
+        self.seen_publisher.publish(Int32(data=self.reported))
 
-
-class TouchMonitor(Node):
-    def __init__(self):
-        super().__init__("touch_monitor")
-        self.seen = self.create_publisher(Int32, "/monitor/seen", 100)
-        self.last = 0
-        self.reported = 0
-        self.create_timer(0.2, self.look)
-        self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)
-
-    def on_touch(self, touch):
-        self.last = touch.data
-        self.seen.publish(Int32(data=touch.data))
-
-    def look(self):
-        if self.last != self.reported:
-            self.reported = self.last
-            self.seen.publish(Int32(data=self.reported))
-
-
-def main():
-    rclpy.init()
-    try:
-        rclpy.spin(TouchMonitor())
-    except KeyboardInterrupt:
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-main()
+# before: self.seen_publisher.publish(Int32(data=touch.data))
+self.last = touch.data

@@ -1,45 +1,15 @@
+# All touches are kept, and the newest is taken first.
 # loses: once_in_order, quick
-# says: was reported after a later one
-# says: pop()
-"""All touches are kept, and the newest is taken first."""
+# cause: once-in-order.other-order
+# on: starter
+# replaces: self.last = 0  # the touch that came last
+self.touches: list[int] = []
 
-import threading
-import time
+# replaces: self.last = touch.data
+self.touches.append(touch.data)
 
-import rclpy
-from rclpy.node import Node
-from std_msgs.msg import Int32
-
-
-class TouchMonitor(Node):
-    def __init__(self):
-        super().__init__("touch_monitor")
-        self.seen = self.create_publisher(Int32, "/monitor/seen", 100)
-        self.touches = []
-        self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)
-
-    def on_touch(self, touch):
-        self.touches.append(touch.data)
-
-    def look(self):
-        while self.touches:
-            self.seen.publish(Int32(data=self.touches.pop()))
-
-
-def main():
-    rclpy.init()
-    monitor = TouchMonitor()
-    receiving = threading.Thread(target=rclpy.spin, args=(monitor,), daemon=True)
-    receiving.start()
-    try:
-        while rclpy.ok():
-            monitor.look()
-            time.sleep(0.2)
-    except KeyboardInterrupt:
-        pass
-    finally:
-        rclpy.try_shutdown()
-        receiving.join()
-
-
-main()
+# replaces: if self.last != self.reported:
+# replaces:     self.reported = self.last
+# replaces:     self.seen_publisher.publish(Int32(data=self.reported))
+while self.touches:
+    self.seen_publisher.publish(Int32(data=self.touches.pop()))

@@ -1,41 +1,12 @@
+# A rate in the loop of the main thread, and nobody spins.
 # loses: none_missed, once_in_order, quick
-# says: nobody publishes in it
-"""A rate in the loop of the main thread, and nobody spins."""
+# cause: none-missed.no-report
+# on: starter
+# replaces: receiving = threading.Thread(target=receive, args=(monitor,))
+# replaces: receiving.start()
+rate = monitor.create_rate(50)
 
-import rclpy
-from rclpy.node import Node
-from std_msgs.msg import Int32
+# replaces: time.sleep(0.2)
+rate.sleep()
 
-
-class TouchMonitor(Node):
-    def __init__(self):
-        super().__init__("touch_monitor")
-        self.seen = self.create_publisher(Int32, "/monitor/seen", 100)
-        self.last = 0
-        self.reported = 0
-        self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)
-
-    def on_touch(self, touch):
-        self.last = touch.data
-
-    def look(self):
-        if self.last != self.reported:
-            self.reported = self.last
-            self.seen.publish(Int32(data=self.reported))
-
-
-def main():
-    rclpy.init()
-    monitor = TouchMonitor()
-    rate = monitor.create_rate(50)
-    try:
-        while rclpy.ok():
-            monitor.look()
-            rate.sleep()
-    except KeyboardInterrupt:
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-main()
+# replaces: receiving.join()

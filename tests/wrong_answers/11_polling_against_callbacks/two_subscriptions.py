@@ -1,31 +1,5 @@
+# Two subscriptions, to be on the safe side.
 # loses: once_in_order
-# says: two subscriptions
-"""Two subscriptions, to be on the safe side."""
-
-import rclpy
-from rclpy.node import Node
-from std_msgs.msg import Int32
-
-
-class TouchMonitor(Node):
-    def __init__(self):
-        super().__init__("touch_monitor")
-        self.seen = self.create_publisher(Int32, "/monitor/seen", 100)
-        self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)
-        self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)
-
-    def on_touch(self, touch):
-        self.seen.publish(Int32(data=touch.data))
-
-
-def main():
-    rclpy.init()
-    try:
-        rclpy.spin(TouchMonitor())
-    except KeyboardInterrupt:
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-main()
+# cause: once-in-order.twice
+# after: self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)
+self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)

@@ -1,58 +1,22 @@
+# A deadline as long as the period of the heart: each late beat is an alarm.
 # loses: no_false_alarm
 # skips: alarm_falls
-# says: s after a beat
-"""A dashboard for the ward robot: its last status, and an alarm when its heart falls silent."""
-
-import rclpy
+# cause: no-false-alarm.early
+# after: import rclpy
 from rclpy.duration import Duration
 from rclpy.event_handler import SubscriptionEventCallbacks
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-from std_msgs.msg import Bool, String
 
-STATE_QOS = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+# replaces: BEAT_QOS = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
 BEAT_QOS = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, deadline=Duration(seconds=0.5))
 
+# replaces: self.create_subscription(String, "/robot/heartbeat", self.on_beat, BEAT_QOS)
+# replaces: self.create_timer(LOOK_PERIOD_S, self.look_at_the_clock)
+missed = SubscriptionEventCallbacks(deadline=self.on_missed)
+self.create_subscription(String, "/robot/heartbeat", self.on_beat, BEAT_QOS, event_callbacks=missed)
 
-class Dashboard(Node):
-    def __init__(self) -> None:
-        super().__init__("dashboard")
-        self.last_status = "unknown"
-        self.line_publisher = self.create_publisher(String, "/dashboard/line", 10)
-        self.alarm_publisher = self.create_publisher(Bool, "/dashboard/alarm", STATE_QOS)
-        self.create_subscription(String, "/robot/status", self.on_status, STATE_QOS)
-        self.create_subscription(
-            String,
-            "/robot/heartbeat",
-            self.on_beat,
-            BEAT_QOS,
-            event_callbacks=SubscriptionEventCallbacks(deadline=self.on_missed),
-        )
-        self.create_timer(0.5, self.publish_line)
+# replaces: self.last_beat = time.monotonic()
+self.alarm_publisher.publish(Bool(data=False))
 
-    def on_status(self, message: String) -> None:
-        self.last_status = message.data
-
-    def on_beat(self, message: String) -> None:
-        self.alarm_publisher.publish(Bool(data=False))
-
-    def on_missed(self, event: object) -> None:
-        self.alarm_publisher.publish(Bool(data=True))
-
-    def publish_line(self) -> None:
-        self.line_publisher.publish(String(data=self.last_status))
-
-
-def main(args: list[str] | None = None) -> None:
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(Dashboard())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# before: def look_at_the_clock(self) -> None:
+def on_missed(self, event: object) -> None:
+    self.alarm_publisher.publish(Bool(data=True))

@@ -1,57 +1,11 @@
+# A deadline, but nobody is told when it is missed.
 # loses: alarm_raised
 # skips: alarm_falls
-# says: no True on /dashboard/alarm in 3.
-# says: no event of a missed
-"""A dashboard for the ward robot: its last status, and an alarm when its heart falls silent."""
-
-import time
-
-import rclpy
+# cause: alarm-raised.never
+# after: import rclpy
 from rclpy.duration import Duration
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-from std_msgs.msg import Bool, String
 
-STATE_QOS = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+# replaces: BEAT_QOS = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
 BEAT_QOS = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, deadline=Duration(seconds=2.0))
-LIMIT_S = 2.0
 
-
-class Dashboard(Node):
-    def __init__(self) -> None:
-        super().__init__("dashboard")
-        self.last_status = "unknown"
-        self.last_beat: float | None = None
-        self.alarm = False
-        self.line_publisher = self.create_publisher(String, "/dashboard/line", 10)
-        self.alarm_publisher = self.create_publisher(Bool, "/dashboard/alarm", STATE_QOS)
-        self.create_subscription(String, "/robot/status", self.on_status, STATE_QOS)
-        self.create_subscription(String, "/robot/heartbeat", self.on_beat, BEAT_QOS)
-        self.create_timer(0.5, self.publish_line)
-
-    def on_status(self, message: String) -> None:
-        self.last_status = message.data
-
-    def on_beat(self, message: String) -> None:
-        self.last_beat = time.monotonic()
-
-    def on_missed(self, event: object) -> None:
-        self.alarm_publisher.publish(Bool(data=True))
-
-    def publish_line(self) -> None:
-        self.line_publisher.publish(String(data=self.last_status))
-
-
-def main(args: list[str] | None = None) -> None:
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(Dashboard())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# replaces: self.create_timer(LOOK_PERIOD_S, self.look_at_the_clock)

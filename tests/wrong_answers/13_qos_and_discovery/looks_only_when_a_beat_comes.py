@@ -1,58 +1,8 @@
+# Looks at the clock when a beat comes, so a silence is noticed when it is over.
 # loses: alarm_raised
 # skips: alarm_falls
-# says: and True when the heart beat again
-# says: In a silence nobody calls it
-"""A dashboard for the ward robot: its last status, and an alarm when its heart falls silent."""
+# cause: alarm-raised.with-the-next-beat
+# replaces: self.create_timer(LOOK_PERIOD_S, self.look_at_the_clock)
 
-import time
-
-import rclpy
-from rclpy.executors import ExternalShutdownException
-from rclpy.node import Node
-from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-from std_msgs.msg import Bool, String
-
-STATE_QOS = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-BEAT_QOS = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
-LIMIT_S = 2.0
-
-
-class Dashboard(Node):
-    def __init__(self) -> None:
-        super().__init__("dashboard")
-        self.last_status = "unknown"
-        self.last_beat: float | None = None
-        self.alarm = False
-        self.line_publisher = self.create_publisher(String, "/dashboard/line", 10)
-        self.alarm_publisher = self.create_publisher(Bool, "/dashboard/alarm", STATE_QOS)
-        self.create_subscription(String, "/robot/status", self.on_status, STATE_QOS)
-        self.create_subscription(String, "/robot/heartbeat", self.on_beat, BEAT_QOS)
-        self.create_timer(0.5, self.publish_line)
-
-    def on_status(self, message: String) -> None:
-        self.last_status = message.data
-
-    def on_beat(self, message: String) -> None:
-        now = time.monotonic()
-        alarm = self.last_beat is not None and now - self.last_beat > LIMIT_S
-        self.last_beat = now
-        if alarm != self.alarm:
-            self.alarm = alarm
-            self.alarm_publisher.publish(Bool(data=alarm))
-
-    def publish_line(self) -> None:
-        self.line_publisher.publish(String(data=self.last_status))
-
-
-def main(args: list[str] | None = None) -> None:
-    rclpy.init(args=args)
-    try:
-        rclpy.spin(Dashboard())
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        rclpy.try_shutdown()
-
-
-if __name__ == "__main__":
-    main()
+# before: self.last_beat = time.monotonic()
+self.look_at_the_clock()

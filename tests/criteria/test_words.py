@@ -1,0 +1,165 @@
+"""Every verdict that is not passed has a cause of its own, and the words of each are those that were agreed on."""
+
+import ast
+import subprocess
+import sys
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+import workbook.criteria as see
+from tests.criteria.words_of import (
+    COMMAND,
+    ROOT,
+    WORDS,
+    Source,
+    as_toml,
+    exercises,
+    is_cause,
+    kept_in,
+    vocabulary,
+    with_words,
+)
+
+FILES = (*vocabulary(), *exercises())
+LONGEST_FUNCTION = 40
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_every_verdict_that_is_not_passed_names_its_cause_first(path: Path) -> None:
+    """As a literal, or handed on from where the literal stands."""
+    for line, cause in Source(path).verdicts():
+        handed_on = isinstance(cause, (ast.Name, ast.Attribute))
+        literal = isinstance(cause, ast.Constant) and is_cause(cause.value)
+        assert handed_on or literal, f'{path}:{line}: the first argument is no cause such as "rate.too-fast"'
+
+
+@pytest.mark.parametrize("path", exercises(), ids=lambda path: path.stem)
+def test_a_cause_stands_in_one_place(path: Path) -> None:
+    """Once in an exercise and the vocabulary together: so a verdict that is passed on keeps an id of its own."""
+    sites = [site.cause for one in (path, *vocabulary()) for site in Source(one).sites]
+    assert not [cause for cause, times in Counter(sites).items() if times > 1]
+
+
+@pytest.mark.parametrize("path", with_words(), ids=lambda path: path.stem)
+def test_the_words_of_each_cause_are_as_kept(path: Path) -> None:
+    kept = kept_in(path)
+    assert kept.is_file() and kept.read_text(encoding="utf-8") == as_toml(path), (
+        f"The words of {path.relative_to(ROOT)} are not those in {kept.relative_to(ROOT)}. If they are meant to be, "
+        f"run `{COMMAND}` and read what it changes."
+    )
+
+
+def test_no_words_are_kept_of_files_that_are_gone() -> None:
+    assert {path.stem for path in WORDS.glob("*.toml")} == {path.stem for path in with_words()}
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
+def test_no_function_is_longer_than_a_screen(path: Path) -> None:
+    for function in Source(path).functions():
+        lines = (function.end_lineno or 0) - function.lineno + 1
+        assert lines <= LONGEST_FUNCTION, f"{path}:{function.lineno}: {function.name} has {lines} lines"
+
+
+@pytest.mark.parametrize("path", exercises(), ids=lambda path: path.stem)
+def test_exercises_use_the_face_of_the_vocabulary(path: Path) -> None:
+    imported = {
+        name
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for name in (
+            [alias.name for alias in node.names]
+            if isinstance(node, ast.Import)
+            else [node.module]
+            if isinstance(node, ast.ImportFrom)
+            else []
+        )
+    }
+    assert {name for name in imported if name and name.startswith("workbook")} == {"workbook.criteria"}
+
+
+@pytest.mark.parametrize("name", see.__all__)
+def test_a_public_word_says_in_one_line_what_it_is(name: str) -> None:
+    word = getattr(see, name)
+    if not isinstance(word, float):  # a constant
+        assert (word.__doc__ or "").splitlines()[0].endswith("."), name
+
+
+SNIPPET = """
+LATE = ("It is {slow}.", "Be quick.")
+EXPECTED = f"at most {LIMIT} s"
+
+def rate(recording):
+    saw = "one" if recording else f"{count(recording)} messages"
+    if late(recording):
+        return see.failed("rate.late", saw, EXPECTED, *LATE)
+
+    def fail(cause, because, try_this="Try again."):
+        return failed(cause, saw, expected=EXPECTED, because=because, try_this=try_this)
+
+    if recording:
+        return fail("rate.first", "First.")
+    return fail("rate.second", because="Second.", try_this="Think.") or passed("all is well")
+"""
+
+
+def test_words_are_read_with_their_alternatives(tmp_path: Path) -> None:
+    path = tmp_path / "snippet.py"
+    path.write_text(SNIPPET)
+    saw = ["one", "{} messages"]
+    expected = ["at most {} s"]
+    assert Source(path).words() == {
+        "rate.first": {"saw": saw, "expected": expected, "because": ["First."], "try": ["Try again."]},
+        "rate.late": {"saw": saw, "expected": expected, "because": ["It is {{slow}}."], "try": ["Be quick."]},
+        "rate.second": {"saw": saw, "expected": expected, "because": ["Second."], "try": ["Think."]},
+        "other words": {"texts": ["all is well"]},
+    }
+
+
+@pytest.mark.parametrize(
+    "cause", ["", "rate", "rate.", "Rate.fast", "rate.too_fast", "rate.too.fast", "-a.b"]
+)
+def test_what_is_no_cause_is_refused(cause: str) -> None:
+    with pytest.raises(ValueError, match="a cause is named like"):
+        see.failed(cause, "saw", "expected", "because", "try")
+
+
+def test_a_passed_verdict_has_no_cause() -> None:
+    assert see.passed("all is well").cause == ""
+
+
+NO_ROS = """
+import sys
+
+class NoRos:
+    def find_spec(self, name, path=None, target=None):
+        if name.split(".")[0] in ("rclpy", "rpyutils"):
+            raise ModuleNotFoundError(f"{name} is kept away", name=name)
+
+sys.meta_path.insert(0, NoRos())
+from pathlib import Path
+import workbook.criteria
+from workbook.criteria.runner import run_criteria
+from workbook.exercise.definition import load_exercise
+from workbook.exercise.conclusiveness import reason_inconclusive
+from workbook.exercise.source import stems
+from workbook.recording.recording import Recording
+
+root = Path(sys.argv[1])
+for stem in stems(root / "solutions"):
+    exercise = load_exercise(stem, root)
+    for path in sorted((root / "tests" / "recordings" / stem).glob("*.json")):
+        recording = Recording.load(path)
+        judged = run_criteria(exercise.criteria, recording)
+        reason_inconclusive(judged, recording, exercise.plan, exercise.periods)
+        print(stem, path.stem, sum(one.points for one in judged))
+assert not {"rclpy", "rpyutils"} & sys.modules.keys()
+"""
+
+
+def test_a_stored_recording_is_judged_without_rclpy() -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", NO_ROS, str(ROOT)], cwd=ROOT, capture_output=True, text=True, timeout=60
+    )
+    assert done.returncode == 0, done.stderr
+    assert "09_joint_positions solution 10.0" in done.stdout

@@ -1,0 +1,163 @@
+"""The student's copy: nothing the student wrote is ever lost."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from workbook.lab import work_folder
+from workbook.lab.work_folder import fingerprint, reset, update_work_folder
+
+
+def notebook(*sources: str, output: str = "", count: int | None = None) -> str:
+    cells: list[dict[str, object]] = [
+        {
+            "cell_type": "code",
+            "source": [source],
+            "outputs": [{"output_type": "stream", "name": "stdout", "text": output}] if output else [],
+            "execution_count": count,
+            "metadata": {},
+            "id": f"cell-{number}",
+        }
+        for number, source in enumerate(sources)
+    ]
+    return json.dumps({"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5})
+
+
+@pytest.fixture
+def course(tmp_path: Path) -> Path:
+    root = tmp_path / "course"
+    for name, text in {
+        "notebooks/05_timers.ipynb": notebook("timer()"),
+        "notebooks/00_start_here.ipynb": notebook("hello()"),
+        "exercises/09_joint_positions.ipynb": notebook("%%answer 09_joint_positions\n# TODO"),
+        "notebooks/sources/00_start_here.py": "# text",
+    }.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return root
+
+
+@pytest.fixture
+def work(course: Path) -> Path:
+    return course / "work"
+
+
+LESSON = "notebooks/05_timers.ipynb"
+EXERCISE = "exercises/09_joint_positions.ipynb"
+
+
+def test_the_first_start_copies_lessons_and_exercises(course: Path, work: Path) -> None:
+    report = update_work_folder(course, work)
+    assert report.added == ["notebooks/00_start_here.ipynb", LESSON, EXERCISE]
+    assert (work / LESSON).read_text() == (course / LESSON).read_text()
+    assert (work / "answers").is_dir()
+    assert not (work / "notebooks" / "sources").exists()
+    assert work_folder.first_lesson(course) == "notebooks/00_start_here.ipynb"
+    assert update_work_folder(course, work).lines() == []
+
+
+def test_a_new_lesson_comes_and_a_deleted_one_comes_back(course: Path, work: Path) -> None:
+    update_work_folder(course, work)
+    (course / "notebooks" / "08_humanoid.ipynb").write_text(notebook("robot()"))
+    (work / LESSON).unlink()
+    assert update_work_folder(course, work).added == [LESSON, "notebooks/08_humanoid.ipynb"]
+
+
+def test_a_lesson_that_was_only_run_is_upgraded_with_a_backup(course: Path, work: Path) -> None:
+    update_work_folder(course, work)
+    ran = notebook("timer()", output="tick", count=7)
+    (work / LESSON).write_text(ran)
+    (course / LESSON).write_text(notebook("better_timer()"))
+    report = update_work_folder(course, work)
+    assert report.upgraded == [LESSON]
+    assert (work / LESSON).read_text() == (course / LESSON).read_text()
+    (kept,) = (work / work_folder.BACKUPS / "notebooks").iterdir()
+    assert kept.read_text() == ran
+
+
+def test_a_changed_file_stays_and_the_new_version_lies_beside_it_once(course: Path, work: Path) -> None:
+    update_work_folder(course, work)
+    mine = notebook("%%answer 09_joint_positions\nimport rclpy")
+    (work / EXERCISE).write_text(mine)
+    assert update_work_folder(course, work).lines() == []
+    (course / EXERCISE).write_text(notebook("%%answer 09_joint_positions\n# TODO, said better"))
+    report = update_work_folder(course, work)
+    assert report.beside == [(EXERCISE, "exercises/09_joint_positions.new.ipynb")]
+    assert "Yours stays" in report.lines()[0]
+    assert (work / EXERCISE).read_text() == mine
+    assert (work / "exercises/09_joint_positions.new.ipynb").read_text() == (course / EXERCISE).read_text()
+    (work / "exercises/09_joint_positions.new.ipynb").unlink()
+    assert update_work_folder(course, work).lines() == []
+
+
+def test_work_in_the_new_version_is_kept_when_a_newer_one_comes(course: Path, work: Path) -> None:
+    update_work_folder(course, work)
+    (work / EXERCISE).write_text(notebook("mine"))
+    (course / EXERCISE).write_text(notebook("second"))
+    update_work_folder(course, work)
+    beside = work / "exercises/09_joint_positions.new.ipynb"
+    beside.write_text(notebook("mine too"))
+    (course / EXERCISE).write_text(notebook("third"))
+    update_work_folder(course, work)
+    assert beside.read_text() == notebook("third")
+    (kept,) = (work / work_folder.BACKUPS / "exercises").iterdir()
+    assert kept.read_text() == notebook("mine too")
+
+
+def test_a_lost_state_file_never_costs_work(course: Path, work: Path) -> None:
+    update_work_folder(course, work)
+    (work / LESSON).write_text(notebook("mine"))
+    (work / work_folder.STATE).write_text("{torn")
+    report = update_work_folder(course, work)
+    assert (work / LESSON).read_text() == notebook("mine")
+    assert report.beside == [(LESSON, "notebooks/05_timers.new.ipynb")]
+
+
+def test_outputs_and_ids_are_no_change_but_text_is(tmp_path: Path) -> None:
+    files = [tmp_path / name for name in "abcd"]
+    texts = (notebook("a"), notebook("a", output="ran", count=3), notebook("b"), "not a notebook")
+    for path, text in zip(files, texts, strict=True):
+        path.write_text(text)
+    marks = [fingerprint(path) for path in files]
+    assert marks[0] == marks[1]
+    assert len(set(marks)) == 3
+
+
+def test_reset_restores_the_starter_and_keeps_both_files(course: Path, work: Path) -> None:
+    update_work_folder(course, work)
+    (work / EXERCISE).write_text(notebook("mine"))
+    (work / "answers" / "09_joint_positions.py").write_text("import rclpy")
+    stem, kept = reset(course, work, "joint_positions")
+    assert stem == "09_joint_positions"
+    assert (work / EXERCISE).read_text() == (course / EXERCISE).read_text()
+    assert not (work / "answers" / "09_joint_positions.py").exists()
+    assert [path.read_text() for path in kept] == [notebook("mine"), "import rclpy"]
+    again, more = reset(course, work, "9")
+    assert (again, len(more)) == (stem, 1)
+    assert kept[0].exists()
+    assert update_work_folder(course, work).lines() == []
+
+
+@pytest.mark.parametrize(
+    "name", ["09_joint_positions", "joint_positions", "9", "09", "exercises/09_joint_positions.ipynb"]
+)
+def test_an_exercise_has_several_names(course: Path, name: str) -> None:
+    assert work_folder.find_exercise(course, name) == "09_joint_positions"
+
+
+def test_an_unknown_exercise_lists_those_there_are(course: Path) -> None:
+    with pytest.raises(work_folder.NoSuchExercise, match="09_joint_positions"):
+        work_folder.find_exercise(course, "walking")
+
+
+def test_pages_to_read_are_always_the_newest(course: Path, work: Path) -> None:
+    page = course / "notebooks" / "error_museum.md"
+    page.write_text("old\n")
+    update_work_folder(course, work)
+    assert (work / "notebooks" / "error_museum.md").read_text() == "old\n"
+    page.write_text("new\n")
+    update_work_folder(course, work)
+    assert (work / "notebooks" / "error_museum.md").read_text() == "new\n"
+    assert work_folder.first_lesson(course) == "notebooks/00_start_here.ipynb"

@@ -1,0 +1,302 @@
+"""Which judgements are inconclusive: those that take points away for what may be no fault of the answer."""
+
+import os
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from workbook.authoring.tree import Tree
+from workbook.authoring.wrong_answers import read_wrong_answer
+from workbook.criteria.runner import CriterionResult, run_criteria
+from workbook.exercise.answers import Answer
+from workbook.exercise.conclusiveness import reason_inconclusive
+from workbook.exercise.definition import load_exercise
+from workbook.exercise.judgement import Judgement
+from workbook.exercise.judging import Judge
+from workbook.inside.proc import run_queue_s
+from workbook.recording.recording import ProcessRecord, PublisherSeen, Recording, TopicRecording
+from workbook.ros.domains import lease_domain
+from workbook.watching import wall_time, watch
+from workbook.watching.observer import Observer
+from workbook.watching.session import Session
+from workbook.watching.steal_time import StealTime
+
+ROOT = Path(__file__).resolve().parents[2]
+STEM = "09_joint_positions"
+EXERCISE = load_exercise(STEM, ROOT)
+JOINTS = "/robot/joint_positions"
+
+
+def stored(name: str) -> Recording:
+    return Recording.load(ROOT / "tests" / "recordings" / STEM / f"{name}.json")
+
+
+def judged(recording: Recording) -> tuple[CriterionResult, ...]:
+    return run_criteria(EXERCISE.criteria, recording)
+
+
+def doubt(recording: Recording, on_robot_time: tuple[CriterionResult, ...] = ()) -> str:
+    return reason_inconclusive(judged(recording), recording, EXERCISE.plan, EXERCISE.periods, on_robot_time)
+
+
+@pytest.mark.parametrize(
+    "name", ["solution", "eleven_values", "period_for_frequency", "raises_at_once", "starter", "wrong_name"]
+)
+def test_what_was_well_seen_is_conclusive(name: str) -> None:
+    assert doubt(stored(name)) == ""
+
+
+def with_joints(recording: Recording, joints: TopicRecording) -> Recording:
+    return replace(recording, topics={**recording.topics, JOINTS: joints})
+
+
+def test_a_publisher_that_was_never_connected_leaves_a_doubt() -> None:
+    good = stored("solution")
+    unmatched = with_joints(good, replace(good.topic(JOINTS), arrivals=(), window=None))
+    assert "never connected" in doubt(unmatched)
+    assert JOINTS in doubt(unmatched)
+
+
+def test_a_publisher_that_went_away_or_a_program_that_ended_leaves_none() -> None:
+    good = stored("solution")
+    joints = replace(good.topic(JOINTS), arrivals=(), window=None)
+    gone = replace(joints, publishers=tuple(replace(one, last_seen=3.0) for one in joints.publishers))
+    assert doubt(with_joints(good, gone)) == ""
+    for process in (
+        replace(good.process, ended_by="itself", exit=1),
+        replace(good.process, ended_by="bench", limits_hit=("output",)),
+    ):
+        assert doubt(replace(with_joints(good, joints), process=process)) == ""
+
+
+def nothing_seen(**process: Any) -> Recording:
+    record = ProcessRecord(program="answer.py", ended_by="bench", watched_for=12.0, **process)
+    return Recording(clock="wall", domain_id=17, process=record)
+
+
+def test_a_node_on_the_domain_that_was_never_seen_leaves_a_doubt() -> None:
+    assert "domain 17" in doubt(nothing_seen(domains_used=(17,)))
+
+
+@pytest.mark.parametrize("domains", [(), (30,)])
+def test_no_node_at_all_and_a_node_elsewhere_are_conclusive(domains: tuple[int, ...]) -> None:
+    assert doubt(nothing_seen(domains_used=domains)) == ""
+
+
+def test_a_node_that_came_and_went_was_seen() -> None:
+    publisher = PublisherSeen("/n", "std_msgs/msg/String", "reliable", "volatile", 0.1, last_seen=0.2)
+    topics = {JOINTS: TopicRecording(JOINTS, (publisher,))}
+    assert doubt(replace(nothing_seen(domains_used=(17,)), topics=topics)) == ""
+
+
+def test_clocks_that_contradict_each_other_leave_a_doubt() -> None:
+    slow = replace(stored("period_for_frequency"), clock="wall")
+    assert "held on robot time" in doubt(slow, judged(stored("solution")))
+    assert doubt(slow, judged(stored("period_for_frequency"))) == ""
+
+
+def test_only_lost_time_is_put_down_to_a_busy_machine() -> None:
+    slow = replace(stored("period_for_frequency"), clock="wall", held_up_s=0.6)
+    assert "0.60 s" in doubt(slow)
+    assert doubt(replace(slow, held_up_s=0.2)) == ""
+    assert doubt(replace(slow, clock="simulated")) == "", "robot time waits for whom the machine holds up"
+    assert doubt(replace(stored("eleven_values"), clock="wall", held_up_s=5.0)) == ""
+    assert doubt(replace(stored("solution"), clock="wall", held_up_s=5.0)) == ""
+    taken = replace(slow, held_up_s=0.0, stood_still_s=0.6)
+    assert "its host gave one of its processors to others for 0.60 s" in doubt(taken)
+    assert doubt(replace(taken, stood_still_s=0.2)) == ""
+    assert Recording.from_json(taken.to_json()).stood_still_s == 0.6
+    often = replace(slow, held_up_s=0.0, robot_s=10.0, taken_s=1.6)
+    assert "gave its processors to others for 1.6 s of 10 s" in doubt(often)
+    assert doubt(replace(often, taken_s=1.0)) == ""
+    assert Recording.from_json(often.to_json()).taken_s == 1.6
+
+
+def one_late(recording: Recording, topic: str, which: slice, late_s: float) -> Recording:
+    """The recording, as if on the wall clock, with some messages of a topic later than they were."""
+    arrivals = list(recording.topic(topic).arrivals)
+    arrivals[which] = [replace(arrival, t=arrival.t + late_s) for arrival in arrivals[which]]
+    late = replace(recording.topic(topic), arrivals=tuple(arrivals))
+    return replace(recording, clock="wall", topics={**recording.topics, topic: late})
+
+
+def test_a_single_late_message_leaves_a_doubt_and_a_wrong_pace_none() -> None:
+    good = stored("solution")
+    assert "0.70 s late" in doubt(one_late(good, "/robot/status", slice(2, 3), 0.7))
+    assert "0.70 s late" in doubt(one_late(good, "/robot/status", slice(2, None), 0.7))
+    assert doubt(one_late(good, "/robot/status", slice(None, None, 2), 0.7)) == ""
+    assert doubt(one_late(stored("period_for_frequency"), "/robot/status", slice(0), 0.0)) == ""
+    late = one_late(good, "/robot/status", slice(2, 3), 0.7)
+    rates = {name: period for name, period in EXERCISE.periods.items() if name != "/robot/status"}
+    assert reason_inconclusive(judged(late), late, EXERCISE.plan, rates) == "", "no rate was asked for"
+    on_robot_time = one_late(good, "/robot/status", slice(2, 3), 0.7)
+    assert doubt(replace(on_robot_time, clock="simulated")) == ""
+
+
+def test_a_long_pause_is_no_late_message_unless_the_machine_kept_it() -> None:
+    paused = one_late(stored("solution"), "/robot/status", slice(2, None), 3.0)
+    assert doubt(paused) == ""
+    assert "3.00 s late" in doubt(replace(paused, held_up_s=0.05, robot_s=100.0, taken_s=3.1))
+
+
+class Stumbling:
+    """A watch whose pauses last much longer than asked for, as on a machine that gives it no processor."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch, seconds: float) -> None:
+        original = wall_time._pause
+        self.left = seconds
+
+        def pause(asked: float) -> None:
+            original(asked)
+            more, self.left = self.left, 0.0
+            original(more)
+
+        monkeypatch.setattr(wall_time, "_pause", pause)
+
+
+def judge_on_the_wall_clock(text: str) -> Judgement:
+    on_the_wall = replace(EXERCISE, plan=replace(EXERCISE.plan, wall_seconds=3.0))
+    object.__setattr__(on_the_wall, "source", replace(EXERCISE.source, clock="wall"))
+    with Observer() as observer:
+        return Judge(observer).judge(on_the_wall, Answer(text))
+
+
+def test_a_program_that_got_no_processor_leaves_a_reason_inconclusive_all_it_did() -> None:
+    eleven = replace(stored("eleven_values"), clock="wall", robot_s=9.0, in_line_s=1.2)
+    assert "stood in line for 1.2 s of 9 s" in doubt(eleven)
+    assert doubt(replace(eleven, in_line_s=0.6)) == ""
+    late = replace(stored("period_for_frequency"), clock="wall", robot_s=9.0, in_line_s=0.6)
+    assert "stood in line for 0.6 s of 9 s" in doubt(late), "where time was lost, less is enough"
+    assert doubt(replace(late, in_line_s=0.4)) == ""
+    assert doubt(replace(eleven, clock="simulated")) == ""
+    assert doubt(replace(stored("solution"), clock="wall", robot_s=9.0, in_line_s=1.2)) == ""
+    crashed = stored("raises_at_once")
+    assert crashed.process.exit == 1
+    assert doubt(replace(crashed, clock="wall", robot_s=0.5, in_line_s=0.1)) == ""
+
+
+def test_how_long_a_process_stood_in_line() -> None:
+    """Two that want the same processor all the time have half of it each."""
+    [core, *_] = os.sched_getaffinity(0)
+    greedy = [
+        sys.executable,
+        "-c",
+        f"import os; os.sched_setaffinity(0, [{core}]); print(1, flush=True)\nwhile 1: 0",
+    ]
+    with subprocess.Popen(greedy, stdout=subprocess.PIPE) as one, subprocess.Popen(greedy) as other:
+        try:
+            assert one.stdout is not None
+            one.stdout.readline()
+            deadline = time.monotonic() + 60.0
+            while run_queue_s(one.pid) < 0.5:
+                assert time.monotonic() < deadline
+                time.sleep(0.05)
+        finally:
+            one.kill()
+            other.kill()
+    assert run_queue_s(one.pid) == 0.0, "it has ended"
+
+
+def wrong_program(name: str) -> str:
+    tree = Tree(ROOT)
+    return read_wrong_answer(tree, tree.wrong_answers / STEM / f"{name}.py").answer.text
+
+
+def test_a_watch_knows_of_a_processor_that_was_taken_away(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(StealTime, "longest_since_last", lambda _: 0.7)
+    wrong = wrong_program("period_for_frequency")
+    judgement = judge_on_the_wall_clock(wrong)
+    assert judgement.recording is not None
+    assert judgement.recording.stood_still_s == 0.7
+    assert judgement.doubt
+
+
+def test_a_watch_knows_how_long_it_was_held_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    original = wall_time.run_wall_time
+    stumbling = Stumbling(monkeypatch, 0.0)
+
+    def run(session: Session, seconds: float) -> None:
+        stumbling.left = 0.7
+        original(session, seconds)
+
+    monkeypatch.setattr(watch, "run_wall_time", run)
+    wrong = wrong_program("period_for_frequency")
+    judgement = judge_on_the_wall_clock(wrong)
+    assert judgement.recording is not None
+    assert judgement.recording.held_up_s >= 0.7
+    assert "so busy" in judgement.doubt
+    assert Recording.from_json(judgement.recording.to_json()).held_up_s == judgement.recording.held_up_s
+
+
+@pytest.mark.parametrize(
+    ("process", "doubtful"),
+    [
+        ({"signal": "SIGSEGV"}, True),
+        ({"signal": "SIGABRT"}, False),
+        ({"signal": "SIGSEGV", "ended_by": "itself"}, False),
+        ({"signal": "SIGSEGV", "limits_hit": ("output",)}, False),
+    ],
+)
+def test_a_crash_in_the_middle_of_ctrl_c_leaves_a_doubt(process: dict[str, Any], doubtful: bool) -> None:
+    crashed = replace(stored("eleven_values").process, exit=None, ended_by="bench")
+    assert (
+        "crashed" in doubt(replace(stored("eleven_values"), process=replace(crashed, **process)))
+    ) is doubtful
+
+
+CRASHES_AT_CTRL_C = """
+import os, signal
+import rclpy
+from rclpy.node import Node
+
+rclpy.init()
+try:
+    rclpy.spin(Node("humanoid_status_publisher"))
+except KeyboardInterrupt:
+    os.kill(os.getpid(), signal.SIGSEGV)
+"""
+
+
+def test_a_live_crash_at_ctrl_c_leaves_a_doubt() -> None:
+    assert "crashed while Ctrl-C ended it" in judge_on_the_wall_clock(CRASHES_AT_CTRL_C).doubt
+
+
+@pytest.mark.parametrize(
+    ("process", "doubtful"),
+    [
+        ({"exit": 0, "signal": None}, True),
+        ({"exit": 1, "signal": None}, True),
+        ({"exit": None, "signal": "SIGKILL"}, False),
+        ({"exit": 0, "signal": None, "ended_by": "itself"}, False),
+    ],
+)
+def test_a_node_that_stays_after_an_end_in_order_leaves_a_doubt(
+    process: dict[str, Any], doubtful: bool
+) -> None:
+    wrong = stored("eleven_values")
+    nodes = tuple(replace(node, stayed=True) for node in wrong.nodes)
+    ended = replace(wrong, nodes=nodes, process=replace(wrong.process, ended_by="bench"))
+    ended = replace(ended, process=replace(ended.process, **process))
+    assert ("was not seen to go" in doubt(ended)) is doubtful
+
+
+def test_the_judge_keeps_off_the_domain_that_an_answer_names() -> None:
+    """By chance it may stand there already, and would take a node on a wrong domain for a right one."""
+    wrong = wrong_program("domain_argument")
+    with Observer(lease_domain(30)) as observer:
+        judgement = Judge(observer).judge(EXERCISE, Answer(wrong))
+        assert observer.domain_id != 30
+    first = next(result for result in judgement.criteria if result.status == "failed")
+    assert first.id == "program_runs"
+    assert "domain 30" in first.saw + first.because
+
+
+def test_an_answer_that_names_every_domain_is_judged_like_any_other() -> None:
+    right = EXERCISE.source.solution_code + f"# domains: {' '.join(map(str, range(1, 102)))}\n"
+    with Observer() as observer:
+        assert Judge(observer).judge(EXERCISE, Answer(right), thorough=False).full_marks

@@ -1,0 +1,169 @@
+"""Many answers on this machine: who only waits gives its place to the next, and memory bounds how many wait."""
+
+import threading
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+
+from workbook.exercise.answers import Answer
+from workbook.exercise.judgement import Judgement
+from workbook.grading import local, pool
+from workbook.grading.judges import Job
+from workbook.grading.local import Places, judge_all
+from workbook.grading.pool import Slot
+
+STEM = "09_joint_positions"
+LONG_S = 30.0
+"""So long a test waits for what must come: only a broken program lets it pass."""
+
+
+class FakeSlot:
+    """What `Places` knows of a slot."""
+
+    def __init__(self) -> None:
+        self.closed = False
+
+    def close(self) -> None:
+        self.closed = True
+
+
+def judgement(job: Job[Any], *, provisional: bool = False) -> Judgement:
+    return Judgement(job.stem, job.answer.sha256, "graded", None, (), None, provisional)
+
+
+class FakeJudge:
+    """Stands for `pool.judge_with_retry`: reports once, then waits until `most` answers wait at the same time."""
+
+    def __init__(self, most: int, *, provisional: bool = False) -> None:
+        self._most = most
+        self._provisional = provisional
+        self._changed = threading.Condition()
+        self.reported = 0
+        self.under_way = 0
+        self.most_under_way = 0
+        self.slots: set[FakeSlot] = set()
+
+    def __call__(
+        self,
+        slot: FakeSlot | None,
+        job: Job[Any],
+        *_: object,
+        report: Callable[[Judgement], None],
+    ) -> tuple[FakeSlot, Judgement]:
+        slot = slot or FakeSlot()
+        with self._changed:
+            self.slots.add(slot)
+            self.under_way += 1
+            self.most_under_way = max(self.most_under_way, self.under_way)
+        report(judgement(job, provisional=self._provisional))
+        with self._changed:
+            self.reported += 1
+            self._changed.notify_all()
+            assert self._changed.wait_for(lambda: self.reported >= self._most, LONG_S)
+            self.under_way -= 1
+        return slot, judgement(job)
+
+
+def jobs(number: int) -> list[Job[int]]:
+    return [Job(one, STEM, Answer(f"robot = {one}\n")) for one in range(number)]
+
+
+@pytest.fixture
+def plenty(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    monkeypatch.setattr(local, "available_memory_bytes", lambda: 10**12)
+    return
+
+
+@pytest.mark.usefixtures("plenty")
+def test_who_only_waits_gives_the_place_to_the_next(monkeypatch: pytest.MonkeyPatch) -> None:
+    judge = FakeJudge(most=5)
+    monkeypatch.setattr(pool, "judge_with_retry", judge)
+    found = {job.key for job, _ in judge_all(jobs(10), 1)}
+    assert found == set(range(10)) and judge.most_under_way >= 5
+    assert len(judge.slots) >= 5 and all(slot.closed for slot in judge.slots)
+
+
+@pytest.mark.usefixtures("plenty")
+def test_for_a_few_answers_no_slots_are_added(monkeypatch: pytest.MonkeyPatch) -> None:
+    judge = FakeJudge(most=0)
+    monkeypatch.setattr(pool, "judge_with_retry", judge)
+    assert len(list(judge_all(jobs(3), 2))) == 3
+    assert len(judge.slots) <= 2
+
+
+@pytest.mark.usefixtures("plenty")
+def test_a_provisional_judgement_frees_no_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    judge = FakeJudge(most=0, provisional=True)
+    monkeypatch.setattr(pool, "judge_with_retry", judge)
+    assert len(list(judge_all(jobs(6), 2))) == 6
+    assert judge.most_under_way <= 2
+
+
+@pytest.mark.usefixtures("plenty")
+def test_slots_that_are_free_are_used_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    judge = FakeJudge(most=0)
+    monkeypatch.setattr(pool, "judge_with_retry", judge)
+    assert len(list(judge_all(jobs(40), 1))) == 40
+    assert len(judge.slots) <= 1 + local.WAITING_PER_PLACE
+
+
+def test_little_memory_no_slot_beside_the_places(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(local, "available_memory_bytes", lambda: local.KEPT_FREE_BYTES)
+    judge = FakeJudge(most=0)
+    monkeypatch.setattr(pool, "judge_with_retry", judge)
+    assert len(list(judge_all(jobs(10), 2))) == 10
+    assert len(judge.slots) <= 2
+
+
+def test_a_broken_slot_makes_room_for_a_new_one() -> None:
+    places = Places(1, room=lambda _: False)
+    assert places.take() is None
+    places.leave()
+    places.give_back(None)
+    assert places.take() is None
+    kept: Any = FakeSlot()
+    places.leave()
+    places.give_back(kept)
+    assert places.take() is kept
+
+
+def test_stopped_it_judges_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    stopped = threading.Event()
+
+    def judged(slot: Slot | None, job: Job[Any], *_: object, **__: object) -> tuple[None, Judgement]:
+        stopped.set()
+        return None, judgement(job)
+
+    monkeypatch.setattr(pool, "judge_with_retry", judged)
+    assert len(list(judge_all(jobs(20), 1, stop=stopped.is_set))) == 1
+
+
+BEHAVES_ON_ROBOT_TIME = """
+import sys
+
+if "use_sim_time:=true" not in " ".join(sys.argv):
+    sys.argv = sys.argv[:1]
+    import rclpy
+
+    rclpy.init()
+    rclpy.spin(rclpy.create_node("robot"))
+"""
+
+
+def test_a_second_start_shows_who_behaves_on_robot_time_only() -> None:
+    from workbook.exercise.definition import load_exercise
+
+    text = load_exercise(STEM).source.solution_code
+    lazy = Answer(BEHAVES_ON_ROBOT_TIME + text)
+    cases = [
+        Job("lazy", STEM, lazy, False),
+        Job("caught", STEM, lazy, True),
+        Job("right", STEM, Answer(text), True),
+    ]
+    found = {job.key: one for job, one in judge_all(cases, 2)}
+    assert found["lazy"].full_marks
+    assert not found["caught"].full_marks and found["caught"].recording is not None
+    assert found["caught"].recording.clock == "wall"
+    assert found["right"].full_marks and found["right"].watched_real_life
+    assert found["right"].recording is not None and found["right"].recording.clock == "simulated"

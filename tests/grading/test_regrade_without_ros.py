@@ -1,0 +1,86 @@
+"""Stored recordings are judged again where there is no rclpy: on any laptop, years later."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+from workbook.exercise.definition import load_exercise
+from workbook.exercise.judgement import judge_recording
+from workbook.exercise.source import stems
+from workbook.grading.new_results import GradedBy, Submission, graded_result
+from workbook.grading.results_file import RESULTS, ResultsFile
+from workbook.recording.recording import Recording
+
+ROOT = Path(__file__).resolve().parents[2]
+STEM = "09_joint_positions"
+
+WITHOUT_RCLPY = """
+import sys
+
+class Blocker:
+    def find_spec(self, name, path=None, target=None):
+        if name.split(".")[0] == "rclpy":
+            raise ImportError(f"there is no rclpy here: {name}")
+
+sys.meta_path.insert(0, Blocker())
+"""
+REGRADE = """
+from workbook.cli.main import main
+code = main(sys.argv[1:])
+assert not [name for name in sys.modules if name.split(".")[0] == "rclpy"]
+sys.exit(code)
+"""
+LOAD_ALL = """
+from workbook.exercise.definition import load_exercise
+for stem in sys.argv[1:]:
+    assert load_exercise(stem).criteria
+print("loaded")
+"""
+STRICTER = """
+import workbook.criteria as see
+from workbook.criteria import Recording, Verdict, criterion
+
+
+@criterion(points=2, title="The joints were seen by the instructor")
+def seen_by_me(recording: Recording) -> Verdict:
+    return see.passed("seen")
+"""
+
+
+def without_rclpy(code: str, *arguments: object) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-c", WITHOUT_RCLPY + code, *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def test_rclpy_is_really_out_of_reach() -> None:
+    found = without_rclpy("import rclpy")
+    assert found.returncode != 0
+    assert "there is no rclpy here: rclpy" in found.stderr
+
+
+def test_regrading_needs_no_rclpy(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    exercise = load_exercise(STEM, ROOT)
+    with ResultsFile(out / RESULTS) as file:
+        for name in ("solution", "eleven_values", "raises_at_once"):
+            stored = Recording.load(ROOT / "tests" / "recordings" / STEM / f"{name}.json")
+            judgement = judge_recording(exercise, "a" * 64, stored)
+            submission = Submission(name, f"{name}.py", "a" * 64)
+            file.append(graded_result(submission, [judgement], GradedBy(exercise, "sandbox", out)))
+    own = tmp_path / "own"
+    own.mkdir()
+    (own / f"{STEM}.py").write_text(STRICTER)
+    command = ["grade", "--regrade", "--exercise", STEM, "--criteria", own, "--out", out]
+    found = without_rclpy(REGRADE, *command, "--format", "html,canvas,moodle,nbgrader,gradescope")
+    assert found.returncode == 0, found.stderr
+    assert "3 recordings of 09_joint_positions judged again; the marks of 3 changed." in found.stdout
+    assert "eleven_values: 9 → 11" in found.stdout
+    scores = [json.loads(line)["score"] for line in (out / RESULTS).read_text().splitlines()]
+    assert sorted(scores[3:]) == sorted(score + 2 for score in scores[:3])
+    assert len(list((out / "pages").glob("*.html"))) == 4
+
+
+def test_the_criteria_of_every_exercise_need_no_rclpy() -> None:
+    found = without_rclpy(LOAD_ALL, *stems(ROOT / "solutions"))
+    assert found.stdout == "loaded\n", found.stderr

@@ -1,0 +1,37 @@
+"""Limits of an answer: what people read says the values that are enforced."""
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from workbook.criteria.vocabulary import stops
+from workbook.isolation.uid import EXTRA_PROCESSES
+from workbook.programs.tier import limit_options
+from workbook.recording.limits import ANSWER_LIMITS, MB, NO_LIMITS
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.mark.parametrize(
+    ("limit", "value"),
+    [("processes", "64 processes"), ("memory", "2.5 GB"), ("files", "20 000 files"), ("output", "50 MB")],
+)
+def test_what_a_student_reads_is_what_is_enforced(limit: str, value: str) -> None:
+    assert value in stops._STOPS[limit].did
+    enforced = getattr(ANSWER_LIMITS, limit)
+    number = float(value.rpartition(" ")[0].replace(" ", "")) * {"GB": 1000 * MB, "MB": MB}.get(value[-2:], 1)
+    assert number == enforced
+
+
+def test_the_manual_names_what_the_kernel_allows_a_user() -> None:
+    manual = (ROOT / "environment.md").read_text(encoding="utf-8")
+    [most] = re.findall(r"at most (\d+) processes and threads", manual)
+    assert ANSWER_LIMITS.processes is not None
+    assert int(most) == ANSWER_LIMITS.processes + EXTRA_PROCESSES
+
+
+def test_only_limits_that_are_set_reach_the_host() -> None:
+    assert limit_options(NO_LIMITS, ("memory", "cpu")) == []
+    assert limit_options(replace(NO_LIMITS, cpu=60), ("memory", "cpu")) == ["--limit", "cpu=60"]

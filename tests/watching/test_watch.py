@@ -1,0 +1,395 @@
+"""Watching real programs: exact robot time, honest doubt about wall-clock ones, and two observers that do not meet."""
+
+import os
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.calm import await_calm
+from tests.programs.support import write
+from workbook.programs.spec import ProgramSpec
+from workbook.recording.plan import Plan
+from workbook.recording.recording import Phase, Recording
+from workbook.ros.domains import lease_domain
+from workbook.watching.following import two_paces
+from workbook.watching.observer import Observer
+from workbook.watching.recorder import Recorder
+
+TRIES = 8
+TOPICS = ("/battery", "/status")
+PLAN = Plan(TOPICS, shortest_period=0.5, longest_period=1.0, paced=TOPICS)
+TWO_TIMERS = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float32, String
+
+
+class Humanoid(Node):
+    def __init__(self):
+        super().__init__("humanoid", namespace="robot")
+        self.level = 100.0
+        self.battery_pub = self.create_publisher(Float32, "/battery", 10)
+        self.status_pub = self.create_publisher(String, "/status", 10)
+        self.create_timer(1.0, self.tell_battery)
+        self.create_timer(0.5, self.tell_status)
+
+    def tell_battery(self):
+        self.level -= 0.5
+        self.battery_pub.publish(Float32(data=self.level))
+
+    def tell_status(self):
+        self.status_pub.publish(String(data="operational"))
+
+
+rclpy.init()
+try:
+    rclpy.spin(Humanoid())
+except (KeyboardInterrupt, rclpy.executors.ExternalShutdownException):
+    pass
+"""
+TIMER_AND_SLEEP = """
+import threading, time
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float32, String
+
+rclpy.init()
+node = Node("humanoid")
+battery, status = node.create_publisher(Float32, "/battery", 10), node.create_publisher(String, "/status", 10)
+node.create_timer(1.0, lambda: battery.publish(Float32(data=1.0)))
+
+
+def tell_status():
+    while True:
+        status.publish(String(data="operational"))
+        time.sleep(0.5)
+
+
+threading.Thread(target=tell_status, daemon=True).start()
+try:
+    rclpy.spin(node)
+except (KeyboardInterrupt, rclpy.executors.ExternalShutdownException):
+    pass
+"""
+OWN_CLOCK = """
+import threading, time
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float32, String
+
+rclpy.init()
+node = Node("humanoid"{options})
+battery, status = node.create_publisher(Float32, "/battery", 10), node.create_publisher(String, "/status", 10)
+
+
+def work():
+    while True:
+        battery.publish(Float32(data=1.0))
+        status.publish(String(data="operational"))
+        time.sleep(0.02)
+
+
+threading.Thread(target=work, daemon=True).start()
+rclpy.spin(node)
+"""
+
+
+@pytest.fixture(scope="module")
+def observer() -> Iterator[Observer]:
+    with Observer() as observer:
+        yield observer
+
+
+Watched = Callable[..., Recording]
+
+
+@pytest.fixture
+def watched(observer: Observer, tmp_path: Path) -> Watched:
+    def watch_it(text: str, clock: str = "simulated", plan: Plan = PLAN) -> Recording:
+        with observer.watch(ProgramSpec(write(tmp_path, text)), plan, clock) as watch:  # type: ignore[arg-type]
+            return watch.finish(watch.observe())
+
+    return watch_it
+
+
+def real_speed(recording: Recording, phase: Phase) -> float:
+    """Seconds of robot time in a real second, from the first message of a phase to its last; 0 if nobody can tell."""
+    heard = [one for one in recording.topic("/battery").arrivals if phase.start < one.t <= phase.end]
+    if len(heard) < 2:
+        return 0.0
+    return (heard[-1].t - heard[0].t) / (heard[-1].wall - heard[0].wall)
+
+
+def test_two_timers_on_robot_time_are_recorded_exactly(watched: Watched) -> None:
+    recording = watched(TWO_TIMERS)
+    assert recording.follows_clock
+    assert recording.robot_s == 9.0
+    assert recording.step_s == 0.05
+    fast, slow = two_paces(recording.phases)
+    assert fast
+    assert slow
+    battery, status = recording.topic("/battery"), recording.topic("/status")
+    assert len(battery.arrivals) == 9
+    assert len(status.arrivals) == 18
+    for topic, period in ((battery, 1.0), (status, 0.5)):
+        for number, arrival in enumerate(topic.arrivals, start=1):
+            assert abs(arrival.t - number * period) <= 0.101, (topic.name, arrival)
+    assert [arrival.value["data"] for arrival in battery.arrivals] == [
+        battery.arrivals[0].value["data"] - 0.5 * n for n in range(9)
+    ]
+    assert recording.following == {"/battery": True, "/status": True}
+
+
+def test_a_recording_tells_nodes_types_and_qos(watched: Watched) -> None:
+    recording = watched(TWO_TIMERS)
+    assert [node.name for node in recording.nodes] == ["/robot/humanoid"]
+    assert [topic.name for topic in recording.published()] == ["/battery", "/status"]
+    [publisher] = recording.topic("/battery").publishers
+    assert (publisher.node, publisher.type) == ("/robot/humanoid", "std_msgs/msg/Float32")
+    assert (publisher.reliability, publisher.durability) == ("reliable", "volatile")
+    assert publisher.last_seen is None
+    process = recording.process
+    assert process.ended_by == "bench"
+    assert process.program == "answer.py"
+    assert process.log == ""
+
+
+def test_an_arrival_tells_when_it_was_published(watched: Watched) -> None:
+    recording = watched(TWO_TIMERS)
+    arrivals = recording.topic("/battery").arrivals
+    assert all(one.sent is not None and one.published < one.wall for one in arrivals)
+    assert [one.published for one in arrivals] == sorted(one.published for one in arrivals)
+
+
+def test_setting_the_clock_of_the_machine_moves_no_message(
+    watched: Watched, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Messages carry the time of day. When that is set by an hour, the recorder's idea of it is wrong by an hour."""
+    start_windows = Recorder.start_windows
+
+    def set_clock(self: Recorder, t: float) -> None:
+        start_windows(self, t)
+        self._epoch_offset -= 3600.0
+
+    monkeypatch.setattr(Recorder, "start_windows", set_clock)
+    recording = watched(TWO_TIMERS)
+    battery = recording.topic("/battery").arrivals
+    assert len(battery) == 9
+    assert all(abs(arrival.t - number) <= 0.101 for number, arrival in enumerate(battery, start=1))
+
+
+def test_the_wall_clock_gives_real_seconds(watched: Watched) -> None:
+    recording = watched(OWN_CLOCK.format(options=""), "wall")
+    assert (recording.clock, recording.step_s, recording.follows_clock) == ("wall", None, None)
+    assert not recording.phases
+    window = recording.topic("/battery").window
+    assert window is not None
+    assert window[0] == 0.0
+    assert window[1] >= PLAN.wall_s
+    assert recording.topic("/battery").publishers[0].first_seen == 0.0
+    assert len(recording.topic("/battery").arrivals) >= 3
+    times = [arrival.t for arrival in recording.topic("/battery").arrivals]
+    assert times == sorted(times)
+    assert all(0.0 <= t <= recording.robot_s for t in times)
+
+
+def unless_busy(watch: Callable[[], Recording], holds: Callable[[Recording], bool]) -> Recording:
+    """Watch once, and again as long as the machine has far more to do than it can and `holds` is not met."""
+    for _ in range(TRIES):
+        recording = watch()
+        if holds(recording) or os.getloadavg()[0] < 2 * (os.cpu_count() or 1):
+            break
+        await_calm()
+    return recording
+
+
+def test_a_program_on_its_own_clock_is_never_taken_for_one_that_follows(watched: Watched) -> None:
+    recording = watched(OWN_CLOCK.format(options=""))
+    assert recording.follows_clock
+    assert True not in recording.following.values()
+
+
+def test_what_runs_beside_a_sleeping_thread_is_told_from_it(watched: Watched) -> None:
+    """One topic by a timer of the node, one by a thread that sleeps: the first one follows, and only that."""
+    recording = unless_busy(
+        lambda: watched(TIMER_AND_SLEEP), lambda one: one.following.get("/battery") is True
+    )
+    assert recording.follows_clock
+    assert recording.following.get("/battery") is True
+    assert recording.following.get("/status") is not True
+
+
+def test_a_slow_topic_gets_more_robot_time_which_is_not_judged(watched: Watched) -> None:
+    """Two messages of a period of 4 s in the 9 s that are judged prove nothing; robot time goes on until they do."""
+    recording = watched(TWO_TIMERS.replace("create_timer(1.0,", "create_timer(4.0,"))
+    assert recording.robot_s == 9.0
+    assert [round(one.t) for one in recording.topic("/battery").arrivals] == [4, 8]
+    assert recording.following == {"/battery": True, "/status": True}
+
+
+def test_robot_time_waits_for_a_program_that_is_slow_to_set_up(watched: Watched) -> None:
+    slow = "        time.sleep(2.0)\n        self.battery_pub"
+    recording = watched("import time\n" + TWO_TIMERS.replace("        self.battery_pub", slow, 1))
+    assert recording.follows_clock
+    assert len(recording.topic("/battery").arrivals) == 9
+    assert recording.following == {"/battery": True, "/status": True}
+
+
+def test_a_program_that_does_not_listen_to_the_clock_is_noticed(watched: Watched) -> None:
+    recording = watched(OWN_CLOCK.format(options=", use_global_arguments=False"))
+    assert recording.follows_clock is False
+    assert not recording.phases
+    assert recording.topic("/battery").publishers
+
+
+def test_a_program_that_ends_early(watched: Watched) -> None:
+    recording = watched("print('nothing to do')\n")
+    assert (recording.process.ended_by, recording.process.exit) == ("itself", 0)
+    assert recording.process.log == "nothing to do\n"
+    assert recording.follows_clock is None
+    assert recording.robot_s == 0.0
+    assert not recording.topics
+
+
+def test_a_program_that_ends_in_the_middle(watched: Watched) -> None:
+    recording = watched(
+        TWO_TIMERS.replace(
+            "self.level -= 0.5", "self.level -= 0.5\n        if self.level < 99.0: raise SystemExit(3)"
+        )
+    )
+    assert (recording.process.ended_by, recording.process.exit) == ("itself", 3)
+    assert [arrival.value["data"] for arrival in recording.topic("/battery").arrivals] == [99.5, 99.0]
+    assert recording.robot_s < 7.0
+
+
+def test_a_program_that_cannot_be_read_is_over_at_once(watched: Watched) -> None:
+    recording = watched("speed = = 3\n")
+    assert recording.process.ended_by == "itself"
+    assert "SyntaxError" in recording.process.log
+
+
+def test_a_best_effort_and_a_latched_publisher_are_heard(watched: Watched) -> None:
+    text = TWO_TIMERS.replace('"/battery", 10', '"/battery", rclpy.qos.qos_profile_sensor_data').replace(
+        '"/status", 10',
+        '"/status", rclpy.qos.QoSProfile(depth=1, durability=rclpy.qos.DurabilityPolicy.TRANSIENT_LOCAL)',
+    )
+    recording = watched(text)
+    assert recording.topic("/battery").publishers[0].reliability == "best_effort"
+    assert recording.topic("/status").publishers[0].durability == "transient_local"
+    assert len(recording.topic("/battery").arrivals) == 9
+    assert len(recording.topic("/status").arrivals) == 18
+
+
+HANDED_OVER = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float32, String
+
+rclpy.init()
+first, second = Node("first"), Node("second")
+battery = second.create_publisher(Float32, "/battery", 10)
+status = first.create_publisher(String, "/status", 10)
+
+
+def hand_over():
+    hand_over_once.cancel()
+    second.create_publisher(String, "/status", 10)
+    first.destroy_publisher(status)
+
+
+hand_over_once = second.create_timer(1.0, hand_over)
+rclpy.spin(second)
+"""
+
+
+def test_a_publisher_that_takes_the_place_of_another_is_noticed(watched: Watched) -> None:
+    recording = watched(HANDED_OVER, "wall")
+    gone, there = sorted(recording.topic("/status").publishers, key=lambda publisher: publisher.node)
+    assert (gone.node, there.node) == ("/first", "/second")
+    assert gone.last_seen is not None
+    assert there.last_seen is None
+
+
+def test_a_node_on_another_domain_is_told(watched: Watched, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("workbook.watching.waiting.FIRST_SIGN_S", 6.0)
+    with lease_domain() as other:
+        recording = watched(TWO_TIMERS.replace("rclpy.init()", f"rclpy.init(domain_id={other.domain_id})"))
+        assert recording.process.domains_used == (other.domain_id,)
+        assert not recording.topics
+
+
+def test_keep_watching_ends_early_when_it_is_enough(observer: Observer, tmp_path: Path) -> None:
+    with observer.watch(ProgramSpec(write(tmp_path, TWO_TIMERS)), PLAN, "simulated") as watch:
+        recording = watch.observe()
+        asked: list[bool] = []
+
+        def enough() -> bool:
+            asked.append(True)
+            return len(asked) == 3
+
+        assert watch.keep_watching(3600.0, enough) is False
+        assert len(asked) == 3
+        ended = watch.finish(recording)
+    assert ended.process.ended_by == "bench"
+    assert ended.topics == recording.topics
+
+
+def test_keep_watching_ends_with_the_program(observer: Observer, tmp_path: Path) -> None:
+    text = TWO_TIMERS.replace(
+        "self.level -= 0.5", "self.level -= 0.5\n        if self.level < 95.0: raise SystemExit(0)"
+    )
+    with observer.watch(ProgramSpec(write(tmp_path, text)), PLAN, "simulated") as watch:
+        recording = watch.observe()
+        assert recording.process.ended_by is None
+        watch.keep_watching(3600.0)
+        assert watch.finish(recording).process.ended_by == "itself"
+
+
+def test_a_killed_program_sends_the_observer_to_another_domain(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    stubborn = "import signal\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\n" + TWO_TIMERS.replace(
+        "rclpy.init()", "rclpy.init(signal_handler_options=rclpy.signals.SignalHandlerOptions.NO)"
+    )
+    with Observer() as observer:
+        before = observer.domain_id
+        with observer.watch(ProgramSpec(write(tmp_path, stubborn)), PLAN, "simulated") as watch:
+            recording = watch.finish(watch.observe())
+        assert recording.process.signal == "SIGKILL"
+        assert observer.domain_id != before
+        assert recording.domain_id == before
+        with lease_domain(preferred=before) as lease:
+            assert lease.domain_id != before, "the domain of a killed program rests"
+
+
+def test_two_observers_at_once_do_not_hear_each_other(tmp_path: Path) -> None:
+    found: dict[str, Recording] = {}
+
+    def watch_alone(name: str) -> None:
+        program = write(tmp_path, TWO_TIMERS.replace("humanoid", name), f"{name}.py")
+        with Observer() as observer, observer.watch(ProgramSpec(program), PLAN, "simulated") as watch:
+            meeting.wait(60.0)
+            found[name] = watch.finish(watch.observe())
+
+    meeting = threading.Barrier(2)
+    threads = [threading.Thread(target=watch_alone, args=(name,)) for name in ("left", "right")]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found["left"].domain_id != found["right"].domain_id
+    for name, recording in found.items():
+        assert [node.name for node in recording.nodes] == [f"/robot/{name}"]
+        assert len(recording.topic("/battery").publishers) == 1
+
+
+def test_a_closed_observer_is_closed() -> None:
+    observer = Observer()
+    domain_id = observer.domain_id
+    observer.close()
+    with lease_domain(preferred=domain_id) as lease:
+        assert lease.domain_id == domain_id
+    observer.close()

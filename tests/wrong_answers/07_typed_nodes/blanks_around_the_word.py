@@ -1,0 +1,5 @@
+# Strips blanks around the word before it looks.
+# loses: refuses_wrong_words
+# cause: refuses-wrong-words.accepted
+# replaces: if word not in get_args(Status):
+if str(word).strip() not in get_args(Status):

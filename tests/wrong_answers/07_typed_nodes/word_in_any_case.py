@@ -1,0 +1,5 @@
+# Takes the word in capital letters, too.
+# loses: refuses_wrong_words
+# cause: refuses-wrong-words.accepted
+# replaces: if word not in get_args(Status):
+if str(word).lower() not in get_args(Status):

@@ -1,0 +1,107 @@
+"""The links from a lesson to its neighbors: the `**Before:**` and `**Next:**` lines, kept right in its text."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from workbook.authoring.tree import Tree
+
+LAST = "you have reached the last lesson that there is at the moment."
+_PARAGRAPH = r"^# \*\*{name}:\*\*(?:.*\n)(?:# \S.*\n)*"
+_BEFORE = re.compile(_PARAGRAPH.format(name="Before"), re.MULTILINE)
+_NEXT = re.compile(_PARAGRAPH.format(name="Next"), re.MULTILINE)
+_EMPTY_LINES = re.compile(r"(?:#\n){2,}\Z")
+_LESSON_LINK = re.compile(r"\[(?P<text>[^\]]*)\]\((?P<stem>(?P<number>\d\d)_\w+)\.ipynb\)")
+_YOU_NEED = re.compile(r"^# - \*\*You need:\*\*")
+
+
+@dataclass(frozen=True)
+class Neighbor:
+    """The lesson before or after another one."""
+
+    stem: str
+    title: str
+    """With its number, such as "05 · Timers"."""
+
+    @property
+    def link(self) -> str:
+        """A Markdown link to the lesson's notebook in the same folder, with the title as its text."""
+        return f"[{self.title}]({self.stem}.ipynb)"
+
+
+def title_of(tree: Tree, stem: str) -> str:
+    """The title of a lesson, such as "05 · Timers"."""
+    for line in (tree.sources / f"{stem}.py").read_text(encoding="utf-8").splitlines():
+        if line.startswith("# # "):
+            return line[4:].strip()
+    return stem
+
+
+def lesson_link(tree: Tree, stem: str) -> str:
+    """A link to a lesson, for a page in the folder of the notebooks."""
+    return Neighbor(stem, title_of(tree, stem)).link
+
+
+def neighbors(tree: Tree, stem: str) -> tuple[Neighbor | None, Neighbor | None]:
+    """The lessons before and after this one."""
+    stems = tree.lesson_stems()
+    before = [other for other in stems if other < stem][-1:]
+    after = [other for other in stems if other > stem][:1]
+
+    def found(one: list[str]) -> Neighbor | None:
+        return Neighbor(one[0], title_of(tree, one[0])) if one else None
+
+    return found(before), found(after)
+
+
+def linked(text: str, before: Neighbor | None, after: Neighbor | None) -> str:
+    """The text of a lesson with the right links. What the author wrote around the link to the next lesson stays."""
+    text = _BEFORE.sub("", text)
+    found = _NEXT.search(text)
+    if found is None:  # the shape of a lesson demands the line; there is nothing to put right
+        return text
+    lines = f"# **Before:** {before.link}\n#\n" if before else ""
+    start = _EMPTY_LINES.sub("#\n", text[: found.start()])
+    return start + lines + _next(found[0], after) + text[found.end() :]
+
+
+def _next(paragraph: str, after: Neighbor | None) -> str:
+    if after is None:
+        return f"# **Next:** {LAST}\n"
+    link = _LESSON_LINK.search(paragraph)
+    if link is None or link["stem"] != after.stem:
+        return f"# **Next:** {after.link}\n"
+    return paragraph[: link.start()] + after.link + paragraph[link.end() :]
+
+
+def write_links(tree: Tree) -> list[str]:
+    """Put the links of all lessons right. Returns the stems whose text changed."""
+    changed = []
+    for stem in tree.lesson_stems():
+        path = tree.sources / f"{stem}.py"
+        text = path.read_text(encoding="utf-8")
+        right = linked(text, *neighbors(tree, stem))
+        if right != text:
+            path.write_text(right, encoding="utf-8")
+            changed.append(stem)
+    return changed
+
+
+def link_violations(tree: Tree, stem: str, text: str) -> Iterator[tuple[int, str]]:
+    """Links to neighbors that are out of date, and lessons under "You need" that do not come earlier (line, words)."""
+    right = linked(text, *neighbors(tree, stem))
+    if right != text:
+        given, wanted = text.splitlines(), right.splitlines()
+        pairs = enumerate(zip(given, wanted, strict=False), start=1)
+        line = next((number for number, (one, other) in pairs if one != other), len(given))
+        yield line, "the **Before:** and **Next:** lines are not those of the neighbors: run `make notebooks`"
+    for number, words in enumerate(text.splitlines(), start=1):
+        if not _YOU_NEED.search(words):
+            continue
+        for link in _LESSON_LINK.finditer(words):
+            if link["stem"] >= stem or link["text"] != link["number"]:
+                yield (
+                    number,
+                    f"'You need' links to earlier lessons, as [{link['number']}]({link['stem']}.ipynb); "
+                    f"{link[0]} is not such a link",
+                )

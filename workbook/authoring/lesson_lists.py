@@ -1,0 +1,89 @@
+"""Lists of the lessons: the page beside the notebooks, and the table in the README."""
+
+import json
+import re
+import tomllib
+from contextlib import suppress
+
+from workbook.authoring.lesson_links import lesson_link, title_of
+from workbook.authoring.museum_pages import GLOSSARY, MUSEUM
+from workbook.authoring.tree import Tree
+from workbook.exercise.source import ExerciseSource, SourceError, load
+
+PLANNED = "planned.toml"
+RUN_TIMES = "run_times.json"
+_MINUTES = re.compile(r"\*\*Minutes:\*\* (\d+)")
+
+
+def list_page(tree: Tree) -> str:
+    """The lessons in order: minutes, exercise, and how long the cells of a lesson run."""
+    times = run_times(tree)
+    lines = [
+        "# The lessons",
+        "",
+        "Take them in this order. *You* is the time that a lesson takes a reader, *cells* what its code takes when all",
+        f"of it runs. Words that are new: the [glossary]({GLOSSARY}). Something fails: the [error museum]({MUSEUM}).",
+        "",
+        "| lesson | you | cells | exercise |",
+        "|---|---:|---:|---|",
+    ]
+    exercises = _exercises(tree)
+    for stem in tree.lesson_stems():
+        found = _MINUTES.search((tree.sources / f"{stem}.py").read_text(encoding="utf-8"))
+        minutes = f"{found[1]} min" if found else ""
+        cells = f"{times[stem]} s" if stem in times else ""
+        exercise = ""
+        if stem in exercises:
+            one = exercises[stem]
+            exercise = f"[{one.title}](../exercises/{stem}.ipynb), {one.minutes} min"
+        lines.append(f"| {lesson_link(tree, stem)} | {minutes} | {cells} | {exercise} |")
+    return "\n".join(lines) + "\n"
+
+
+def table(tree: Tree) -> str:
+    """The table of the README: every lesson with its exercise, and what is planned."""
+    exercises = _exercises(tree)
+    rows = {}
+    for stem in tree.lesson_stems():
+        title = title_of(tree, stem).partition(" · ")[2]
+        own = [exercise for exercise in exercises.values() if exercise.stem[:2] == stem[:2]]
+        link = f"[{own[0].title}](exercises/{own[0].stem}.ipynb)" if own else "in the lesson, not graded"
+        rows[stem[:2]] = f"[{title}](notebooks/{stem}.ipynb) | {link} | **ready**"
+    for number, title in planned(tree).items():
+        rows.setdefault(number, f"{title} | | planned")
+    lines = ["| | lesson | exercise | |", "|---|---|---|---|"]
+    return "\n".join([*lines, *(f"| {number} | {rows[number]} |" for number in sorted(rows))])
+
+
+def planned(tree: Tree) -> dict[str, str]:
+    """Titles of lessons that are still to be written, by number. One that has a text counts as written."""
+    path = tree.sources / PLANNED
+    if not path.is_file():
+        return {}
+    titles: dict[str, str] = tomllib.loads(path.read_text(encoding="utf-8"))
+    written = {stem[:2] for stem in tree.lesson_stems()}
+    return {number: title for number, title in titles.items() if number not in written}
+
+
+def _exercises(tree: Tree) -> dict[str, ExerciseSource]:
+    found = {}
+    for stem in tree.exercise_stems():
+        with suppress(SourceError):  # told when the exercise itself is built
+            found[stem] = load(tree.solutions / f"{stem}.py")
+    return found
+
+
+def run_times(tree: Tree) -> dict[str, int]:
+    """How long the cells of each lesson ran when it was last measured, in s."""
+    path = tree.sources / RUN_TIMES
+    if not path.is_file():
+        return {}
+    times: dict[str, int] = json.loads(path.read_text(encoding="utf-8"))
+    return times
+
+
+def note_run_times(tree: Tree, measured: dict[str, float]) -> None:
+    """Keep measured times (s), rounded to five seconds: the next run will not be the same to the second."""
+    times = run_times(tree) | {stem: max(5, 5 * round(seconds / 5)) for stem, seconds in measured.items()}
+    known = {stem: times[stem] for stem in sorted(times) if stem in tree.lesson_stems()}
+    (tree.sources / RUN_TIMES).write_text(json.dumps(known, indent=1) + "\n", encoding="utf-8")

@@ -1,0 +1,102 @@
+"""The error museum and the glossary: pages that are made from `notebooks/sources/museum`."""
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from workbook.authoring.lesson_links import lesson_link, title_of
+from workbook.authoring.tree import Tree
+from workbook.exercise.museum import Exhibit, Museum
+
+MUSEUM, GLOSSARY = "error_museum.md", "glossary.md"
+
+
+def _sign(exhibit: Exhibit) -> str:
+    """The symptom as code when it is a text of Python, as words when it is a silence."""
+    looks_printed = re.match(r"[\w.]*(Error|Exception|Warning|Interrupt|Handle|Iteration)\b", exhibit.symptom)
+    return f"`{exhibit.symptom}`" if looks_printed and "`" not in exhibit.symptom else exhibit.symptom
+
+
+def museum_page(tree: Tree, museum: Museum) -> str:
+    """Symptom, cause, fix; lesson by lesson."""
+    lines = [
+        "# The error museum",
+        "",
+        "Everything here really happens: each error and each silence is provoked by a cell of the lesson that it hangs",
+        "in. Search this page for a piece of your message (Ctrl-F), read the cause, try the fix.",
+        "",
+    ]
+    for stem in dict.fromkeys(exhibit.lesson for exhibit in museum.exhibits):
+        lines += [f"## {title_of(tree, stem)}", ""]
+        for exhibit in museum.exhibits:
+            if exhibit.lesson == stem:
+                lines += [
+                    f"### {_sign(exhibit)}",
+                    "",
+                    f"**Cause.** {exhibit.cause}",
+                    "",
+                    f"**Fix.** {exhibit.fix}",
+                    "",
+                    f"Seen in {lesson_link(tree, stem)}, cell `{exhibit.cell}`.",
+                    "",
+                ]
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def glossary_page(tree: Tree, museum: Museum) -> str:
+    """All terms, from a to z, with the lesson that introduces them."""
+    lines = [
+        "# Glossary",
+        "",
+        "The words of ROS 2 as the lessons use them, and where each one comes up first.",
+        "",
+    ]
+    for term in sorted(museum.terms, key=lambda one: one.name.casefold()):
+        lines += [f"- **{term.name}** · {term.meaning} {lesson_link(tree, term.lesson)}"]
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def museum_violations(tree: Tree, museum: Museum) -> Iterator[tuple[str, str]]:
+    """Exhibits that no cell shows, and terms that are explained twice: file name and words."""
+    outputs: dict[str, dict[str, str]] = {}
+    for exhibit in museum.exhibits:
+        name = f"{exhibit.lesson}.toml"
+        if exhibit.lesson not in outputs:
+            outputs[exhibit.lesson] = _outputs(tree.notebooks / f"{exhibit.lesson}.ipynb")
+        cells = outputs[exhibit.lesson]
+        if exhibit.cell not in cells:
+            yield name, f"the lesson has no code cell {exhibit.cell!r}"
+        elif exhibit.shows not in cells[exhibit.cell]:
+            yield name, f"cell {exhibit.cell!r} does not show {exhibit.shows!r}"
+    first: dict[str, str] = {}
+    for term in museum.terms:
+        key = term.name.casefold()
+        if key in first:
+            yield f"{term.lesson}.toml", f"the term {term.name!r} is explained in {first[key]} already"
+        first.setdefault(key, term.lesson)
+
+
+def _outputs(path: Path) -> dict[str, str]:
+    """What each code cell of a built lesson shows as text."""
+    if not path.is_file():
+        return {}
+    found = {}
+    for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
+        if cell["cell_type"] == "code":
+            found[cell["id"]] = "\n".join(map(_text, cell["outputs"]))
+    return found
+
+
+def _text(output: dict[str, object]) -> str:
+    if output["output_type"] == "stream":
+        return _joined(output["text"])
+    if output["output_type"] == "error":
+        return f"{output['ename']}: {output['evalue']}"
+    data = output.get("data")
+    assert isinstance(data, dict)
+    return _joined(data.get("text/plain", "")) + "\n" + _joined(data.get("text/markdown", ""))
+
+
+def _joined(text: object) -> str:
+    return "".join(map(str, text)) if isinstance(text, list) else str(text)

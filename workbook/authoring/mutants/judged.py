@@ -1,0 +1,116 @@
+"""Judges mutants as answers are judged, and remembers each outcome as long as program and judge stay the same."""
+
+import hashlib
+import json
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import cache
+from pathlib import Path
+
+from workbook.exercise.answers import Answer
+from workbook.exercise.judgement import Judgement
+from workbook.grading.judges import Job
+from workbook.grading.retries import counting, judge_until_sure
+
+JUDGES_WITH = (
+    "criteria", "exercise", "inside", "isolation", "programs", "recording", "ros", "typechecking", "watching",
+)  # fmt: skip
+"""The packages of the workbook that a judgement depends on."""
+JudgeAll = Callable[[Sequence[Job[str]]], Iterator[tuple[Job[str], Judgement]]]
+
+
+@dataclass(frozen=True)
+class Marks:
+    """What the judge said of a program: the criteria that it lost, and the cause of the first."""
+
+    lost: tuple[str, ...]
+    cause: str = ""
+
+    @property
+    def full_marks(self) -> bool:
+        """Whether nothing was lost."""
+        return not self.lost
+
+
+class Cache:
+    """Outcomes in a file, one a line; each is written at once, so that an interrupted run goes on where it was.
+
+    `judge_sha256` stands for everything that an outcome depends on besides the program.
+    """
+
+    def __init__(self, path: Path, judge_sha256: str) -> None:
+        self._path, self._judge = path, judge_sha256
+        self._known: dict[str, Marks] = dict(_stored(path))
+
+    def get(self, answer: Answer) -> Marks | None:
+        """What is known of a program; None if nothing is."""
+        return self._known.get(self._key(answer))
+
+    def put(self, answer: Answer, outcome: Marks) -> None:
+        """Remember an outcome."""
+        key = self._key(answer)
+        self._known[key] = outcome
+        self._path.parent.mkdir(parents=True, exist_ok=True)
+        with self._path.open("a", encoding="utf-8") as file:
+            file.write(json.dumps({"key": key, **asdict(outcome)}) + "\n")
+
+    def _key(self, answer: Answer) -> str:
+        return hashlib.sha256(f"{self._judge} {answer.sha256}".encode()).hexdigest()
+
+
+def _stored(path: Path) -> Iterator[tuple[str, Marks]]:
+    """The outcomes of a file, which may be missing; a torn line is left out."""
+    if not path.is_file():
+        return
+    for line in path.read_text(encoding="utf-8").splitlines():
+        try:
+            read = json.loads(line)
+            yield read["key"], Marks(tuple(read["lost"]), read["cause"])
+        except (ValueError, KeyError, TypeError):
+            continue
+
+
+@cache
+def bench_sha256() -> str:
+    """One hash of the packages that run, record and judge answers."""
+    package = Path(__file__).resolve().parents[2]
+    digest = hashlib.sha256()
+    for name in JUDGES_WITH:
+        for path in sorted((package / name).rglob("*.py")):
+            digest.update(f"{path.relative_to(package).as_posix()}\n".encode())
+            digest.update(path.read_bytes())
+    return digest.hexdigest()
+
+
+def judge_programs(
+    stem: str,
+    programs: Mapping[str, Answer],
+    cache: Cache,
+    judge: JudgeAll,
+    say: Callable[[str, Marks], None] = lambda name, outcome: None,
+    keep: Callable[[Marks], bool] = lambda outcome: True,
+) -> dict[str, Marks]:
+    """The outcome of each program, by its name. Those that could not be judged are missing.
+
+    Only what the cache does not know is judged; it learns the outcomes that `keep` says yes to.
+    """
+    known = {name: cache.get(answer) for name, answer in programs.items()}
+    found = {name: outcome for name, outcome in known.items() if outcome is not None}
+    jobs = [Job(name, stem, answer) for name, answer in programs.items() if name not in found]
+    for job, tries in judge_until_sure(jobs, judge):
+        outcome = outcome_of(tries)
+        if outcome is not None:
+            if keep(outcome):
+                cache.put(job.answer, outcome)
+            found[job.key] = outcome
+            say(job.key, outcome)
+    return found
+
+
+def outcome_of(tries: Iterable[Judgement]) -> Marks | None:
+    """What counts of some tries; None where the answer could not be judged, or all tries were inconclusive."""
+    judgement = counting([*tries])
+    if judgement.status != "graded" or judgement.doubt:
+        return None
+    lost = [one for one in judgement.criteria if one.status != "passed"]
+    return Marks(tuple(one.id for one in lost), lost[0].cause if lost else "")

@@ -1,0 +1,65 @@
+"""The right programs of an exercise that mutants are made of: the solution, and two other right answers."""
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from difflib import SequenceMatcher
+from functools import cache
+from pathlib import Path
+
+from workbook.authoring.mutants.making import Mutant, mutants_of
+from workbook.authoring.tree import AuthoringError, Tree, entries
+from workbook.exercise.answers import Answer, read_answer
+from workbook.exercise.definition import Exercise
+
+OTHERS = 2
+SOLUTION = "solution"
+MADE_BY = ("view", "literals", "conditions", "statements", "calls", "state", "making")
+
+
+def right_programs(tree: Tree, exercise: Exercise, names: Sequence[str] = ()) -> dict[str, Answer]:
+    """The solution and the right answers with these names, such as "one_timer.py".
+
+    Without names those two are taken that have least in common with the solution.
+
+    Raises:
+        AuthoringError: there is no right answer of such a name.
+    """
+    solution = Answer(exercise.source.solution_code)
+    there = {
+        path.name: read_answer(path, exercise.stem)
+        for path in entries(tree.right_answers / exercise.stem)
+        if path.suffix == ".py"
+    }
+    for name in names:
+        if name not in there:
+            raise AuthoringError(f"{exercise.stem} has no right answer {name!r}: {', '.join(there)}")
+    chosen = names or sorted(there, key=lambda name: _likeness(solution, there[name]))[:OTHERS]
+    return {SOLUTION: solution, **{f"right/{name}": there[name] for name in sorted(chosen)}}
+
+
+def _likeness(one: Answer, other: Answer) -> float:
+    return SequenceMatcher(None, one.text.splitlines(), other.text.splitlines(), autojunk=False).ratio()
+
+
+def all_mutants(exercise: Exercise, programs: Mapping[str, Answer]) -> list[Mutant]:
+    """The mutants of all these programs."""
+    typed = exercise.source.kind == "static"
+    return [one for base, answer in programs.items() for one in mutants_of(base, answer.text, typed=typed)]
+
+
+def inputs_of(exercise: Exercise, programs: Mapping[str, Answer]) -> dict[str, str]:
+    """Hashes of what a report depends on: the operators, the programs, and what these are judged by."""
+    return {
+        "criteria": exercise.criteria_sha256,
+        "operators": operators_sha256(),
+        **{name: one.sha256 for name, one in programs.items()},
+    }
+
+
+@cache
+def operators_sha256() -> str:
+    """One hash of the code that makes mutants."""
+    digest = hashlib.sha256()
+    for name in MADE_BY:
+        digest.update(Path(__file__).with_name(f"{name}.py").read_bytes())
+    return digest.hexdigest()

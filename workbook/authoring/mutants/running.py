@@ -1,0 +1,135 @@
+"""Makes, judges and reports the mutants of exercises: what `make mutants` runs."""
+
+import hashlib
+import os
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from workbook.authoring.mutants.drawing import MOST, draw
+from workbook.authoring.mutants.judged import Cache, JudgeAll, Marks, bench_sha256, judge_programs
+from workbook.authoring.mutants.making import Mutant
+from workbook.authoring.mutants.programs import all_mutants, inputs_of, right_programs
+from workbook.authoring.mutants.report import Report, filled, read_report, write_report
+from workbook.authoring.tree import AuthoringError, Tree
+from workbook.exercise.answers import Answer
+from workbook.exercise.definition import Exercise, load_exercise
+from workbook.exercise.judgement import Judgement
+from workbook.grading.judges import Job
+from workbook.grading.local import judge_all
+
+Say = Callable[[str], None]
+WAITING = 3
+"""Slots for each processor where programs live on the wall clock: most of the time they wait."""
+CHANCES = 3
+"""How often a right program is judged before it is said to be wrong."""
+
+
+def on_slots(slots: int | None = None) -> JudgeAll:
+    """Judges on so many slots of this machine, in the best tier that works.
+
+    Where no number is given, on one for each processor; on more where programs wait for real time.
+    """
+    from workbook.grading.single import best_isolation
+
+    isolation = best_isolation()
+    cores = len(os.sched_getaffinity(0))
+
+    def judge(jobs: Sequence[Job[str]]) -> Iterator[tuple[Job[str], Judgement]]:
+        waits = any(load_exercise(stem).source.clock == "wall" for stem in {job.stem for job in jobs})
+        count = slots or (cores * WAITING if waits else cores)
+        return judge_all(jobs, count, thorough=False, isolation=isolation)
+
+    return judge
+
+
+def report_mutants(
+    tree: Tree, stems: Iterable[str], judge: JudgeAll, *, most: int = MOST, say: Say = print
+) -> list[Report]:
+    """Make and judge the mutants of these exercises, and write their reports.
+
+    Raises:
+        AuthoringError: a right program does not get full marks, or a report cannot be read.
+    """
+    reports = []
+    for stem in stems:
+        began = time.monotonic()
+        reports.append(report_one(tree, stem, judge, most=most, say=say))
+        say(f"{reports[-1].summary()}   {time.monotonic() - began:.0f} s")
+    return reports
+
+
+def report_one(tree: Tree, stem: str, judge: JudgeAll, *, most: int, say: Say = print) -> Report:
+    """Make and judge the mutants of one exercise, and write its report.
+
+    Raises:
+        AuthoringError: see `report_mutants`.
+    """
+    path = report_path(tree, stem)
+    exercise = load_exercise(stem, tree.root)
+    before = read_report(path)
+    if exercise.to_the_end:
+        before = replace(before, judged_here=tuple(sorted({*before.judged_here, "ending"})))
+    programs = right_programs(tree, exercise, before.right)
+    mutants = all_mutants(exercise, programs)
+    drawn = draw(
+        mutants,
+        most,
+        first={one.id for one in before.survivors},
+        excused=lambda mutant: before.excuse(mutant) is not None,
+    )
+    say(f"{stem}: {len(mutants)} mutants of {', '.join(programs)}; {len(drawn)} are judged")
+    cache = cache_of(tree, exercise)
+    _must_be_right(stem, programs, cache, judge)
+    by_id = {one.id: one for one in drawn}
+
+    def tell(name: str, outcome: Marks) -> None:
+        if outcome.full_marks and before.excuse(by_id[name]) is None:
+            say(as_line(by_id[name]))
+
+    answers = {one.id: one.answer for one in drawn}
+    outcomes = judge_programs(stem, answers, cache, judge, tell)
+    right = tuple(name.removeprefix("right/") for name in programs if name.startswith("right/"))
+    if len(outcomes) < len(drawn):
+        say(f"{stem}: {len(drawn) - len(outcomes)} could not be judged; another run tries them again")
+    judged = {name: (by_id[name], outcomes[name].lost) for name in by_id if name in outcomes}
+    report = replace(filled(before, len(mutants), judged), right=right, inputs=inputs_of(exercise, programs))
+    write_report(report, path)
+    return report
+
+
+def cache_of(tree: Tree, exercise: Exercise) -> Cache:
+    """What is known of programs under these criteria and this judge."""
+    judged_by = f"{exercise.stem} {exercise.criteria_sha256} {bench_sha256()}"
+    path = tree.root / "build" / "mutants" / f"{exercise.stem}.jsonl"
+    return Cache(path, hashlib.sha256(judged_by.encode()).hexdigest())
+
+
+def _must_be_right(stem: str, programs: Mapping[str, Answer], cache: Cache, judge: JudgeAll) -> None:
+    """Judge the right programs themselves: the mutants of one that fails here prove nothing."""
+    for chances_left in reversed(range(CHANCES)):
+        outcomes = judge_programs(stem, programs, cache, judge, keep=lambda outcome: outcome.full_marks)
+        lost = {base: outcome for base, outcome in outcomes.items() if not outcome.full_marks}
+        if lost.keys() or outcomes.keys() != programs.keys():
+            if chances_left:
+                continue
+            told = "; ".join(
+                f"{base} loses {', '.join(one.lost)} ({one.cause})" for base, one in lost.items()
+            )
+            raise AuthoringError(
+                f"{stem}: a right program does not get full marks, so its mutants prove nothing: "
+                f"{told or 'it could not be judged'}. Try again when the machine is calmer, or prove the exercise."
+            )
+        return
+
+
+def as_line(mutant: Mutant) -> str:
+    """A mutant in one line."""
+    place = f"{mutant.base}:{mutant.line} {mutant.scope}"
+    return f"  full marks  {mutant.id}  {place}  [{mutant.operator}]  {mutant.before}  →  {mutant.after}"
+
+
+def report_path(tree: Tree, stem: str) -> Path:
+    """Where the report on an exercise is kept."""
+    return tree.mutants / f"{stem}.toml"

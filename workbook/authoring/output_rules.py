@@ -1,0 +1,87 @@
+"""Rules on what a lesson shows, and on how much of it nbval is told to ignore."""
+
+import re
+from collections.abc import Iterator
+
+from workbook.authoring import document
+from workbook.authoring.outputs import texts
+
+IGNORE_OUTPUT = "nbval-ignore-output"
+LARGEST_IGNORED_SHARE = 1 / 3
+NOT_COMPARED = ("image/png", "image/jpeg", "application/vnd.jupyter.widget-view+json")
+_MARKERS = re.compile(
+    r"^\s*#.*\b(NBVAL_IGNORE_OUTPUT|NBVAL_CHECK_OUTPUT|NBVAL_SKIP|NBVAL_RAISES_EXCEPTION|"
+    r"PYTEST_VALIDATE_IGNORE_OUTPUT)\b",
+    re.MULTILINE,
+)
+Finding = tuple[int, str]
+"""A line of the text, and words."""
+
+
+def compared_enough(wanted: document.Document) -> Iterator[Finding]:
+    """Rules on outputs that nbval is told to ignore."""
+    code = [cell for cell in wanted.cells if cell.kind == "code"]
+    for cell in code:
+        found = _MARKERS.search(cell.source)
+        if found:
+            yield cell.line, f"cell {cell.id}: write a tag instead of the comment {found[1]}"
+    ignored = [cell for cell in code if IGNORE_OUTPUT in cell.tags]
+    if len(ignored) > len(code) * LARGEST_IGNORED_SHARE:
+        yield 0, f"{len(ignored)} of {len(code)} code cells ignore their output; a third is the most"
+    waiting: document.Cell | None = None
+    for cell in code:
+        if cell not in ignored:
+            waiting = None
+        elif waiting is not None:
+            yield waiting.line, f"{_unstated(waiting)} before the next one, {cell.id}"
+            waiting = cell
+        else:
+            waiting = cell
+    if waiting is not None:
+        yield waiting.line, _unstated(waiting)
+
+
+def outputs_in_order(built: document.Notebook) -> Iterator[str]:
+    """Rules on what a built lesson shows."""
+    code = [cell for cell in built.cells if cell.cell_type == "code"]
+    if [cell.execution_count for cell in code] != list(range(1, len(code) + 1)):
+        yield "was not run from top to bottom: run `make notebooks`"
+        return
+    waiting = None
+    for cell in code:
+        tags = cell.metadata.get("tags", [])
+        kinds = [kind for output in cell.outputs for kind in _kinds(output)]
+        if "error" in kinds and "raises-exception" not in tags:
+            yield f"cell {cell.id} shows an error without the tag raises-exception"
+        if "error" not in kinds and "raises-exception" in tags:
+            yield f"cell {cell.id} is tagged raises-exception, but raised none"
+        yield from _pictures(cell)
+        if IGNORE_OUTPUT in tags:
+            waiting = cell
+        elif waiting is not None and any(kind not in NOT_COMPARED for kind in kinds):
+            waiting = None
+    if waiting is not None:
+        yield f"after cell {waiting.id}, whose output is ignored, no compared cell shows anything"
+    if not any(
+        kind.startswith(("image/", "text/html")) for cell in code for o in cell.outputs for kind in _kinds(o)
+    ):
+        yield "shows no picture: a lesson has at least one that moves or explains"
+
+
+def _unstated(cell: document.Cell) -> str:
+    return f"after cell {cell.id}, whose output is ignored, a compared cell must state what it showed"
+
+
+def _kinds(output: document.Notebook) -> list[str]:
+    if output.output_type in ("stream", "error"):
+        return [output.output_type]
+    return list(output.data)
+
+
+def _pictures(cell: document.Notebook) -> Iterator[str]:
+    for output in cell.outputs:
+        if not any(kind.startswith("image/") for kind in _kinds(output)):
+            continue
+        described = [text for text in texts(output) if not text.lstrip().startswith("<")]
+        if not described:
+            yield f"cell {cell.id}: its picture has no text/plain that says what it shows"

@@ -1,0 +1,42 @@
+"""Which files lie where: finds those that fit nowhere, and notebooks without a text."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+
+from workbook.authoring.pages import BESIDE_LESSONS, PAGES
+from workbook.authoring.tree import Tree, entries
+from workbook.authoring.violations import Violation
+from workbook.exercise.source import STEM
+
+
+def misplaced(tree: Tree) -> Iterator[Violation]:
+    """Files that fit nowhere, and notebooks without a text."""
+    lessons, exercises = tree.lesson_stems(), tree.exercise_stems()
+    rules: list[tuple[Path, str, tuple[str, ...], tuple[str, ...]]] = [
+        (tree.notebooks, ".ipynb", lessons, ("sources", *PAGES)),
+        (tree.sources, ".py", lessons, BESIDE_LESSONS),
+        (tree.museum, ".toml", lessons, ()),
+        (tree.exercises, ".ipynb", exercises, ("criteria", "drivers", "README.md")),
+        (tree.drivers, ".py", exercises, ()),
+        (tree.criteria, ".py", exercises, ("__init__.py", "conftest.py")),
+        (tree.solutions, ".py", exercises, ("__init__.py",)),
+        (tree.right_answers, "", exercises, ()),
+        (tree.wrong_answers, "", exercises, ()),
+        (tree.requirements, ".toml", exercises, ()),
+        (tree.mutants, ".toml", exercises, ()),
+    ]
+    for stems, folder in ((lessons, tree.sources), (exercises, tree.solutions)):
+        for one, other in pairwise(stems):
+            if one[:2] == other[:2]:
+                yield Violation(tree.name(folder / f"{other}.py"), f"number {one[:2]} is taken by {one}")
+    for folder, suffix, stems, others in rules:
+        for path in entries(folder):
+            if path.name in others:
+                continue
+            if path.suffix != suffix or not STEM.fullmatch(path.stem):
+                form = f"NN_slug{suffix}" if suffix else "folders NN_slug"
+                yield Violation(tree.name(path), f"fits nowhere: {tree.name(folder)}/ holds {form} only")
+            elif path.stem not in stems:
+                home = "notebooks/sources" if stems is lessons else "solutions"
+                yield Violation(tree.name(path), f"has no text: {home}/{path.stem}.py is missing")

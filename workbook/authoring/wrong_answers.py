@@ -1,0 +1,295 @@
+"""Reads ``tests/wrong_answers/NN_slug/NAME.py``: one mistake each, and what it must lose.
+
+Most mistakes are a few lines, so the file holds these and the rest comes from a right program::
+
+    # The period is half of what it should be.
+    # loses: joint_rate
+    # says: 1 Hz
+    # replaces: self.create_timer(2.0, self.publish_joints)
+    self.create_timer(1.0, self.publish_joints)
+
+The header is the comment that the file begins with. Its sentences say what the mistake is; its fields are
+
+    loses      criteria that fail or get a part of their points, separated by commas
+    skips      criteria that are skipped, all of them; where the field is missing, they are not compared
+    cause      id that the verdict of the first lost criterion must carry; two, where milliseconds decide
+    says       words that the feedback of the first lost criterion must hold; may be repeated
+    thorough   `yes`: the mistake shows only in real seconds
+    compiles   `no`: Python cannot compile it
+    on         the program that is changed: `solution` (the default), `starter` or `right/NAME.py`
+
+Each change names lines of that program, one comment per line. `# replaces:` lines give way to the code that follows
+(to nothing, if none follows); `# after:` and `# before:` lines stay, and the code goes below or above them. The lines
+must occur exactly once, at any depth of indentation; the code is moved to the right as far as they are, so indentation
+counts in relation to them only. A file without changes is a whole program.
+"""
+
+import re
+import textwrap
+import warnings
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+
+from workbook.authoring.tree import AuthoringError, Tree, entries
+from workbook.exercise import source
+from workbook.exercise.answers import Answer, read_answer
+
+FIELDS = ("loses", "skips", "cause", "says", "thorough", "compiles", "on")
+SOLUTION, STARTER = "solution", "starter"
+_FIELD = re.compile(r"#\s*(?P<name>[a-z]+):\s*(?P<value>.*)")
+_CHANGE = re.compile(r"# (?P<verb>replaces|after|before):(?: (?P<text>.*))?")
+
+
+class WrongAnswerError(AuthoringError):
+    """A wrong answer cannot be read. The message begins with ``file:line``."""
+
+    def __init__(self, path: Path, line: int, problem: str) -> None:
+        super().__init__(f"{path}:{line}: {problem}")
+
+
+@dataclass(frozen=True)
+class Header:
+    """The header of a wrong answer: what the mistake is, and what it must cost."""
+
+    about: str
+    """What the mistake is; empty where a whole program says it in its docstring."""
+    loses: frozenset[str]
+    skips: frozenset[str] | None
+    causes: frozenset[str]
+    """Of which the first lost criterion must carry one: more than one where milliseconds decide."""
+    says: tuple[str, ...]
+    thorough: bool
+    compiles: bool
+    on: str | None
+    """None where the field is missing."""
+
+
+@dataclass(frozen=True)
+class Change:
+    """Some lines of a program, and what stands there instead. Their indentation counts in relation to each other."""
+
+    line: int
+    """Of the file that holds the change."""
+    old: tuple[str, ...]
+    new: tuple[str, ...]
+    """The old lines included where they stay."""
+
+
+@dataclass(frozen=True)
+class WrongAnswer:
+    """One wrong program with what it must lose."""
+
+    path: Path
+    header: Header
+    changes: tuple[Change, ...]
+    """Empty for a whole program."""
+    answer: Answer
+
+
+def read_wrong_answers(tree: Tree, stem: str) -> tuple[WrongAnswer, ...]:
+    """All wrong answers to an exercise, sorted by name.
+
+    Raises:
+        WrongAnswerError: see `read_wrong_answer`.
+    """
+    paths = (path for path in entries(tree.wrong_answers / stem) if path.suffix == ".py")
+    return tuple(read_wrong_answer(tree, path) for path in paths)
+
+
+def read_wrong_answer(tree: Tree, path: Path) -> WrongAnswer:
+    """Read one wrong answer; its folder names the exercise.
+
+    Raises:
+        WrongAnswerError: a field is missing or unknown, a change does not apply exactly once, the changes change
+            nothing, or the program does not compile.
+        OSError: a file cannot be read.
+    """
+    lines = path.read_text(encoding="utf-8").splitlines()
+    header, rest = _header(path, lines)
+    changes = tuple(_changes(path, lines, rest))
+    base = _program(tree, path, header.on or SOLUTION)
+    if changes:
+        answer = Answer(_changed(path, base, changes))
+    elif header.on is not None:
+        raise WrongAnswerError(path, 1, "names a program with '# on:' and changes nothing of it")
+    else:
+        answer = read_answer(path, path.parent.name)
+    if answer.text == base:
+        raise WrongAnswerError(path, 1, f"is the program that it changes ({header.on or SOLUTION})")
+    problem = _compile_problem(answer.text)
+    if header.compiles and problem:
+        raise WrongAnswerError(
+            path, 1, f"does not compile: {problem}. If this is the mistake, write '# compiles: no'"
+        )
+    if not header.compiles and not problem:
+        raise WrongAnswerError(path, 1, "says '# compiles: no', but it does compile")
+    return WrongAnswer(path, header, changes, answer)
+
+
+def read_header(path: Path) -> Header:
+    """Read only the header of a wrong answer.
+
+    Raises:
+        WrongAnswerError: a field is missing, unknown or malformed.
+        OSError: the file cannot be read.
+    """
+    return _header(path, path.read_text(encoding="utf-8").splitlines())[0]
+
+
+def _header(path: Path, lines: Sequence[str]) -> tuple[Header, int]:
+    """The header, and the index of the first line after it."""
+    about: list[str] = []
+    fields: dict[str, list[str]] = {}
+    end = 0
+    for end, line in enumerate([*lines, ""]):
+        if not line.startswith("#") or _CHANGE.fullmatch(line.rstrip()):
+            break
+        found = _FIELD.fullmatch(line.rstrip())
+        if found is None:
+            about.append(line.lstrip("#").strip())
+            continue
+        name, value = found["name"], found["value"]
+        if name not in FIELDS:
+            near = get_close_matches(name, FIELDS, n=1)
+            guess = f" Did you mean {near[0]}?" if near else ""
+            raise WrongAnswerError(
+                path, end + 1, f"unknown field {name!r}.{guess} There are: {', '.join(FIELDS)}"
+            )
+        if not value:
+            raise WrongAnswerError(path, end + 1, f"'# {name}:' is empty")
+        if name in fields and name not in ("loses", "skips", "says"):
+            raise WrongAnswerError(path, end + 1, f"'# {name}:' stands here a second time")
+        fields.setdefault(name, []).append(value)
+    if "loses" not in fields:
+        raise WrongAnswerError(path, 1, "must begin with '# loses: ' and the criteria that it loses")
+    if "says" not in fields and "cause" not in fields:
+        raise WrongAnswerError(
+            path, 1, "needs '# cause: ' and an id, or '# says: ' and words of the feedback"
+        )
+    header = Header(
+        about=" ".join(about),
+        loses=_names(fields["loses"]),
+        skips=_names(fields["skips"]) if "skips" in fields else None,
+        causes=_names(fields.get("cause", ())),
+        says=tuple(fields.get("says", ())),
+        thorough=_only(path, fields, "thorough", "yes"),
+        compiles=not _only(path, fields, "compiles", "no"),
+        on=fields["on"][0] if "on" in fields else None,
+    )
+    return header, end
+
+
+def _names(texts: Sequence[str]) -> frozenset[str]:
+    return frozenset(name.strip() for text in texts for name in text.split(",") if name.strip())
+
+
+def _only(path: Path, fields: dict[str, list[str]], name: str, value: str) -> bool:
+    """Whether a field is there that has this one value."""
+    if name in fields and fields[name] != [value]:
+        raise WrongAnswerError(path, 1, f"'# {name}:' must be '{value}', not {fields[name][0]!r}")
+    return name in fields
+
+
+def _changes(path: Path, lines: Sequence[str], start: int) -> Iterator[Change]:
+    at = start
+    while at < len(lines) and not lines[at].strip():
+        at += 1
+    if at == len(lines) or not _CHANGE.fullmatch(lines[at].rstrip()):
+        return
+    while at < len(lines):
+        first, verbs, old = at, set[str](), list[str]()
+        while at < len(lines) and (found := _CHANGE.fullmatch(lines[at].rstrip())):
+            verbs.add(found["verb"])
+            old.append((found["text"] or "").rstrip())
+            at += 1
+        if len(verbs) > 1:
+            raise WrongAnswerError(path, first + 1, f"mixes {' and '.join(sorted(verbs))} in one change")
+        below = at
+        while at < len(lines) and not _CHANGE.fullmatch(lines[at].rstrip()):
+            at += 1
+        new = _trimmed(lines[below:at])
+        if not any(line.strip() for line in old):
+            raise WrongAnswerError(path, first + 1, "names no line")
+        verb = verbs.pop()
+        if verb != "replaces" and not new:
+            raise WrongAnswerError(path, first + 1, f"puts nothing {verb} this line")
+        above, below_it = old if verb == "after" else (), old if verb == "before" else ()
+        yield Change(first + 1, tuple(old), (*above, *new, *below_it))
+
+
+def _trimmed(lines: Sequence[str]) -> tuple[str, ...]:
+    """Without the empty lines before and after."""
+    full = [index for index, line in enumerate(lines) if line.strip()]
+    return tuple(line.rstrip() for line in lines[full[0] : full[-1] + 1]) if full else ()
+
+
+def _program(tree: Tree, path: Path, name: str) -> str:
+    stem = path.parent.name
+    if name in (SOLUTION, STARTER):
+        exercise = source.load(tree.solutions / f"{stem}.py")
+        return exercise.solution_code if name == SOLUTION else exercise.starter_code
+    folder, _, file = name.partition("/")
+    right = tree.right_answers / stem / file
+    if folder != "right" or not file or not right.is_file():
+        raise WrongAnswerError(path, 1, f"'# on: {name}': write {SOLUTION}, {STARTER} or right/NAME.py")
+    return read_answer(right, stem).text
+
+
+def _changed(path: Path, base: str, changes: Sequence[Change]) -> str:
+    lines = base.splitlines()
+    places: dict[int, tuple[int, list[str]]] = {}
+    taken: set[int] = set()
+    for change in changes:
+        count, wanted = len(change.old), _dedented(change.old)
+        found = [at for at in range(len(lines)) if _dedented(lines[at : at + count]) == wanted]
+        if len(found) != 1:
+            raise WrongAnswerError(
+                path,
+                change.line,
+                f"must be found once in the program, not {len(found)} times:\n" + "\n".join(change.old),
+            )
+        span = range(found[0], found[0] + count)
+        if taken.intersection(span):
+            raise WrongAnswerError(path, change.line, "changes lines that another change has changed already")
+        taken.update(span)
+        shift = _depth(lines[span.start : span.stop]) - _depth(change.old)
+        if shift < -_depth(change.new):
+            raise WrongAnswerError(
+                path, change.line, "its lines stand deeper here than in the program, and the code does not"
+            )
+        places[span.start] = count, [_moved(line, shift) for line in change.new]
+    result: list[str] = []
+    at = 0
+    while at < len(lines):
+        count, new = places.get(at, (1, lines[at : at + 1]))
+        result += new
+        at += count
+    return "\n".join(result) + "\n"
+
+
+def _dedented(lines: Sequence[str]) -> tuple[str, ...]:
+    return tuple(textwrap.dedent("\n".join(line.rstrip() for line in lines)).split("\n"))
+
+
+def _depth(lines: Sequence[str]) -> int:
+    """How many spaces all of these lines begin with; empty lines do not count."""
+    return min((len(line) - len(line.lstrip(" ")) for line in lines if line.strip()), default=0)
+
+
+def _moved(line: str, shift: int) -> str:
+    if not line.strip():
+        return ""
+    return " " * shift + line if shift >= 0 else line[-shift:]
+
+
+def _compile_problem(text: str) -> str:
+    """Why Python cannot compile a program; empty if it can."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            compile(text, "answer.py", "exec", dont_inherit=True)
+    except (SyntaxError, ValueError) as error:
+        return f"{error}"
+    return ""

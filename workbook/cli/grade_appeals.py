@@ -1,0 +1,74 @@
+"""`workbook grade --override`: takes changes of marks, and says which are in force."""
+
+import argparse
+import sys
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from workbook.cli.grade_screen import printable, say_broken
+
+if TYPE_CHECKING:
+    from workbook.exercise.definition import Exercise
+    from workbook.grading.appeals import Override
+    from workbook.grading.gradebook import GradebookOptions
+    from workbook.grading.results import Result, StudentAndExercise
+
+
+def lines_of(options: argparse.Namespace) -> "list[Override]":
+    """The changes that the command brings; none without `--override`. Raises BadOption, also for kept ones."""
+    from workbook.grading.appeals import kept, read_lines
+
+    kept(options.out)
+    return [] if options.override is None else read_lines(options.override)
+
+
+def take(out: Path, lines: "Sequence[Override]", results: "Mapping[StudentAndExercise, Result]") -> int:
+    """Keep changes that all fit, or none of them. Returns 2 when one fits nobody, else 0. Raises FolderInUse."""
+    from workbook.grading.appeals import fit, keep
+    from workbook.grading.results_file import RESULTS, ResultsFile
+    from workbook.grading.roster import BadOption
+
+    try:
+        changes = fit(lines, results)
+    except BadOption as error:
+        print(f"workbook grade: {printable(error)}", file=sys.stderr)
+        return 2
+    if changes:
+        with ResultsFile(out / RESULTS):
+            keep(out, changes)
+    return 0
+
+
+def say_changes(out: Path, results: "Mapping[StudentAndExercise, Result]") -> None:
+    """Print how many marks a person has changed, and which changes are not applied."""
+    from workbook.grading.appeals import OVERRIDES, kept, with_changes, without_effect
+
+    changes = kept(out)
+    changed = [one for one in with_changes(results.values(), changes) if one.by_hand]
+    if changed:
+        what = "1 result has" if len(changed) == 1 else f"{len(changed)} results have"
+        print(f"{what} marks that a person changed ({out / OVERRIDES}):")
+    for one in changed:
+        print(f"  {printable(one.student)}: {printable(one.changed_by_hand())}")
+    for sentence in without_effect(results, changes):
+        print(f"  {printable(sentence)}.")
+
+
+def only_override(
+    options: argparse.Namespace, exercise: "Exercise", books: "GradebookOptions", lines: "Sequence[Override]"
+) -> int:
+    """Change marks and write the gradebook; nothing is judged. Returns the exit code."""
+    from workbook.grading.gradebook import write_gradebook
+    from workbook.grading.results_file import RESULTS, last_results
+    from workbook.grading.roster import BadOption
+
+    if not (options.out / RESULTS).is_file():
+        raise BadOption(f"{options.out} holds no {RESULTS}: grade first")
+    results = last_results(options.out / RESULTS, say_broken)
+    if take(options.out, lines, results):
+        return 2
+    for path in write_gradebook(options.out, exercise, results, books):
+        print(f"Written: {path}")
+    say_changes(options.out, results)
+    return 0

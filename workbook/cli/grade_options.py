@@ -1,0 +1,180 @@
+"""The options of `workbook grade`, and what they come to."""
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from workbook.grading.gradebook import GradebookOptions
+    from workbook.grading.roster import Roster
+
+SLOTS_PER_CORE = {"simulated": 2, "wall": 4}
+"""Answers at work at once. On the wall clock they wait for nine tenths of their time."""
+SECOND_START = 0.2
+
+
+def add_options(parser: argparse.ArgumentParser) -> None:
+    """All of them, in the order in which `--help` tells them."""
+    _add_answers(parser)
+    _add_judges(parser)
+    _add_gradebook(parser)
+    _add_appeals(parser)
+    _add_criteria(parser)
+    _add_hand_ins(parser)
+    _add_lateness(parser)
+    _add_repetition(parser)
+
+
+def _share(text: str) -> float:
+    """A number from 0 to 1, or "all", as argparse wants it."""
+    share = 1.0 if text == "all" else float(text)
+    if not 0.0 <= share <= 1.0:
+        raise argparse.ArgumentTypeError(f"{text} is neither a share from 0 to 1 nor `all`")
+    return share
+
+
+def _add_answers(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "paths",
+        metavar="PATH",
+        nargs="*",
+        type=Path,
+        help="answers: s1042.py, s1042/any/where.py, .ipynb, or submitted/STUDENT/…",
+    )
+    parser.add_argument("--exercise", metavar="ID", help="the exercise (default: what the file names tell)")
+    parser.add_argument("--out", metavar="DIR", required=True, type=Path, help="where the results go")
+
+
+def _add_judges(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--slots",
+        metavar="N",
+        type=int,
+        help=f"answers at work at once (default: {SLOTS_PER_CORE['simulated']} per core on robot time, "
+        f"{SLOTS_PER_CORE['wall']} per core on the wall clock). Those that only stay alive do not count",
+    )
+    parser.add_argument(
+        "--farm",
+        metavar="ADDRESS",
+        help="judge on other machines: the dask scheduler at tcp://host:8786 (see 'A farm' in environment.md)",
+    )
+    parser.add_argument(
+        "--second-start",
+        metavar="SHARE",
+        type=_share,
+        default=SECOND_START,
+        help="share of the answers that, when they pass on robot time, are started once more as a student starts them "
+        f"(default: {SECOND_START:g}; `all` for an exam)",
+    )
+    parser.add_argument(
+        "--isolation",
+        choices=["auto", "sandbox", "uid", "landlock", "limits"],
+        default="auto",
+        help="sandbox (what auto wants): each program in a sandbox of bubblewrap, with a network of its own. uid: a "
+        "user id of its own, where the grader is root. landlock: the kernel hides files. limits: resource limits and "
+        "own domain; only for answers that you would run yourself",
+    )
+
+
+def _add_gradebook(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--format",
+        metavar="LIST",
+        default="",
+        help="further forms of the gradebook, separated by commas: html (a page for each student, and one for the "
+        "class), gradescope, canvas, moodle, nbgrader",
+    )
+    parser.add_argument(
+        "--column", metavar="NAME", help='what Canvas or Moodle call the exercise: "Exercise 09 (12345)"'
+    )
+
+
+def _add_appeals(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--override",
+        metavar="CSV",
+        type=Path,
+        help="lines of `student,exercise,criterion,points,reason,who`: marks to change after an appeal. They are kept "
+        "in DIR and stay in force. Without PATH nothing is judged",
+    )
+
+
+def _add_criteria(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--regrade",
+        action="store_true",
+        help="run nothing: judge the stored recordings again under the criteria as they are now",
+    )
+    parser.add_argument(
+        "--criteria",
+        metavar="FOLDER",
+        type=Path,
+        help="your own hidden criteria, NN_slug.py, in a folder outside of the course",
+    )
+
+
+def _add_hand_ins(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--aliases",
+        metavar="CSV",
+        type=Path,
+        help="lines of `file or folder,student`: who a hand-in belongs to",
+    )
+    parser.add_argument(
+        "--assignment",
+        metavar="NAME",
+        help="what nbgrader calls the exercise: looks at submitted/STUDENT/NAME/ only",
+    )
+
+
+def _add_lateness(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--deadline", metavar="DATE", help="when it was due: 2026-05-31T23:59+02:00")
+    parser.add_argument(
+        "--late-per-day",
+        metavar="SHARE",
+        type=float,
+        default=0.0,
+        help="share of the points that each day, begun or whole, after the deadline costs: 0.1",
+    )
+
+
+def _add_repetition(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--repeat",
+        metavar="N",
+        type=int,
+        help="judge each answer N times and name those whose verdict changes; the gradebook is left alone",
+    )
+
+
+def gradebook_options(options: argparse.Namespace) -> "GradebookOptions":
+    """What to make of the results. Raises BadOption."""
+    from workbook.grading.exports import FORMATS
+    from workbook.grading.gradebook import GradebookOptions
+    from workbook.grading.lateness import Lateness, parse_moment
+    from workbook.grading.roster import BadOption
+
+    formats = tuple(filter(None, (name.strip().lower() for name in options.format.split(","))))
+    for name in formats:
+        if name not in FORMATS:
+            raise BadOption(f"--format {name}: there are {', '.join(FORMATS)}")
+    lateness = None
+    if options.deadline is not None:
+        deadline = parse_moment(options.deadline)
+        if deadline is None:
+            raise BadOption(f"--deadline {options.deadline}: write it as 2026-05-31T23:59+02:00")
+        if not 0.0 < options.late_per_day <= 1.0:
+            raise BadOption("--deadline needs --late-per-day with a share above 0 and at most 1, such as 0.1")
+        lateness = Lateness(deadline, options.late_per_day)
+    elif options.late_per_day:
+        raise BadOption("--late-per-day needs --deadline")
+    if options.assignment is not None and Path(options.assignment).name != options.assignment:
+        raise BadOption(f"--assignment {options.assignment}: it is the name of a folder, without any /")
+    return GradebookOptions(formats, lateness, options.column, options.assignment)
+
+
+def roster(options: argparse.Namespace) -> "Roster":
+    """Who a hand-in belongs to. Raises BadOption."""
+    from workbook.grading.roster import Roster, read_aliases
+
+    return Roster(read_aliases(options.aliases) if options.aliases else {}, options.assignment)

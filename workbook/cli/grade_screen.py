@@ -1,0 +1,160 @@
+"""What `workbook grade` says, while it works and at its end."""
+
+import os
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from workbook.grading.batch import BatchProgress, BatchSummary
+    from workbook.grading.lateness import Lateness
+    from workbook.grading.regrade import Regraded
+    from workbook.grading.results import Result
+    from workbook.grading.results_file import BrokenLine
+    from workbook.grading.steadiness import Unsteady
+
+
+def minutes(seconds: float) -> str:
+    """A duration, given in s, as text: "4:05 min" from one minute on, "42 s" below."""
+    whole = round(seconds)
+    return f"{whole // 60}:{whole % 60:02d} min" if whole >= 60 else f"{whole} s"
+
+
+def outcome(result: "Result") -> str:
+    """The score and the maximum, such as "8/10"; the status and the reason where the answer was not graded."""
+    if result.status != "graded":
+        return f"{result.status}: {result.reason}"
+    return f"{result.score:g}/{result.max_score:g}"
+
+
+def printable(text: object) -> str:
+    """The text with a question mark for each line break, control character or other unprintable character."""
+    return "".join(character if character.isprintable() else "?" for character in str(text))
+
+
+class GradeScreen:
+    """Progress on one line of a terminal, or a line per answer in a file."""
+
+    def __init__(self) -> None:
+        self._is_terminal = sys.stderr.isatty()
+
+    def show(self, progress: "BatchProgress") -> None:
+        """Print how many answers are done, how many per minute, the time left, and the latest result."""
+        left = "" if progress.left_s is None else f", {minutes(progress.left_s)} left"
+        rate = f"{progress.per_minute:.0f} per minute{left}"
+        latest = ""
+        if progress.latest is not None:
+            latest = printable(f"{progress.latest.student} {outcome(progress.latest)}")
+        line = f"[{progress.done}/{progress.total}] {rate}  {latest}"
+        if self._is_terminal:
+            width = os.get_terminal_size(sys.stderr.fileno()).columns
+            print(f"\r\x1b[K{line[: width - 1]}", end="", file=sys.stderr, flush=True)
+        else:
+            print(line, file=sys.stderr, flush=True)
+
+    def say(self, text: str) -> None:
+        """A sentence on a line of its own."""
+        start = "\r\x1b[K" if self._is_terminal else ""
+        print(start + printable(text), file=sys.stderr, flush=True)
+
+    def finish(self) -> None:
+        """End the progress line, so that the next output of a terminal begins on a new one."""
+        if self._is_terminal:
+            print(file=sys.stderr)
+
+
+class Stopping:
+    """Ctrl-C once: finish the answers under way. Twice: stop at once (nothing judged is lost)."""
+
+    def __init__(self) -> None:
+        self.wanted = False
+
+    def __call__(self, *_: object) -> None:
+        if self.wanted:
+            os._exit(130)
+        self.wanted = True
+        print(
+            "\nStopping after the answers under way. Ctrl-C again stops at once; run the same command to go on.",
+            file=sys.stderr,
+            flush=True,
+        )
+
+
+def say_broken(line: "BrokenLine") -> None:
+    """Warn that a line of results.jsonl is not a result."""
+    print(f"workbook grade: {printable(line)}", file=sys.stderr)
+
+
+def conclude(summary: "BatchSummary", out: Path, written: "Sequence[Path]") -> int:
+    """Print the summary of a run. Returns the exit code: 130 if stopped, 1 after a fault of the grader, else 0."""
+    counts = {"graded": 0, "ungradable": 0, "infra_error": 0}
+    full = 0
+    for result in summary.results:
+        counts[result.status] += 1
+        full += result.score is not None and result.score == result.max_score
+    print(
+        f"{len(summary.results)} answers: {counts['graded']} graded ({full} with full marks), "
+        f"{counts['ungradable']} ungradable, {counts['infra_error']} not judged through a fault of the grader."
+    )
+    for result in summary.results:
+        if result.status != "graded":
+            print(f"  {printable(result.student)}: {printable(outcome(result))}")
+    for line in _about_tries(summary.results):
+        print(line)
+    for remark in summary.remarks:
+        print(f"{printable(remark)}.")
+    print(f"{summary.judged} judged in {minutes(summary.seconds)}, {summary.kept} kept from an earlier run.")
+    print(f"Everything: {out / 'results.jsonl'}   Made from it: {', '.join(map(str, written))}")
+    if summary.stopped:
+        print("Stopped early. Run the same command again to go on.")
+        return 130
+    return 1 if counts["infra_error"] else 0
+
+
+def conclude_regrading(found: "Sequence[Regraded]", exercise: str) -> int:
+    """Whose marks changed, and who could not be judged again. Returns the exit code."""
+    changed = [one for one in found if one.changed]
+    troubled = [one for one in found if one.problem]
+    print(f"{len(found)} recordings of {exercise} judged again; the marks of {len(changed)} changed.")
+    for one in changed:
+        print(f"  {printable(one.student)}: {one.before:g} → {one.after:g}")
+    for one in troubled:
+        print(f"  {printable(one.student)}: not judged again: {printable(one.problem)}")
+    return 1 if troubled else 0
+
+
+def conclude_repetition(found: "Sequence[Unsteady]", answers: int, times: int) -> int:
+    """Whose verdict changes from run to run. Returns the exit code."""
+    print(f"{answers} answers, each judged {times} times: {len(found)} with changing verdicts.")
+    for one in found:
+        print(f"  {printable(one.student)}:")
+        for verdict, count in one.verdicts:
+            print(f"    {count} × {printable(verdict)}")
+    return 1 if found else 0
+
+
+def _about_tries(results: "Sequence[Result]") -> list[str]:
+    """How many answers were tried twice, and by name those whose tries differ."""
+    twice = [result for result in results if result.tries]
+    if not twice:
+        return []
+    differ = [result for result in twice if result.tries_differ]
+    what = "answer was" if len(twice) == 1 else "answers were"
+    lines = [
+        f"{len(twice)} {what} tried twice, because the first try was inconclusive; {len(differ)} differ. "
+        "Both tries are kept."
+    ]
+    return lines + [f"  {printable(one.student)}: {printable(one.tried_twice())}" for one in differ]
+
+
+def about_lateness(results: "Sequence[Result]", lateness: "Lateness | None") -> list[str]:
+    """A note on students whose hand-in time is unknown, so that lateness cost them nothing; empty if there are none."""
+    unknown = [] if lateness is None else lateness.unknown(results)
+    if not unknown:
+        return []
+    names = ", ".join(printable(one.student) for one in unknown[:5]) + (", …" if len(unknown) > 5 else "")
+    return [
+        f"Nothing was taken off for lateness where no timestamp.txt told when it was handed in: {len(unknown)} of "
+        f"{len(results)} ({names})."
+    ]

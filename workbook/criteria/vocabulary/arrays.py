@@ -1,0 +1,128 @@
+"""Judges arrays that arrive on a topic."""
+
+import math
+import statistics
+from itertools import pairwise
+from typing import Any
+
+from workbook.criteria.criterion import Topic
+from workbook.criteria.verdict import Verdict, failed, passed
+from workbook.criteria.vocabulary.estimators import PAIR_FRACTION
+from workbook.criteria.vocabulary.phrasing import count, listing
+from workbook.criteria.vocabulary.silences import program_ended
+from workbook.criteria.vocabulary.topics import if_messages
+from workbook.criteria.vocabulary.values import elements, length_of, values
+from workbook.recording.recording import Recording
+
+LEAST_MESSAGES = 3
+MOSTLY = 0.75
+"""Share of the messages that differ from the one before as much as they must."""
+
+
+@if_messages
+def length(recording: Recording, topic: Topic, wanted: int, what: str = "value") -> Verdict:
+    """Every message carries an array of exactly `wanted` elements."""
+    lengths = [length_of(value) for value in values(recording, topic)]
+    wrong = [n for n in lengths if n != wanted]
+    if not wrong:
+        return passed(f"{count(wanted, what)} in each of {count(len(lengths), 'message')}")
+    kinds = listing([str(n) for n in sorted(set(wrong))])
+    how_many = (
+        "every message has" if len(wrong) == len(lengths) else f"{len(wrong)} of {len(lengths)} messages have"
+    )
+
+    def fail(cause: str, because: str) -> Verdict:
+        return failed(
+            cause,
+            f"{how_many} {kinds} {what}s",
+            f"exactly {count(wanted, what)} in every message",
+            because,
+            f"Print len(msg.data) before you publish; it must say {wanted}.",
+        )
+
+    if 0 in wrong:
+        return fail("length.not-filled", "At least one message was published before its data was filled in.")
+    if all(abs(n - wanted) > 1 for n in wrong):
+        return fail(
+            "length.other-list",
+            "The list is built from something else than the joints, or grows with every message.",
+        )
+    return fail("length.one-off", "Counting from 0 or from 1 gets one too many or one too few easily.")
+
+
+@if_messages
+def varies(recording: Recording, topic: Topic, at_least: int, by: float, what: str = "value") -> Verdict:
+    """From message to message, at least `at_least` elements of the array change by more than `by`.
+
+    Mostly: in a share of `MOSTLY` of the steps from one message to the next. A movement may turn around. Messages that
+    come at one moment are not compared: that is a matter of the rate.
+    """
+    arrivals = [one for one in recording.topic(topic.name).arrivals if isinstance(one.value, dict)]
+    timed = [(one.t, elements(one.value.get("data"))) for one in arrivals]
+    width = statistics.mode(len(row) for _, row in timed)
+    timed = [(t, row) for t, row in timed if len(row) == width]
+    rows = [row for _, row in timed]
+    moving = [place for place in range(width) if _moves([row[place] for row in rows], by)]
+    at_once_s = PAIR_FRACTION * topic.period if topic.hz is not None else 0.0
+    changed = [
+        sum(_moves([one, other], by) for one, other in zip(before, after, strict=True))
+        for (t, before), (then, after) in pairwise(timed)
+        if then - t > at_once_s
+    ]
+    enough = sum(n >= at_least for n in changed)
+    if len(moving) >= at_least and enough >= MOSTLY * len(changed):
+        return passed(f"{len(moving)} of {width} {what}s move")
+    expected = (
+        f"at least {count(at_least, what)} that change from message to message (by more than {by:g}), in "
+        f"{MOSTLY:.0%} of the messages at least"
+    )
+    once = "a single message, so nothing can be seen to move"
+    ended = program_ended(recording, once, expected) if len(rows) < 2 else None
+    return ended or _does_not_vary(len(rows), moving, changed, at_least, expected, what)
+
+
+def _does_not_vary(
+    messages: int, moving: list[int], changed: list[int], at_least: int, expected: str, what: str
+) -> Verdict:
+    def at_rest(cause: str, saw: str, because: str) -> Verdict:
+        return failed(
+            cause,
+            saw,
+            expected,
+            because,
+            "Compute new angles in every call of the timer callback, for example from math.sin of a counter.",
+            about_time=messages < LEAST_MESSAGES,
+        )
+
+    if messages < 2:
+        return at_rest(
+            "varies.one-message",
+            "a single message, so nothing can be seen to move",
+            "The message is published only once.",
+        )
+    if not moving:
+        return at_rest(
+            "varies.none",
+            f"no {what} moves: every message is the same",
+            "The values are set once, outside the callback; or the movement repeats with the period of the timer, so "
+            "that each message catches the same pose.",
+        )
+    if len(moving) < at_least:
+        return at_rest("varies.too-few", f"only {what} {moving[0]} moves", "Only one element ever changes.")
+    still, hardly = changed.count(0), sum(n < at_least for n in changed)
+    if 2 * still > hardly:
+        return at_rest(
+            "varies.stands-still",
+            f"{still} of {count(len(changed), 'message')} are the same as the one before",
+            "The movement comes to an end, or not every call of the callback computes new values.",
+        )
+    return at_rest(
+        "varies.one-at-a-time",
+        f"{hardly} of {count(len(changed), 'message')} differ too little from the one before",
+        "Only one element is changed in each call, another one each time.",
+    )
+
+
+def _moves(column: list[Any], by: float) -> bool:
+    numbers = [value for value in column if isinstance(value, (int, float)) and math.isfinite(value)]
+    return bool(numbers) and max(numbers) - min(numbers) > by

@@ -1,0 +1,106 @@
+"""Judges how a program ends on Ctrl-C. Needs `watching(to_the_end=True)` in the criteria file."""
+
+from workbook.criteria.verdict import Verdict, failed, passed
+from workbook.criteria.vocabulary.known_errors import (
+    TRACEBACK,
+    find_error,
+    shutdown_overtaken,
+    without_executors_end,
+)
+from workbook.criteria.vocabulary.phrasing import seconds
+from workbook.recording.recording import ProcessRecord, Recording
+
+_EXPECTED = "exit code 0 and no traceback after Ctrl-C"
+_INTERRUPT = "KeyboardInterrupt"
+
+
+def exits_cleanly(recording: Recording) -> Verdict:
+    """On Ctrl-C (SIGINT) the program ends with exit code 0 and without a traceback.
+
+    One traceback is forgiven: see `shutdown_overtaken`.
+
+    Needs `watching(to_the_end=True)`; raises ValueError when the recording does not hold the end.
+    """
+    process = recording.process
+    if process.ended_by is None:
+        raise ValueError("exits_cleanly needs watching(to_the_end=True) in the criteria file")
+    if process.ended_by == "itself":
+        return failed(
+            "exits-cleanly.before-ctrl-c",
+            f"the program ended by itself after {seconds(process.ended_at or 0.0)}, before Ctrl-C was sent",
+            _EXPECTED,
+            "Nothing keeps it alive, or an error ended it.",
+            "Keep it running with rclpy.spin(node) first.",
+        )
+    if process.signal in ("SIGKILL", "SIGABRT", "SIGSEGV"):
+        return _by_signal(process)
+    if process.exit == 1 and shutdown_overtaken(process.end_log):
+        return passed(
+            "it ended after Ctrl-C as it should; that rclpy's own handling of Ctrl-C overtook try_shutdown() is no "
+            "fault of the program"
+        )
+    error = find_error(process.end_log, process.program)
+    if error is not None:
+        saw = f"after Ctrl-C: {error.where}{error.error} (exit code {process.exit})"
+        return failed(error.cause, saw, _EXPECTED, error.because, error.try_this)
+    return _by_exit_code(process)
+
+
+def _by_exit_code(process: ProcessRecord) -> Verdict:
+    if process.exit == 0 and TRACEBACK in without_executors_end(process.end_log):
+        return failed(
+            "exits-cleanly.prints-a-traceback",
+            "exit code 0 after Ctrl-C, but a traceback in what it printed",
+            _EXPECTED,
+            "The program catches the exception, and then prints the traceback itself.",
+            "Print nothing for it: that somebody ended the program is no error.",
+        )
+    if process.exit == 0:
+        return passed("ended with exit code 0 after Ctrl-C, no traceback")
+    if process.signal is None and _INTERRUPT not in process.end_log:
+        return failed(
+            "exits-cleanly.exit-code",
+            f"exit code {process.exit} after Ctrl-C, without a traceback",
+            _EXPECTED,
+            "The program gives this exit code itself, with sys.exit(), os._exit() or SystemExit. For whoever started "
+            "it, any code but 0 means an error.",
+            "Let main() return after Ctrl-C, or leave with sys.exit(0).",
+        )
+    how = f"ended by signal {process.signal}" if process.signal else f"exit code {process.exit}"
+    return failed(
+        "exits-cleanly.interrupt-not-caught",
+        f"{how} after Ctrl-C",
+        _EXPECTED,
+        "KeyboardInterrupt leaves main() without being caught.",
+        "Wrap rclpy.spin(node) in try/except (KeyboardInterrupt, ExternalShutdownException), and call "
+        "rclpy.try_shutdown() in finally.",
+    )
+
+
+def _by_signal(process: ProcessRecord) -> Verdict:
+    if process.signal == "SIGKILL":
+        return failed(
+            "exits-cleanly.runs-on",
+            "it went on running after Ctrl-C and had to be killed",
+            _EXPECTED,
+            "KeyboardInterrupt is swallowed inside a loop, the signal is ignored, or the end waits for something: a "
+            "thread, a lock, an input.",
+            "Let KeyboardInterrupt leave the spin. Catch it around rclpy.spin(node) only, and wait for nothing then.",
+        )
+    if process.signal == "SIGABRT":
+        return failed(
+            "exits-cleanly.aborted",
+            "it aborted at its end (SIGABRT)",
+            _EXPECTED,
+            "A thread was still spinning when the interpreter went down.",
+            "Shut the executor down first, then join its thread.",
+        )
+    return failed(
+        "exits-cleanly.crashed",
+        "it crashed while Ctrl-C ended it (SIGSEGV)",
+        _EXPECTED,
+        "A thread still used the node or its context when these were destroyed. On a very busy machine it can also "
+        "be rclpy's own fault.",
+        "Run it again. If it crashes again, shut the executor down first, join its thread, and call "
+        "rclpy.try_shutdown() last.",
+    )

@@ -1,0 +1,237 @@
+"""The common errors of a ROS program: how to recognize each, what it means, what to do. The first that fits counts."""
+
+from dataclasses import dataclass
+
+from workbook.recording.limits import WRITABLE_MIB
+
+
+@dataclass(frozen=True)
+class KnownError:
+    """An error by its cause id: the regular expression that recognizes it, why it happens, and what to try."""
+
+    cause: str
+    pattern: str
+    because: str
+    try_this: str
+
+
+OVERTAKEN = (
+    r'rclpy/context\.py", line \d+, in try_shutdown\n'
+    r"[^\n]*\n"
+    r"\S*RCLError: failed to shutdown: rcl_shutdown already called"
+)
+"""Ctrl-C came between the question of `rclpy.try_shutdown()` and its shutdown. See `shutdown_overtaken`."""
+
+KNOWN_ERRORS = (
+    KnownError(
+        "error.context-manager",
+        r"'NoneType' object does not support the context manager protocol",
+        "`with rclpy.init():` belongs to a newer rclpy. In Jazzy rclpy.init() returns None.",
+        "Call rclpy.init() on its own line, and rclpy.try_shutdown() in a finally block.",
+    ),
+    KnownError(
+        "error.not-initialized",
+        r"NotInitializedException|rclpy\.init\(\) has not been called",
+        "A node was made before the ROS context was started.",
+        "Call rclpy.init() once, before the first node is made.",
+    ),
+    KnownError(
+        "error.init-twice",
+        r"Context\.init\(\) must only be called once",
+        "rclpy.init() was called a second time while the first context was still up.",
+        "Call rclpy.init() exactly once, in main().",
+    ),
+    KnownError(
+        "error.shutdown-overtaken",
+        OVERTAKEN,
+        "rclpy itself was still handling Ctrl-C when try_shutdown() asked whether the context was up. That happens "
+        "now and then on a busy machine, and is no fault of the program.",
+        "Nothing: run it again.",
+    ),
+    KnownError(
+        "error.shutdown-twice",
+        r"Context must be initialized before it can be shutdown|rcl_shutdown already called",
+        "The context was shut down twice (Ctrl-C has already done it).",
+        "Use rclpy.try_shutdown(), which may be called at any time.",
+    ),
+    KnownError(
+        "error.no-super-init",
+        r"has no attribute '_default_callback_group'|object has no attribute '_parameters'",
+        "The Node was never set up: super().__init__('name') is missing or comes too late.",
+        "Make super().__init__('your_node_name') the first line of __init__.",
+    ),
+    KnownError(
+        "error.no-qos",
+        r"missing 1 required positional argument: 'qos_profile'",
+        "create_publisher and create_subscription need a queue depth (QoS) as their last argument.",
+        "Add a depth, for example 10: create_publisher(String, '/robot/status', 10).",
+    ),
+    KnownError(
+        "error.callback-takes-no-message",
+        r"callback should be either be callable with one argument",
+        "The callback of a subscription takes the message, or the message and what is known about it. This one takes "
+        "neither.",
+        "Give it one argument besides self: def on_battery(self, message: Float32).",
+    ),
+    KnownError(
+        "error.node-without-name",
+        r"missing 1 required positional argument: 'node_name'",
+        "A node needs a name, and Node.__init__ was given none.",
+        "Write super().__init__('your_node_name').",
+    ),
+    KnownError(
+        "error.timer-without-callback",
+        r"create_timer\(\) missing 1 required positional argument: 'callback'",
+        "A timer needs a period and a function to call, and it was given one of the two.",
+        "Write create_timer(1.0, self.on_timer), without parentheses after the function.",
+    ),
+    KnownError(
+        "error.missing-argument",
+        r"missing 1 required positional argument: '\w+'",
+        "A function was called without an argument that it needs. The callback of a timer is called with none; that of "
+        "a subscription is called with the message, and must be handed over, not called.",
+        "For a timer: def on_timer(self). For a subscription: create_subscription(Float32, '/robot/battery', "
+        "self.on_battery, 10), without parentheses.",
+    ),
+    KnownError(
+        "error.callback-called",
+        r"'NoneType' object is not callable",
+        "A callback was called instead of handed over, so the timer got its result, None.",
+        "Pass the function without parentheses: create_timer(2.0, self.publish_joints).",
+    ),
+    KnownError(
+        "error.no-message-object",
+        r"Expected <class '[\w.]*\.(\w+)'>, got <class '([\w.]+)'>",
+        "publish() was given something that is not the message type of this publisher.",
+        "Make a message of the right class, fill its fields, and publish that.",
+    ),
+    KnownError(
+        "error.no-message-class",
+        r"has no attribute '_TYPE_SUPPORT'",
+        "What was given as the message type is no message class. (The words about ROS 1 are a guess, mostly a wrong "
+        "one.)",
+        "Give the class itself, for example Float32 from std_msgs.msg: no Python type, and no name in quotes.",
+    ),
+    KnownError(
+        "error.topic-of-two-types",
+        r"existing topic name \S+ with incompatible type",
+        "In this program the topic is there already, with another message type.",
+        "Use one message type per topic name, or give the other one a name of its own.",
+    ),
+    KnownError(
+        "error.name-taken",
+        r"property '(\w+)' of '\w+' object has no setter",
+        "The attribute name is taken: Node already has a property of that name.",
+        "Give your attribute another name, for example joint_pub instead of publishers.",
+    ),
+    KnownError(
+        "error.invalid-topic-name",
+        r"InvalidTopicNameException|Invalid topic name",
+        "The topic name breaks the naming rules (no space, hyphen, trailing slash or leading digit).",
+        "Write the name exactly as the exercise gives it.",
+    ),
+    KnownError(
+        "error.invalid-node-name",
+        r"InvalidNodeNameException|Invalid node name",
+        "The node name breaks the naming rules (letters, digits and underscores only, no slash).",
+        "Give the node a plain name such as humanoid_status_publisher.",
+    ),
+    KnownError(
+        "error.wrong-value-type",
+        r"(?:must be real number, not str|bad argument type for built-in operation|a float is required)",
+        "A value of the wrong type was put into a message field.",
+        "Put Python floats into float fields: float(angle).",
+    ),
+    KnownError(
+        "error.field-of-other-type",
+        r"AssertionError: The '\w+' field must be",
+        "A message field was given a value of another type than it holds.",
+        "Give the field what its type says: float(angle) for a float, str(word) for a text, a list for an array.",
+    ),
+    KnownError(
+        "error.generic-publisher",
+        r"type 'Publisher' is not subscriptable|'type' object is not subscriptable",
+        "Publisher[String] is written for a newer rclpy. In Jazzy Publisher takes no type parameter.",
+        "Annotate with plain Publisher.",
+    ),
+    KnownError(
+        "error.reads-keyboard",
+        r"EOFError: EOF when reading a line",
+        "The program waits for the keyboard. A robot program has none, and neither has the judge.",
+        "Remove input(), or read the value from a parameter.",
+    ),
+    KnownError(
+        "error.module-without-name",
+        r"module '(?:rclpy|\w+_(?:msgs|srvs|interfaces))[\w.]*' has no attribute",
+        "There is nothing of that name in it. Or it is not the real one: another file of that name (rclpy.py) "
+        "hides it.",
+        "Check the spelling; and give no file of yours the name of a module of ROS.",
+    ),
+    KnownError(
+        "error.module-hides-package",
+        r"'\w+' is not a package",
+        "A file of that name (with .py) lies beside the program and hides the package.",
+        "Give no file of yours the name of a package.",
+    ),
+    KnownError(
+        "error.import-not-found",
+        r"ModuleNotFoundError: No module named '([\w.]+)'|ImportError: cannot import name",
+        "A module or a name that the program imports is not there.",
+        "Check the spelling of the import. Messages come from, for example, std_msgs.msg. Code of a second file of "
+        "yours belongs in the answer: only one file is run.",
+    ),
+    KnownError(
+        "error.name-not-defined",
+        r"NameError: name '(\w+)' is not defined",
+        "A name is used that was never defined or imported in this file.",
+        "Import or define it; the file runs on its own, without the cells of the notebook.",
+    ),
+    KnownError(
+        "error.indentation",
+        r"(?:Indentation|Tab)Error",
+        "The indentation does not fit, so Python cannot read the file.",
+        "Line the block up with its neighbors (four spaces per level).",
+    ),
+    KnownError(
+        "error.print-statement",
+        r"Missing parentheses in call to 'print'",
+        "print without parentheses is Python 2. ROS 2 needs Python 3.",
+        "Write print(...), and look for other things of Python 2.",
+    ),
+    KnownError(
+        "error.notebook-command",
+        r"(?s)^ *(?:!|%%?)\w.*SyntaxError",
+        "A line that begins with % or ! is a command for a notebook, and no Python.",
+        "Take that line out of the answer.",
+    ),
+    KnownError(
+        "error.syntax",
+        r"SyntaxError",
+        "Python cannot read the file, so nothing of it ran.",
+        "Look at the line named above and at the one before it: brackets, quotes, colons.",
+    ),
+    KnownError(
+        "error.out-of-memory",
+        r"MemoryError",
+        "The program asked for more memory than an answer may use.",
+        "Look for a list that grows without end.",
+    ),
+    KnownError(
+        "error.disk-full",
+        r"No space left on device|File too large",
+        f"The program wrote more than the {WRITABLE_MIB} MB that an answer may write.",
+        "Write less, or nothing: nobody reads the files of an answer.",
+    ),
+    KnownError(
+        "error.too-many-files",
+        r"Too many open files",
+        "The program holds more files or connections open than an answer may.",
+        "Close what you open (with open(...) as file), and make each publisher and node once.",
+    ),
+    KnownError(
+        "error.too-many-threads",
+        r"can't start new thread|Resource temporarily unavailable",
+        "The program started more threads or processes than an answer may.",
+        "Look for a loop that starts one each time.",
+    ),
+)

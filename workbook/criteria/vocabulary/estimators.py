@@ -1,0 +1,94 @@
+"""Rates, gaps and pairs from arrival times. Pure functions, robust to jitter and a lost message."""
+
+import statistics
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+PAIR_FRACTION = 0.2
+
+
+@dataclass(frozen=True)
+class Gap:
+    """The longest silence: from `start` to `end` (s). `kind` tells where: before the first, between, after the last."""
+
+    start: float
+    end: float
+    kind: str
+
+    @property
+    def seconds(self) -> float:
+        """Length of the silence in s."""
+        return self.end - self.start
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How arrivals are spread over a window. `hz` is None with fewer than two arrivals."""
+
+    count: int
+    hz: float | None
+    typical_interval: float | None
+    gap: Gap
+    burst: int
+
+    @property
+    def in_bursts(self) -> bool:
+        """Whether messages come two or more at a time instead of evenly."""
+        return self.burst > 1
+
+
+def mean_rate(times: Sequence[float]) -> float | None:
+    """Mean rate in Hz over the intervals between first and last arrival; None with fewer than two."""
+    if len(times) < 2 or times[-1] <= times[0]:
+        return None
+    return (len(times) - 1) / (times[-1] - times[0])
+
+
+def longest_gap(times: Sequence[float], start: float, end: float) -> Gap:
+    """The longest silence within [start, end], the edges included."""
+    if not times:
+        return Gap(start, end, "nothing")
+    gaps = [Gap(start, times[0], "before")]
+    gaps += [Gap(a, b, "between") for a, b in zip(times, times[1:], strict=False)]
+    gaps.append(Gap(times[-1], end, "after"))
+    return max(gaps, key=lambda gap: gap.seconds)
+
+
+def group_starts(times: Sequence[float], near: float) -> list[float]:
+    """Start of each group of arrivals that lie at most `near` seconds from one to the next."""
+    starts: list[float] = []
+    last = None
+    for time in times:
+        if last is None or time - last > near:
+            starts.append(time)
+        last = time
+    return starts
+
+
+def burst_size(times: Sequence[float], period: float) -> int:
+    """How many messages typically come at once: 1 for an even stream, 2 for pairs.
+
+    Arrivals closer than a fifth of `period` (s) belong together. A stream that is simply faster than that is even,
+    not one endless burst.
+    """
+    if len(times) < 4:
+        return 1
+    starts = group_starts(times, PAIR_FRACTION * period)
+    if len(starts) < 2:
+        return 1
+    size = round(len(times) / len(starts))
+    intervals = [b - a for a, b in zip(starts, starts[1:], strict=False)]
+    spread_out = statistics.median(intervals) > 3 * PAIR_FRACTION * period
+    return size if size > 1 and spread_out else 1
+
+
+def pace(times: Sequence[float], start: float, end: float, period: float) -> Pace:
+    """Describe arrivals (s, ascending) in the window [start, end] against an expected `period` (s)."""
+    intervals = [b - a for a, b in zip(times, times[1:], strict=False)]
+    return Pace(
+        count=len(times),
+        hz=mean_rate(times),
+        typical_interval=statistics.median(intervals) if intervals else None,
+        gap=longest_gap(times, start, end),
+        burst=burst_size(times, period),
+    )

@@ -1,0 +1,155 @@
+"""Finds the error in a program's log and explains it; tells rclpy's own shutdown errors from faults of the program."""
+
+import re
+from dataclasses import dataclass
+
+from workbook.criteria.verdict import Verdict, failed
+from workbook.criteria.vocabulary.error_table import KNOWN_ERRORS, OVERTAKEN
+from workbook.recording.recording import Recording
+
+
+@dataclass(frozen=True)
+class ProgramError:
+    """An error that ended (or crippled) a program: its last line, where it happened, its cause id, why, what to try."""
+
+    error: str
+    line: int | None
+    cause: str
+    because: str
+    try_this: str
+
+    @property
+    def where(self) -> str:
+        """The line number as a prefix for a message, "line 12: "; empty when the line is not known."""
+        return f"line {self.line}: " if self.line is not None else ""
+
+
+TRACEBACK = "Traceback (most recent call last)"
+_ERROR_LINE = re.compile(
+    r"^(?P<name>[A-Za-z_][\w.]*(?:Error|Exception|Interrupt|Handle|Iteration|Exit))(?::.*)?$"
+)
+_EXECUTOR_LEFT = re.compile(
+    r"Exception ignored in: <function Executor\.__del__ at \S+>\n"
+    + re.escape(TRACEBACK)
+    + r":\n(?: .*\n)+\S*InvalidHandle: .*\n?"
+)
+_FRAME = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)')
+
+
+def find_error(log: str, program_name: str = "") -> ProgramError | None:
+    """The last Python error in a program's log, explained; None if there is none.
+
+    Only frames of the student's own file (`program_name`) give the line number, when the name is known.
+    """
+    log = without_executors_end(log)
+    last = max(0, log.rfind(TRACEBACK))
+    if TRACEBACK in log[:last] and re.search(OVERTAKEN, log[last:]):
+        return find_error(log[:last], program_name)  # what had gone wrong before that matters more
+    lines = log.splitlines()
+    error_at = next(
+        (index for index in range(len(lines) - 1, -1, -1) if _ERROR_LINE.match(lines[index].strip())), None
+    )
+    if error_at is None or not any("Traceback" in line or _FRAME.match(line) for line in lines[:error_at]):
+        return None
+    error = lines[error_at].strip()
+    if error.startswith("KeyboardInterrupt"):
+        return None
+    return _explained(
+        error, "\n".join(lines[max(0, error_at - 2) : error_at + 1]), _line_of(lines[:error_at], program_name)
+    )
+
+
+def _line_of(lines: list[str], program_name: str) -> int | None:
+    """The line of the student's file in the last traceback."""
+    line_number: int | None = None
+    for line in lines:
+        if line.startswith("Traceback"):
+            line_number = None
+        frame = _FRAME.match(line)
+        if frame and (not program_name or frame["file"].rsplit("/", 1)[-1] == program_name):
+            line_number = int(frame["line"])
+    return line_number
+
+
+def _explained(error: str, with_lines_before: str, line: int | None) -> ProgramError:
+    for known in KNOWN_ERRORS:
+        if re.search(known.pattern, error) or re.search(known.pattern, with_lines_before):
+            return ProgramError(error, line, known.cause, known.because, known.try_this)
+    return ProgramError(
+        error,
+        line,
+        "error.exception",
+        "The program raised an exception that nothing caught.",
+        "Read the last lines of the log from the bottom up: the error, then the line of your file.",
+    )
+
+
+def without_executors_end(log: str) -> str:
+    """The log without rclpy's harmless "Exception ignored in Executor.__del__".
+
+    Python may collect an executor's guard condition before the executor, whose finalizer then tries to destroy it once
+    more. That changes nothing and is no fault of the program. Seen twice in some thousand ends.
+    Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/executors.py (Executor.__del__).
+    """
+    return _EXECUTOR_LEFT.sub("", log)
+
+
+def shutdown_overtaken(log: str) -> bool:
+    """Whether the only error in a log is that Ctrl-C shut the context down in the middle of `rclpy.try_shutdown()`.
+
+    `try_shutdown` checks whether the context is up, and then shuts it down. The thread of rclpy that handles Ctrl-C may
+    do so in between; then a correct program ends with a traceback and exit code 1. Measured: 4 of about 550 ends on two
+    processors with work for ten.
+    Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py (Context.try_shutdown).
+    """
+    log = without_executors_end(log)
+    return log.count(TRACEBACK) == 1 and re.search(OVERTAKEN, log) is not None
+
+
+def ended_in_order(exit_code: int | None, end_log: str) -> bool:
+    """Whether a program ended with exit code 0 and no traceback, apart from rclpy's own shutdown errors.
+
+    See `shutdown_overtaken` and `without_executors_end`.
+    """
+    if exit_code == 1:
+        return shutdown_overtaken(end_log)
+    return exit_code == 0 and TRACEBACK not in without_executors_end(end_log)
+
+
+def last_error(recording: Recording) -> ProgramError | None:
+    """The last Python error in the log of the program, explained; None if there is none."""
+    return find_error(recording.process.log, recording.process.program)
+
+
+def failed_by_error(
+    recording: Recording, saw: str, expected: str, *, about_time: bool = False
+) -> Verdict | None:
+    """A failed verdict that blames the last Python error in the program's log; None if there is none.
+
+    `saw` says what is missing because of it; the error is put behind it.
+    """
+    error = last_error(recording)
+    if error is None:
+        return None
+    told = f"{error.where}{error.error}"
+    return failed(
+        error.cause,
+        f"{saw}: {told}" if saw else told,
+        expected,
+        error.because,
+        error.try_this,
+        about_time=about_time,
+    )
+
+
+def failed_at_the_end(recording: Recording, saw: str, expected: str) -> Verdict | None:
+    """A failed verdict that blames the last Python error after Ctrl-C; None if there is none, or none of the program's.
+
+    `saw` says what is missing because of it; the error is put behind it.
+    """
+    process = recording.process
+    error = None if shutdown_overtaken(process.end_log) else find_error(process.end_log, process.program)
+    if error is None:
+        return None
+    told = f"{saw}: after Ctrl-C came {error.where}{error.error}"
+    return failed(error.cause, told, expected, error.because, error.try_this)

@@ -1,0 +1,96 @@
+"""Judges quality of service: whether a subscription is compatible with its publisher, and whether a message is kept."""
+
+from workbook.criteria.criterion import Topic
+from workbook.criteria.verdict import Verdict, failed, passed
+from workbook.criteria.vocabulary.phrasing import number
+from workbook.criteria.vocabulary.subscriptions import listens
+from workbook.criteria.vocabulary.topics import publishes
+from workbook.recording.recording import Recording, SubscriberSeen
+from workbook.recording.script import Says
+
+
+def hears(recording: Recording, offered: Says) -> Verdict:
+    """The program subscribes to the script's topic with the right type and a QoS compatible with the one offered."""
+    topic = Topic(offered.topic, offered.type)
+    listening = listens(recording, topic)
+    if not listening.ok:
+        return listening
+    seen = recording.topic(topic.name).subscribers
+    clashes = [_clash(one, offered) for one in seen if one.type == topic.type]
+    if all(clash is not None for clash in clashes) and clashes[0] is not None:
+        return clashes[0]
+    return passed(f"hears {topic.name}")
+
+
+def _offer(offered: Says) -> str:
+    reliability = "best effort" if offered.qos == "best_effort" else "reliable"
+    durability = "transient local" if offered.qos == "latched" else "volatile"
+    deadline = "no deadline" if offered.deadline is None else f"a deadline of {number(offered.deadline)} s"
+    return f"{reliability}, {durability}, {deadline}"
+
+
+def _clash(asked: SubscriberSeen, offered: Says) -> Verdict | None:
+    """What a subscription asks for in vain, and what to do; None when it asks for no more than is offered."""
+
+    def fail(cause: str, saw: str, try_this: str) -> Verdict:
+        return failed(
+            cause,
+            f"your subscription to {offered.topic} {saw}: the two are never matched",
+            f"a subscription that asks for no more than is offered: {_offer(offered)}",
+            "A subscription that requests more than the publisher offers gets no message at all. The WARN in your log "
+            "names the policy.",
+            try_this,
+        )
+
+    if asked.reliability == "reliable" and offered.qos == "best_effort":
+        return fail(
+            "hears.reliable",
+            "asks for reliable, and best effort is offered",
+            "Give create_subscription() a QoSProfile with reliability=ReliabilityPolicy.BEST_EFFORT, or "
+            "qos_profile_sensor_data. A number as QoS means reliable.",
+        )
+    if asked.durability == "transient_local" and offered.qos != "latched":
+        return fail(
+            "hears.transient-local",
+            "asks for transient local, and volatile is offered",
+            "Leave durability out of this subscription's QoSProfile: nothing is kept there for late joiners.",
+        )
+    if asked.deadline is not None and offered.deadline is None:
+        return fail(
+            "hears.deadline-not-offered",
+            f"asks for a deadline of {number(asked.deadline)} s, and none is offered",
+            "Leave the deadline out of the QoSProfile, and let a timer look at the clock.",
+        )
+    if asked.deadline is not None and offered.deadline is not None and asked.deadline < offered.deadline:
+        return fail(
+            "hears.deadline-too-short",
+            f"asks for a deadline of {number(asked.deadline)} s, and one of {number(offered.deadline)} s is offered",
+            f"Ask for {number(offered.deadline)} s or longer.",
+        )
+    return None
+
+
+def kept_for_latecomers(recording: Recording, topic: Topic) -> Verdict:
+    """Every publisher of `topic` keeps its last message for those who subscribe later: reliable, transient local."""
+    published = publishes(recording, topic)
+    if not published.ok:
+        return published
+    expected = f"{topic.name} offered as reliable and transient local"
+    for publisher in recording.topic(topic.name).publishers:
+        if publisher.durability != "transient_local":
+            return failed(
+                "kept-for-latecomers.volatile",
+                f"{topic.name} is offered as {publisher.durability.replace('_', ' ')}",
+                expected,
+                "What a volatile publisher has said is gone: whoever comes later knows nothing until it speaks again.",
+                "Give create_publisher() QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL).",
+            )
+        if publisher.reliability != "reliable":
+            return failed(
+                "kept-for-latecomers.best-effort",
+                f"{topic.name} is offered as transient local, but best effort",
+                expected,
+                "Old messages are handed over by the reliable protocol only; best effort sends each one once.",
+                "Leave reliability out of the QoSProfile, or set ReliabilityPolicy.RELIABLE.",
+            )
+    return passed(f"{topic.name} is kept for those who come later")

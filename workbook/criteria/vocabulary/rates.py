@@ -1,0 +1,246 @@
+"""Judges time: rates, counts and periods of a topic."""
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import wraps
+
+from workbook.criteria.criterion import Topic
+from workbook.criteria.verdict import Verdict, failed, passed
+from workbook.criteria.vocabulary.estimators import Pace, pace
+from workbook.criteria.vocabulary.phrasing import count, hertz, number, seconds
+from workbook.criteria.vocabulary.silences import gone_silent, program_ended
+from workbook.criteria.vocabulary.topics import if_messages, window_of
+from workbook.recording.recording import Recording
+
+RATE_TOLERANCE = 0.2
+LONGEST_GAP_PERIODS = 1.5
+INTERVAL_TOLERANCE = 0.1
+MEAN_TOLERANCE = 0.04
+LEAST_INTERVALS = 3
+
+
+def _of_pace(judge: Callable[[Recording, Topic], Verdict]) -> Callable[[Recording, Topic], Verdict]:
+    """Name the topic whose pace was judged: if it follows robot time, what robot time has shown is final."""
+
+    @wraps(judge)
+    def named(recording: Recording, topic: Topic) -> Verdict:
+        verdict = judge(recording, topic)
+        return verdict if verdict.ok else replace(verdict, pace_of=topic.name)
+
+    return named
+
+
+def topic_pace(recording: Recording, topic: Topic) -> Pace:
+    """How the messages of `topic` are spread over its window, in robot time: count, rate, typical interval, gap."""
+    seen = recording.topic(topic.name)
+    start, end = _watched(recording, topic)
+    return pace([arrival.t for arrival in seen.arrivals], start, end, topic.period)
+
+
+@_of_pace
+@if_messages
+def rate(recording: Recording, topic: Topic) -> Verdict:
+    """Messages come at the topic's rate: mean within 20 %, no silence longer than one and a half periods."""
+    assert topic.hz is not None
+    seen = topic_pace(recording, topic)
+    if seen.hz is None:
+        return _at_one_moment(recording, topic, seen)
+    low, high = _tolerated(topic)
+    if seen.in_bursts and seen.hz > high:
+        return _in_bursts(topic, seen, seen.hz)
+    stopped_s = LONGEST_GAP_PERIODS * max(topic.period, seen.typical_interval or 0.0)
+    if seen.gap.kind == "after" and seen.gap.seconds > stopped_s:
+        return _stops(recording, topic, seen)
+    if not low <= seen.hz <= high:
+        return _other_rate(topic, seen.hz, _rate_seen(recording, seen, seen.hz), _rate_expected(topic))
+    if seen.gap.seconds > LONGEST_GAP_PERIODS * topic.period + (recording.step_s or 0.0):
+        return _falls_silent(topic, seen)
+    if seen.count <= LEAST_INTERVALS:
+        return _too_few(recording, topic, seen)
+    return passed(f"{hertz(seen.hz)} Hz over {count(seen.count, 'message')}")
+
+
+def _watched(recording: Recording, topic: Topic) -> tuple[float, float]:
+    """Begin and end (s) of the watch over a topic; of a program that ended by itself, until its very last message.
+
+    Robot time may run on for some seconds until such an end is noticed. That it ended is judged, but not here.
+    """
+    start, end = window_of(recording, recording.topic(topic.name))
+    if recording.process.ended_by == "itself":
+        last = max(
+            (one.t for name in recording.wanted for one in recording.topic(name).arrivals), default=end
+        )
+        end = min(end, last)
+    return start, max(start, end)
+
+
+def _tolerated(topic: Topic) -> tuple[float, float]:
+    hz = topic.hz or 0.0
+    return hz * (1 - RATE_TOLERANCE), hz * (1 + RATE_TOLERANCE)
+
+
+def _rate_expected(topic: Topic) -> str:
+    low, high = _tolerated(topic)
+    return (
+        f"{number(topic.hz or 0.0)} Hz: one message every {number(topic.period)} s "
+        f"({number(low)} to {number(high)} Hz, no gap over {number(LONGEST_GAP_PERIODS * topic.period)} s)"
+    )
+
+
+def _watched_s(recording: Recording, topic: Topic) -> str:
+    start, end = _watched(recording, topic)
+    return seconds(end - start)
+
+
+def _at_one_moment(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
+    once = "one single message" if seen.count == 1 else f"{seen.count} messages at one moment, and no other"
+    saw, expected = f"{once} in {_watched_s(recording, topic)}", _rate_expected(topic)
+    last = recording.topic(topic.name).arrivals[-1].t
+    return gone_silent(recording, topic, last, saw, expected) or failed(
+        "rate.once",
+        saw,
+        expected,
+        "It is published once, or far too rarely.",
+        f"Create a timer for it: publish in a callback, and let create_timer({topic.period}, ...) call it.",
+        about_time=True,
+    )
+
+
+def _in_bursts(topic: Topic, seen: Pace, hz: float) -> Verdict:
+    groups = "pairs" if seen.burst == 2 else f"groups of {seen.burst}"
+    return failed(
+        "rate.in-bursts",
+        f"{hertz(hz)} Hz: messages come in {groups}",
+        _rate_expected(topic),
+        "Two timers call the same function, two publishers share the topic, or one callback publishes twice.",
+        "Keep one timer and one publish() for this topic.",
+        about_time=True,
+    )
+
+
+def _stops(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
+    saw = (
+        f"the last of {count(seen.count, 'message')} came at {seconds(seen.gap.start)}, "
+        f"then nothing until {seconds(seen.gap.end)}"
+    )
+    expected = _rate_expected(topic)
+    return gone_silent(recording, topic, seen.gap.start, saw, expected) or failed(
+        "rate.stops",
+        saw,
+        expected,
+        "The program runs on, and the publishing stops: a counter or a condition ends it, the timer is canceled, or "
+        "a callback does not return.",
+        "Publish on every tick of the timer, whatever was published before.",
+        about_time=True,
+    )
+
+
+def _falls_silent(topic: Topic, seen: Pace) -> Verdict:
+    where = "before the first message" if seen.gap.kind == "before" else f"after {seconds(seen.gap.start)}"
+    return failed(
+        "rate.silence",
+        f"a silence of {seconds(seen.gap.seconds)} {where}",
+        _rate_expected(topic),
+        "Something blocks: while one callback works or sleeps, no other timer of the node runs. "
+        "Or several messages are published at once, and then none for a while.",
+        "Keep callbacks short, never sleep in one, and publish once in each.",
+        about_time=True,
+    )
+
+
+def _too_few(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
+    saw = f"only {count(seen.count, 'message')} in {_watched_s(recording, topic)}"
+    return program_ended(recording, saw, _rate_expected(topic)) or failed(
+        "rate.too-few",
+        saw,
+        _rate_expected(topic),
+        "Too few to tell a rate.",
+        f"Let create_timer({topic.period}, ...) call the function that publishes.",
+        about_time=True,
+    )
+
+
+@_of_pace
+@if_messages
+def counts(recording: Recording, topic: Topic) -> Verdict:
+    """Exactly as many messages arrive as periods fit in the window; one more or less may fall on its edge."""
+    assert topic.hz is not None
+    seen = topic_pace(recording, topic)
+    start, end = _watched(recording, topic)
+    wanted = round((end - start) * topic.hz)
+    if abs(seen.count - wanted) <= 1:
+        return passed(f"{seen.count} messages in {seconds(end - start)}")
+    hz = seen.count / (end - start)
+    saw = f"{count(seen.count, 'message')} in {seconds(end - start)} ({hertz(hz)} Hz)"
+    expected = f"{wanted} messages: {number(topic.hz)} Hz, one every {number(topic.period)} s"
+    ended = program_ended(recording, saw, expected) if seen.count < wanted else None
+    return ended or _other_rate(topic, hz, saw, expected)
+
+
+@_of_pace
+@if_messages
+def keeps_period(recording: Recording, topic: Topic) -> Verdict:
+    """The typical interval is the topic's period, within a tenth: exact also where few messages were watched.
+
+    On robot time, where many are watched, the mean interval is so within 4 %.
+    """
+    expected = f"one message every {number(topic.period)} s"
+    seen = topic_pace(recording, topic)
+    typical = seen.typical_interval
+    if typical is None:
+        return program_ended(recording, "one single message", expected) or failed(
+            "keeps-period.once",
+            "one single message",
+            expected,
+            "It is published once, not again and again.",
+            _try_rate(topic),
+            about_time=True,
+        )
+    mean = 1 / seen.hz if recording.clock == "simulated" and seen.hz else topic.period
+    if (
+        abs(typical - topic.period) <= INTERVAL_TOLERANCE * topic.period
+        and abs(mean - topic.period) <= MEAN_TOLERANCE * topic.period
+    ):
+        return passed(expected)
+    return failed(
+        "keeps-period.other-period",
+        f"typically {typical:.3g} s from one message to the next",
+        expected,
+        "The period given to create_timer is near the right one, but not the right one; or a loop sleeps for the "
+        "period and takes the time of its work on top.",
+        _try_rate(topic),
+        about_time=True,
+    )
+
+
+def _rate_seen(recording: Recording, seen: Pace, hz: float) -> str:
+    if recording.step_s is not None and hz > 0.5 / recording.step_s:
+        return f"faster than {number(0.5 / recording.step_s)} Hz"
+    return f"{hertz(hz)} Hz: one message every {hertz(1 / hz)} s ({count(seen.count, 'message')})"
+
+
+def _other_rate(topic: Topic, hz: float, saw: str, expected: str) -> Verdict:
+    """Why messages come at `hz` instead of the topic's rate."""
+    assert topic.hz is not None
+
+    def fail(cause: str, because: str) -> Verdict:
+        return failed(cause, saw, expected, because, _try_rate(topic), about_time=True)
+
+    if topic.hz != 1.0 and math.isclose(hz, 1 / topic.hz, rel_tol=0.15):
+        return fail(
+            "rate.period-for-frequency",
+            f"Period and frequency are mixed up: create_timer takes seconds, and {number(topic.hz)} as a period "
+            f"means {number(1 / topic.hz)} Hz.",
+        )
+    if hz > topic.hz:
+        times = hz / topic.hz
+        return fail(
+            "rate.too-fast",
+            f"That is too fast by a factor of {hertz(times)}: the period given to create_timer is too short.",
+        )
+    return fail("rate.too-slow", "Too slow: the period is too long, or a slow callback holds up the timer.")
+
+
+def _try_rate(topic: Topic) -> str:
+    return f"{number(topic.hz or 0.0)} Hz is a period of {number(topic.period)} s: create_timer({topic.period}, ...)."

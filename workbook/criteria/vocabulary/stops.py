@@ -1,0 +1,99 @@
+"""What may end a program from outside: a limit of the judge that it went over, or a signal."""
+
+from dataclasses import dataclass
+
+from workbook.criteria.verdict import Verdict, failed
+from workbook.recording.limits import ANSWER_LIMITS, MB
+from workbook.recording.recording import ProcessRecord
+
+
+@dataclass(frozen=True)
+class Stop:
+    """What a program did that it was stopped for: the cause id, why such a thing happens, and what to try."""
+
+    cause: str
+    did: str
+    because: str
+    try_this: str
+
+
+_MEMORY_GB = (ANSWER_LIMITS.memory or 0) / 1000 / MB
+_QUEUED_MB = (ANSWER_LIMITS.queued or 0) // MB
+_FILES = f"{ANSWER_LIMITS.files:,}".replace(",", " ")
+_STOPS = {
+    "output": Stop(
+        "stopped.output",
+        f"printed more than {ANSWER_LIMITS.output // MB} MB",
+        "Something prints in an endless loop.",
+        "Look for a print or log line that runs without a timer or a pause.",
+    ),
+    "processes": Stop(
+        "stopped.processes",
+        f"ran more than {ANSWER_LIMITS.processes} processes at the same time",
+        "A loop starts processes without end (os.fork, subprocess, multiprocessing).",
+        "One process is enough for a node; start others only when you must, and a fixed number.",
+    ),
+    "memory": Stop(
+        "stopped.memory",
+        f"took more than {_MEMORY_GB:g} GB of memory, all its processes together",
+        "A list grows without end, or each of several processes keeps a copy of much data.",
+        "Keep only what the next message needs, and start no process that you do not need.",
+    ),
+    "sockets": Stop(
+        "stopped.sockets",
+        f"opened more than {ANSWER_LIMITS.sockets} sockets, or left more than {_QUEUED_MB} MB unread in them",
+        "A loop opens sockets or makes ROS contexts without end, or sends to a socket that nobody reads.",
+        "One context and one node are enough; close each socket that you open.",
+    ),
+    "files": Stop(
+        "stopped.files",
+        f"made more than {_FILES} files",
+        "A loop makes a new file each time, without end.",
+        "Write to one file, or to none: nobody reads the files of an answer.",
+    ),
+}
+_CRASHES = ("SIGSEGV", "SIGABRT", "SIGBUS", "SIGFPE", "SIGILL")
+
+
+def stopped_for(process: ProcessRecord) -> Stop | None:
+    """What the judge stopped the program for; None if it did not."""
+    if process.ended_by != "bench":
+        return None
+    return next((_STOPS[limit] for limit in process.limits_hit if limit in _STOPS), None)
+
+
+def ended_by_signal(process: ProcessRecord, saw: str, expected: str) -> Verdict:
+    """A failed verdict that blames the signal that ended the program."""
+    if process.signal == "SIGXCPU":
+        return failed(
+            "signal.processor-time",
+            saw,
+            expected,
+            f"It has used all the processor time that an answer may use ({ANSWER_LIMITS.cpu} s): a loop computes "
+            "without a pause.",
+            "Let a timer do the work that repeats.",
+        )
+    if process.signal == "SIGKILL":
+        return failed(
+            "signal.killed",
+            saw,
+            expected,
+            "It was killed: by itself (os.kill), or by the machine, which had no memory left for it.",
+            "Look for a list that grows without end, and for calls of kill.",
+        )
+    if process.signal in _CRASHES:
+        return failed(
+            "signal.crashed",
+            saw,
+            expected,
+            "It crashed below Python, in compiled code: by way of ctypes, by os.abort(), or because two threads used "
+            "one ROS object at the same time, or one that was destroyed.",
+            "Let one executor spin each node, and destroy nodes only after the spin has returned.",
+        )
+    return failed(
+        "signal.other",
+        saw,
+        expected,
+        "A signal ended it, and nothing in the program handles it.",
+        "Look for calls of kill and of alarm.",
+    )

@@ -1,0 +1,47 @@
+"""Judges what a program subscribes to."""
+
+from workbook.criteria.criterion import Topic
+from workbook.criteria.verdict import Verdict, failed, passed
+from workbook.criteria.vocabulary.known_errors import failed_by_error
+from workbook.criteria.vocabulary.phrasing import listing
+from workbook.criteria.vocabulary.topics import misspelled
+from workbook.recording.recording import Recording
+
+
+def listens(recording: Recording, topic: Topic) -> Verdict:
+    """The program subscribes to `topic` with the right type."""
+    seen = recording.topic(topic.name)
+    expected = f"a subscription to {topic.name} of type {topic.short_type}"
+    types = sorted({subscriber.type for subscriber in seen.subscribers})
+    if topic.type in types:
+        return passed(f"listens to {topic.name}")
+    if types:
+        got = listing([name.rsplit("/", 1)[1] for name in types])
+        return failed(
+            "listens.other-type",
+            f"a subscription to {topic.name} for {got}",
+            expected,
+            "The subscription was created with another message type.",
+            f"Import {topic.short_type} from {topic.type.split('/')[0]}.msg and give it to create_subscription().",
+        )
+    blamed = failed_by_error(recording, f"nobody listens to {topic.name}", expected)
+    if blamed is not None:
+        return blamed
+    near = misspelled(
+        recording, topic.name, [name for name, other in recording.topics.items() if other.subscribers]
+    )
+    if near is not None:
+        return failed(
+            "listens.other-name",
+            f"your node listens to {near}, and not to {topic.name}",
+            expected,
+            "The two names differ; ROS matches names letter by letter.",
+            f"Write the name as {topic.name!r}.",
+        )
+    return failed(
+        "listens.nothing",
+        f"nobody listens to {topic.name}",
+        expected,
+        "No create_subscription() call was reached.",
+        f"Call create_subscription({topic.short_type}, {topic.name!r}, self.on_message, 10) in __init__.",
+    )

@@ -1,0 +1,187 @@
+"""Judges a topic: whether it is published, under this name and type, and whether messages arrive."""
+
+import difflib
+from collections.abc import Callable, Iterable
+from functools import wraps
+from typing import Concatenate, ParamSpec
+
+from workbook.criteria.criterion import Judgement, Topic
+from workbook.criteria.verdict import Verdict, failed, passed
+from workbook.criteria.vocabulary.known_errors import failed_by_error
+from workbook.criteria.vocabulary.phrasing import count, listing, seconds
+from workbook.recording.recording import Recording, TopicRecording
+
+OF_THE_DRIVER = "/driver/"
+"""Topics of the program that calls a student's functions. They are not the student's."""
+
+ALIKE = 0.6
+"""From this share of common letters on, another name counts as a slip of the pen."""
+
+P = ParamSpec("P")
+
+
+def publishes(recording: Recording, topic: Topic) -> Verdict:
+    """Something publishes `topic` with the right type, and nothing publishes it with another."""
+    seen = recording.topic(topic.name)
+    expected = f"a publisher on {topic.name} of type {topic.short_type}"
+    if topic.type in seen.types:
+        others = [name for name in seen.types if name != topic.type]
+        if others:
+            return failed(
+                "publishes.two-types",
+                f"{topic.name} has publishers of two types: {topic.short_type} and {listing(others)}",
+                expected,
+                "Two create_publisher() calls use the same topic name with different message types.",
+                "Keep the one of the right type.",
+            )
+        return passed(f"{topic.name} carries {topic.short_type}")
+    if seen.publishers:
+        got = listing([name.rsplit("/", 1)[1] for name in seen.types])
+        return failed(
+            "publishes.other-type",
+            f"{topic.name} carries {got}",
+            expected,
+            f"The publisher was created with another message type than {topic.short_type}.",
+            f"Import {topic.short_type} from {topic.type.split('/')[0]}.msg and give it to create_publisher().",
+        )
+    return _not_published(recording, topic, expected)
+
+
+def _not_published(recording: Recording, topic: Topic, expected: str) -> Verdict:
+    own = [other for other in recording.published() if not other.name.startswith(OF_THE_DRIVER)]
+    meant = _meant_to_be(topic, [other for other in own if other.name not in recording.wanted])
+    if meant is not None:
+        return _under_other_name(recording, meant, topic.name, expected)
+    blamed = failed_by_error(recording, f"nothing on {topic.name}", expected)
+    if blamed is not None:
+        return blamed
+    names = [other.name for other in own]
+    return failed(
+        "publishes.nothing",
+        f"nothing on {topic.name}; your program publishes {listing(names) or 'nothing'}",
+        expected,
+        "The publisher is not created, or under a very different name.",
+        f"Call create_publisher({topic.short_type}, {topic.name!r}, 10) in __init__.",
+    )
+
+
+def _meant_to_be(topic: Topic, strange: list[TopicRecording]) -> str | None:
+    """The name, of topics that no right program has, that was probably meant to be this topic's."""
+    others = [other.name for other in strange]
+    near = difflib.get_close_matches(topic.name, others, 1, 0.75)
+    base = topic.name.rsplit("/", 1)[-1]
+    suspect = next((name for name in others if name.rsplit("/", 1)[-1] == base), near[0] if near else None)
+    same_type = [other for other in strange if topic.type in other.types and other.name != topic.name]
+    if suspect is None and len(same_type) == 1 and similar_share(same_type[0].name, topic.name) > 0.5:
+        return same_type[0].name
+    return suspect
+
+
+def similar_share(one: str, other: str) -> float:
+    """How alike two names are, 0 to 1."""
+    return difflib.SequenceMatcher(None, one, other).ratio()
+
+
+def misspelled(recording: Recording, wanted: str, names: Iterable[str]) -> str | None:
+    """The name that was probably meant to be `wanted`; None if none is alike enough."""
+    strange = sorted(set(names).difference(recording.wanted))
+    near = max(strange, key=lambda name: similar_share(name, wanted), default=None)
+    return near if near is not None and similar_share(near, wanted) > ALIKE else None
+
+
+def _under_other_name(recording: Recording, seen: str, wanted: str, expected: str) -> Verdict:
+    def fail(cause: str, because: str) -> Verdict:
+        saw = f"your node publishes {seen}, and nothing on {wanted}"
+        return failed(cause, saw, expected, because, f"Write the name as {wanted!r}.")
+
+    if seen.lower() == wanted.lower():
+        return fail(
+            "publishes.other-case",
+            "Topic names are case-sensitive: capital and small letters are different names.",
+        )
+    owners = {publisher.node for publisher in recording.topic(seen).publishers}
+    if any(wanted.endswith(seen.removeprefix(owner)) for owner in owners if seen.startswith(f"{owner}/")):
+        return fail(
+            "publishes.private-name",
+            "A name that begins with ~ is private: the node's own name is put in front.",
+        )
+    if wanted.endswith(seen):
+        return fail("publishes.no-namespace", f"The namespace {wanted[: -len(seen)]} is missing.")
+    if seen.endswith(wanted):
+        return fail(
+            "publishes.other-namespace",
+            f"The node runs in the namespace {seen[: -len(wanted)]}, which is put in front of a relative name.",
+        )
+    return fail("publishes.other-name", "The two names differ; ROS matches names letter by letter.")
+
+
+def no_message(recording: Recording, topic: Topic) -> Verdict | None:
+    """A failed verdict when nothing arrived on `topic`, otherwise None."""
+    seen = recording.topic(topic.name)
+    if seen.arrivals:
+        return None
+    if seen.undecodable:
+        return failed(
+            "no-message.undecodable",
+            f"{count(seen.undecodable, 'message')} on {topic.name} could not be decoded",
+            f"readable {topic.short_type} messages",
+            "The bytes on the wire are no message of this type.",
+            "Publish message objects, not raw bytes.",
+        )
+    if seen.not_kept:
+        return failed(
+            "no-message.too-large",
+            f"{count(seen.not_kept, 'message')} on {topic.name} came, larger than 4 MB",
+            f"readable {topic.short_type} messages",
+            "A list that grows with every message, or far too many values.",
+            "Print the length of what you publish; begin a new list for every message.",
+        )
+    return _silent(recording, topic)
+
+
+def _silent(recording: Recording, topic: Topic) -> Verdict:
+    start, end = window_of(recording, recording.topic(topic.name))
+    lasted = seconds(end - start)
+    blamed = failed_by_error(
+        recording, f"no message on {topic.name} in {lasted}", f"messages on {topic.name}", about_time=True
+    )
+    return blamed or failed(
+        "no-message.silent",
+        f"the publisher on {topic.name} is there, but no message arrived in {lasted}",
+        f"messages on {topic.name}",
+        "No timer calls the function that publishes, the node does not spin, or it published only once before "
+        "anybody was connected.",
+        "Create a timer for it in __init__, keep it running with rclpy.spin(node), and publish inside the callback.",
+        about_time=True,
+    )
+
+
+def if_messages(
+    word: Callable[Concatenate[Recording, Topic, P], Verdict],
+) -> Callable[Concatenate[Recording, Topic, P], Verdict]:
+    """Decorates a function that judges a topic's messages: where none arrived, the verdict is that of `no_message`."""
+
+    @wraps(word)
+    def judge(recording: Recording, topic: Topic, /, *args: P.args, **kwargs: P.kwargs) -> Verdict:
+        return no_message(recording, topic) or word(recording, topic, *args, **kwargs)
+
+    return judge
+
+
+def needs_messages(topic: Topic) -> Callable[[Judgement], Judgement]:
+    """Decorates a judging function: where no message arrived on `topic`, the verdict is that of `no_message`."""
+
+    def guard(function: Judgement) -> Judgement:
+        @wraps(function)
+        def judge(recording: Recording) -> Verdict:
+            return no_message(recording, topic) or function(recording)
+
+        return judge
+
+    return guard
+
+
+def window_of(recording: Recording, seen: TopicRecording) -> tuple[float, float]:
+    """Begin and end (s of robot time) of the watch over a topic."""
+    start, end = seen.window if seen.window is not None else (0.0, recording.robot_s)
+    return start, max(start, end)

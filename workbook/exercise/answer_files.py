@@ -1,0 +1,89 @@
+"""The student's answer files: where they are, and how a cell is saved as one without losing anything."""
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+ANSWERS = "answers"
+KEPT_VERSIONS = 50
+"""Earlier versions of one answer: an afternoon of changes, at some kilobytes each."""
+
+
+def answers_folder() -> Path:
+    """Where answers are written: WORKBOOK_ANSWERS, or `answers/` in the student's work folder, or here."""
+    named = os.environ.get("WORKBOOK_ANSWERS")
+    if named:
+        return Path(named)
+    here = Path.cwd()
+    for folder in (here, *here.parents):
+        if (folder / ".state").is_dir() or (folder / ANSWERS).is_dir():
+            return folder / ANSWERS
+    return here / ANSWERS
+
+
+def answer_file(stem: str) -> Path:
+    """The file of the student's answer to an exercise, whether it exists or not."""
+    return answers_folder() / f"{stem}.py"
+
+
+@dataclass(frozen=True)
+class Saved:
+    """What became of a cell: the file, and whether it was new, changed, unchanged or refused (starter)."""
+
+    path: Path
+    outcome: str
+    previous: Path | None = None
+
+
+def _same_program(one: str, other: str) -> bool:
+    return [line.rstrip() for line in one.strip().splitlines()] == [
+        line.rstrip() for line in other.strip().splitlines()
+    ]
+
+
+def _put_aside(path: Path) -> Path:
+    folder = path.parent / ".previous"
+    folder.mkdir(exist_ok=True)
+    kept = sorted(folder.glob(f"{path.stem}.[0-9][0-9][0-9][0-9].py"))
+    number = int(kept[-1].suffixes[-2][1:]) + 1 if kept else 1
+    aside = folder / f"{path.stem}.{number:04d}.py"
+    aside.write_bytes(path.read_bytes())
+    for old in kept[: -KEPT_VERSIONS + 1]:
+        old.unlink()
+    return aside
+
+
+def save_answer(stem: str, text: str, starter: str) -> Saved:
+    """Write a cell to its answer file; the version before it is kept in `.previous/`.
+
+    A cell that still holds the starter never replaces an answer that was changed.
+    """
+    path = answer_file(stem)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    text = text if text.endswith("\n") else text + "\n"
+    if not path.exists():
+        _write(path, text)
+        return Saved(path, "new")
+    current = path.read_text(encoding="utf-8", errors="replace")
+    if _same_program(current, text):
+        return Saved(path, "unchanged")
+    if _same_program(text, starter):
+        return Saved(path, "refused")
+    previous = _put_aside(path)
+    _write(path, text)
+    return Saved(path, "changed", previous)
+
+
+def _write(path: Path, text: str) -> None:
+    partial = path.with_suffix(".part")
+    partial.write_text(text, encoding="utf-8")
+    partial.replace(path)
+
+
+def restore_starter(stem: str, starter: str) -> Saved:
+    """Put the starter back; the answer so far is kept in `.previous/`."""
+    path = answer_file(stem)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    previous = _put_aside(path) if path.exists() else None
+    _write(path, starter)
+    return Saved(path, "changed", previous)

@@ -1,0 +1,70 @@
+"""A judgement: what came out for one answer. Making one of a stored recording runs nothing and needs no ROS."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from workbook.criteria.runner import CriterionError, CriterionResult, run_criteria
+from workbook.exercise.definition import Exercise
+from workbook.recording.recording import Recording
+
+JudgementStatus = Literal["graded", "infra_error"]
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """What came out for one answer. `provisional`: the judgement on the wall clock is still to come and may differ.
+
+    `doubt`: why points that were lost may be lost without the answer's fault; empty for a conclusive judgement.
+    """
+
+    stem: str
+    answer_sha256: str
+    status: JudgementStatus
+    reason: str | None
+    criteria: tuple[CriterionResult, ...]
+    recording: Recording | None
+    provisional: bool = False
+    watched_real_life: bool = False
+    doubt: str = ""
+
+    @property
+    def score(self) -> float | None:
+        """The points, hidden criteria included; None when the answer could not be judged."""
+        if self.status != "graded":
+            return None
+        return round(sum(result.points for result in self.criteria), 6)
+
+    @property
+    def max_score(self) -> float:
+        """The points that there are, hidden criteria included."""
+        return sum(result.max_points for result in self.criteria)
+
+    @property
+    def full_marks(self) -> bool:
+        """Whether every criterion passed."""
+        return self.status == "graded" and all(result.status == "passed" for result in self.criteria)
+
+
+Report = Callable[[Judgement], None]
+
+
+def judge_recording(
+    exercise: Exercise,
+    answer_sha256: str,
+    recording: Recording,
+    *,
+    provisional: bool = False,
+    real_life: bool = False,
+) -> Judgement:
+    """Judge a recording without running anything. A criterion that crashes gives an `infra_error`."""
+    try:
+        results = run_criteria(exercise.criteria, recording)
+    except CriterionError as error:
+        return Judgement(exercise.stem, answer_sha256, "infra_error", str(error), (), recording)
+    return Judgement(exercise.stem, answer_sha256, "graded", None, results, recording, provisional, real_life)
+
+
+def judgement_as_provisional(judgement: Judgement) -> Judgement:
+    """The same judgement, marked as not final."""
+    return replace(judgement, provisional=True)

@@ -1,0 +1,238 @@
+"""Marks that a person changed after an appeal: kept beside results.jsonl, and applied to all that is made from it.
+
+    student,exercise,criterion,points,reason,who
+
+are the columns of the file that comes in. Empty points take an earlier change back.
+"""
+
+import csv
+import json
+import math
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from workbook.grading.changes import ByHand
+from workbook.grading.grades_csv import student_cell
+from workbook.grading.results import CriterionLine, Result, StudentAndExercise
+from workbook.grading.roster import BadOption
+from workbook.recording.codec import decode, encode
+
+OVERRIDES = "overrides.jsonl"
+COLUMNS = ("student", "exercise", "criterion", "points", "reason", "who")
+TOTAL = "total"
+"""In the column of the criterion: the score as a whole, for an answer that could not be judged as well."""
+FIX = "Correct the line and run the command again; nothing of this file was taken"
+
+
+@dataclass(frozen=True)
+class Override:
+    """One line of a file of changes, not yet known to fit. `points` is None where a change is taken back."""
+
+    where: str
+    student: str
+    exercise: str
+    criterion: str
+    points: float | None
+    reason: str
+    who: str
+
+
+def read_lines(path: Path) -> list[Override]:
+    """The lines of a file, which may begin with the names of the columns. Raises BadOption with the line's number."""
+    lines: list[Override] = []
+    try:
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            reader = csv.reader(file)
+            for row in reader:
+                cells = [cell.strip() for cell in row[1:]]
+                if any(cell.strip() for cell in row) and (*row[:1], *cells) != COLUMNS:
+                    lines.append(_line(f"{path}, line {reader.line_num}", row[0], cells))
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise BadOption(f"{path}: {error}") from error
+    if not lines:
+        raise BadOption(f"{path} holds no change. A line is `{','.join(COLUMNS)}`")
+    return lines
+
+
+def _line(where: str, student: str, cells: Sequence[str]) -> Override:
+    if len(cells) != len(COLUMNS) - 1:
+        raise BadOption(
+            f"{where}: a line is `{','.join(COLUMNS)}`, and this one has {len(cells) + 1} columns. {FIX}"
+        )
+    exercise, criterion, text, reason, who = cells
+    for column, cell in (("reason", reason), ("who", who)):
+        if not cell:
+            raise BadOption(
+                f"{where}: the column `{column}` is empty: say it, the student will read it. {FIX}"
+            )
+    try:
+        points = float(text) if text else None
+    except ValueError:
+        points = math.nan
+    if points is not None and not (math.isfinite(points) and points >= 0):
+        raise BadOption(f"{where}: {text!r} is no number of points. {FIX}")
+    return Override(where, student, exercise, criterion, points, reason, who)
+
+
+def fit(lines: Sequence[Override], results: Mapping[StudentAndExercise, Result]) -> list[ByHand]:
+    """The changes that the lines make. Raises BadOption for the first that fits nobody: then none is made."""
+    found: dict[tuple[str, str, str], ByHand] = {}
+    for line in lines:
+        change = _fit(line, results)
+        if change.key in found:
+            raise BadOption(
+                f"{line.where}: an earlier line says the same criterion of the same student. {FIX}"
+            )
+        found[change.key] = change
+    return list(found.values())
+
+
+def _fit(line: Override, results: Mapping[StudentAndExercise, Result]) -> ByHand:
+    exercises = {stem for _, stem in results}
+    stems = [stem for stem in exercises if line.exercise in (stem, stem.split("_", 1)[-1])]
+    if len(stems) != 1:
+        there = ", ".join(sorted(exercises)) or "none"
+        raise BadOption(f"{line.where}: no results of an exercise {line.exercise}. There are {there}. {FIX}")
+    mine = [
+        one
+        for (_, stem), one in results.items()
+        if stem == stems[0] and _is_called(one.student, line.student)
+    ]
+    if len(mine) != 1:
+        raise BadOption(
+            f"{line.where}: {line.student!r} has no result in {stems[0]}. Write the name as grades.csv does. {FIX}"
+        )
+    [result] = mine
+    most = _most(result, line.criterion)
+    if most is None:
+        there = ", ".join([*(one.id for one in result.criteria), TOTAL])
+        raise BadOption(f"{line.where}: no criterion {line.criterion!r}. There are {there}. {FIX}")
+    if line.points is not None and line.points > most:
+        raise BadOption(
+            f"{line.where}: {line.points:g} points are more than the {most:g} that it is worth. {FIX}"
+        )
+    return ByHand(
+        result.student,
+        result.exercise,
+        line.criterion,
+        line.points,
+        line.reason,
+        line.who,
+        result.answer_sha256,
+    )
+
+
+def _is_called(student: str, name: str) -> bool:
+    return name == student or name.strip() == student_cell(student)
+
+
+def _most(result: Result, criterion: str) -> float | None:
+    """The points that a criterion of this result is worth; None where it has no such criterion."""
+    if criterion == TOTAL:
+        return result.max_score
+    return next((one.max_points for one in result.criteria if one.id == criterion), None)
+
+
+# --- kept -------------------------------------------------------------------------------------------------------------
+
+
+def keep(out: Path, changes: Iterable[ByHand]) -> None:
+    """Append changes to those of the folder `out`; the last one of each criterion counts."""
+    with (out / OVERRIDES).open("a", encoding="utf-8") as file:
+        for change in changes:
+            file.write(json.dumps(encode(change), allow_nan=False, ensure_ascii=True) + "\n")
+        file.flush()
+        os.fsync(file.fileno())
+
+
+def kept(out: Path) -> list[ByHand]:
+    """The changes of the folder `out` that count. Raises BadOption for a line that is none."""
+    path = out / OVERRIDES
+    found: dict[tuple[str, str, str], ByHand] = {}
+    if not path.is_file():
+        return []
+    for number, line in enumerate(path.read_bytes().splitlines(keepends=True), start=1):
+        try:
+            change = decode(ByHand, json.loads(line))
+        except (ValueError, RecursionError) as error:
+            raise BadOption(
+                f"{path}, line {number}, holds no change of a mark ({error}): restore it, or delete it"
+            ) from error
+        found[change.key] = change
+    return [one for one in found.values() if one.points is not None]
+
+
+# --- applied ----------------------------------------------------------------------------------------------------------
+
+
+def with_changes(results: Iterable[Result], changes: Iterable[ByHand]) -> list[Result]:
+    """The results with all changes made that fit: to this answer, and a criterion that it still has."""
+    by_key: dict[StudentAndExercise, list[ByHand]] = {}
+    for change in changes:
+        by_key.setdefault((change.student, change.exercise), []).append(change)
+    changed = []
+    for result in results:
+        mine = [one for one in by_key.get(result.key, []) if _fits(result, one)]
+        for change in sorted(mine, key=lambda one: one.criterion == TOTAL):
+            result = _changed(result, change)
+        changed.append(result)
+    return changed
+
+
+def without_effect(results: Mapping[StudentAndExercise, Result], changes: Iterable[ByHand]) -> list[str]:
+    """Sentences on changes that are kept and not applied, because what they were made for is no longer there."""
+    said = []
+    for one in changes:
+        result = results.get((one.student, one.exercise))
+        if result is not None and not _fits(result, one):
+            why = (
+                "it was made for an earlier answer"
+                if result.answer_sha256 != one.answer_sha256
+                else ("the criteria have changed")
+            )
+            said.append(
+                f"{one.student}: a change by {one.who} of {one.criterion} is not applied, because {why}. Give the "
+                "line again with --override if it still holds"
+            )
+    return said
+
+
+def _fits(result: Result, change: ByHand) -> bool:
+    most = _most(result, change.criterion)
+    return (
+        result.answer_sha256 == change.answer_sha256
+        and change.points is not None
+        and most is not None
+        and change.points <= most
+    )
+
+
+def _changed(result: Result, change: ByHand) -> Result:
+    assert change.points is not None
+    if change.criterion == TOTAL:
+        before, title, criteria, score = result.score, "the score", result.criteria, change.points
+    else:
+        criteria, before, title, score = (), 0.0, "", result.score or 0.0
+        for one in result.criteria:
+            if one.id == change.criterion:
+                before, title = one.points, "a criterion that is not shown" if one.hidden else one.title
+                score += change.points - one.points
+                one = _line_by_hand(one, change)
+            criteria = (*criteria, one)
+    by_hand = (*result.by_hand, replace(change, before=before, title=title))
+    return replace(
+        result, status="graded", reason=None, score=round(score, 6), criteria=criteria, by_hand=by_hand
+    )
+
+
+def _line_by_hand(line: CriterionLine, change: ByHand) -> CriterionLine:
+    assert change.points is not None
+    told = f"{change.points:g} of {line.max_points:g} points, given by {change.who}: {change.reason}"
+    saw = f"{told} (the judge: {line.points:g} points, {line.saw})"
+    if change.points >= line.max_points:
+        return replace(
+            line, status="passed", points=change.points, saw=saw, expected="", because="", try_this=""
+        )
+    return replace(line, status="partial" if change.points else "failed", points=change.points, saw=saw)

@@ -1,0 +1,111 @@
+"""The way to a dask.distributed cluster and back: connecting to a scheduler, and fetching what workers reply."""
+
+import asyncio
+import json
+import logging
+import re
+import time
+from typing import Any
+
+from workbook.exercise.serialization import no_constant
+from workbook.grading.judges import NoJudges
+
+CONNECT_S = 10.0
+FETCH_S = 30.0
+LOOK_EVERY_S = 1.0
+LARGEST_REPLY = 300_000_000
+"""Characters. A recording may hold thousands of messages."""
+_ADDRESS = re.compile(r"(tcp|tls)://(\[[0-9A-Fa-f:.]+\]|[\w.-]+):\d{1,5}")
+
+
+def check_address(address: str) -> None:
+    """Raises NoJudges for what is no address of a scheduler."""
+    if not _ADDRESS.fullmatch(address):
+        raise NoJudges(f"--farm {address}: write it as tcp://host:8786, as the scheduler prints it")
+
+
+def connect(address: str) -> Any:
+    """A client of the scheduler. Raises NoJudges."""
+    try:
+        from distributed import Client, Security
+    except ImportError as error:
+        raise NoJudges(
+            f"--farm needs the package dask.distributed ({error}). Install it here and on the machines of the farm: "
+            "make env EXTRAS=farm"
+        ) from error
+    for name in [*logging.root.manager.loggerDict]:
+        if name.split(".")[0] in ("distributed", "tornado"):  # for developers; we say ourselves what matters
+            logging.getLogger(name).setLevel(logging.CRITICAL + 1)
+    try:
+        security = Security()
+        if address.startswith("tls:") and security.get_connection_args("client").get("ssl_context") is None:
+            raise NoJudges("--farm tls://... needs certificates: see 'A farm' in environment.md")
+        client = Client(
+            address,
+            security=security,
+            timeout=CONNECT_S,
+            name="workbook-grade",
+            set_as_default=False,
+            direct_to_workers=False,
+        )
+        client.loop.asyncio_loop.set_exception_handler(quiet_about_lost_waits)
+        return client
+    except NoJudges:
+        raise
+    except Exception as error:
+        raise NoJudges(
+            f"no scheduler answers at {address} within {CONNECT_S:.0f} s ({in_words(error)}). Start one in the "
+            "course's folder, .venv/bin/dask scheduler, and look at the firewall between you and it"
+        ) from error
+
+
+def quiet_about_lost_waits(loop: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:
+    """Exception handler of an event loop that ignores canceled waits for lost replies, and passes on all other errors.
+
+    When the worker that holds a reply is lost while the reply is fetched, distributed waits for it anew. We give up and
+    cancel the reply; that wait then ends with AllExit, and nobody is left to receive it.
+    """
+    if type(context.get("exception")).__name__ != "AllExit":
+        loop.default_exception_handler(context)
+
+
+def _fetch(future: Any) -> object:
+    """The reply of work that is finished. Raises RuntimeError as soon as its worker is seen to be lost."""
+
+    async def fetched() -> object:
+        return await future.client.gather(future, asynchronous=True)
+
+    deadline = time.monotonic() + FETCH_S
+    reply = asyncio.run_coroutine_threadsafe(fetched(), future.client.loop.asyncio_loop)
+    while True:
+        try:
+            return reply.result(timeout=LOOK_EVERY_S)
+        except TimeoutError:
+            if future.status != "finished" or time.monotonic() > deadline:
+                reply.cancel()
+                raise RuntimeError("the worker was lost before it could hand over the judgement") from None
+
+
+def text_of(future: Any) -> str:
+    """What a worker replied. Raises RuntimeError when it did not."""
+    if future.status != "finished":
+        error = future.exception(timeout=FETCH_S) if future.status == "error" else None
+        raise RuntimeError(in_words(error) if error is not None else f"the work was {future.status}")
+    text = _fetch(future)
+    if not isinstance(text, str) or len(text) > LARGEST_REPLY:
+        raise RuntimeError("the reply is not text, or far too much of it")
+    return text
+
+
+def reply_in(text: str) -> dict[str, Any]:
+    """A reply, which has one of the known keys. Raises ValueError."""
+    reply = json.loads(text, parse_constant=no_constant)
+    if not isinstance(reply, dict) or not reply.keys() & {"judgement", "refused", "fault", "elsewhere"}:
+        raise ValueError("the reply is damaged")
+    return reply
+
+
+def in_words(error: BaseException) -> str:
+    """The first line of an error, or its name, for people."""
+    first = "".join(one for one in str(error).strip().split("\n")[0][:200] if one.isprintable())
+    return first or type(error).__name__

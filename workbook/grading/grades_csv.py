@@ -1,0 +1,90 @@
+"""grades.csv: a pure function of the results."""
+
+import csv
+import hashlib
+import io
+import re
+import unicodedata
+from collections.abc import Iterable
+
+from workbook.grading.results import Result
+
+_CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+")
+_MARK = re.compile(r"\[[0-9a-f]{12}\]$")
+_FORMULA_STARTS = ("=", "+", "-", "@")
+
+
+def safe_cell(value: object) -> str:
+    """Text that no spreadsheet takes for a formula: a leading = + - @ gets an apostrophe, control bytes go."""
+    if value is None:
+        return ""
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        return f"{value:g}"
+    text = _CONTROL.sub(" ", str(value)).strip()
+    return f"'{text}" if text.startswith(_FORMULA_STARTS) else text
+
+
+def student_cell(student: str) -> str:
+    """A student's name as text that no other student's name becomes.
+
+    Most names stay as they are. One that tables cannot hold as it is, or that importers trim, gets a mark of its own.
+    """
+    cell = safe_cell(student)
+    tame = cell == student and student.isprintable() and "  " not in student and not student.startswith("'")
+    return cell if tame and not _MARK.search(student) else _marked(student)
+
+
+def _marked(student: str) -> str:
+    mark = hashlib.sha256(student.encode("utf-8", "surrogatepass")).hexdigest()[:12]
+    return f"{safe_cell(student)} [{mark}]".lstrip()
+
+
+def logins(students: Iterable[str]) -> dict[str, str]:
+    """The students' cells for an importer that finds them by login, whatever capitals and accents are made of.
+
+    Of names that it may take for one login, each gets its mark: it then finds nobody, which is better than another.
+    """
+    by_login: dict[str, set[str]] = {}
+    for student in students:
+        login = unicodedata.normalize("NFKC", student_cell(student)).casefold()
+        by_login.setdefault(login, set()).add(student)
+    return {
+        one: student_cell(one) if len(alike) == 1 else _marked(one)
+        for alike in by_login.values()
+        for one in alike
+    }
+
+
+def grades_csv(results: Iterable[Result]) -> str:
+    """One row per student and exercise, a column of points per criterion.
+
+    An answer without a score has an empty cell, never a zero.
+    """
+    rows = sorted(results, key=lambda result: (result.exercise, result.student))
+    criteria: list[str] = []
+    for result in rows:
+        for one in result.criteria:
+            if one.max_points > 0 and one.id not in criteria:
+                criteria.append(one.id)
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    before = ("student", "exercise", "score", "max_score", "status", "reason")
+    writer.writerow([*before, *criteria, "clock", "answer", "tries", "remark"])
+    for result in rows:
+        earned = {one.id: one.points for one in result.criteria}
+        writer.writerow(
+            [
+                student_cell(result.student),
+                result.exercise,
+                safe_cell(result.score),
+                safe_cell(result.max_score),
+                result.status,
+                safe_cell(result.reason),
+                *(safe_cell(earned.get(name)) for name in criteria),
+                safe_cell(result.clock),
+                safe_cell(result.answer),
+                safe_cell(max(1, len(result.tries))) if result.criteria else "",
+                safe_cell(f"{result.tried_twice()} {result.changed_by_hand()}"),
+            ]
+        )
+    return out.getvalue()

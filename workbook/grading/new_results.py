@@ -1,0 +1,132 @@
+"""Making a result: of the judgements of an answer, or of why it could not be judged."""
+
+import hashlib
+import json
+import os
+import platform
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib import metadata
+from pathlib import Path
+
+import workbook
+from workbook.exercise.definition import Exercise
+from workbook.exercise.judgement import Judgement
+from workbook.grading.results import ProcessSummary, Result, Try, Versions, criterion_line
+from workbook.grading.retries import counting
+
+LOG_LENGTH = 8_000
+"""Characters of a program's log that a result holds. The recording has all of it."""
+
+
+@dataclass(frozen=True)
+class Submission:
+    """What one student handed in, as a result names it. `answer_sha256` is empty where nothing could be read."""
+
+    student: str
+    answer: str
+    answer_sha256: str
+    submitted_at: str | None = None
+    attempt: int = 1
+
+
+@dataclass(frozen=True)
+class GradedBy:
+    """What all results of a run have in common. `out`: the folder that recordings are stored below."""
+
+    exercise: Exercise
+    isolation: str
+    out: Path
+
+
+def versions(criteria_sha256: str) -> Versions:
+    """What a result is made with, now."""
+    try:
+        rclpy_version = metadata.version("ros-jazzy-rclpy")
+    except metadata.PackageNotFoundError:
+        rclpy_version = "system"
+    return Versions(workbook.__version__, criteria_sha256, rclpy_version, platform.python_version())
+
+
+def graded_result(submission: Submission, tries: Sequence[Judgement], by: GradedBy) -> Result:
+    """The result of an answer that was run, with its recordings stored. `tries`: one judgement, or all of them."""
+    judgement = counting(tries)
+    recording = judgement.recording
+    process = None
+    if recording is not None:
+        ended = recording.process
+        process = ProcessSummary(ended.exit, ended.signal, tuple(ended.limits_hit), ended.log[:LOG_LENGTH])
+    return Result(
+        student=submission.student,
+        answer=submission.answer,
+        answer_sha256=judgement.answer_sha256,
+        submitted_at=submission.submitted_at,
+        exercise=judgement.stem,
+        attempt=submission.attempt,
+        status=judgement.status,
+        reason=judgement.reason,
+        score=judgement.score,
+        max_score=by.exercise.max_points,
+        criteria=tuple(map(criterion_line, judgement.criteria)),
+        process=process,
+        recording=_recording_file(by.out, judgement),
+        clock=None if recording is None else recording.clock,
+        robot_s=None if recording is None else recording.robot_s,
+        wall_s=None if recording is None else recording.wall_s,
+        isolation=by.isolation,
+        versions=versions(by.exercise.criteria_sha256),
+        doubt=judgement.doubt,
+        tries=tuple(_try(by.out, one, one is judgement) for one in tries) if len(tries) > 1 else (),
+    )
+
+
+def ungradable_result(submission: Submission, reason: str, by: GradedBy) -> Result:
+    """The result of an answer that could not be run. It has no score: that is not a zero."""
+    return Result(
+        student=submission.student,
+        answer=submission.answer,
+        answer_sha256=submission.answer_sha256,
+        submitted_at=submission.submitted_at,
+        exercise=by.exercise.stem,
+        attempt=submission.attempt,
+        status="ungradable",
+        reason=reason,
+        score=None,
+        max_score=by.exercise.max_points,
+        criteria=(),
+        process=None,
+        recording=None,
+        clock=None,
+        robot_s=None,
+        wall_s=None,
+        isolation=by.isolation,
+        versions=versions(by.exercise.criteria_sha256),
+    )
+
+
+def _try(out: Path, judgement: Judgement, counts: bool) -> Try:
+    recording = judgement.recording
+    return Try(
+        counts=counts,
+        doubt=judgement.doubt,
+        status=judgement.status,
+        reason=judgement.reason,
+        score=judgement.score,
+        criteria=tuple(map(criterion_line, judgement.criteria)),
+        recording=_recording_file(out, judgement),
+        clock=None if recording is None else recording.clock,
+        wall_s=None if recording is None else recording.wall_s,
+    )
+
+
+def _recording_file(out: Path, judgement: Judgement) -> str | None:
+    if judgement.recording is None:
+        return None
+    text = json.dumps(judgement.recording.to_json(), allow_nan=False, separators=(",", ":"))
+    name = f"recordings/{hashlib.sha256(text.encode()).hexdigest()}.json"
+    path = out / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    partial = path.with_suffix(f".{os.getpid()}.part")
+    partial.write_text(text)
+    partial.replace(path)
+    return name

@@ -1,0 +1,82 @@
+"""Judging again: stored recordings under changed criteria, without running anything, and without ROS."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from workbook.exercise.definition import Exercise
+from workbook.exercise.judgement import Judgement, judge_recording
+from workbook.grading.new_results import GradedBy, Submission, graded_result
+from workbook.grading.results import Result
+from workbook.grading.results_file import RESULTS, ResultsFile, last_results
+from workbook.grading.retries import counting
+from workbook.recording.recording import Recording
+
+
+@dataclass(frozen=True)
+class Regraded:
+    """What a change of the criteria did to one student. `problem`: why it could not be judged again."""
+
+    student: str
+    before: float | None
+    after: float | None
+    problem: str = ""
+
+    @property
+    def changed(self) -> bool:
+        """Whether the score is another one than before; False for what could not be judged again."""
+        return not self.problem and self.before != self.after
+
+
+class CannotRegrade(RuntimeError):
+    """A result cannot be judged again. The message says why."""
+
+
+def regrade(out: Path, exercise: Exercise) -> list[Regraded]:
+    """Judge the stored recording of every student again; new results are appended, nothing is run.
+
+    Results that were made under these very criteria are left as they are. Raises FolderInUse.
+    """
+    with ResultsFile(out / RESULTS) as file:
+        known = last_results(out / RESULTS)
+        mine = [result for (_, stem), result in sorted(known.items()) if stem == exercise.stem]
+        return [_again(out, exercise, result, file) for result in mine if result.status == "graded"]
+
+
+def _again(out: Path, exercise: Exercise, result: Result, file: ResultsFile) -> Regraded:
+    student, before = result.student, result.score
+    if result.versions.criteria == exercise.criteria_sha256:
+        return Regraded(student, before, before)
+    try:
+        tries = [
+            _judged_again(out / name, doubt, exercise, result.answer_sha256)
+            for name, doubt in _stored_tries(result)
+        ]
+    except CannotRegrade as error:
+        return Regraded(student, before, None, str(error))
+    if not tries:
+        return Regraded(student, before, None, "no recording of it was kept")
+    submission = Submission(
+        student, result.answer, result.answer_sha256, result.submitted_at, result.attempt + 1
+    )
+    file.append(graded_result(submission, tries, GradedBy(exercise, result.isolation, out)))
+    return Regraded(student, before, counting(tries).score)
+
+
+def _stored_tries(result: Result) -> Iterator[tuple[str, str]]:
+    """The recordings of all tries, and why each was inconclusive. A try that the slot did not survive has none."""
+    for one in result.tries or [result]:
+        if one.recording is not None:
+            yield one.recording, one.doubt
+
+
+def _judged_again(path: Path, doubt: str, exercise: Exercise, answer_sha256: str) -> Judgement:
+    """Raises CannotRegrade."""
+    try:
+        recording = Recording.load(path)
+    except (OSError, ValueError, TypeError) as error:
+        raise CannotRegrade(f"its recording cannot be read: {error}") from error
+    judgement = judge_recording(exercise, answer_sha256, recording)
+    if judgement.status != "graded":
+        raise CannotRegrade(judgement.reason or "the criteria failed")
+    return replace(judgement, doubt=doubt)

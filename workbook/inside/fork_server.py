@@ -1,0 +1,203 @@
+"""Starts answers by forking: Python and rclpy are imported once, and not again for every answer.
+
+    python -P run.py fork_server CHANNEL
+
+CHANNEL is the number of an inherited socket. On it comes one request after another (see `Request`), each with two
+descriptors: where the program's output goes, and where to report its status. For each, a supervisor is forked, and it
+forks the program, after joining the name spaces that were made for it, if there are any. Such a program is confined
+before a line of the answer is read: in these name spaces, without capabilities, with nothing open but its output. A
+program without name spaces of its own dies with its supervisor, and that with this process.
+
+A program must not notice that something was imported before it. So the modules are kept in an `ImportCache`.
+"""
+
+import contextlib
+import ctypes
+import gc
+import importlib
+import json
+import os
+import signal
+import socket
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from workbook.inside import capabilities, host, syscall_filter
+from workbook.inside.import_cache import ImportCache, import_what_answers_need
+from workbook.inside.libc import checked, die_with_parent, libc, set_parent_death_signal
+from workbook.inside.lttng import LttngForkHooks
+from workbook.inside.proc import own_environment_range
+
+REQUEST_BYTES = 100_000
+MARK = b"WORKBOOK_RUN="
+MARK_BYTES = 80
+"""Room for the mark of a program (see `RunMark`): blanks that whoever starts this process leaves in its environment."""
+FAILED = 126
+NAMESPACES = 0x10000000 | 0x00020000 | 0x20000000 | 0x08000000 | 0x04000000 | 0x02000000
+"""CLONE_NEWUSER, NEWNS, NEWPID, NEWIPC, NEWUTS, NEWCGROUP. The network is that of the observer, as for any answer."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """One program to start, and what `host.main` and the program are given.
+
+    `namespaces_of`: the first process of the sandbox to join; 0 for none.
+    """
+
+    namespaces_of: int
+    arguments: list[str]
+    environ: dict[str, str]
+    folder: str
+
+
+class RunMark:
+    """The variable by which others find a program, and all that came of it, among the processes of the machine.
+
+    The kernel goes on showing the environment that this process was started with, from its memory: there the mark has
+    to be written.
+    """
+
+    def __init__(self) -> None:
+        begin, end = own_environment_range()
+        place = ctypes.string_at(begin, end - begin).find(MARK + b" " * MARK_BYTES)
+        self._address = begin + place + len(MARK) if place >= 0 else 0
+
+    def write(self, mark: str) -> None:
+        """Show `mark` as the mark of this process. Raises ValueError when there is no room for it."""
+        text = mark.encode()
+        if not self._address or len(text) > MARK_BYTES:
+            raise ValueError(f"there is no room for the mark {mark!r}")
+        ctypes.memmove(self._address, text.ljust(MARK_BYTES, b"\0"), MARK_BYTES)
+
+
+@dataclass(frozen=True)
+class Hooks:
+    """What has to act when the server forks."""
+
+    lttng: LttngForkHooks
+    mark: RunMark
+
+
+def join_namespaces(first: int) -> None:
+    """Enter the name spaces of the process `first`; the process space takes effect for children.
+
+    All at once: a process may enter name spaces that its own user has made, and has no rights outside afterwards.
+    """
+    descriptor = os.pidfd_open(first)
+    try:
+        checked("setns", libc.setns(descriptor, NAMESPACES))
+    finally:
+        os.close(descriptor)
+
+
+def become_program(request: Request, parent: int, output: int, hooks: Hooks) -> None:
+    """Turn this forked process into the one that runs the answer."""
+    try:
+        if request.namespaces_of:
+            capabilities.clear_bounding_set()
+            capabilities.drop_capabilities()
+            capabilities.set_dumpable()
+        else:
+            hooks.mark.write(request.environ[MARK.decode().rstrip("=")])
+            die_with_parent(parent)
+        if syscall_filter.FILTER_SYSCALLS in request.arguments:
+            request.arguments.remove(syscall_filter.FILTER_SYSCALLS)
+            syscall_filter.filter_sandbox_escapes()
+        hooks.lttng.after_fork_in_program()  # only now: what it starts has no more rights than we
+        os.setsid()
+        os.chdir(request.folder)
+        os.dup2(output, 1)
+        os.dup2(output, 2)
+        os.closerange(3, os.sysconf("SC_OPEN_MAX"))
+        os.environ.clear()
+        os.environ.update(request.environ)
+    except BaseException as error:
+        os.write(output, f"the program could not be started: {error}\n".encode())
+        os._exit(FAILED)
+
+
+def report(status: int, text: str) -> bool:
+    """Write `text` to the process that waits for the program. Returns False when that process is gone."""
+    try:
+        os.write(status, text.encode())
+    except OSError:
+        return False
+    return True
+
+
+def supervise(request: Request, output: int, status: int, hooks: Hooks) -> None:
+    """In a fork: bring the program into its name spaces. Returns in the program; the supervisor itself ends here.
+
+    It writes the program's process number to `status`, and how it ended (as `os.waitpid` has it) when it has.
+    With a program in a sandbox all that it has started ends: the sandbox goes.
+    """
+    code = 1
+    try:
+        set_parent_death_signal()
+        if request.namespaces_of:
+            join_namespaces(request.namespaces_of)
+        parent = os.getpid()
+        program = os.fork()
+        if program == 0:
+            become_program(request, parent, output, hooks)
+            return
+        os.close(output)
+        if not report(status, f"{program}\n"):
+            os.kill(program, signal.SIGKILL)
+        _, ended = os.waitpid(program, 0)
+        if request.namespaces_of:
+            # Whoever has ended the sandbox already has ended the program, too.
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(request.namespaces_of, signal.SIGKILL)
+        report(status, f"{ended}\n")
+        code = 0
+    except BaseException as error:
+        report(status, f"failed: {error}\n")
+    os._exit(code)
+
+
+def _reap() -> None:
+    """Take note of supervisors that have ended."""
+    try:
+        while os.waitpid(-1, os.WNOHANG)[0]:
+            pass
+    except ChildProcessError:
+        pass
+
+
+def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
+    """Fork a program for each request. Returns its arguments in the program, None when the channel is closed."""
+    while True:
+        try:
+            data, descriptors, _, _ = socket.recv_fds(channel, REQUEST_BYTES, 2)
+        except ConnectionError:
+            return None
+        if not data:
+            return None
+        output, status = descriptors
+        request = Request(**json.loads(data))
+        hooks.lttng.before_fork()
+        if os.fork() == 0:
+            channel.detach()
+            supervise(request, output, status, hooks)
+            return request.arguments
+        hooks.lttng.after_fork_in_parent()
+        os.close(output)
+        os.close(status)
+        _reap()
+
+
+def main(arguments: Sequence[str]) -> None:
+    """Import what answers need, then fork a program for each request until the channel is closed."""
+    importlib.import_module("rclpy.context")  # as the host does for every answer
+    cache = ImportCache()
+    cache.fill(import_what_answers_need)
+    sys.meta_path.insert(0, cache)
+    channel = socket.socket(fileno=int(arguments[0]))
+    channel.send(b"ready")
+    gc.collect()
+    gc.freeze()
+    of_program = serve(channel, Hooks(LttngForkHooks(), RunMark()))
+    if of_program is not None:
+        host.main(of_program)

@@ -1,0 +1,36 @@
+"""LTTng, which rclpy's wheels load, and the forks of this process."""
+
+import ctypes
+
+from workbook.inside.proc import mapped_libraries
+
+SIGSET_BYTES = 128
+
+
+class LttngForkHooks:
+    """Tells LTTng of each fork.
+
+    It has two threads, which a forked process does not get. Unless it is told so (what `liblttng-ust-fork` is for), at
+    the program's end it cancels whatever threads have their place by then, and the program may hang.
+    """
+
+    def __init__(self) -> None:
+        paths = mapped_libraries("liblttng-ust-") | mapped_libraries("liblttng-ust.so")
+        libraries = [ctypes.CDLL(path) for path in sorted(paths)]
+        self._library = next((one for one in libraries if hasattr(one, "ust_before_fork")), None)
+        self._signals = ctypes.create_string_buffer(SIGSET_BYTES)
+
+    def before_fork(self) -> None:
+        """Prepare LTTng; call right before the fork."""
+        if self._library is not None:
+            self._library.ust_before_fork(self._signals)
+
+    def after_fork_in_parent(self) -> None:
+        """Let LTTng go on; call right after the fork in the process that forked."""
+        if self._library is not None:
+            self._library.ust_after_fork_parent(self._signals)
+
+    def after_fork_in_program(self) -> None:
+        """Start LTTng's threads anew; call right after the fork in the forked process."""
+        if self._library is not None:
+            self._library.ust_after_fork_child(self._signals)

@@ -1,0 +1,103 @@
+"""Runs mypy again and again: it is imported once, and each run is a fork.
+
+    python -P run.py mypy_server CHANNEL
+
+CHANNEL is the number of an inherited socket. On it comes one `Run` after another, each with two descriptors: for what
+mypy says, and for its complaints. What comes back is how it ended, as `os.waitpid` has it. When the channel is closed,
+this process ends, and with it a run that is under way.
+"""
+
+import gc
+import json
+import os
+import resource
+import select
+import signal
+import socket
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NoReturn
+
+import mypy.__main__
+
+from workbook.inside.libc import set_parent_death_signal
+
+REQUEST_BYTES = 100_000
+FAILED = 3
+
+
+@dataclass(frozen=True)
+class Run:
+    """One run of mypy: its arguments, where it runs and in which environment, and what it may use (s, bytes)."""
+
+    arguments: list[str]
+    folder: str
+    environ: dict[str, str]
+    processor_s: int
+    memory: int
+
+
+def become_mypy(run: Run, parent: int, outputs: Sequence[int]) -> NoReturn:
+    """Turn this forked process into one that runs mypy."""
+    code = FAILED
+    try:
+        set_parent_death_signal()
+        if os.getppid() != parent:
+            os._exit(FAILED)
+        os.dup2(outputs[0], 1)
+        os.dup2(outputs[1], 2)
+        os.closerange(3, os.sysconf("SC_OPEN_MAX"))
+        os.chdir(run.folder)
+        os.environ.clear()
+        os.environ.update(run.environ)
+        resource.setrlimit(resource.RLIMIT_AS, (run.memory, run.memory))
+        resource.setrlimit(resource.RLIMIT_CPU, (run.processor_s, run.processor_s + 1))
+        sys.argv = ["mypy", *run.arguments]
+        mypy.__main__.console_entry()
+        code = 0
+    except SystemExit as end:
+        code = end.code if isinstance(end.code, int) else FAILED
+    except BaseException as error:
+        os.write(2, f"{type(error).__name__}: {error}\n".encode())
+    sys.stdout.flush()
+    os._exit(code)
+
+
+def ended(child: int, channel: socket.socket) -> int | None:
+    """Wait until `child` has ended, and say how. None when nobody wants to know any more: then it was killed."""
+    watched = select.poll()
+    handle = os.pidfd_open(child)
+    watched.register(handle, select.POLLIN)
+    watched.register(channel, select.POLLIN)  # nothing is sent meanwhile: it can only be closed
+    ready = [descriptor for descriptor, _ in watched.poll()]
+    os.close(handle)
+    if handle not in ready:
+        os.kill(child, signal.SIGKILL)
+    status = os.waitpid(child, 0)[1]
+    return status if handle in ready else None
+
+
+def serve(channel: socket.socket) -> None:
+    """Run mypy for each request until the channel is closed."""
+    while True:
+        data, outputs, _, _ = socket.recv_fds(channel, REQUEST_BYTES, 2)
+        if not data:
+            return
+        parent = os.getpid()
+        child = os.fork()
+        if child == 0:
+            become_mypy(Run(**json.loads(data)), parent, outputs)
+        for descriptor in outputs:
+            os.close(descriptor)
+        status = ended(child, channel)
+        if status is None:
+            return
+        channel.send(str(status).encode())
+
+
+def main(arguments: Sequence[str]) -> None:
+    """Run mypy for each request until the channel is closed."""
+    gc.collect()
+    gc.freeze()
+    serve(socket.socket(fileno=int(arguments[0])))

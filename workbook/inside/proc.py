@@ -1,0 +1,340 @@
+"""All that the workbook reads below /proc: processes, threads, sockets, users, and processors.
+
+Functions about a process that has ended return nothing, zero or None, as each says; `read` raises OSError.
+"""
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
+
+_PAGE_BYTES = os.sysconf("SC_PAGE_SIZE")
+_TICK_S = 1.0 / os.sysconf("SC_CLK_TCK")
+_STEAL_FIELD = 8
+PROC_STAT = "/proc/stat"
+NANOSLEEP = {"x86_64": (b"35 ", b"230 "), "aarch64": (b"101 ", b"115 ")}.get(os.uname().machine, ())
+"""How `syscall` of a thread begins in `nanosleep` and `clock_nanosleep`: by the numbers of these calls."""
+UDP_TABLES = ("/proc/net/udp", "/proc/net/udp6")
+UNIX_SOCKETS = "/proc/net/unix"
+SOCKET_TOTALS = "/proc/net/sockstat"
+QUEUE_TABLES = (*UDP_TABLES, "/proc/net/tcp", "/proc/net/tcp6")
+
+
+def read(path: str) -> bytes:
+    """The content of a small file below /proc. Raises OSError when its process has ended.
+
+    Called many times a second: a `Path` would cost three times as much.
+    """
+    with open(path, "rb", buffering=0) as file:
+        return file.read()
+
+
+def read_text(path: str) -> str:
+    """The content of a file of any size as text. Raises OSError."""
+    with open(path, encoding="utf-8", errors="replace") as file:
+        return file.read()
+
+
+# --- processes ------------------------------------------------------------------------------------------------
+
+
+def pids() -> list[int]:
+    """All processes that this process can see."""
+    return [int(entry) for entry in os.listdir("/proc") if entry.isdigit()]
+
+
+def tasks(pid: int) -> list[str]:
+    """The threads of a process; none when it has ended."""
+    try:
+        return os.listdir(f"/proc/{pid}/task")
+    except OSError:
+        return []
+
+
+def children(pid: int) -> list[int]:
+    """Processes that `pid` has started, or adopted; none when it has ended."""
+    found: list[int] = []
+    for task in tasks(pid):
+        with suppress(OSError):
+            found += map(int, read(f"/proc/{pid}/task/{task}/children").split())
+    return found
+
+
+def process_tree(pid: int) -> list[int]:
+    """`pid` and all its descendants."""
+    tree = {pid: None}
+    waiting = [pid]
+    while waiting:
+        born = [child for child in children(waiting.pop()) if child not in tree]
+        tree.update(dict.fromkeys(born))
+        waiting += born
+    return [*tree]
+
+
+def environment(pid: int) -> list[bytes]:
+    """The variables that a process was started with; none when it has ended, or is not ours to read."""
+    try:
+        return read(f"/proc/{pid}/environ").split(b"\0")
+    except OSError:
+        return []
+
+
+def status(pid: int | str = "self") -> dict[str, str]:
+    """Fields of /proc/PID/status by name. Raises OSError when it has ended."""
+    lines = read(f"/proc/{pid}/status").decode(errors="replace").splitlines()
+    fields = (line.partition(":") for line in lines)
+    return {name: value.strip() for name, _, value in fields}
+
+
+def stat_fields(pid: int | str = "self") -> list[bytes]:
+    """The fields of /proc/PID/stat from the state on (the third one, see proc(5)). Raises OSError when it has ended."""
+    return read(f"/proc/{pid}/stat").rsplit(b")", 1)[1].split()
+
+
+def owner(pid: int) -> int | None:
+    """The user id of a process; None when it has ended."""
+    try:
+        return os.stat(f"/proc/{pid}").st_uid
+    except OSError:
+        return None
+
+
+def running_users() -> list[tuple[int, int]]:
+    """Number and real user id of every process that has not ended."""
+    found = []
+    for pid in pids():
+        try:
+            fields = status(pid)
+        except OSError:
+            continue
+        if fields["State"].split()[0] not in "ZX":
+            found.append((pid, int(fields["Uid"].split()[0])))
+    return found
+
+
+# --- what processes use ---------------------------------------------------------------------------------------
+
+
+def processor_seconds(group: Iterable[int]) -> float | None:
+    """Processor time (s) that these processes have used; None when none of them is there any more."""
+    used = []
+    for pid in group:
+        with suppress(OSError):
+            used.append(sum(map(int, stat_fields(pid)[11:13])))
+    return sum(used) * _TICK_S if used else None
+
+
+def run_queue_s(pid: int) -> float:
+    """How long (s) a process was ready to run and had no processor, up to now; zero when it has ended.
+
+    Counted for its first thread. Source: https://docs.kernel.org/scheduler/sched-stats.html (/proc/<pid>/schedstat).
+    """
+    try:
+        return int(read(f"/proc/{pid}/schedstat").split()[1]) / 1e9
+    except (OSError, IndexError):
+        return 0.0
+
+
+def resident_bytes(pid: int) -> int:
+    """Memory of a process, with all that it shares; zero when it has ended."""
+    try:
+        return int(read(f"/proc/{pid}/statm").split()[1]) * _PAGE_BYTES
+    except (OSError, IndexError):
+        return 0
+
+
+def proportional_bytes(pid: int) -> int:
+    """Memory of a process, of what it shares with others its part; zero when it has ended. Takes a while."""
+    try:
+        lines = read_text(f"/proc/{pid}/smaps_rollup").splitlines()
+    except OSError:
+        return 0
+    return next((int(line.split()[1]) * 1024 for line in lines if line.startswith("Pss:")), 0)
+
+
+def memory_bytes(group: Sequence[int], worth_counting: int) -> int:
+    """Memory that these processes hold together.
+
+    What they share after a fork is counted once, which takes a while, and only from `worth_counting` bytes on.
+    """
+    rough = sum(map(resident_bytes, group))
+    return rough if rough <= worth_counting else sum(map(proportional_bytes, group))
+
+
+def available_memory_bytes() -> int:
+    """Memory that programs may still take without swapping; what is unknown counts as none. See proc_meminfo(5)."""
+    try:
+        lines = read_text("/proc/meminfo").splitlines()
+    except OSError:
+        return 0
+    return next((int(line.split()[1]) * 1024 for line in lines if line.startswith("MemAvailable:")), 0)
+
+
+def mount_usage(pid: int, folder: str) -> os.statvfs_result:
+    """Size and use of the file system in which a process sees `folder`. Raises OSError when it has ended."""
+    return os.statvfs(f"/proc/{pid}/root{folder}")
+
+
+# --- threads --------------------------------------------------------------------------------------------------
+
+
+def thread_name(task: str) -> bytes:
+    """The name of a thread of this process. Raises OSError when it has ended."""
+    return read(f"/proc/self/task/{task}/comm")
+
+
+def thread_folder(pid: int | str, task: str) -> str:
+    """Where the kernel tells about a thread, in the files `stat`, `schedstat` and `syscall`."""
+    return f"/proc/{pid}/task/{task}"
+
+
+def is_at_work(stat_fd: int) -> bool:
+    """Whether a thread runs, waits for a processor, or is in the middle of a call to a disk. From its open `stat`."""
+    line = _peek(stat_fd)
+    after_name = line.rfind(b")") + 2
+    return line[after_name : after_name + 1] in (b"R", b"D")
+
+
+def times_scheduled(schedstat_fd: int) -> bytes:
+    """What changes each time that a thread is given a processor. From its open `schedstat`."""
+    return _peek(schedstat_fd)
+
+
+def tells_system_call(syscall_fd: int) -> bool:
+    """Whether the kernel lets us know which call a thread is in. From its open `syscall`."""
+    return bool(_peek(syscall_fd))
+
+
+def is_in_nanosleep(syscall_fd: int) -> bool:
+    """Whether a thread sleeps for a time that it has chosen. From its open `syscall`."""
+    return _peek(syscall_fd).startswith(NANOSLEEP)
+
+
+def _peek(fd: int) -> bytes:
+    """The content of a small open file; nothing when its thread has ended."""
+    try:
+        return os.pread(fd, 512, 0)
+    except OSError:
+        return b""
+
+
+# --- sockets --------------------------------------------------------------------------------------------------
+
+
+def _sockets(pid: int) -> set[str]:
+    try:
+        links = [os.readlink(f"/proc/{pid}/fd/{fd}") for fd in os.listdir(f"/proc/{pid}/fd")]
+    except OSError:
+        return set()
+    return {link[8:-1] for link in links if link.startswith("socket:[")}
+
+
+def _udp_sockets(tables: Iterable[str]) -> Iterator[tuple[int, str]]:
+    """Local port and inode of each UDP socket."""
+    for table in tables:
+        try:
+            lines = read_text(table).splitlines()[1:]
+        except OSError:
+            continue
+        for line in lines:
+            fields = line.split()
+            yield int(fields[1].rsplit(":", 1)[1], 16), fields[9]
+
+
+def udp_ports_in_use(tables: Iterable[str] = UDP_TABLES) -> set[int]:
+    """Local UDP ports that any process of this machine has bound."""
+    return {port for port, _ in _udp_sockets(tables)}
+
+
+def udp_ports_of(group: Iterable[int]) -> set[int]:
+    """Local ports of the IPv4 UDP sockets that these processes have open."""
+    inodes: set[str] = set()
+    for pid in group:
+        inodes |= _sockets(pid)
+    return {port for port, inode in _udp_sockets(UDP_TABLES[:1]) if inode in inodes}
+
+
+def sockets_open(group: Iterable[int]) -> int:
+    """How many sockets these processes have open; what they share counts once."""
+    return len(set().union(*map(_sockets, group)))
+
+
+def sockets_of_network(totals: str = SOCKET_TOTALS) -> int:
+    """How many sockets there are in the network of this process, whoever holds them; zero where nobody tells."""
+    try:
+        return int(read_text(totals).split()[2])  # sockets: used N
+    except (OSError, ValueError, IndexError):
+        return 0
+
+
+def queued_bytes(worth_counting: int, totals: str = SOCKET_TOTALS) -> int:
+    """What waits in the UDP and TCP sockets of this network for somebody to read it.
+
+    The kernel keeps one sum for all networks of the machine. Only from `worth_counting` bytes on, which is quickly
+    told, those of this network are added up; until then it is zero.
+    """
+    try:
+        lines = [line.split() for line in read_text(totals).splitlines()]
+        pages = sum(int(words[words.index("mem") + 1]) for words in lines if "mem" in words)
+        if pages * _PAGE_BYTES <= worth_counting:
+            return 0
+        queues = [line.split()[4] for table in QUEUE_TABLES for line in read_text(table).splitlines()[1:]]
+        return sum(int(part, 16) for queue in queues for part in queue.split(":"))
+    except (OSError, ValueError, IndexError):
+        return 0
+
+
+def unix_socket_names(table: str = UNIX_SOCKETS) -> set[str]:
+    """Names of the Unix sockets of this machine, abstract ones with a leading @."""
+    try:
+        return {line.split()[-1] for line in read_text(table).splitlines()[1:] if line.strip()}
+    except OSError:
+        return set()
+
+
+# --- the machine ----------------------------------------------------------------------------------------------
+
+
+def stolen_s(stat: str | os.PathLike[str] = PROC_STAT) -> dict[str, float]:
+    """Seconds that each processor has been taken away since the machine was started; {} where nobody tells."""
+    try:
+        lines = [line.split() for line in read(os.fspath(stat)).decode("ascii").splitlines()]
+        return {
+            words[0]: int(words[_STEAL_FIELD]) * _TICK_S
+            for words in lines
+            if words and words[0].startswith("cpu") and words[0] != "cpu"
+        }
+    except (OSError, ValueError, IndexError):
+        return {}
+
+
+def knows_ids(first: int, count: int) -> bool:
+    """Whether these ids exist in this container, for users and for groups."""
+    for table in ("/proc/self/uid_map", "/proc/self/gid_map"):
+        try:
+            rows = [[int(number) for number in line.split()] for line in read_text(table).splitlines()]
+        except OSError:
+            return False
+        if not any(begin <= first and first + count <= begin + size for begin, _, size in rows):
+            return False
+    return True
+
+
+def system_v_ipc(table: str) -> list[dict[str, str]]:
+    """The rows of /proc/sysvipc/TABLE ("shm", "sem" or "msg") by column; none where the kernel has no such table."""
+    try:
+        head, *lines = read_text(f"/proc/sysvipc/{table}").splitlines()
+    except (OSError, ValueError):
+        return []
+    return [dict(zip(head.split(), line.split(), strict=False)) for line in lines]
+
+
+def mapped_libraries(name: str) -> set[str]:
+    """Paths of the files mapped into this process whose last part begins with `name`."""
+    paths = (line.split()[-1] for line in read_text("/proc/self/maps").splitlines())
+    return {path for path in paths if path.rpartition("/")[2].startswith(name) and "/" in path}
+
+
+def own_environment_range() -> tuple[int, int]:
+    """Addresses at which the environment of this process begins and ends: env_start and env_end of proc(5)."""
+    begin, end = stat_fields()[47:49]
+    return int(begin), int(end)

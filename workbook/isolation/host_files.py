@@ -1,0 +1,36 @@
+"""What of this machine every program needs to read, in whatever tier."""
+
+import os
+import stat
+import sys
+from pathlib import Path
+
+SYSTEM_FOLDERS = ("/usr", "/lib", "/lib64", "/bin", "/sbin")
+SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime", "/etc/alternatives")
+PATH_OF_PROGRAMS = "/usr/bin:/bin"
+NOT_FOR_ANSWERS = ("WORKBOOK_RUN", "XDG_CACHE_HOME")
+"""Variables of the judge that would tell a program that it is being judged."""
+HOST_FILES = ("run.py", "host.py", "libc.py", "syscall_filter.py")
+"""What of `workbook/inside` runs in an answer's process."""
+_PACKAGE = Path(__file__).resolve().parents[1]
+
+
+def interpreter_folders() -> tuple[Path, ...]:
+    """Where Python, its packages, and what runs an answer lie; nothing of the course besides."""
+    ours = tuple(_PACKAGE / "inside" / name for name in HOST_FILES)
+    profile = _PACKAGE / "ros" / "loopback.xml"
+    folders = {Path(sys.base_prefix).resolve(), Path(sys.prefix).resolve(), Path(sys.prefix)}
+    system = tuple(Path(folder) for folder in SYSTEM_FOLDERS)
+    wanted = [
+        one for one in sorted(folders) if not any(one == base or base in one.parents for base in system)
+    ]
+    return (*wanted, *ours, profile)
+
+
+def closed_folder() -> Path | None:
+    """A folder on the way to Python and its packages that other users may not enter."""
+    for place in (*interpreter_folders(), Path(sys.executable), Path(sys.executable).resolve()):
+        for folder in reversed(place.parents):
+            if not os.stat(folder).st_mode & stat.S_IXOTH:
+                return folder
+    return None

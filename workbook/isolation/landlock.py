@@ -1,0 +1,117 @@
+"""The tier "landlock": the kernel hides all files but those that a program needs. For an ordinary user, too."""
+
+import os
+import shutil
+import sys
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from workbook.inside import RUN, proc
+from workbook.inside.orphans import sweep_orphans
+from workbook.isolation.host_files import (
+    NOT_FOR_ANSWERS,
+    PATH_OF_PROGRAMS,
+    SYSTEM_FILES,
+    SYSTEM_FOLDERS,
+    interpreter_folders,
+)
+from workbook.programs.process import PROFILE
+from workbook.programs.tier import Confinement, Order, Started, limit_options
+from workbook.programs.unconfined import KERNEL_LIMITS, FreshProgram, host_command
+from workbook.recording.limits import Limits
+from workbook.ros.scratch import remove_scratch, scratch_folder
+
+READABLE_DEVICES = ("/dev/zero", "/dev/full", "/dev/random", "/dev/urandom")
+NOT_FOR_OTHER_USERS = (*NOT_FOR_ANSWERS, "USER", "LOGNAME")
+
+
+@dataclass(frozen=True)
+class ConfinedProgram:
+    """A program that `inside/confine.py` confines before it starts. See `workbook.programs.tier.Confinement`.
+
+    It reads its files in a folder of its own (`files`), and may write to `scratch`. `hides_files`: by Landlock.
+    """
+
+    scratch: Path
+    files: Path
+    hides_files: bool = True
+
+    def bring(self, file: Path, name: str) -> str:
+        """Copy the file into `files`. Returns the path of the copy."""
+        brought = self.files / name
+        shutil.copyfile(file, brought)
+        return str(brought)
+
+    def host_options(self, limits: Limits) -> list[str]:
+        """The limits that the kernel enforces for each process."""
+        return limit_options(limits, KERNEL_LIMITS)
+
+    def start(self, order: Order) -> Started:
+        """Start the program in a fresh Python that `inside/confine.py` confines first. Raises OSError."""
+        command = host_command("--parent", str(os.getpid()), *order.arguments)
+        environ = self.environment(order.environ)
+        wrapped = [
+            sys.executable,
+            "-I",
+            "-S",
+            str(RUN),
+            "confine",
+            *self.options(order.limits),
+            "--",
+            *command,
+        ]
+        began = time.monotonic()
+        return Started(FreshProgram(wrapped, environ, self.scratch, order.output_fd), began)
+
+    def environment(self, environ: Mapping[str, str]) -> dict[str, str]:
+        """What the program finds in its environment."""
+        inside = {name: value for name, value in environ.items() if name not in NOT_FOR_OTHER_USERS}
+        inside |= {name: str(self.scratch) for name in ("HOME", "TMPDIR", "ROS_LOG_DIR")}
+        inside["PATH"] = PATH_OF_PROGRAMS
+        profile = inside.get(PROFILE)
+        if profile is not None and Path(profile).parent != self.files:
+            # One that cannot be read would let DDS talk to the whole network.
+            inside[PROFILE] = self.bring(Path(profile), "profile.xml")
+        return inside
+
+    def options(self, limits: Limits) -> list[str]:
+        """What `confine.py` is to do."""
+        if not self.hides_files:
+            return []
+        readable = (*SYSTEM_FOLDERS, *SYSTEM_FILES, *READABLE_DEVICES, *interpreter_folders(), self.files)
+        options = [part for path in readable for part in ("--read", str(path))]
+        return options + [part for path in self.writable() for part in ("--write", str(path))]
+
+    def writable(self) -> tuple[str, ...]:
+        """Where the program may write."""
+        return (str(self.scratch), os.devnull)
+
+    def most_files(self, pids: Sequence[int]) -> int:
+        """Zero: this tier does not limit the number of files."""
+        return 0
+
+    def sockets(self, pids: Sequence[int]) -> int:
+        """How many sockets the program and all that it has started have open."""
+        return proc.sockets_open(pids)
+
+    def queued_bytes(self, worth_counting: int) -> int:
+        """Zero: the network is that of the machine."""
+        return 0
+
+    def sweep(self) -> bool:
+        """Kill the processes that the program left behind. Returns whether there were any. Raises StillThere."""
+        return sweep_orphans() > 0
+
+    def remove(self) -> None:
+        """Remove the folder that `bring` copies files to."""
+        remove_scratch(self.files)
+
+
+class LandlockTier:
+    """See `workbook.programs.tier.Tier`, and `LimitsTier` for what this process must do."""
+
+    def confine(self, scratch: Path) -> Confinement:
+        """A confinement with a folder of its own for the files that the program reads."""
+        return ConfinedProgram(scratch, scratch_folder("files"))

@@ -1,0 +1,258 @@
+"""The tier "sandbox": bubblewrap in bubblewrap.
+
+The outer sandbox holds the observer and gives it a network of its own. An inner one holds one answer: the same network
+and nothing else; no capabilities, no other processes, no files but the interpreter and the answer itself, read-only,
+and small folders in memory to write to.
+"""
+
+import json
+import os
+import signal
+import subprocess
+import time
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from workbook.inside import proc
+from workbook.inside.syscall_filter import FILTER_SYSCALLS
+from workbook.isolation.bubblewrap import ANSWER_FOLDER, HOME, WRITABLE, WRITABLE_BYTES, inner_command
+from workbook.isolation.host_files import NOT_FOR_ANSWERS, PATH_OF_PROGRAMS, interpreter_folders
+from workbook.programs.tier import Child, Confinement, Order, Started, limit_options
+from workbook.programs.unconfined import KERNEL_LIMITS, FreshProgram, host_command
+from workbook.programs.warm_start import ForkServer, NoWarmStart, WarmProgram
+from workbook.recording.limits import Limits
+
+WAITS = ("/bin/sh", "-c", "echo ready && exec sleep infinity >&-")
+"""If nobody can hear that, it ends: who wanted it was killed before the sandbox was tied to it."""
+
+
+class SandboxedProgram(FreshProgram):
+    """A sandbox with a program in it; `info_fd` is what bubblewrap tells of itself."""
+
+    def __init__(self, command: Sequence[str], order: Order, folder: Path, info_fd: int) -> None:
+        super().__init__(command, order.environ, folder, order.output_fd, [info_fd])
+        self._info_fd = info_fd
+
+    def poll(self) -> int | None:
+        """The program's exit code (negative: the signal that ended it), or None while bubblewrap runs."""
+        return exit_status(super().poll())
+
+    def interrupt(self) -> None:
+        """Send SIGINT to the program inside the sandbox; does nothing before it is there or after it has ended."""
+        pid = program_pid(read_info(self._info_fd))
+        if pid is not None:
+            with suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGINT)
+
+
+@dataclass(frozen=True)
+class SandboxedFork:
+    """A program that was forked into a sandbox. See `workbook.programs.tier.Child`."""
+
+    program: WarmProgram
+    sandbox: "subprocess.Popen[bytes]"
+
+    @property
+    def pid(self) -> int:
+        """Process number of the program, as this process sees it."""
+        return self.program.pid
+
+    def poll(self) -> int | None:
+        """The program's exit code (negative: the signal that ended it), or None while it runs."""
+        return self.program.poll()
+
+    def wait(self, timeout: float | None = None) -> int:
+        """Wait for the program to end and return its exit code. Raises subprocess.TimeoutExpired after `timeout` s."""
+        return self.program.wait(timeout)
+
+    def interrupt(self) -> None:
+        """Send SIGINT to the program, not to the sandbox."""
+        self.program.interrupt()
+
+    def tree(self) -> list[int]:
+        """Process numbers of the program, what it has started, and the processes of the sandbox."""
+        around = proc.process_tree(self.sandbox.pid)
+        return [*self.program.tree(), *(around if self.sandbox.poll() is None else around[1:])]
+
+    def wait_for_surroundings(self, timeout: float | None = None) -> None:
+        """Wait for the sandbox to end. Raises subprocess.TimeoutExpired after `timeout` s."""
+        self.sandbox.wait(timeout)
+
+    def close(self) -> None:
+        """Close the descriptor that reports the program's status."""
+        self.program.close()
+
+
+@dataclass
+class Sandbox:
+    """One program's sandbox. See `workbook.programs.tier.Confinement`.
+
+    `readable`: what a program may read besides its own files. With a `server` the program is forked into the sandbox.
+    """
+
+    scratch: Path
+    readable: tuple[Path, ...]
+    server: ForkServer | None = None
+    _files: dict[str, Path] = field(default_factory=dict)
+    info_fd: int = field(default_factory=lambda: os.memfd_create("what bubblewrap tells of itself"))
+
+    def bring(self, file: Path, name: str) -> str:
+        """Have the file mounted in the sandbox. Returns its path there."""
+        self._files[name] = file.resolve()
+        return f"{ANSWER_FOLDER}/{name}"
+
+    def host_options(self, limits: Limits) -> list[str]:
+        """The filter of system calls, and the limits that the kernel enforces, that of processes included."""
+        return [FILTER_SYSCALLS, *limit_options(limits, (*KERNEL_LIMITS, "processes"))]
+
+    def start(self, order: Order) -> Started:
+        """Start the program in a sandbox of its own, forked from the server where possible. Raises OSError."""
+        began = time.monotonic()
+        environ = sandbox_environment(order.environ)
+        forked = None if self.server is None else self._fork(self.server, environ, order)
+        if forked is not None:
+            return Started(forked, began)
+        # Without --parent: a sandbox dies with us by itself, and its processes do not know our number.
+        command = self.command(host_command("--attended", *order.arguments), environ)
+        return Started(SandboxedProgram(command, order, self.scratch, self.info_fd), began)
+
+    def command(
+        self, command: Sequence[str], environ: Mapping[str, str], options: Sequence[str] = ()
+    ) -> list[str]:
+        """`command` in this sandbox, in the environment `environ` and with further options of bubblewrap."""
+        return inner_command(
+            command,
+            files=self._files,
+            readable=self.readable,
+            environ=environ,
+            options=("--info-fd", str(self.info_fd), *options),
+        )
+
+    def empty(self) -> list[str]:
+        """An empty sandbox. It says "ready" on standard output, and stays until its first process is killed."""
+        return self.command(WAITS, {}, ("--as-pid-1",))
+
+    def _fork(self, server: ForkServer, environ: Mapping[str, str], order: Order) -> Child | None:
+        """Make an empty sandbox and fork the program into it. None if that does not work here."""
+        server.start(environ)
+        ready_fd, said_fd = os.pipe()
+        try:
+            sandbox = subprocess.Popen(
+                self.empty(),
+                stdin=subprocess.DEVNULL,
+                stdout=said_fd,
+                stderr=order.output_fd,
+                env=order.environ,
+                cwd=self.scratch,
+                start_new_session=True,
+                pass_fds=[self.info_fd],
+            )
+        finally:
+            os.close(said_fd)
+        with os.fdopen(ready_fd, "rb") as ready:
+            ready.readline()
+        first = first_pid(read_info(self.info_fd))
+        try:
+            if first is None:
+                raise NoWarmStart("there is no sandbox")
+            program = server.spawn(first, order.arguments, environ, HOME, order.output_fd)
+            return SandboxedFork(program, sandbox)
+        except NoWarmStart:
+            sandbox.kill()
+            sandbox.wait()
+            os.ftruncate(self.info_fd, 0)
+            os.lseek(self.info_fd, 0, os.SEEK_SET)
+            return None
+
+    def most_files(self, pids: Sequence[int]) -> int:
+        """How many files the fullest folder holds that the program may write to."""
+        return most_files(pids)
+
+    def sockets(self, pids: Sequence[int]) -> int:
+        """How many sockets there are in the network of the program and this process, sent ones included."""
+        return proc.sockets_of_network()
+
+    def queued_bytes(self, worth_counting: int) -> int:
+        """What waits unread in the sockets of this network, from `worth_counting` bytes on; else zero."""
+        return proc.queued_bytes(worth_counting)
+
+    def sweep(self) -> bool:
+        """False, and nothing to do: every process in a sandbox ends with it."""
+        return False  # what is in a sandbox ends with it
+
+    def remove(self) -> None:
+        """Close the file that bubblewrap reports its processes to."""
+        if self.info_fd >= 0:
+            os.close(self.info_fd)
+            self.info_fd = -1
+
+
+@dataclass(frozen=True)
+class SandboxTier:
+    """See `workbook.programs.tier.Tier`.
+
+    With a `server`, programs are forked from it into their sandboxes, which saves the start of a Python for each.
+    """
+
+    server: ForkServer | None = None
+    readable: tuple[Path, ...] = field(default_factory=interpreter_folders)
+
+    def confine(self, scratch: Path) -> Confinement:
+        """A confinement in a sandbox that `start` creates."""
+        return Sandbox(scratch, self.readable, self.server)
+
+
+def sandbox_environment(environ: Mapping[str, str]) -> dict[str, str]:
+    """What a program in a sandbox finds in its environment."""
+    inside = {**environ, "HOME": HOME, "PWD": HOME, "PATH": PATH_OF_PROGRAMS}
+    inside |= {"TMPDIR": "/tmp", "ROS_LOG_DIR": "/tmp"}
+    return {name: value for name, value in inside.items() if name not in NOT_FOR_ANSWERS}
+
+
+def read_info(info_fd: int) -> str:
+    """What bubblewrap has told of itself up to now."""
+    return os.pread(info_fd, 4096, 0).decode()
+
+
+def first_pid(info: str) -> int | None:
+    """The first process of the sandbox, from what bubblewrap told; None while it is not there."""
+    try:
+        return int(json.loads(info)["child-pid"])
+    except (ValueError, KeyError, TypeError):
+        return None
+
+
+def program_pid(info: str) -> int | None:
+    """The process that runs the program, from what bubblewrap told; None while it is not there.
+
+    The child of bubblewrap is the first process of the new process space; the program is the child of that.
+    """
+    first = first_pid(info)
+    below = [] if first is None else proc.children(first)
+    return below[0] if below else None
+
+
+def exit_status(code: int | None) -> int | None:
+    """The exit code of the program as `subprocess` would tell it: negative for a signal; None while it runs.
+
+    bubblewrap says 128 + n for a program that signal n has ended. 130 is left alone: Python itself says it for Ctrl-C.
+    """
+    return 128 - code if code is not None and 128 < code <= 128 + 31 and code != 130 else code
+
+
+def most_files(pids: Sequence[int]) -> int:
+    """How many files and folders the fullest folder holds that a program in a sandbox may write to.
+
+    A process that is not in its sandbox yet sees the folders of the machine, which have more room: they do not count.
+    """
+    most = 0
+    for pid in pids:
+        try:
+            spaces = [proc.mount_usage(pid, folder) for folder in WRITABLE]
+        except OSError:
+            continue
+        if all(space.f_blocks * space.f_frsize <= WRITABLE_BYTES for space in spaces):
+            most = max(most, *(space.f_files - space.f_ffree for space in spaces))
+    return most

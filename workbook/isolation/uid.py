@@ -1,0 +1,74 @@
+"""The tier "uid": a user id of its own for each slot, where the grader is root, and Landlock where there is one."""
+
+import os
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from workbook.inside.landlock import landlock_abi
+from workbook.inside.orphans import sweep_orphans
+from workbook.isolation.landlock import ConfinedProgram
+from workbook.isolation.user_ids import Ids
+from workbook.programs.tier import Confinement
+from workbook.recording.limits import Limits
+from workbook.ros.scratch import scratch_folder
+
+EXTRA_PROCESSES = 32
+"""How many more the kernel allows than the judge does, so that the judge sees who has too many, and says so."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class UserProgram(ConfinedProgram):
+    """A program that runs as the user `ids.user`. See `workbook.programs.tier.Confinement`.
+
+    `sweeps_orphans`: this process adopts what programs leave behind (see `adopt_orphans`), and has no other children.
+    """
+
+    ids: Ids
+    sweeps_orphans: bool = True
+
+    def bring(self, file: Path, name: str) -> str:
+        """Copy the file to a folder that only root and the program's user can read. Returns the path of the copy."""
+        brought = super().bring(file, name)
+        for place, mode in ((str(self.files), 0o750), (brought, 0o440)):
+            os.chown(place, 0, self.ids.user)
+            os.chmod(place, mode)
+        return brought
+
+    def options(self, limits: Limits) -> list[str]:
+        """As its base, and the user id and the limit of processes. Gives `scratch` to the program's user."""
+        os.chown(self.scratch, self.ids.user, self.ids.user)
+        options = ["--user", str(self.ids.user)]
+        if limits.processes is not None:
+            options += ["--processes", str(limits.processes + EXTRA_PROCESSES)]
+        return options + super().options(limits)
+
+    def writable(self) -> tuple[str, ...]:
+        """As its base, and the shared memory that DDS uses."""
+        return (*super().writable(), "/dev/shm")
+
+    def sweep(self) -> bool:
+        """Kill every process of the user and what the program left behind. Returns whether there was any.
+
+        Raises StillThere when a process does not end.
+        """
+        left = self.ids.sweep()
+        return (self.sweeps_orphans and sweep_orphans() > 0) or left
+
+
+@dataclass(frozen=True)
+class UidTier:
+    """See `workbook.programs.tier.Tier`. `ids`: leased by the caller; `sweeps_orphans`: see `UserProgram`."""
+
+    ids: Ids
+    hides_files: bool = field(default_factory=lambda: landlock_abi() > 0)
+    sweeps_orphans: bool = True
+
+    def confine(self, scratch: Path) -> Confinement:
+        """A confinement that runs the program as the leased user."""
+        return UserProgram(
+            scratch,
+            scratch_folder("files"),
+            self.hides_files,
+            ids=self.ids,
+            sweeps_orphans=self.sweeps_orphans,
+        )

@@ -1,0 +1,130 @@
+"""User ids for programs that are not trusted: ids that nobody has, a pair for each slot, and ending what runs there.
+
+An id needs no account. The second of a pair is for the process that ends the programs of the first (see `sweeper`).
+"""
+
+import ctypes
+import os
+import pwd
+import random
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from workbook.inside import RUN, proc
+from workbook.inside.orphans import LONGEST_SWEEP_S, StillThere
+from workbook.inside.sweeper import RANGES
+from workbook.ros.scratch import remove_scratch
+
+SHARED_FOLDERS = ("/tmp", "/var/tmp", "/dev/shm", "/run/lock")
+SOCKET_PREFIX = "rclpy-workbook/user/"
+_POLL_S = 0.002
+_TRIES = 200
+_IPC_REMOVE = 0
+
+
+class NoIds(RuntimeError):
+    """No user id can be leased here. The message says why."""
+
+
+class Ids:
+    """A leased user id, and the one that ends its programs. The lease lasts as long as `holder`, until `release`."""
+
+    def __init__(self, user: int, holder: socket.socket | None = None) -> None:
+        self.user = user
+        self.sweeper = user + 1
+        self._holder = holder
+
+    def release(self) -> None:
+        """End the lease; does nothing if it has ended."""
+        if self._holder is not None:
+            self._holder.close()
+            self._holder = None
+
+    def sweep(self) -> bool:
+        """End every process of `user`, and remove what it left: files in shared folders, System V shared memory.
+
+        Returns whether a process was there. Raises StillThere when a process has not ended after twenty seconds.
+        """
+        command = [sys.executable, "-I", "-S", str(RUN), "sweeper", str(self.user), str(self.sweeper)]
+        found = bool(processes_of(self.user))
+        deadline = time.monotonic() + LONGEST_SWEEP_S
+        while True:
+            done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+            if done.returncode not in (0, -signal.SIGKILL):  # another sweeper of this user may end this one
+                raise StillThere(f"user {self.user} could not be swept: {done.stderr.strip()[-200:]}")
+            left = processes_of(self.user)
+            if not left:
+                break
+            if time.monotonic() > deadline:
+                raise StillThere(f"processes of user {self.user} do not end: {left}")
+            time.sleep(_POLL_S)
+        remove_files_of(self.user)
+        remove_shared_memory_of(self.user)
+        return found
+
+
+def lease_ids() -> Ids:
+    """Lease a pair of free ids, until `release` is called or this process ends. Raises NoIds."""
+    if os.geteuid() != 0:
+        raise NoIds("only root can run programs under user ids of their own")
+    known = [one for one in RANGES if proc.knows_ids(*one)]
+    if not known:
+        raise NoIds("this container knows too few user ids (see /proc/self/uid_map)")
+    first, count = known[0]
+    taken = {owner for _, owner in proc.running_users()} | {account.pw_uid for account in pwd.getpwall()}
+    for _ in range(_TRIES):
+        user = first + 2 * random.randrange(count // 2)
+        if taken & {user, user + 1}:
+            continue
+        holder = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+        try:
+            holder.bind(f"\0{SOCKET_PREFIX}{user}")
+        except OSError:
+            holder.close()
+            continue
+        return Ids(user, holder)
+    raise NoIds(f"the user ids from {first} on are taken")
+
+
+def processes_of(user: int) -> list[int]:
+    """Processes of a user that have not ended."""
+    return [pid for pid, owner in proc.running_users() if owner == user]
+
+
+def remove_files_of(user: int) -> None:
+    """Remove what a user owns in the folders that everybody may write to."""
+    for folder in {*SHARED_FOLDERS, tempfile.gettempdir()}:
+        try:
+            entries = [*Path(folder).iterdir()]
+        except OSError:
+            continue
+        for entry in entries:
+            try:
+                if entry.lstat().st_uid != user:
+                    continue
+                if entry.is_dir() and not entry.is_symlink():
+                    remove_scratch(entry)
+                else:
+                    entry.unlink()
+            except FileNotFoundError:
+                continue
+
+
+def remove_shared_memory_of(user: int) -> None:
+    """Remove the System V shared memory, semaphores and message queues that a user made."""
+    libc = ctypes.CDLL(None)
+    removers = {
+        "shmid": lambda number: libc.shmctl(number, _IPC_REMOVE, None),
+        "semid": lambda number: libc.semctl(number, 0, _IPC_REMOVE),
+        "msqid": lambda number: libc.msgctl(number, _IPC_REMOVE, None),
+    }
+    for table in ("shm", "sem", "msg"):
+        for row in proc.system_v_ipc(table):
+            if row["cuid"] == str(user):
+                [name] = row.keys() & removers.keys()
+                removers[name](int(row[name]))

@@ -1,0 +1,186 @@
+"""The student's own copy of the lessons in `work/`: new ones are added, changed ones are never overwritten."""
+
+import hashlib
+import json
+import os
+import re
+import shutil
+import tempfile
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+FOLDERS = ("notebooks", "exercises")
+STATE = Path(".state", "delivered.json")
+"""Which versions the student was given: a notebook that is none of them was changed by the student."""
+BACKUPS = Path(".state", "backups")
+ANSWERS = "answers"
+
+
+@dataclass
+class WorkFolderUpdate:
+    """What one update changed, as paths below `work/`."""
+
+    added: list[str] = field(default_factory=list)
+    upgraded: list[str] = field(default_factory=list)
+    beside: list[tuple[str, str]] = field(default_factory=list)  # (the student's file, the new version)
+
+    def lines(self) -> list[str]:
+        """What to tell the student, one line per matter; nothing when nothing happened."""
+        said = []
+        if self.added:
+            said.append(f"{_count(len(self.added), 'notebook')} added to work/.")
+        if self.upgraded:
+            said.append(f"{_count(len(self.upgraded), 'notebook')} you had not changed brought up to date.")
+        for own, new in self.beside:
+            said.append(
+                f"There is a new version of work/{own}. Yours stays as it is; the new one is work/{new}."
+            )
+        return said
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def fingerprint(path: Path) -> str:
+    """What a person wrote in a notebook, as a hash: types and sources of its cells, not outputs or metadata.
+
+    So running a lesson is no change of it. A file that is no notebook is hashed as it is.
+    """
+    content = path.read_bytes()
+    try:
+        cells = [
+            (cell["cell_type"], _joined(cell["source"]))
+            for cell in json.loads(content.decode("utf-8"))["cells"]
+        ]
+    except (ValueError, KeyError, TypeError):
+        return hashlib.sha256(content).hexdigest()
+    return hashlib.sha256(json.dumps(cells).encode()).hexdigest()
+
+
+def _joined(source: object) -> str:
+    return "".join(source) if isinstance(source, list) else str(source)
+
+
+def read_state(work: Path) -> dict[str, list[str]]:
+    """Fingerprints of every version that was ever put there, by path below `work/`; the newest is last."""
+    try:
+        state = json.loads((work / STATE).read_text(encoding="utf-8"))
+        return {str(name): [str(mark) for mark in marks] for name, marks in state.items()}
+    except (OSError, ValueError, AttributeError, TypeError):
+        return {}
+
+
+def update_work_folder(root: Path, work: Path) -> WorkFolderUpdate:
+    """Bring `work/` up to date with the lessons and exercises below `root`."""
+    state = read_state(work)
+    report = WorkFolderUpdate()
+    for source in lessons(root):
+        name = source.relative_to(root).as_posix()
+        own = work / name
+        marks = state.setdefault(name, [])
+        new = fingerprint(source)
+        if not own.exists():
+            _copy(source, own)
+            report.added.append(name)
+        elif (present := fingerprint(own)) == new:
+            pass
+        elif present in marks:
+            keep_backup(work, own)
+            _copy(source, own)
+            report.upgraded.append(name)
+        elif new not in marks:
+            beside = own.with_name(f"{own.stem}.new{own.suffix}")
+            if beside.exists() and fingerprint(beside) not in marks:
+                keep_backup(work, beside)
+            _copy(source, beside)
+            report.beside.append((name, beside.relative_to(work).as_posix()))
+        if new in marks:
+            marks.remove(new)
+        marks.append(new)
+    for page in sorted((root / "notebooks").glob("*.md")):
+        _copy(page, work / "notebooks" / page.name)  # to be read only: nothing of the student's is in it
+    (work / ANSWERS).mkdir(parents=True, exist_ok=True)
+    _write(work / STATE, json.dumps(state, indent=1, sort_keys=True) + "\n")
+    return report
+
+
+def lessons(root: Path) -> list[Path]:
+    """Lessons first, then exercises, each in the order a student takes them."""
+    return [path for folder in FOLDERS for path in sorted((root / folder).glob("[0-9]*.ipynb"))]
+
+
+def first_lesson(root: Path) -> str | None:
+    """The lesson to open, as a path below `work/`; None while there is none."""
+    found = lessons(root)
+    return found[0].relative_to(root).as_posix() if found else None
+
+
+def keep_backup(work: Path, path: Path) -> Path:
+    """Copy a file of the student's to a dated name that nothing overwrites, and return that."""
+    folder = work / BACKUPS / path.relative_to(work).parent
+    stamp = time.strftime("%Y-%m-%d_%H-%M-%S")
+    kept = folder / f"{path.stem}.{stamp}{path.suffix}"
+    number = 2
+    while kept.exists():
+        kept = folder / f"{path.stem}.{stamp}-{number}{path.suffix}"
+        number += 1
+    kept.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copy2(path, kept)
+    return kept
+
+
+def _copy(source: Path, target: Path) -> None:
+    _write(target, source.read_text(encoding="utf-8"))
+
+
+def _write(target: Path, text: str) -> None:
+    """Write in one step: a full disk or a stop leaves the old file whole."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(dir=target.parent, prefix=".", suffix=".part")
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        Path(name).chmod(0o644)
+        Path(name).replace(target)
+    except BaseException:
+        Path(name).unlink(missing_ok=True)
+        raise
+
+
+class NoSuchExercise(LookupError):
+    """No exercise has this name; the text lists those there are."""
+
+
+def find_exercise(root: Path, name: str) -> str:
+    """The stem of an exercise, from its stem (09_joint_positions), slug (joint_positions) or number (9)."""
+    stems = [path.stem for path in lessons(root) if path.parent.name == "exercises"]
+    wanted = re.sub(r"\.(ipynb|py)$", "", name.strip()).rpartition("/")[2]
+    for stem in stems:
+        number, _, slug = stem.partition("_")
+        if wanted in (stem, slug, number) or (
+            wanted.isdigit() and number.isdigit() and int(wanted) == int(number)
+        ):
+            return stem
+    known = ", ".join(stems) or "none yet"
+    raise NoSuchExercise(f"There is no exercise {name!r}. The exercises are: {known}.")
+
+
+def reset(root: Path, work: Path, name: str) -> tuple[str, list[Path]]:
+    """Put an exercise back to its start: a fresh notebook and no answer file.
+
+    Returns the exercise's stem and the backups made of what the student had. Raises NoSuchExercise.
+    """
+    stem = find_exercise(root, name)
+    notebook = work / "exercises" / f"{stem}.ipynb"
+    answer = work / ANSWERS / f"{stem}.py"
+    kept = [keep_backup(work, path) for path in (notebook, answer) if path.exists()]
+    source = root / "exercises" / f"{stem}.ipynb"
+    _copy(source, notebook)
+    answer.unlink(missing_ok=True)
+    state = read_state(work)
+    marks = [mark for mark in state.get(f"exercises/{stem}.ipynb", []) if mark != fingerprint(source)]
+    state[f"exercises/{stem}.ipynb"] = [*marks, fingerprint(source)]
+    _write(work / STATE, json.dumps(state, indent=1, sort_keys=True) + "\n")
+    return stem, kept

@@ -1,0 +1,111 @@
+"""What a student has done so far, in a small file of their work folder: cells run, predictions, tries, points."""
+
+import fcntl
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+from workbook.exercise.answer_files import answers_folder
+
+TRIES_BEFORE_SOLUTION = 5
+"""Judged tries: enough to have used the three hints and to have thought after each."""
+
+
+@dataclass
+class LessonProgress:
+    """One lesson and its exercise. `cells`: ids of the lesson's code cells that were run. `predictions`: by experiment.
+
+    The rest is the exercise: judged tries, hints shown, whether it ever got full marks, and the most points.
+    """
+
+    tries: int = 0
+    hints: int = 0
+    solved: bool = False
+    best: float = 0.0
+    cells: list[str] = field(default_factory=list)
+    predictions: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def may_see_solution(self) -> bool:
+        """Whether `%solution` shows the reference answer."""
+        return self.solved or self.tries >= TRIES_BEFORE_SOLUTION
+
+
+_KNOWN = {
+    one.name: type(one.default_factory() if callable(one.default_factory) else one.default)
+    for one in fields(LessonProgress)
+}
+
+
+def progress_file(folder: Path | None = None) -> Path:
+    """The file that holds the progress, in the folder of answers."""
+    return (folder or answers_folder()) / ".progress.json"
+
+
+def all_progress(folder: Path | None = None) -> dict[str, LessonProgress]:
+    """Everything that is kept in a folder of answers, by stem. What is damaged counts as nothing done."""
+    return {stem: _read(entry) for stem, entry in _stored(folder).items()}
+
+
+def load_progress(stem: str) -> LessonProgress:
+    """What is kept of one lesson and its exercise; nothing done yet if nothing is."""
+    return _read(_stored().get(stem))
+
+
+def save_progress(stem: str, progress: LessonProgress) -> None:
+    """Replace what is kept of one lesson."""
+    with _locked():
+        _write(stem, progress)
+
+
+@contextmanager
+def changed_progress(stem: str) -> Iterator[LessonProgress]:
+    """Change what is kept of a lesson; two notebooks may do so at once."""
+    with _locked():
+        progress = load_progress(stem)
+        before = asdict(progress)
+        yield progress
+        if asdict(progress) != before:
+            _write(stem, progress)
+
+
+@contextmanager
+def _locked() -> Iterator[None]:
+    path = progress_file()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.with_name(".progress.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def _stored(folder: Path | None = None) -> dict[str, Any]:
+    try:
+        data = json.loads(progress_file(folder).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return data if isinstance(data, dict) else {}
+
+
+def _read(entry: object) -> LessonProgress:
+    """Keep what a version before or after this one wrote, as far as it is known here."""
+    if not isinstance(entry, dict):
+        return LessonProgress()
+    known = {
+        name: entry[name]
+        for name, kind in _KNOWN.items()
+        if isinstance(entry.get(name), (int, float) if kind is float else kind)
+    }
+    return LessonProgress(**known)
+
+
+def _write(stem: str, progress: LessonProgress) -> None:
+    data = _stored()
+    entry = data.get(stem)
+    data[stem] = {**(entry if isinstance(entry, dict) else {}), **asdict(progress)}
+    path = progress_file()
+    partial = path.with_suffix(".part")
+    partial.write_text(json.dumps(data, indent=1, sort_keys=True, ensure_ascii=False), encoding="utf-8")
+    partial.replace(path)

@@ -1,0 +1,60 @@
+"""What a program prints, kept within bounds."""
+
+import os
+import threading
+from collections.abc import Callable
+
+from workbook.recording.plain_text import plain_text
+
+LOG_KEPT_BYTES = 8_000
+
+
+class ProgramLog:
+    """Reads what a program prints; keeps the first and the last part. Calls `on_flood` once, after `limit` bytes."""
+
+    def __init__(self, stream_fd: int, limit: int, on_flood: Callable[[], None]) -> None:
+        self._fd = stream_fd
+        self._limit = limit
+        self._on_flood = on_flood
+        self._head = bytearray()
+        self._tail = bytearray()
+        self._seen = 0
+        self.flooded = False
+        self._thread = threading.Thread(target=self._read, name="program log", daemon=True)
+        self._thread.start()
+
+    def _read(self) -> None:
+        half = LOG_KEPT_BYTES // 2
+        try:
+            while chunk := os.read(self._fd, 65536):
+                self._seen += len(chunk)
+                room = half - len(self._head)
+                if room > 0:
+                    self._head += chunk[:room]
+                    chunk = chunk[room:]
+                self._tail += chunk
+                del self._tail[:-half]
+                if self._seen > self._limit and not self.flooded:
+                    self.flooded = True
+                    self._on_flood()
+        except OSError:
+            pass
+        finally:
+            os.close(self._fd)
+
+    def finish(self, timeout_s: float) -> None:
+        """Wait until everything is read, `timeout_s` at most."""
+        self._thread.join(timeout_s)
+
+    @property
+    def truncated(self) -> bool:
+        """Whether a part in the middle is not kept."""
+        return self._seen > LOG_KEPT_BYTES
+
+    def text(self) -> str:
+        """What is kept up to now."""
+        head, tail = bytes(self._head), bytes(self._tail)
+        if self._seen <= len(head) + len(tail):
+            return plain_text(head + tail)
+        left_out = self._seen - len(head) - len(tail)
+        return f"{plain_text(head)}\n… {left_out} bytes left out …\n{plain_text(tail)}"

@@ -1,0 +1,215 @@
+"""A program as its own process: its start, its limits, its end, and the record of all three."""
+
+import os
+import signal
+import subprocess
+import threading
+import time
+from collections.abc import Callable
+from contextlib import suppress
+
+from workbook.inside import proc
+from workbook.programs.domains_used import domains_of
+from workbook.programs.ending import RUN_MARK, kill_all, processes_marked
+from workbook.programs.log import ProgramLog
+from workbook.programs.spec import ProgramSpec
+from workbook.programs.tier import Confinement, Order, Tier
+from workbook.programs.unconfined import Unconfined
+from workbook.programs.usage import limit_exceeded, limits_in_log
+from workbook.recording.recording import ProcessRecord
+from workbook.ros.environment import child_environment, profile_with_lease
+from workbook.ros.scratch import remove_scratch, scratch_folder
+
+PROFILE = "FASTRTPS_DEFAULT_PROFILES_FILE"
+POLL_S = 0.05
+COUNT_EVERY_S = 0.05
+SURROUNDINGS_END_S = 2.0
+
+
+class NodeProcess:
+    """A program that runs as its own process, in its own session, and whose whole tree ends with `stop`.
+
+    It runs in a `tier` of isolation, or in none. `lease_s`: for how long (s) other participants keep it on the graph if
+    it vanishes without a DDS dispose (usually two). Use as a context manager, or call `stop`. Raises FileNotFoundError
+    when there is no such program, and OSError when it cannot be started.
+    """
+
+    def __init__(
+        self, spec: ProgramSpec, domain_id: int, tier: Tier | None = None, *, lease_s: int | None = None
+    ) -> None:
+        if not spec.file.is_file():
+            raise FileNotFoundError(f"there is no program {spec.file}")
+        self.spec = spec
+        self.domain_id = domain_id
+        self.killed = False
+        self._folder = scratch_folder("run")
+        self._confinement = (tier or Unconfined()).confine(self._folder)
+        self._mark = f"{os.getpid()}-{self._folder.name}."
+        self._limits_hit: list[str] = []
+        self._ended_at: float | None = None
+        self._ended_by_judge = False
+        self._log_before_end: str | None = None
+        self._domains_used: tuple[int, ...] = ()
+        self._processor: list[tuple[float, float]] = []
+        read_fd, write_fd = os.pipe()
+        try:
+            started = self._confinement.start(self._order(write_fd, lease_s))
+        except OSError:
+            os.close(read_fd)
+            self._remove_files()
+            raise
+        finally:
+            os.close(write_fd)
+        self._child, self.started_at = started.child, started.at
+        self.log = ProgramLog(read_fd, spec.limits.output, self._stop_flood)
+        if spec.limits.processes is not None:
+            threading.Thread(target=self._guard, name="process guard", daemon=True).start()
+
+    def _order(self, output_fd: int, lease_s: int | None) -> Order:
+        """Bring the files of the program, and say how it is to be started."""
+        spec, confinement = self.spec, self._confinement
+        arguments = confinement.host_options(spec.limits)
+        program = confinement.bring(spec.file, spec.file.name)
+        if spec.driver is not None:
+            arguments += ["--driver", confinement.bring(spec.driver, f"driver_of_{spec.driver.name}")]
+        environ = child_environment(self.domain_id, check_fields=spec.check_fields, log_folder=self._folder)
+        environ[RUN_MARK] = self._mark
+        if lease_s is not None:
+            environ[PROFILE] = confinement.bring(profile_with_lease(self._folder, lease_s), "profile.xml")
+        return Order([*arguments, program, *spec.command_line], environ, spec.limits, output_fd)
+
+    def _remove_files(self) -> None:
+        self._confinement.remove()
+        remove_scratch(self._folder)
+
+    def _stop_flood(self) -> None:
+        self._limits_hit.append("output")
+        self._kill_tree()
+
+    def _guard(self) -> None:
+        """End a program that takes too much. The kernel's own limits hold for single processes, and not for root's."""
+        while self.is_running():
+            hit = limit_exceeded(self.spec.limits, self._child.tree(), self._confinement)
+            if hit is not None:
+                self._limits_hit.append(hit)
+                self._kill_tree()
+                return
+            time.sleep(COUNT_EVERY_S)
+
+    @property
+    def confinement(self) -> Confinement:
+        """The part of its tier that runs this one program."""
+        return self._confinement
+
+    @property
+    def pid(self) -> int:
+        """The process that stands for it: its tree holds the program."""
+        return self._child.pid
+
+    def is_running(self) -> bool:
+        """Whether the program has not ended yet."""
+        if self._child.poll() is None:
+            return True
+        if self._ended_at is None:
+            self._ended_at = time.monotonic()
+        return False
+
+    def wait(self, timeout_s: float) -> bool:
+        """Wait for the program to end by itself. Returns whether it has."""
+        try:
+            self._child.wait(timeout_s)
+        except subprocess.TimeoutExpired:
+            return False
+        return not self.is_running()
+
+    def interrupt(self) -> None:
+        """Send SIGINT, what Ctrl-C sends."""
+        if self.is_running():
+            self._child.interrupt()
+
+    def domains_used(self) -> tuple[int, ...]:
+        """ROS domains on which the program (or a child of it) has sockets at this moment."""
+        if self.is_running():
+            used = domains_of(self._child.tree())
+            self._domains_used = tuple(sorted({*self._domains_used, *used}))
+        return self._domains_used
+
+    def processor_seconds(self) -> float | None:
+        """Processor time (s) of the program and all that it has started; None when it has ended."""
+        return proc.processor_seconds(self._child.tree()) if self.is_running() else None
+
+    def note_processor_time(self) -> None:
+        """Note for the record how much processor time the program has used up to now."""
+        used = self.processor_seconds()
+        if used is not None:
+            self._processor.append((round(time.monotonic() - self.started_at, 4), round(used, 3)))
+
+    def _kill_tree(self) -> None:
+        kill_all(lambda: {*self._child.tree(), *processes_marked(self._mark)})
+
+    def stop(self, patience_s: float = 2.0, meanwhile: Callable[[], object] = lambda: None) -> None:
+        """End the program: SIGINT, wait up to `patience_s`, then SIGKILL to everything it started.
+
+        `meanwhile` is called again and again while it waits. SIGTERM is not used: this rclpy loses some of them
+        while it spins. Raises StillThere when a tier cannot end what the program left behind.
+        """
+        if self.is_running():
+            self._ended_by_judge = True
+            self._log_before_end = self.log.text()
+            self._child.interrupt()
+            deadline = time.monotonic() + patience_s
+            while not self.wait(max(0.0, min(POLL_S, deadline - time.monotonic()))):
+                if time.monotonic() >= deadline:
+                    self.killed = True
+                    break
+                meanwhile()
+        if not self.killed:  # what is around it goes with the program
+            with suppress(subprocess.TimeoutExpired):
+                self._child.wait_for_surroundings(SURROUNDINGS_END_S)
+        if self.killed or processes_marked(self._mark):
+            self.killed = True
+            self._kill_tree()
+            self._child.wait()
+            self.is_running()
+        self._child.wait_for_surroundings()
+        self._child.close()
+        if self._confinement.sweep():
+            self.killed = True
+        self.log.finish(1.0)
+        self._remove_files()
+
+    def record(self) -> ProcessRecord:
+        """What the process did so far."""
+        code = None if self.is_running() else self._child.poll()
+        ended_at = None if self._ended_at is None else self._ended_at - self.started_at
+        limits = [*self._limits_hit]
+        by_judge = self._ended_by_judge or bool(limits)
+        log = end_log = self.log.text()
+        if code is not None and -code == signal.SIGXCPU:
+            limits.append("cpu")
+        elif code and not by_judge:
+            limits += limits_in_log(log)
+        if self._log_before_end is None:
+            end_log = ""
+        else:
+            log, end_log = self._log_before_end, end_log.removeprefix(self._log_before_end)
+        return ProcessRecord(
+            program=self.spec.file.name,
+            exit=code if code is not None and code >= 0 else None,
+            signal=signal.Signals(-code).name if code is not None and code < 0 else None,
+            ended_at=ended_at,
+            ended_by=None if code is None else ("bench" if by_judge else "itself"),
+            watched_for=(ended_at if ended_at is not None else time.monotonic() - self.started_at),
+            limits_hit=tuple(limits),
+            log=log,
+            end_log=end_log,
+            log_truncated=self.log.truncated,
+            domains_used=self._domains_used,
+            processor=tuple(self._processor),
+        )
+
+    def __enter__(self) -> "NodeProcess":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.stop()

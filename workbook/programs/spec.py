@@ -1,0 +1,39 @@
+"""What is to be run: a program, what it is told, and what it may use."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from workbook.recording.limits import NO_LIMITS, Limits
+
+
+@dataclass(frozen=True)
+class ProgramSpec:
+    """A Python file that is to run as `__main__`, with `arguments` and ROS `parameters` for all of its nodes.
+
+    With a `driver`, that one runs as `__main__` and can import the program as the module `answer`. `check_fields`: ROS
+    checks the types of message fields.
+    """
+
+    file: Path
+    arguments: Sequence[str] = ()
+    parameters: Mapping[str, object] = field(default_factory=dict)
+    driver: Path | None = None
+    check_fields: bool = False
+    limits: Limits = NO_LIMITS
+
+    @property
+    def command_line(self) -> list[str]:
+        """What the program finds in `sys.argv` behind its name."""
+        return [*self.arguments, *ros_arguments(self.parameters)]
+
+
+def ros_arguments(parameters: Mapping[str, object]) -> list[str]:
+    """Command-line arguments that set ROS parameters for every node of a program; none for no parameters."""
+    if not parameters:
+        return []
+    arguments = ["--ros-args"]
+    for name, value in parameters.items():
+        text = str(value).lower() if isinstance(value, bool) else str(value)
+        arguments += ["-p", f"{name}:={text}"]
+    return arguments

@@ -1,0 +1,41 @@
+"""What a program takes from the machine, as far as the limits of its single processes cannot hold it back."""
+
+import re
+from collections.abc import Sequence
+
+from workbook.inside.proc import memory_bytes
+from workbook.programs.tier import Confinement
+from workbook.recording.limits import Limits
+
+_LAST_LINES = 3
+_SAID = {
+    "memory": r"MemoryError|std::bad_alloc|Cannot allocate memory",
+    "open_files": r"Too many open files",
+    "file_size": r"File too large",
+    "disk": r"No space left on device",
+    "processes": r"can't start new thread|Resource temporarily unavailable",
+}
+
+
+def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement) -> str | None:
+    """The limit that these processes of one program exceed together; None if they keep to all."""
+    if limits.processes is not None and len(pids) > limits.processes:
+        return "processes"
+    if limits.memory is not None and memory_bytes(pids, limits.memory) > limits.memory:
+        return "memory"
+    if limits.files is not None and confinement.most_files(pids) > limits.files:
+        return "files"
+    if limits.sockets is not None and confinement.sockets(pids) > limits.sockets:
+        return "sockets"
+    if limits.queued is not None and confinement.queued_bytes(limits.queued) > limits.queued:
+        return "sockets"
+    return None
+
+
+def limits_in_log(log: str) -> tuple[str, ...]:
+    """Limits that the last lines of a program's log say were hit, by the error messages of Python and C.
+
+    A program can print such a line itself, but gains nothing by it.
+    """
+    end = "\n".join([line for line in log.splitlines() if line.strip()][-_LAST_LINES:])
+    return tuple(name for name, pattern in _SAID.items() if re.search(pattern, end))

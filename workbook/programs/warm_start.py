@@ -1,0 +1,224 @@
+"""Starting programs by forking, instead of a fresh Python for each: the other side of `inside/fork_server.py`."""
+
+import atexit
+import contextlib
+import json
+import os
+import select
+import signal
+import socket
+import subprocess
+import threading
+import time
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from workbook.inside.orphans import forget
+from workbook.inside.proc import process_tree
+from workbook.programs.ending import RUN_MARK
+from workbook.programs.helpers import start_helper
+from workbook.ros.environment import child_environment
+
+MARK_BYTES = 80
+"""Room for it in the environment of a server: a forked process has no other that others could read."""
+SERVER = "fork_server"
+START_S = 30.0
+ANSWER_S = 10.0
+POLL_S = 0.05
+
+
+class NoWarmStart(RuntimeError):
+    """The program was not started. The message says why; start it in a fresh Python."""
+
+
+class WarmProgram:
+    """A program that the server has forked. See `workbook.programs.tier.Child`."""
+
+    def __init__(self, pid: int, status_fd: int, told: bytes) -> None:
+        self.pid = pid
+        self.returncode: int | None = None
+        self._status_fd = status_fd
+        self._told = told
+        self._reading = threading.Lock()
+
+    def poll(self) -> int | None:
+        """The exit code (negative: the signal that ended it), or None while it runs."""
+        return self._read_status()
+
+    def wait(self, timeout: float | None = None) -> int:
+        """Wait for the end. Raises subprocess.TimeoutExpired after `timeout` s."""
+        deadline = None if timeout is None else time.monotonic() + timeout
+        while (code := self._read_status()) is None:
+            left = None if deadline is None else deadline - time.monotonic()
+            if left is not None and left <= 0:
+                raise subprocess.TimeoutExpired("the program", timeout or 0.0)
+            select.select([self._status_fd], [], [], POLL_S if left is None else min(left, POLL_S))
+        return code
+
+    def _read_status(self) -> int | None:
+        """Take in what its supervisor has reported. More than one thread may ask."""
+        with self._reading:
+            while self.returncode is None and select.select([self._status_fd], [], [], 0.0)[0]:
+                chunk = os.read(self._status_fd, 100)
+                self._told += chunk
+                if b"\n" in self._told and self._told.strip().isdigit():
+                    self.returncode = os.waitstatus_to_exitcode(int(self._told))
+                elif not chunk:  # its supervisor is gone, and the program with it
+                    self.returncode = -signal.SIGKILL
+            return self.returncode
+
+    def close(self) -> None:
+        """Forget it; call it when the program has ended."""
+        with self._reading:
+            if self.returncode is not None and self._status_fd >= 0:
+                os.close(self._status_fd)
+                self._status_fd = -1
+
+    def interrupt(self) -> None:
+        """Send it SIGINT."""
+        if self.poll() is None:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(self.pid, signal.SIGINT)
+
+    def tree(self) -> list[int]:
+        """It, and all that it has started."""
+        below = process_tree(self.pid)
+        return below if self.poll() is None else below[1:]
+
+    def wait_for_surroundings(self, timeout: float | None = None) -> None:
+        """Return at once: nothing is around this program."""
+
+
+class ForkServer:
+    """The process from which programs are forked. It starts with the first of them and ends with its owner."""
+
+    def __init__(self) -> None:
+        self._turn = threading.RLock()
+        self._process: subprocess.Popen[bytes] | None = None
+        self._channel: socket.socket | None = None
+        self._ready = False
+
+    @property
+    def pid(self) -> int | None:
+        """Its process number; None while there is none."""
+        return None if self._process is None else self._process.pid
+
+    def start(self, environ: Mapping[str, str]) -> None:
+        """Start the server, if it does not run, without waiting for it.
+
+        `environ` must hold nothing that programs must not see.
+        """
+        with self._turn:
+            if self._process is not None and self._process.poll() is None:
+                return
+            self.close()
+            self._process, self._channel = start_helper(SERVER, environ)
+
+    def spawn(
+        self,
+        namespaces_of: int,
+        arguments: Sequence[str],
+        environ: Mapping[str, str],
+        folder: str,
+        output_fd: int,
+    ) -> WarmProgram:
+        """Fork a program into the name spaces of a process, or into no other ones (0). Raises NoWarmStart."""
+        request = {
+            "namespaces_of": namespaces_of,
+            "arguments": [*arguments],
+            "environ": dict(environ),
+            "folder": folder,
+        }
+        read_fd, write_fd = os.pipe()
+        try:
+            with self._turn:
+                self.wait_until_ready()
+                assert self._channel is not None
+                socket.send_fds(self._channel, [json.dumps(request).encode()], [output_fd, write_fd])
+        except OSError as error:
+            os.close(read_fd)
+            self.close()
+            raise NoWarmStart(f"the fork server is gone ({error})") from error
+        finally:
+            os.close(write_fd)
+        told = b""
+        while b"\n" not in told:
+            chunk = os.read(read_fd, 100) if select.select([read_fd], [], [], ANSWER_S)[0] else b""
+            if not chunk:
+                break
+            told += chunk
+        first, _, more = told.partition(b"\n")
+        if not first.isdigit():
+            os.close(read_fd)
+            raise NoWarmStart(first.decode(errors="replace") or "the fork server does not answer")
+        return WarmProgram(int(first), read_fd, more)
+
+    def wait_until_ready(self) -> None:
+        """Wait until it can fork programs. Raises OSError when it was never started, or does not get that far."""
+        with self._turn:
+            if self._channel is None:
+                raise OSError("it was never started")
+            if not self._ready:
+                self._channel.settimeout(START_S)
+                if self._channel.recv(100) != b"ready":
+                    raise OSError("it ended at once")
+                self._ready = True
+
+    def close(self) -> None:
+        """End the server."""
+        with self._turn:
+            self._ready = False
+            if self._channel is not None:
+                self._channel.close()
+                self._channel = None
+            if self._process is not None:
+                self._process.kill()
+                self._process.wait()
+                forget(self._process.pid)
+                self._process = None
+
+
+class OwnServer:
+    """The fork server of this process, for programs that no tier confines. There is none until `keep` is called.
+
+    Most processes start one or two programs, for which a server is not worth its start.
+    """
+
+    def __init__(self) -> None:
+        self._wanted = False
+        self._owner = 0
+        self._server: ForkServer | None = None
+        self._turn = threading.Lock()
+
+    def keep(self) -> None:
+        """Use a fork server from now on. It starts with the first program."""
+        self._wanted = True
+
+    def ready(self) -> ForkServer | None:
+        """The server, once it can fork a program; None when it is not wanted or cannot be had."""
+        if not self._wanted:
+            return None
+        with self._turn:
+            if self._server is None or self._owner != os.getpid():  # a fork of its owner has none
+                self._server, self._owner = ForkServer(), os.getpid()
+                atexit.register(self.close)
+            environ = child_environment(0, log_folder=Path(os.devnull))
+            try:
+                self._server.start({**environ, RUN_MARK: " " * MARK_BYTES})
+                self._server.wait_until_ready()
+            except OSError:
+                return None
+            return self._server
+
+    @property
+    def pid(self) -> int | None:
+        """Its process number; None while there is none."""
+        return None if self._server is None else self._server.pid
+
+    def close(self) -> None:
+        """End the server. The next program starts another one."""
+        if self._server is not None and self._owner == os.getpid():
+            self._server.close()
+
+
+own_server = OwnServer()

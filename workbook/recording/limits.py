@@ -1,0 +1,44 @@
+"""What one answer may use of a machine: the values that are enforced and that messages are formatted from."""
+
+from dataclasses import dataclass
+
+MB = 1_000_000
+WRITABLE_MIB = 64
+"""Room in each folder that a program in a sandbox may write to."""
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Limits of one program: bytes, numbers, and seconds of processor time. None: no limit.
+
+    `processes`, `memory`, `files`, `sockets` and `queued` hold for a program and all that it has started, the others
+    for each process. `processes` counts threads as well where the kernel enforces it, `files` is for each folder that
+    it may write to, `queued` is what its sockets hold that nobody has read, and `output` is what it may print.
+    """
+
+    memory: int | None = None
+    file_size: int | None = None
+    open_files: int | None = None
+    cpu: int | None = None
+    core: int | None = None
+    processes: int | None = None
+    files: int | None = None
+    sockets: int | None = None
+    queued: int | None = None
+    output: int = 50 * MB
+
+
+NO_LIMITS = Limits()
+"""What a program of the reader may use: as much as it wants, but for what it prints."""
+ANSWER_LIMITS = Limits(
+    memory=2500 * MB,
+    file_size=100 * MB,
+    open_files=512,
+    cpu=60,
+    core=1,  # no core file fits into one byte; with 0, a kernel that hands them to a program would do so all the same
+    processes=64,  # a node takes about 16
+    files=20_000,
+    sockets=256,  # a node takes about ten, and all that wait for messages share one figure of the machine
+    queued=32 * MB,
+)
+"""What an answer may use that is graded."""

@@ -1,0 +1,55 @@
+"""What is to be watched: how finely and how long, and what is said meanwhile."""
+
+from dataclasses import dataclass
+
+from workbook.recording.script import NOTHING_SAID, Script
+
+SPEEDS = (9.0, 20.0)
+"""Robot seconds per real second for a program that does not come to rest; else the clock goes in lock-step with it."""
+PERIODS_PER_BLOCK = 4.5
+"""Of the longest judged period: a fast block, then a slow one, each long enough for three intervals of every topic."""
+WALL_PERIODS = 4.0
+WALL_EXTRA_S = 0.5
+LEAST_WALL_WATCH_S = 4.0
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is to be judged, so that the watch knows how finely and how long to record.
+
+    `topics`: judged topic names. `shortest_period` and `longest_period`: of the judged rates, in seconds.
+    `paced`: those of them whose rate is judged. `robot_seconds`: robot time to watch; None: nine of the longest period.
+    `wall_seconds`: real time to watch on the wall clock; None: a little more than four of the longest period.
+    `script`: what the judge sends meanwhile. A program that only listens is then seen by its node.
+    `to_the_end`: whether the watch also looks for nodes that stay on the graph after the program. A participant that
+    vanishes without a DDS dispose is then remembered for much longer than a dispose takes on the busiest machine.
+    """
+
+    topics: tuple[str, ...]
+    shortest_period: float
+    longest_period: float
+    robot_seconds: float | None = None
+    wall_seconds: float | None = None
+    script: Script = NOTHING_SAID
+    to_the_end: bool = False
+    paced: tuple[str, ...] = ()
+
+    @property
+    def node_suffices(self) -> bool:
+        """Whether a node alone is a sign of life: where nothing has to be published before something was said."""
+        return bool(self.script) or not self.topics
+
+    @property
+    def step_s(self) -> float:
+        """Step of robot time: a tenth of the shortest judged period."""
+        return self.shortest_period / 10.0
+
+    @property
+    def robot_s(self) -> float:
+        """Robot time to watch (s)."""
+        return self.robot_seconds or 2 * PERIODS_PER_BLOCK * self.longest_period
+
+    @property
+    def wall_s(self) -> float:
+        """Real time (s) to watch on the wall clock."""
+        return self.wall_seconds or max(LEAST_WALL_WATCH_S, WALL_PERIODS * self.longest_period + WALL_EXTRA_S)

@@ -1,0 +1,114 @@
+"""How a frozen dataclass is stored: the names of its fields, which need no conversion, and what data are refused."""
+
+import types
+from collections.abc import Callable, Mapping
+from dataclasses import MISSING, Field, fields
+from typing import Any, NamedTuple, Union, get_args, get_origin, get_type_hints
+
+Converter = Callable[[Any], Any]
+
+ALWAYS_STORED: Mapping[str, Any] = {"always stored": True}
+"""Metadata of a field that has a default for whoever makes one by hand, and that stored data never lacks."""
+NOT_STORED: Mapping[str, Any] = {"not stored": True}
+UNKNOWN_FIELDS: Mapping[str, Any] = {"unknown fields": True}
+"""Metadata of a mapping that keeps what a newer version has stored, so that it is written again."""
+
+_LONGEST_QUOTATION = 60
+
+
+def stored_as(name: str) -> Mapping[str, Any]:
+    """Metadata of a field whose name in JSON is no name in Python."""
+    return {"stored as": name}
+
+
+class Malformed(ValueError):
+    """Data that does not fit its type. `path` says where (`criteria[2].points`), `problem` what is wrong."""
+
+    def __init__(self, problem: str, path: str = "") -> None:
+        self.problem = problem
+        self.path = path.removeprefix(".")
+        super().__init__(f"{self.path}: {problem}" if self.path else problem)
+
+    def below(self, step: str) -> "Malformed":
+        """The same, seen from one level up."""
+        path = self.path if not self.path or self.path.startswith("[") else f".{self.path}"
+        return Malformed(self.problem, f"{step}{path}")
+
+
+def quoted(data: object) -> str:
+    """Data as ASCII text for an error message, cut when it is long."""
+    text = ascii(data)
+    return text if len(text) <= _LONGEST_QUOTATION else f"{text[: _LONGEST_QUOTATION - 4]} ..."
+
+
+class StoredField(NamedTuple):
+    """How one field of a dataclass is stored.
+
+    `key`: its name in JSON. `as_is`: types of values that need no conversion; `convert` handles all others. `is_float`:
+    whether it holds a float. `default`: makes the value of a missing field; None when the field must be there.
+    """
+
+    name: str
+    key: str
+    as_is: frozenset[type]
+    is_float: bool
+    convert: Converter
+    default: Callable[[], Any] | None
+
+
+def stored_fields(kind: type, convert: Callable[[Any], Converter]) -> tuple[StoredField, ...]:
+    """The fields of a dataclass that are stored, in order; `convert` makes the converter for a type hint."""
+    hints = get_type_hints(kind)
+    parts = []
+    for one in fields(kind):
+        if one.metadata.keys() & {"not stored", "unknown fields"}:
+            continue
+        hint = hints[one.name]
+        as_is = _as_is(hint)
+        if get_origin(hint) in (Union, types.UnionType):
+            hint = optional(hint)  # None is among those that need no conversion
+        key = one.metadata.get("stored as", one.name)
+        parts.append(StoredField(one.name, key, as_is, hint is float, convert(hint), _default_of(one)))
+    return tuple(parts)
+
+
+def _default_of(one: Field[Any]) -> Callable[[], Any] | None:
+    if "always stored" in one.metadata:
+        return None
+    if one.default_factory is not MISSING:
+        return one.default_factory
+    return None if one.default is MISSING else lambda: one.default
+
+
+def fields_not_stored(kind: type) -> list[tuple[str, Callable[[], Any]]]:
+    """Fields that get their default, and the mapping for unknown fields, empty."""
+    found: list[tuple[str, Callable[[], Any]]] = []
+    for one in fields(kind):
+        if one.metadata.keys() & {"not stored", "unknown fields"}:
+            default = _default_of(one)
+            if default is None:
+                raise TypeError(f"{kind.__name__}.{one.name} needs a default: it is not stored")
+            found.append((one.name, default))
+    return found
+
+
+def name_of_unknown(kind: type) -> str | None:
+    """Name of the field that collects unknown fields; None when the class has none."""
+    return next((one.name for one in fields(kind) if "unknown fields" in one.metadata), None)
+
+
+def _as_is(hint: Any) -> frozenset[type]:
+    """Types whose values are the same in JSON, whatever they are."""
+    if hint in (int, bool, types.NoneType):
+        return frozenset([hint])
+    if get_origin(hint) in (Union, types.UnionType):
+        return frozenset().union(*map(_as_is, get_args(hint)))
+    return frozenset()
+
+
+def optional(hint: Any) -> Any:
+    """X of `X | None`. Raises TypeError for other unions."""
+    others = [one for one in get_args(hint) if one is not types.NoneType]
+    if len(others) != 1:
+        raise TypeError(f"no conversion for {hint}")
+    return others[0]

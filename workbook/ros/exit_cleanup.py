@@ -1,0 +1,95 @@
+"""Shuts ROS down when this process exits, whatever the process forgot to shut down.
+
+A thread that still waits inside rclpy when Python is taken apart makes the process abort. So contexts are
+shut down first, the threads that spin are joined, and executors and nodes go while all they need exists.
+"""
+
+import atexit
+import concurrent.futures.thread  # noqa: F401  (its own exit hook must be registered before ours)
+import gc
+import io
+import sys
+import threading
+import time
+from collections.abc import Iterable
+from contextlib import suppress
+from typing import Any
+
+_JOIN_LIMIT_S = 2.0
+"""For all spinning threads together. A callback that never returns must not keep the process alive."""
+_registered = False
+
+
+def register() -> None:
+    """Have `shut_down_ros` called when this process exits; once is enough."""
+    global _registered
+    if _registered:
+        return
+    _registered = True
+    # Runs before Python waits for threads that are no daemons; the public atexit would run after that wait.
+    before_threads = getattr(threading, "_register_atexit", atexit.register)
+    before_threads(shut_down_ros)
+
+
+def _instances(*kinds: type) -> Iterable[Any]:
+    """All objects of these classes and of those made from them, out of the half million that a notebook has."""
+    waiting = list(kinds)
+    family: dict[int, type] = {}
+    while waiting:
+        kind = waiting.pop()
+        if id(kind) not in family:
+            family[id(kind)] = kind
+            waiting += type.__subclasses__(kind)
+    return [thing for thing in gc.get_objects() if id(type(thing)) in family]
+
+
+def _waits_in_rclpy(thread: threading.Thread) -> bool:
+    frame = sys._current_frames().get(thread.ident or 0)
+    while frame is not None:
+        if frame.f_globals.get("__name__", "").startswith("rclpy"):
+            return True
+        frame = frame.f_back
+    return False
+
+
+def shut_down_ros() -> None:
+    """Shut down every context, wait for threads that spin (at most 2 s), destroy executors and nodes."""
+    if "rclpy" not in sys.modules:
+        return
+    from rclpy.context import Context
+    from rclpy.executors import Executor, ExternalShutdownException
+    from rclpy.node import Node
+
+    default_hook = threading.excepthook
+
+    def without_shutdown(failure: threading.ExceptHookArgs) -> None:
+        if failure.exc_type is None or not issubclass(failure.exc_type, ExternalShutdownException):
+            default_hook(failure)
+
+    threading.excepthook = without_shutdown
+    for context in _instances(Context):
+        with suppress(Exception):
+            context.try_shutdown()
+    limit = time.monotonic() + _JOIN_LIMIT_S
+    for thread in threading.enumerate():
+        if thread is not threading.current_thread() and _waits_in_rclpy(thread):
+            thread.join(max(0.0, limit - time.monotonic()))
+    for executor in _instances(Executor):
+        with suppress(Exception):
+            executor.shutdown(0.0)
+    for node in _instances(Node):
+        with suppress(Exception):
+            node.destroy_node()
+    threading.excepthook = default_hook
+    _skip_garbage_collection()
+
+
+def _skip_garbage_collection() -> None:
+    """Spare Python the search for cycles in what ends with the process anyway: half a second for a notebook.
+
+    Files that only such a cycle holds are written out first, as the search would have done.
+    """
+    for file in _instances(io.TextIOWrapper, io.BufferedWriter, io.BufferedRandom):
+        with suppress(Exception):
+            file.flush()
+    gc.freeze()

@@ -1,0 +1,108 @@
+"""Nodes that replace their duplicate when a cell is run again, so that no two nodes have one name."""
+
+import threading
+import weakref
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import wraps
+from typing import Any, TypeVar
+
+from rclpy.context import Context
+from rclpy.exceptions import InvalidHandle
+from rclpy.node import Node
+from rclpy.utilities import get_default_context
+
+Made = TypeVar("Made")
+_Key = tuple[int, str, str, tuple[str, ...]]
+
+_made: "weakref.WeakValueDictionary[_Key, Node]" = weakref.WeakValueDictionary()
+
+
+def destroy(node: Node) -> None:
+    """Take a node off its executor and out of the graph; does nothing to a destroyed one."""
+    executor = node.executor
+    if executor is not None:
+        executor.remove_node(node)
+    try:
+        node.destroy_node()
+    except InvalidHandle:
+        pass
+
+
+def destroy_all() -> None:
+    """Destroy every node that `fresh` has made."""
+    for node in list(_made.values()):
+        destroy(node)
+    _made.clear()
+
+
+def nodes_in(context: Context) -> list[Node]:
+    """The nodes made by `fresh` that live in `context` and were not destroyed."""
+    return [node for node in _made.values() if node.context is context and context.ok() and _is_alive(node)]
+
+
+def _is_alive(node: Node) -> bool:
+    try:
+        with node.handle:
+            return True
+    except InvalidHandle:
+        return False
+
+
+def _full_namespace(namespace: str | None) -> str:
+    return "/" + (namespace or "").strip("/")
+
+
+def fresh(
+    make: Callable[..., Made],
+    *args: Any,
+    name: str | None = None,
+    namespace: str | None = None,
+    **kwargs: Any,
+) -> Made:
+    """Call `make(*args, **kwargs)`, destroying first what an earlier run of the cell left under that name.
+
+    `make` is a node class, or a function that makes one or several nodes. `name` and `namespace` rename the
+    first node made, whether its class takes such arguments or not.
+    """
+    with _replacing(name, namespace) as made:
+        try:
+            return make(*args, **kwargs)
+        except BaseException:
+            for node in made:
+                if hasattr(node, "_type_description_service"):  # the last thing that Node.__init__ sets
+                    destroy(node)
+            raise
+
+
+@contextmanager
+def _replacing(new_name: str | None, new_namespace: str | None) -> Iterator[list[Node]]:
+    """While this is open, a node made in this thread replaces the earlier one of the same name."""
+    here = threading.get_ident()
+    made: list[Node] = []
+    original = Node.__init__
+
+    @wraps(original)
+    def replacing_init(self: Node, node_name: str, **settings: Any) -> None:
+        if threading.get_ident() != here:
+            original(self, node_name, **settings)
+            return
+        if not made:
+            node_name = new_name or node_name
+            if new_namespace is not None:
+                settings["namespace"] = new_namespace
+        context = settings.get("context") or get_default_context()
+        remapped = tuple(settings.get("cli_args") or ())
+        key = (id(context), _full_namespace(settings.get("namespace")), node_name, remapped)
+        duplicate = _made.pop(key, None)
+        if duplicate is not None:
+            destroy(duplicate)
+        made.append(self)
+        original(self, node_name, **settings)
+        _made[key] = self
+
+    Node.__init__ = replacing_init  # type: ignore[method-assign]
+    try:
+        yield made
+    finally:
+        Node.__init__ = original  # type: ignore[method-assign]

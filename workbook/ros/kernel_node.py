@@ -1,0 +1,53 @@
+"""The kernel's own hidden node. It stays as long as the kernel, so its discovery is done when it is needed."""
+
+import atexit
+import os
+
+import rclpy
+from rclpy.context import Context
+from rclpy.node import Node
+from rclpy.signals import SignalHandlerOptions
+
+from workbook.ros.discovery import wait_for_graph
+
+_node: Node | None = None
+
+
+def kernel_node() -> Node:
+    """The hidden node of this kernel, made at first use, in a context of its own. It needs no spinning.
+
+    It is made anew when the kernel has moved to another domain. The first call returns when discovery is complete.
+    """
+    global _node
+    domain_id = int(os.environ["ROS_DOMAIN_ID"])
+    if _node is not None and _node.context.get_domain_id() != domain_id:
+        close_kernel_node()
+    if _node is None:
+        context = Context()
+        rclpy.init(
+            context=context,
+            args=[],
+            domain_id=domain_id,
+            signal_handler_options=SignalHandlerOptions.NO,
+        )
+        _node = Node(
+            f"_workbook_kernel_{os.getpid()}",
+            context=context,
+            enable_rosout=False,
+            start_parameter_services=False,
+            use_global_arguments=False,
+        )
+        atexit.register(close_kernel_node)
+        wait_for_graph(_node)
+    return _node
+
+
+def close_kernel_node() -> None:
+    """Destroy the hidden node and shut its context down; does nothing when there is none."""
+    global _node
+    if _node is not None:
+        context = _node.context
+        _node.destroy_node()
+        if context.ok():
+            rclpy.shutdown(context=context)
+        _node = None

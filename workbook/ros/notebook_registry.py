@@ -1,0 +1,79 @@
+"""The registry of open notebooks: which there are on this machine, and on which domain.
+
+An open notebook holds an abstract Unix socket whose name says it all. Linux lists these names in
+/proc/net/unix and removes them with their holder, so nothing stale can be found.
+"""
+
+import os
+import socket
+from dataclasses import dataclass
+from pathlib import Path
+from urllib.parse import quote, unquote
+
+from workbook.inside import proc
+
+SOCKET_PREFIX = "rclpy-workbook/kernel/"
+_LONGEST_NAME = 100
+"""Characters; Linux takes 107 bytes after the zero byte of an abstract socket's name."""
+
+_announced: socket.socket | None = None
+
+
+@dataclass(frozen=True, order=True)
+class OpenNotebook:
+    """A running kernel: its domain, its process and the name of its notebook."""
+
+    label: str
+    domain_id: int
+    pid: int
+
+
+def notebook_label() -> str:
+    """The file name of the notebook this kernel belongs to, as far as Jupyter tells."""
+    return Path(os.environ.get("JPY_SESSION_NAME", "")).stem or "notebook"
+
+
+def announce(domain_id: int, label: str | None = None) -> None:
+    """Register this process as an open notebook on `domain_id` until it ends; does nothing where that is impossible."""
+    global _announced
+    withdraw()
+    name = f"{SOCKET_PREFIX}{domain_id}/{os.getpid()}/{quote(label or notebook_label(), safe='')}"
+    holder = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    try:
+        holder.bind("\0" + name[:_LONGEST_NAME])
+    except OSError:
+        holder.close()
+        return
+    _announced = holder
+
+
+def withdraw() -> None:
+    """Remove this process from the registry."""
+    global _announced
+    if _announced is not None:
+        _announced.close()
+        _announced = None
+
+
+def _parse(name: str) -> OpenNotebook | None:
+    parts = name.removeprefix("@" + SOCKET_PREFIX).split("/", 2)
+    if len(parts) != 3 or not parts[0].isdigit() or not parts[1].isdigit():
+        return None
+    return OpenNotebook(unquote(parts[2]), int(parts[0]), int(parts[1]))
+
+
+def _is_mine(pid: int) -> bool:
+    return proc.owner(pid) == os.getuid()
+
+
+def open_notebooks(table: str = proc.UNIX_SOCKETS) -> list[OpenNotebook]:
+    """The notebooks that this user has open now, by name."""
+    names = {name for name in proc.unix_socket_names(table) if f"@{SOCKET_PREFIX}" in name}
+    found = [notebook for notebook in map(_parse, names) if notebook is not None]
+    return sorted(notebook for notebook in found if _is_mine(notebook.pid))
+
+
+def join_line(domain_id: int | None = None) -> str:
+    """The line that makes a terminal with a real ROS 2 installation see this notebook's robot."""
+    domain = os.environ.get("ROS_DOMAIN_ID", "0") if domain_id is None else domain_id
+    return f"export ROS_DOMAIN_ID={domain} ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST"

@@ -1,0 +1,212 @@
+"""Monitors one topic: its messages (`topic_echo`) and their rate (`topic_hz`)."""
+
+import itertools
+import statistics
+import time
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+
+from workbook.ros import fresh_nodes, tools
+from workbook.ros.discovery import discovery_node
+from workbook.ros.messages import message_class
+from workbook.ros.session import serving
+from workbook.ros.tables import Shown, Table
+
+_QUEUE = 100
+"""Depth of the subscription's queue: a second of a topic at 100 Hz may wait while a cell draws."""
+_POLL_S = 0.02
+_LONGEST_LIST = 32
+"""Elements of a list that are shown. More would bury the other fields."""
+
+
+@dataclass(frozen=True, repr=False)
+class Echo:
+    """Messages of a topic in the order of arrival; `times` (s) count from the first one."""
+
+    topic: str
+    type: str
+    messages: tuple[Any, ...]
+    times: tuple[float, ...]
+    waited: float
+
+    def __str__(self) -> str:
+        if not self.messages:
+            return f"No message on {self.topic} within {self.waited:g} s."
+        return "\n---\n".join(message_text(message) for message in self.messages)
+
+    def __repr__(self) -> str:
+        return str(self)
+
+
+@dataclass(frozen=True, repr=False)
+class Rate(Shown):
+    """How often messages came: arrivals in `seconds` s, mean rate (Hz) and gaps (s) between consecutive messages."""
+
+    topic: str
+    count: int
+    seconds: float
+    mean_hz: float | None
+    shortest_gap: float | None
+    longest_gap: float | None
+    spread: float | None
+
+    def _tables(self) -> list[Table]:
+        header = ("mean rate", "messages", "shortest gap", "longest gap", "spread")
+        empty = f"{self.count or 'no'} message{'' if self.count == 1 else 's'} in {self.seconds:g} s: no rate"
+        rows: tuple[tuple[str, ...], ...] = ()
+        if self.mean_hz is not None:
+            gaps = [
+                f"{gap:.3f} s"
+                for gap in (self.shortest_gap, self.longest_gap, self.spread)
+                if gap is not None
+            ]
+            rows = ((f"{self.mean_hz:.2f} Hz", str(self.count), *gaps),)
+        return [Table(f"Rate of {self.topic}", header, rows, empty)]
+
+
+def message_text(value: Any, indent: str = "") -> str:
+    """A message as indented `field: value` lines; long lists are cut."""
+    lines = []
+    for name in value.get_fields_and_field_types():
+        item = getattr(value, name)
+        if hasattr(item, "get_fields_and_field_types"):
+            lines += [f"{indent}{name}:", message_text(item, indent + "  ")]
+        elif _is_list_of_messages(item):
+            lines.append(f"{indent}{name}:" if len(item) else f"{indent}{name}: []")
+            for part in item[:_LONGEST_LIST]:
+                first, *rest = message_text(part, indent + "  ").splitlines()
+                lines += [f"{indent}- {first.strip()}", *rest]
+            if len(item) > _LONGEST_LIST:
+                lines.append(f"{indent}… {len(item)} in all")
+        else:
+            lines.append(f"{indent}{name}: {_value_text(item)}")
+    return "\n".join(lines)
+
+
+def _is_list_of_messages(item: Any) -> bool:
+    return isinstance(item, (list, tuple)) and any(
+        hasattr(part, "get_fields_and_field_types") for part in item
+    )
+
+
+def _value_text(item: Any) -> str:
+    if isinstance(item, str):
+        return item if item and "\n" not in item else repr(item)
+    if isinstance(item, (bool, int, float)):
+        return str(item)
+    values = [part if isinstance(part, (str, bool)) else _number(part) for part in list(item[:_LONGEST_LIST])]
+    rest = f", … {len(item)} in all" if len(item) > _LONGEST_LIST else ""
+    return f"[{', '.join(map(str, values))}{rest}]"
+
+
+def _number(part: Any) -> Any:
+    return part.item() if hasattr(part, "item") else part
+
+
+def _matching_qos(node: Node, topic: str) -> QoSProfile:
+    """QoS that is compatible with every publisher of the topic; transient local where all of them offer that."""
+    offered = [info.qos_profile for info in node.get_publishers_info_by_topic(topic)]
+    reliable = bool(offered) and all(qos.reliability == ReliabilityPolicy.RELIABLE for qos in offered)
+    keeps = bool(offered) and all(qos.durability == DurabilityPolicy.TRANSIENT_LOCAL for qos in offered)
+    return QoSProfile(
+        depth=_QUEUE,
+        reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL if keeps else DurabilityPolicy.VOLATILE,
+    )
+
+
+@dataclass(frozen=True)
+class _Source:
+    """A topic, its domain (None: this notebook's), and the nodes that run meanwhile (None: all made with `fresh`)."""
+
+    topic: str
+    domain: int | None
+    nodes: Iterable[Node] | None
+
+
+def _collect(
+    source: _Source,
+    timeout: float,
+    *,
+    raw: bool,
+    enough: Callable[[list[tuple[float, Any]]], bool],
+    on_arrival: Callable[[Any], None] = lambda message: None,
+) -> tuple[str, list[tuple[float, Any]]]:
+    """Collect (moment, message) on a topic until `enough` says so or `timeout` s have passed."""
+    topic = tools.absolute(source.topic)
+    arrivals: list[tuple[float, Any]] = []
+
+    def arrived(message: Any) -> None:
+        arrivals.append((time.monotonic(), message))
+        on_arrival(message)
+
+    with discovery_node(source.domain) as node:
+        partners = fresh_nodes.nodes_in(node.context) if source.nodes is None else list(source.nodes)
+        partners = [partner for partner in partners if partner.executor is None]
+        end = time.monotonic() + timeout
+        type_name = ""
+        with serving(node, *partners) as executor:
+            while not enough(arrivals) and (left := end - time.monotonic()) > 0:
+                if not type_name:
+                    infos = node.get_publishers_info_by_topic(topic)
+                    type_name = infos[0].topic_type if infos else ""
+                    if type_name:
+                        kind, qos = message_class(type_name), _matching_qos(node, topic)
+                        node.create_subscription(kind, topic, arrived, qos, raw=raw)
+                executor.step(min(_POLL_S, left))
+        if not type_name:
+            with_publisher = [entry.name for entry in tools.topics_seen(node) if entry.publishers]
+            raise tools.not_found("published topic", topic, with_publisher)
+    return type_name, arrivals
+
+
+def topic_echo(
+    topic: str,
+    count: int | None = 3,
+    timeout: float = 5.0,
+    *,
+    nodes: Iterable[Node] | None = None,
+    domain: int | None = None,
+    on_message: Callable[[Any], None] = lambda message: None,
+) -> Echo:
+    """Listen to a topic for `count` messages, at most `timeout` s; `count=None` listens all the time.
+
+    Meanwhile the nodes made with `fresh` run (or those in `nodes`). Raises NotFound when nobody publishes it.
+    """
+
+    def enough(arrivals: list[tuple[float, Any]]) -> bool:
+        return count is not None and len(arrivals) >= count
+
+    source = _Source(topic, domain, nodes)
+    type_name, arrivals = _collect(source, timeout, raw=False, enough=enough, on_arrival=on_message)
+    first = arrivals[0][0] if arrivals else 0.0
+    messages = tuple(message for _, message in arrivals)
+    return Echo(tools.absolute(topic), type_name, messages, tuple(t - first for t, _ in arrivals), timeout)
+
+
+def topic_hz(
+    topic: str, seconds: float = 5.0, *, nodes: Iterable[Node] | None = None, domain: int | None = None
+) -> Rate:
+    """Measure how often messages come on a topic, over `seconds` s from the first one on.
+
+    Meanwhile the nodes made with `fresh` run (or those in `nodes`). Raises NotFound when nobody publishes it.
+    """
+
+    def enough(arrivals: list[tuple[float, Any]]) -> bool:
+        return bool(arrivals) and time.monotonic() - arrivals[0][0] >= seconds
+
+    _, arrivals = _collect(_Source(topic, domain, nodes), 2 * seconds + 1.0, raw=True, enough=enough)
+    return rate_of(tools.absolute(topic), [moment for moment, _ in arrivals], seconds)
+
+
+def rate_of(topic: str, times: Sequence[float], seconds: float) -> Rate:
+    """The rate of messages that arrived at `times` (s), listened to for `seconds`."""
+    gaps = [later - earlier for earlier, later in itertools.pairwise(times)]
+    if not gaps:
+        return Rate(topic, len(times), seconds, None, None, None, None)
+    mean = len(gaps) / (times[-1] - times[0])
+    return Rate(topic, len(times), seconds, mean, min(gaps), max(gaps), statistics.pstdev(gaps))

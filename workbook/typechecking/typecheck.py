@@ -1,0 +1,227 @@
+"""What a type checker says of a program, without running it.
+
+mypy runs in a process of its own, behind a watchdog and under the settings of the judge alone. A program brings no
+settings of its own: comments that silence mypy are taken out before it looks, and are reported, as is code that it
+would not look at.
+"""
+
+import hashlib
+import json
+import os
+import shutil
+import signal
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from importlib.metadata import version
+from importlib.util import find_spec
+from pathlib import Path
+
+from workbook.recording.recording import UNFINISHED, Finding
+from workbook.ros.environment import child_environment
+from workbook.ros.scratch import remove_scratch, scratch_folder
+from workbook.typechecking.mypy_runs import MypyRun, mypy_server
+from workbook.typechecking.silencers import evasions, without_silencers
+
+TYPINGS = Path(__file__).resolve().parents[1] / "typings"
+SETTINGS = TYPINGS / "mypy.ini"
+# Without stubs: what mypy knows of rclpy and its messages as they are installed.
+OURS = (f"--config-file={SETTINGS}",)
+BARE = ("--config-file=", "--disable-error-code=import-untyped")
+PROGRAM = "answer"
+NOTE = "note"
+PROCESSOR_S = 30  # what counts: on a busy machine a minute may pass before mypy has had two seconds of it
+PATIENCE_S = 300.0
+MEMORY_BYTES = 2_500_000_000
+# What most programs import, as far as mypy takes long to read it.
+COMMON = (
+    *(
+        "asyncio",
+        "dataclasses",
+        "json",
+        "random",
+        "threading",
+        "rclpy",
+        "rclpy.action",
+        "rclpy.event_handler",
+    ),
+    *("rclpy.lifecycle", "rclpy.node", "rclpy.executors", "rclpy.parameter", "rclpy.qos", "rclpy.signals"),
+    *(
+        f"{path.parent.name}.{path.name}"
+        for path in sorted(TYPINGS.glob("*/*/"))
+        if path.name in ("msg", "srv")
+    ),
+)
+
+_BROKE_DOWN = ("INTERNAL ERROR", "MemoryError", "RecursionError")
+_NOT_INSTALLED = "mypy is not installed in this environment: `make env` brings it up to date"
+
+_cache: Path | None = None
+
+
+class TypeCheckFailed(RuntimeError):
+    """mypy itself failed, through no fault of the program. The message says why."""
+
+
+@dataclass(frozen=True)
+class MypyOptions:
+    """How mypy is run: its arguments, whether it finds the stubs of the course, whether its notes count as findings."""
+
+    arguments: Sequence[str] = OURS
+    stubs: bool = True
+    notes: bool = False
+    processor_s: int = PROCESSOR_S
+
+    @property
+    def cache_name(self) -> str:
+        """The name of the folder for what mypy knows under these options."""
+        return hashlib.sha256("\n".join((*self.arguments, str(self.stubs))).encode()).hexdigest()[:12]
+
+
+DEFAULT = MypyOptions()
+
+
+def type_check(
+    program: str, probes: Mapping[str, str] | None = None, options: MypyOptions = DEFAULT
+) -> tuple[Finding, ...]:
+    """What mypy says of `program`, by line, and of each of the `probes`: short programs that import it as `answer`.
+
+    Its notes, such as those of `reveal_type`, have the code "note". Raises TypeCheckFailed when mypy is not installed
+    or fails over something that is not the program's.
+    """
+    if find_spec("mypy") is None:
+        raise TypeCheckFailed(_NOT_INSTALLED)
+    texts = {PROGRAM: without_silencers(program)}
+    names = {PROGRAM: ""}
+    for number, (name, text) in enumerate((probes or {}).items()):
+        texts[f"probe_{number}"] = text
+        names[f"probe_{number}"] = name
+    cache = _own_cache(options)
+    folder = scratch_folder("types")
+    try:
+        for module, text in texts.items():
+            (folder / f"{module}.py").write_text(text, encoding="utf-8")
+        files = [f"{module}.py" for module in texts]
+        found = _run_mypy(folder, files, cache, options)
+    finally:
+        remove_scratch(folder)
+    of_mypy = [Finding(names[module], line, code, message) for module, line, code, message in found]
+    of_mypy.sort(key=lambda finding: (list(names.values()).index(finding.probe), finding.line))
+    return (*sorted(evasions(program), key=lambda finding: finding.line), *of_mypy)
+
+
+def _run_mypy(
+    folder: Path, files: Sequence[str], cache: Path, options: MypyOptions
+) -> list[tuple[str, int, str, str]]:
+    """Run mypy over files of a folder: module, line, code and message of all that it says."""
+    arguments = [
+        *options.arguments, "--output=json", "--no-error-summary", "--show-error-codes", "--explicit-package-bases",
+        f"--cache-dir={cache}", *files,
+    ]  # fmt: skip
+    environ = child_environment(0, log_folder=folder)
+    environ = {name: value for name, value in environ.items() if not name.startswith("MYPY")}
+    if options.stubs:
+        environ["MYPYPATH"] = str(TYPINGS)
+    try:
+        run = mypy_server.run(
+            MypyRun(arguments, folder, environ, options.processor_s, MEMORY_BYTES, PATIENCE_S)
+        )
+    except TimeoutError:
+        return [(PROGRAM, 0, UNFINISHED, f"mypy had not finished after {PATIENCE_S:.0f} s")]
+    except OSError as error:
+        raise TypeCheckFailed(f"mypy could not be started: {error}") from error
+    if -run.code in (signal.SIGXCPU, signal.SIGKILL):
+        words = f"mypy had not finished after {options.processor_s} s of processor time"
+        return [(PROGRAM, 0, UNFINISHED, words)]
+    found = list(_read(run.said, options.notes))
+    other = [module for module, *_ in found if f"{module}.py" not in files]
+    if other:
+        raise TypeCheckFailed(f"mypy stumbled over {other[0]}, not over the program: {run.said.strip()}")
+    if run.code not in (0, 1) and not found:
+        if run.code < 0 or any(name in run.complaint for name in _BROKE_DOWN):
+            return [(PROGRAM, 0, UNFINISHED, "mypy itself broke down over this program")]
+        raise TypeCheckFailed(f"mypy ended with code {run.code}: {(run.complaint or run.said).strip()}")
+    return found
+
+
+def _read(said: str, notes: bool) -> Iterator[tuple[str, int, str, str]]:
+    for line in said.splitlines():
+        if not line.startswith("{"):
+            continue
+        item = json.loads(line)
+        is_note = item["severity"] == "note"
+        if is_note and not notes:
+            continue
+        file = item["file"]
+        module = file.removesuffix(".py") if "/" not in file else file
+        yield module, max(0, item["line"]), NOTE if is_note else item["code"] or "misc", item["message"]
+
+
+def _own_cache(options: MypyOptions) -> Path:
+    """mypy's cache of this process for these settings. It begins as a copy of what the environment keeps.
+
+    Nobody else writes to it: what mypy concludes from one person's program must not reach another's check.
+    """
+    global _cache
+    if _cache is None or not _cache.is_dir():
+        _cache = scratch_folder("mypy")
+    cache = _cache / options.cache_name
+    if not cache.is_dir():
+        warm_cache(options)
+        try:
+            shutil.copytree(kept_folder() / cache.name, cache)
+        except OSError:  # nothing is kept here: mypy begins from nothing
+            shutil.rmtree(cache, ignore_errors=True)
+    return cache
+
+
+def warm_cache(options: MypyOptions = DEFAULT) -> None:
+    """Fill the environment's mypy cache for these options; does nothing if it exists or cannot be written.
+
+    Call it before you start processes that cannot write to the environment: otherwise each of them fills a cache of its
+    own. Raises TypeCheckFailed.
+    """
+    if find_spec("mypy") is None:
+        raise TypeCheckFailed(_NOT_INSTALLED)
+    kept = kept_folder() / options.cache_name
+    if not kept.is_dir():
+        _fill_cache(kept, options)
+
+
+def kept_folder() -> Path:
+    """The environment's mypy cache for rclpy and the messages, with a folder for each choice of settings.
+
+    Its name changes with whatever is installed, and with the stubs of the course.
+    """
+    state = hashlib.sha256(version("mypy").encode())
+    rclpy = find_spec("rclpy")
+    installed = [Path(rclpy.origin)] if rclpy is not None and rclpy.origin is not None else []
+    for path in [*installed, *sorted(TYPINGS.rglob("*.*"))]:
+        state.update(f"{path} {path.stat().st_mtime_ns}".encode())
+    return Path(sys.prefix, "share", "rclpy-workbook", "mypy", state.hexdigest()[:12])
+
+
+def _fill_cache(kept: Path, options: MypyOptions) -> None:
+    """Let mypy read what most programs import, and keep its cache: in an environment of ours to write to."""
+    if sys.prefix == sys.base_prefix or not os.access(sys.prefix, os.W_OK):
+        return
+    folder = scratch_folder("types")
+    try:
+        (folder / "common.py").write_text("".join(f"import {name}\n" for name in COMMON), encoding="utf-8")
+        cache = folder / "cache"
+        if _run_mypy(folder, ["common.py"], cache, replace(options, notes=False, processor_s=PROCESSOR_S)):
+            return  # whatever it says will be said of the program itself, or is none of its business
+        kept.parent.mkdir(parents=True, exist_ok=True)
+        whole = kept.with_name(f"{folder.name}.part")
+        shutil.copytree(cache, whole)
+        try:
+            whole.rename(kept)
+        except OSError:  # another process was quicker
+            shutil.rmtree(whole, ignore_errors=True)
+        for outdated in kept.parents[1].iterdir():
+            if outdated != kept.parent:
+                shutil.rmtree(outdated, ignore_errors=True)
+    except OSError:
+        return
+    finally:
+        remove_scratch(folder)

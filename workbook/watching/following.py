@@ -1,0 +1,70 @@
+"""Whether a topic follows the simulated clock, as its messages at two paces show.
+
+A program that follows `/clock` publishes at the same intervals of robot time, however fast the clock is driven. One
+that lives on the wall clock does not: its intervals of robot time grow with the speed.
+"""
+
+import math
+from collections.abc import Sequence
+from itertools import pairwise
+from statistics import fmean, median
+
+from workbook.recording.recording import Phase
+
+LEAST_INTERVALS = 3
+"""At each of the two paces: fewer can agree by chance."""
+LEAST_RATIO = 2.0
+"""Between the two paces. What lives on the wall clock shows intervals that differ by that much."""
+ALIKE = 0.1
+"""How much typical intervals may differ, as a share."""
+
+
+def follows(phases: Sequence[Phase], times: Sequence[float]) -> bool | None:
+    """Whether messages that came at `times` (s of robot time) keep their intervals at two paces; None: not proved.
+
+    Nothing is proved by silence, by too few messages, and by paces that came out too much alike. Nor by messages that
+    come quicker than the clock steps: their typical interval is zero at every pace.
+    """
+    slow, fast = max(
+        _ways_to_choose(phases),
+        key=lambda way: min(len(_intervals(times, side)) for side in way),  # where most is to be compared
+        default=([], []),
+    )
+    at_slow, at_fast = _intervals(times, slow), _intervals(times, fast)
+    if min(len(at_slow), len(at_fast)) < LEAST_INTERVALS:
+        return None
+    typical = [(of(at_slow), of(at_fast)) for of in (median, fmean)]
+    return any(slower > 0.0 and math.isclose(slower, faster, rel_tol=ALIKE) for slower, faster in typical)
+
+
+def two_paces(phases: Sequence[Phase]) -> tuple[list[Phase], list[Phase]]:
+    """The phases that count as slow and as fast: each fast one at least twice as fast as every slow one.
+
+    Of all ways to choose them, the one with the most robot time on its shorter side; two empty lists if there is none.
+    """
+    ways = _ways_to_choose(phases)
+    best = max(ways, key=lambda way: min(map(_robot_s, way)), default=([], []))
+    return best if min(map(_robot_s, best)) > 0.0 else ([], [])
+
+
+def _ways_to_choose(phases: Sequence[Phase]) -> list[tuple[list[Phase], list[Phase]]]:
+    """All ways to take some phases as slow and all that are at least twice as fast as the fastest of them as fast."""
+    ordered = sorted(phases, key=lambda phase: phase.speed)
+    ways = []
+    for number in range(1, len(ordered)):
+        slow = ordered[:number]
+        ways.append((slow, [phase for phase in ordered if phase.speed >= LEAST_RATIO * slow[-1].speed]))
+    return ways
+
+
+def _robot_s(phases: Sequence[Phase]) -> float:
+    return sum(phase.end - phase.start for phase in phases)
+
+
+def _intervals(times: Sequence[float], phases: Sequence[Phase]) -> list[float]:
+    """From one message to the next, where both lie in the same of these phases (s)."""
+    return [
+        after - before
+        for phase in phases
+        for before, after in pairwise(t for t in times if phase.start < t <= phase.end)
+    ]

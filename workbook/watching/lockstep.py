@@ -1,0 +1,93 @@
+"""Whether a program has come to rest, so that the next step of the clock loses nothing.
+
+At rest means: there was a moment at which no thread of the program, and no thread of ours that receives its messages,
+was running or waiting for a processor. All threads were asleep at one moment if each was seen asleep, and none was
+given a processor from before the first look until after the last. Linux counts that for each thread (`schedstat`, see
+https://docs.kernel.org/scheduler/sched-stats.html).
+
+A thread inside `nanosleep` is not at rest: it goes on by itself, in real time.
+"""
+
+import enum
+import time
+
+from workbook.inside import proc
+from workbook.watching.threads import Thread, ThreadTable
+
+LISTED_EVERY_S = 0.02
+"""A thread that has just begun is not seen for so long (s); what has started it is."""
+LONGEST_WAIT_S = 0.25
+"""A callback that computes or sleeps for so long (s) is waited for."""
+WORK_WAITS, SLEEP_WAITS = 4, 2
+"""How often a wait may end in vain until a program counts as one that does not come to rest."""
+POLL_S = 0.0001
+POLL_SHARE = 0.1
+"""Of the time waited so far. To poll more often would only take the processor that the program waits for."""
+
+
+class State(enum.Enum):
+    """What a program was last seen doing."""
+
+    AT_REST = "at rest"
+    SLEEPING = "a thread is in nanosleep"
+    AT_WORK = "at work"
+
+
+class LockStep:
+    """Waits until the program whose first process is `pid` is at rest, as long as it comes to rest at all.
+
+    `works` tells whether that is so: not where the kernel does not tell of threads, nor for a program that is always at
+    work (a MultiThreadedExecutor that waits for a free thread, a loop without a pause) or that lives by its own sleep.
+    `never_in_vain`: whether each wait up to now ended with the program at rest.
+    """
+
+    def __init__(self, pid: int) -> None:
+        self._table = ThreadTable(pid, LISTED_EVERY_S)
+        self._vain = {State.SLEEPING: SLEEP_WAITS, State.AT_WORK: WORK_WAITS}
+        self.never_in_vain = True
+        self._can_tell = bool(proc.NANOSLEEP) and self._is_told()
+
+    @property
+    def works(self) -> bool:
+        """Whether it is worth while to wait for rest."""
+        return self._can_tell and min(self._vain.values()) > 0
+
+    def wait(self) -> State:
+        """Return as soon as the program is at rest, or when patience is at an end. Returns what it was doing then."""
+        began = time.monotonic()
+        while (state := self.state()) is not State.AT_REST:
+            waited = time.monotonic() - began
+            if waited >= LONGEST_WAIT_S:
+                self._vain[state] -= 1
+                self.never_in_vain = False
+                break
+            time.sleep(max(POLL_S, POLL_SHARE * waited))
+        return state
+
+    def state(self) -> State:
+        """What the program is doing at this moment."""
+        threads = self._table.threads()
+        before = [_times_scheduled(thread) for thread in threads]
+        if any(proc.is_at_work(thread.stat) for thread in threads):
+            return State.AT_WORK
+        sleeping = any(
+            thread.syscall is not None and proc.is_in_nanosleep(thread.syscall) for thread in threads
+        )
+        if before != [_times_scheduled(thread) for thread in threads]:
+            return State.AT_WORK
+        return State.SLEEPING if sleeping else State.AT_REST
+
+    def close(self) -> None:
+        """Close the files that tell of threads."""
+        self._table.close()
+
+    def _is_told(self) -> bool:
+        """Whether the kernel tells how often threads are scheduled, and which call those of the program are in."""
+        threads = self._table.threads()
+        calls = [thread.syscall for thread in threads if thread.syscall is not None]
+        counted = all(len(_times_scheduled(thread).split()) == 3 for thread in threads)
+        return counted and bool(calls) and all(map(proc.tells_system_call, calls))
+
+
+def _times_scheduled(thread: Thread) -> bytes:
+    return b"" if thread.schedstat is None else proc.times_scheduled(thread.schedstat)

@@ -1,0 +1,137 @@
+"""Driving robot time: in lock-step with the program where it comes to rest, at a fixed pace where it does not.
+
+Fast and slow blocks alternate, so that a program that lives on the wall clock shows it, also when it stops early: see
+`following`.
+"""
+
+import math
+import time
+
+from workbook.recording.plan import PERIODS_PER_BLOCK, SPEEDS
+from workbook.recording.recording import Phase
+from workbook.watching.clock import SimulatedClock
+from workbook.watching.following import follows
+from workbook.watching.lockstep import LockStep
+from workbook.watching.session import Session
+
+LOOK_EVERY_S = 0.1
+SLOWER = 2.2
+"""How many times longer a step of a slow block takes than one of the fast blocks before: more than the 2 that are
+needed, because the next fast block may come out a little slower."""
+SETTLE_S = 0.005
+LATE_MATCH_S = 0.3
+"""How long (s) the clock stands still for publishers of a topic that are made late. In all, because one that cannot be
+connected must not hold it up again and again."""
+MOST_EXTRA_S = 60.0
+"""Robot time that is added at most for topics that came too rarely to tell whether they follow the clock."""
+
+
+class RobotTime:
+    """Drives the clock of one watch. `phases`: what was driven, at which measured pace."""
+
+    def __init__(self, session: Session, clock: SimulatedClock) -> None:
+        self._session = session
+        self._clock = clock
+        self._lock = LockStep(session.process.pid)
+        self._slowest_step_s = 0.0
+        self._next_look = 0.0
+        self._late_match_s = dict.fromkeys(session.plan.topics, LATE_MATCH_S)
+        self.phases: list[Phase] = []
+
+    def run_as_planned(self) -> float:
+        """Let the planned robot time pass, as long as the program runs. Returns its end (s of robot time)."""
+        plan = self._session.plan
+        pairs = max(1, math.floor(plan.robot_s / (2 * PERIODS_PER_BLOCK * plan.longest_period)))
+        self._run(plan.robot_s, 2 * pairs)
+        return self._clock.now
+
+    def run_longer(self) -> None:
+        """Let more robot time pass where that can show whether a topic follows the clock. It is not judged."""
+        unsure = [times for name in self._session.plan.paced if (times := self._unsure(name))]
+        if unsure and self._lock.works and self._session.process.is_running():
+            interval = max(self._clock.now / len(times) for times in unsure)
+            self._run(min(MOST_EXTRA_S, 2 * PERIODS_PER_BLOCK * interval), 2)
+
+    def _unsure(self, topic: str) -> list[float]:
+        """When messages of a topic came of which nothing is proved yet (s of robot time)."""
+        times = self._session.recorder.times(topic)
+        return times if follows(self.phases, times) is None else []
+
+    def following(self) -> dict[str, bool]:
+        """The judged topics of which it is proved that they follow the clock, or that they do not."""
+        found = {}
+        for name in self._session.plan.paced:
+            proved = follows(self.phases, self._session.recorder.times(name))
+            if proved is not None:
+                found[name] = proved
+        return found
+
+    @property
+    def in_lockstep(self) -> bool:
+        """Whether no step was taken before the program had come to rest."""
+        return self._lock.works and self._lock.never_in_vain
+
+    def close(self) -> None:
+        """Close the files that tell of threads."""
+        self._lock.close()
+
+    def _run(self, robot_s: float, blocks: int) -> None:
+        begin = self._clock.now
+        for number in range(blocks):
+            end = begin + robot_s * (number + 1) / blocks
+            while self._clock.now < end and self._session.process.is_running():
+                self._run_phase(end, fast=number % 2 == 0)
+
+    def _run_phase(self, end: float, *, fast: bool) -> None:
+        """Drive the clock at one pace to `end`, or until the program turns out not to come to rest."""
+        session, clock, locked = self._session, self._clock, self._lock.works
+        begin, began, steps = clock.now, time.monotonic(), 0
+        clock.run_at(self._speed(fast=fast, locked=locked))
+        while clock.now < end and session.process.is_running() and locked == self._lock.works:
+            time.sleep(clock.until_due())
+            self._wait(locked=locked)
+            session.recorder.take()
+            self._match_late_publishers()
+            clock.advance()
+            session.speaker.play(clock.now)
+            steps += 1
+            if time.monotonic() > self._next_look:
+                session.recorder.look()
+                self._next_look = time.monotonic() + LOOK_EVERY_S
+        time.sleep(max(0.0 if locked else SETTLE_S, clock.until_due()))
+        self._wait(locked=locked)
+        session.recorder.take()
+        spent = time.monotonic() - began
+        if steps:
+            self.phases.append(Phase(round((clock.now - begin) / spent, 3), begin, clock.now))
+        if steps and fast and locked:
+            self._slowest_step_s = max(self._slowest_step_s, spent / steps)
+
+    def _match_late_publishers(self) -> None:
+        """Let the clock stand still while a publisher that was made late is connected.
+
+        What it publishes before that is lost, in real time as well; but robot time must not make more of it.
+        """
+        recorder = self._session.recorder
+        for topic, left in self._late_match_s.items():
+            while left > 0.0 and recorder.has_unmatched_publisher(topic):
+                began = time.monotonic()
+                recorder.look()
+                time.sleep(SETTLE_S)
+                left -= time.monotonic() - began
+                self._late_match_s[topic] = left
+
+    def _wait(self, *, locked: bool) -> None:
+        """Let what the last step set in motion come to an end, and arrive."""
+        if locked:
+            self._lock.wait()
+        else:
+            self._session.quiescence.wait()
+
+    def _speed(self, *, fast: bool, locked: bool) -> float:
+        """Robot seconds per real second at which the clock is driven; infinite: as fast as the program can follow."""
+        if not locked:
+            return SPEEDS[1] if fast else SPEEDS[0]
+        if fast:
+            return math.inf
+        return self._session.plan.step_s / (SLOWER * self._slowest_step_s)

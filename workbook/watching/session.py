@@ -1,0 +1,114 @@
+"""What one watch consists of: a node of the judge, its clock and speaker, the program, and the recorder."""
+
+import secrets
+import time
+from dataclasses import dataclass, field, replace
+from typing import Protocol
+
+import rclpy
+from rclpy.context import Context
+from rclpy.node import Node
+
+from workbook.programs.process import NodeProcess
+from workbook.programs.spec import ProgramSpec
+from workbook.programs.tier import Tier
+from workbook.recording.plan import Plan
+from workbook.recording.recording import Clock
+from workbook.watching.clock import SimulatedClock
+from workbook.watching.quiescence import Quiescence
+from workbook.watching.recorder import Recorder
+from workbook.watching.speaker import Speaker
+
+REMEMBERED_S = 20
+"""How long (s) others remember a program that vanishes, where it is judged whether it takes its nodes along."""
+
+
+class Place(Protocol):
+    """Where programs are watched: see `workbook.watching.observer.Observer`."""
+
+    @property
+    def domain_id(self) -> int:
+        """The domain on which the next program runs."""
+
+    @property
+    def tier(self) -> Tier | None:
+        """The tier of isolation in which it runs."""
+
+    def move(self) -> None:
+        """Use another domain from now on."""
+
+
+@dataclass
+class Delays:
+    """For how long (s) the judge or the program got no processor, as the recording stores it."""
+
+    held_up: float = 0.0
+    longest_steal: float = 0.0
+    stolen: float = 0.0
+    run_queue: float = 0.0
+
+
+@dataclass
+class Session:
+    """The parts of one watch. `began`: when (`time.monotonic`, s) robot time begins on the wall clock."""
+
+    place: Place
+    plan: Plan
+    context: Context
+    node: Node
+    clock: SimulatedClock | None
+    process: NodeProcess = field(init=False)
+    speaker: Speaker = field(init=False)
+    recorder: Recorder = field(init=False)
+    quiescence: Quiescence = field(init=False)
+    began: float = field(default_factory=time.monotonic)
+    delays: Delays = field(default_factory=Delays)
+
+    def robot_time(self, moment: float) -> float:
+        """Robot time (s) at a moment of `time.monotonic` (s)."""
+        if self.clock is not None:
+            return self.clock.robot_time(moment)
+        return moment - self.began
+
+    def close(self) -> None:
+        """Leave the graph."""
+        if self.context.ok():
+            self.node.destroy_node()
+            rclpy.shutdown(context=self.context)
+
+
+def open_session(
+    place: Place, spec: ProgramSpec, plan: Plan, clock: Clock, process: NodeProcess | None
+) -> Session:
+    """Join the graph, and start the program unless it runs as `process`. Raises OSError when that cannot be done."""
+    context = Context()
+    rclpy.init(
+        context=context,
+        args=["--ros-args", "--disable-external-lib-logs"],
+        domain_id=place.domain_id,
+        signal_handler_options=rclpy.signals.SignalHandlerOptions.NO,
+    )
+    node = Node(
+        f"bench_{secrets.token_hex(4)}",
+        context=context,
+        enable_rosout=False,
+        start_parameter_services=False,
+        use_global_arguments=False,
+    )
+    simulated = clock == "simulated"
+    session = Session(place, plan, context, node, SimulatedClock(node, plan.step_s) if simulated else None)
+    session.speaker = Speaker(node, plan.script, session.robot_time)
+    if process is None:
+        if simulated:
+            spec = replace(spec, parameters={"use_sim_time": True, **spec.parameters})
+        lease_s = REMEMBERED_S if plan.to_the_end else None
+        try:
+            process = NodeProcess(spec, place.domain_id, place.tier, lease_s=lease_s)
+        except OSError:
+            session.close()
+            raise
+    session.process = process
+    session.quiescence = Quiescence(process.pid)
+    session.began = session.speaker.started_at = process.started_at
+    session.recorder = Recorder(node, process.started_at, session.robot_time, judged=plan.topics)
+    return session

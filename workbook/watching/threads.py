@@ -1,0 +1,88 @@
+"""The threads of a program, and ours that receive its messages, with the files open that tell of their state."""
+
+import os
+import time
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+
+from workbook.inside import proc
+
+OWN_THREADS = b"dds."
+"""How the names of the threads begin that receive messages; Fast DDS gives them."""
+
+
+@dataclass(frozen=True)
+class Thread:
+    """Open files of one thread; `syscall` only for threads of the program, and where the kernel lets us read it."""
+
+    stat: int
+    schedstat: int | None
+    syscall: int | None
+
+    def close(self) -> None:
+        """Close the files."""
+        for fd in (self.stat, self.schedstat, self.syscall):
+            if fd is not None:
+                os.close(fd)
+
+
+class ThreadTable:
+    """Lists the threads of the program whose first process is `pid`, again after every `listed_every_s` (s)."""
+
+    def __init__(self, pid: int, listed_every_s: float) -> None:
+        self._pid = pid
+        self._every_s = listed_every_s
+        self._listed_at = -listed_every_s
+        self._threads: dict[str, Thread] = {}
+        self._receivers: set[str] = set()
+        self._others: set[str] = set()
+
+    def threads(self) -> list[Thread]:
+        """All threads, as of the last listing."""
+        if time.monotonic() - self._listed_at >= self._every_s:
+            self._list()
+        return [*self._threads.values()]
+
+    def close(self) -> None:
+        """Close all files."""
+        while self._threads:
+            self._threads.popitem()[1].close()
+
+    def _list(self) -> None:
+        self._listed_at = time.monotonic()
+        wanted = dict(self._folders())
+        for folder in self._threads.keys() - wanted.keys():
+            self._threads.pop(folder).close()
+        for folder in wanted.keys() - self._threads.keys():
+            with suppress(OSError):  # it has ended meanwhile
+                self._threads[folder] = _open(folder, of_program=wanted[folder])
+
+    def _folders(self) -> Iterator[tuple[str, bool]]:
+        """The folder of each thread, and whether it is one of the program."""
+        there = set(proc.tasks(os.getpid()))
+        self._receivers &= there
+        self._others &= there
+        for task in there - self._receivers - self._others:
+            with suppress(OSError):
+                receives = proc.thread_name(task).startswith(OWN_THREADS)
+                (self._receivers if receives else self._others).add(task)
+        yield from ((proc.thread_folder("self", task), False) for task in self._receivers)
+        for pid in proc.process_tree(self._pid):
+            yield from ((proc.thread_folder(pid, task), True) for task in proc.tasks(pid))
+
+
+def _open(folder: str, *, of_program: bool) -> Thread:
+    """Raises OSError when the thread has ended."""
+    stat = os.open(f"{folder}/stat", os.O_RDONLY | os.O_CLOEXEC)
+    return Thread(
+        stat, _open_if(f"{folder}/schedstat"), _open_if(f"{folder}/syscall") if of_program else None
+    )
+
+
+def _open_if(path: str) -> int | None:
+    """Some kernels have no such file, or keep it from us."""
+    try:
+        return os.open(path, os.O_RDONLY | os.O_CLOEXEC)
+    except OSError:
+        return None

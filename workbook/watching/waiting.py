@@ -1,0 +1,122 @@
+"""Waiting until a program is on the graph, and connected with the judge in both directions."""
+
+import time
+from contextlib import closing
+
+from workbook.watching.session import Session
+from workbook.watching.spin_probe import SpinProbe
+
+FIRST_SIGN_S = 12.0
+STARVED_LONGEST_S = 30.0
+STARVED_PROCESSOR_S = 2.0
+ELSEWHERE_S = 2.0
+SETTLE_S = 0.6
+UNANSWERED_S = 0.5
+"""A program that has everything else, and whose nodes do not answer, is one that does not spin."""
+SPINNING_S = 0.1
+"""What a spinning node has made may still be on its way to us for so long (s)."""
+MATCH_S = 5.0
+NO_PUBLISHER_S = 8.0
+FOLLOW_S = 1.0
+POLL_S = 0.01
+HELD_STEPS = 5
+
+
+def wait_for_first_sign(session: Session) -> bool:
+    """Wait until a publisher of the program is on the graph. Returns False if it never came."""
+    process, recorder = session.process, session.recorder
+    deadline = time.monotonic() + FIRST_SIGN_S
+    look_elsewhere = time.monotonic() + ELSEWHERE_S
+    node_since: float | None = None
+    while time.monotonic() < deadline or _is_starved(session, deadline):
+        if time.monotonic() > look_elsewhere:
+            used = process.domains_used()
+            if used and session.place.domain_id not in used:
+                return False
+            look_elsewhere += 1.0
+        if recorder.look() and node_since is None and recorder.nodes():
+            node_since = time.monotonic()
+        if recorder.any_publisher() or (session.plan.node_suffices and recorder.nodes()):
+            return True
+        if not process.is_running():
+            return False
+        if node_since is not None and time.monotonic() - node_since > NO_PUBLISHER_S:
+            return False
+        time.sleep(POLL_S)
+    return False
+
+
+def _is_starved(session: Session, deadline: float) -> bool:
+    """Whether a program that has not come up by `deadline` has hardly had a processor, and wants one now."""
+    if time.monotonic() > deadline + STARVED_LONGEST_S or session.quiescence.is_quiet():
+        return False
+    used = session.process.processor_seconds()
+    return used is not None and used < STARVED_PROCESSOR_S
+
+
+def wait_for_matches(session: Session) -> bool:
+    """Wait until all that the exercise names is there and connected with the judge, or will not come any more.
+
+    A program whose nodes spin has set up what it sets up at its start. And it hears us: whoever answers a call knows of
+    our publisher of the clock, which was announced before the client of that call. The names of nodes travel apart from
+    their publishers, and on a busy machine come much later. On the wall clock, nobody is called, and a program is
+    waited for until nothing new has come for a while. Returns False when something is missing that may still come.
+    """
+    recorder = session.recorder
+    looked = time.monotonic()
+    deadline = looked + MATCH_S
+    quiet_s = spinning_s = (
+        0.0  # a program that waits for a core is not quiet, nor are we while we wait for one
+    )
+    with closing(SpinProbe(session.node)) as probe:
+        while (now := time.monotonic()) < deadline and session.process.is_running():
+            spent = min(now - looked, POLL_S)
+            if recorder.look():
+                quiet_s = spinning_s = 0.0
+            elif session.quiescence.is_quiet():
+                quiet_s += spent
+            looked = now
+            if session.clock is None:  # nobody is called: to answer is a callback, which a program may count
+                if _is_complete(session) or quiet_s > SETTLE_S:
+                    return True
+            else:
+                spinning = probe.all_spin(node.name for node in recorder.nodes())
+                spinning_s += spent if spinning else 0.0
+                if _is_complete(session) and (spinning or quiet_s > UNANSWERED_S):
+                    return True
+                if spinning_s > _patience(session, SPINNING_S):
+                    return True
+            time.sleep(POLL_S / 2)
+    return False
+
+
+def _is_complete(session: Session) -> bool:
+    recorder = session.recorder
+    matched = session.plan.topics and all(map(recorder.matched, session.plan.topics))
+    known = recorder.nodes() and recorder.knows_its_nodes()
+    return bool(matched and known and _follows(session) and session.speaker.ready())
+
+
+def _follows(session: Session) -> bool:
+    """Whether each node listens to the clock. In a program of two processes, one may be there long before the other."""
+    return session.clock is None or session.clock.followers() >= sum(
+        node.most for node in session.recorder.nodes()
+    )
+
+
+def _patience(session: Session, seconds: float) -> float:
+    """How long (s) to wait for what may still come, if nothing new does."""
+    return seconds if _follows(session) else max(seconds, FOLLOW_S)
+
+
+def let_it_match_us(session: Session) -> None:
+    """Give the program time to match our endpoints, publishing the start of robot time meanwhile.
+
+    Matching is not mutual at once: until the program has matched us, it misses what we publish, and we miss what it
+    publishes in return.
+    """
+    for _ in range(HELD_STEPS):
+        if session.clock is not None:
+            session.clock.publish()
+        time.sleep(POLL_S)
+        session.quiescence.wait()

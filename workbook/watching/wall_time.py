@@ -1,0 +1,58 @@
+"""Letting real time pass while a program is recorded."""
+
+import time
+
+from workbook.inside.proc import run_queue_s
+from workbook.watching.session import Session
+from workbook.watching.steal_time import StealTime
+
+TAKE_EVERY_S = 0.05
+LOOK_EVERY_S = 0.1
+NOTE_EVERY_S = 0.2
+
+
+def _pause(seconds: float) -> None:
+    time.sleep(seconds)
+
+
+def run_wall_time(session: Session, seconds: float) -> None:
+    """Record for `seconds` of real time, as long as the program runs; notes in `session.delays` what was late."""
+    process, recorder, speaker, delays = session.process, session.recorder, session.speaker, session.delays
+    end = time.monotonic() + seconds
+    next_take = next_look = next_note = 0.0
+    before = queued = run_queue_s(process.pid)
+    steal = StealTime()
+    running = True
+    while running and (left := end - time.monotonic()) > 0:
+        paused = time.monotonic()
+        turn = min(TAKE_EVERY_S, left, speaker.until_next(session.robot_time(paused)))
+        _pause(turn)
+        delays.held_up = max(delays.held_up, time.monotonic() - paused - turn)
+        speaker.play(session.robot_time(time.monotonic()), keep_pauses=True)
+        if time.monotonic() > next_take:
+            recorder.take()
+            running = process.is_running()
+            next_take = time.monotonic() + TAKE_EVERY_S
+        if time.monotonic() > next_note:
+            process.note_processor_time()
+            next_note = time.monotonic() + NOTE_EVERY_S
+        if time.monotonic() > next_look:
+            recorder.look()
+            queued = max(queued, run_queue_s(process.pid))
+            delays.longest_steal = max(delays.longest_steal, steal.longest_since_last())
+            next_look = time.monotonic() + LOOK_EVERY_S
+    delays.run_queue += queued - before
+    delays.stolen += steal.in_all()
+    recorder.take()
+
+
+def left_to_watch(session: Session) -> float:
+    """Real seconds left until every judged topic has been watched in full, counted from the one that was matched last.
+
+    For the wall clock. If lines of the script were late, the watch lasts that much longer.
+    """
+    now = session.robot_time(time.monotonic())
+    topics = session.recorder.topics(now)
+    windows = [topics[name].window for name in session.plan.topics if name in topics]
+    latest = max((window[0] for window in windows if window is not None), default=0.0)
+    return max(latest, session.speaker.late_s) + session.plan.wall_s - now
