@@ -9,7 +9,7 @@ import time
 from collections import deque
 
 import rclpy
-from rclpy.executors import ExternalShutdownException
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from std_msgs.msg import Int32
 
@@ -53,10 +53,10 @@ class PollingMonitor(Node):
             self.report_publisher.publish(Int32(data=self.kept.popleft()))
 
 
-def spin(node: Node) -> None:
-    """Let the node receive, in a thread beside the loop."""
+def receive(executor: SingleThreadedExecutor) -> None:
+    """Let the nodes of the executor receive, in a thread beside the loop."""
     try:
-        rclpy.spin(node)
+        executor.spin()
     except ExternalShutdownException:
         pass
 
@@ -65,7 +65,9 @@ def main(args: list[str] | None = None) -> None:
     """Look again and again until Ctrl-C or a request to end, then leave with exit code 0."""
     rclpy.init(args=args)
     monitor = PollingMonitor()
-    receiving = threading.Thread(target=spin, args=(monitor,))
+    executor = SingleThreadedExecutor()
+    executor.add_node(monitor)
+    receiving = threading.Thread(target=receive, args=(executor,))
     receiving.start()
     try:
         while rclpy.ok():

@@ -295,6 +295,67 @@ def test_only_an_end_that_ctrl_c_overtook_is_an_end_in_order_with_a_traceback(lo
     assert not ended_in_order(None, logs["overtaken"])
 
 
+# A spin that is about to wait asks for the nodes: then the context goes down, in one of the ways that there are.
+SPIN_OVERTAKEN = """\
+import threading
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+
+
+def spin(node):
+    try:
+        rclpy.spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+
+
+def overtake():
+    nodes = get_nodes()
+    {shutdown}
+    return nodes
+
+
+rclpy.init()
+node = Node("humanoid")
+executor = rclpy.get_global_executor()
+get_nodes, executor.get_nodes = executor.get_nodes, overtake
+{spin}
+print("good night")
+"""
+BY_RCL, BY_RCLPY = "executor.context.handle.shutdown()", "rclpy.try_shutdown()"
+IN_THREAD = "receiving = threading.Thread(target=spin, args=(node,)); receiving.start(); receiving.join()"
+
+
+def end_of(program: str, folder: Path) -> str:
+    with lease_domain() as lease:
+        return run_through_host(Case("left", program, "", None, ""), folder, lease.domain_id)
+
+
+@pytest.mark.parametrize("shutdown", [BY_RCL, BY_RCLPY])
+def test_a_thread_whose_spin_is_overtaken_by_the_shutdown_is_no_mishap(shutdown: str, tmp_path: Path) -> None:
+    log = end_of(SPIN_OVERTAKEN.format(shutdown=shutdown, spin=IN_THREAD), tmp_path)
+    assert "Exception in thread" in log and "_wait_for_ready_callbacks" in log
+    assert without_executors_end(log) == "good night\n"
+    assert find_error(log, "left.py") is None
+    assert ended_in_order(0, log) and not ended_in_order(1, log)
+
+
+def test_a_thread_that_fails_by_itself_is_one(tmp_path: Path) -> None:
+    failing = 'node.create_timer(0.01, lambda: {}["joint"])'
+    log = end_of(SPIN_OVERTAKEN.format(shutdown="pass", spin=f"{failing}; {IN_THREAD}"), tmp_path)
+    assert not ended_in_order(0, log)
+    assert (found := find_error(log, "left.py")) is not None and found.error == "KeyError: 'joint'"
+
+
+@pytest.mark.parametrize("shutdown", [BY_RCL, BY_RCLPY])
+def test_a_spin_that_ctrl_c_overtakes_is_an_end_in_order(shutdown: str, tmp_path: Path) -> None:
+    log = end_of(SPIN_OVERTAKEN.format(shutdown=shutdown, spin="spin(node)"), tmp_path)
+    assert "good night" not in log
+    assert shutdown_overtaken(log) and ended_in_order(1, log)
+
+
 EXECUTOR_LEFT = """\
 import rclpy
 from rclpy.executors import SingleThreadedExecutor
@@ -309,8 +370,7 @@ print("good night")
 
 
 def test_an_executor_that_outlives_a_part_of_it_is_no_mishap(tmp_path: Path) -> None:
-    with lease_domain() as lease:
-        log = run_through_host(Case("left", EXECUTOR_LEFT, "", None, ""), tmp_path, lease.domain_id)
+    log = end_of(EXECUTOR_LEFT, tmp_path)
     assert "Exception ignored in: <function Executor.__del__" in log and "InvalidHandle" in log
     assert without_executors_end(log) == "good night\n"
     assert find_error(log, "left.py") is None

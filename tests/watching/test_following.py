@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from workbook.recording.recording import Phase
 from workbook.watching.following import follows, two_paces
 
+STEP_S = 0.05
 FAST, SLOW = Phase(40.0, 0.0, 9.0), Phase(20.0, 9.0, 18.0)
 
 
@@ -28,35 +29,34 @@ def of_the_wall_clock(period: float, phases: list[Phase]) -> list[float]:
 
 
 def test_equal_intervals_at_both_paces_follow() -> None:
-    assert follows([FAST, SLOW], each(2.0, 0.0, 18.0)) is True
-    assert follows([FAST, SLOW], each(0.5, 0.0, 18.0)) is True
+    assert follows([FAST, SLOW], each(2.0, 0.0, 18.0), STEP_S) is True
+    assert follows([FAST, SLOW], each(0.5, 0.0, 18.0), STEP_S) is True
 
 
 def test_what_is_quicker_than_the_steps_of_a_slow_clock_proves_nothing() -> None:
     """On a busy machine robot time went at 0.1 and 0.6: most messages of 50 Hz came within one step of the clock."""
-    step = 0.05
     phases = [Phase(0.113, 0.0, 0.2), Phase(0.605, 0.2, 4.7), Phase(0.2, 4.7, 9.0)]
-    times = [moment // step * step for moment in of_the_wall_clock(0.02, phases)]
-    assert follows(phases, times) is not True
+    times = [moment // STEP_S * STEP_S for moment in of_the_wall_clock(0.02, phases)]
+    assert follows(phases, times, STEP_S) is not True
 
 
 def test_a_wrong_rate_follows_as_well() -> None:
-    assert follows([FAST, SLOW], each(1.3, 0.0, 18.0)) is True
+    assert follows([FAST, SLOW], each(1.3, 0.0, 18.0), STEP_S) is True
 
 
 def test_what_stops_early_has_proved_it_before() -> None:
     phases = [FAST, SLOW, Phase(40.0, 18.0, 27.0), Phase(20.0, 27.0, 36.0)]
-    assert follows(phases, each(2.0, 0.0, 20.0)) is True
+    assert follows(phases, each(2.0, 0.0, 20.0), STEP_S) is True
 
 
 @pytest.mark.parametrize("times", [[], [2.0], each(2.0, 0.0, 9.0), each(4.0, 0.0, 18.0)])
 def test_silence_and_too_few_messages_prove_nothing(times: list[float]) -> None:
-    assert follows([FAST, SLOW], times) is None
+    assert follows([FAST, SLOW], times, STEP_S) is None
 
 
 def test_one_pace_proves_nothing() -> None:
-    assert follows([FAST, Phase(30.0, 9.0, 18.0)], each(1.0, 0.0, 18.0)) is None
-    assert follows([FAST], each(1.0, 0.0, 9.0)) is None
+    assert follows([FAST, Phase(30.0, 9.0, 18.0)], each(1.0, 0.0, 18.0), STEP_S) is None
+    assert follows([FAST], each(1.0, 0.0, 9.0), STEP_S) is None
 
 
 @given(period=st.floats(0.005, 0.1), ratio=st.floats(2.0, 6.0), blocks=st.integers(1, 4))
@@ -67,7 +67,16 @@ def test_what_lives_on_the_wall_clock_is_never_taken_for_one_that_follows(
         Phase(40.0 if number % 2 == 0 else 40.0 / ratio, 9.0 * number, 9.0 * (number + 1))
         for number in range(2 * blocks)
     ]
-    assert follows(phases, of_the_wall_clock(period, phases)) is not True
+    assert follows(phases, of_the_wall_clock(period, phases), STEP_S) is not True
+
+
+@given(period=st.floats(0.005, 0.1), slow=st.floats(0.1, 20.0), ratio=st.floats(2.0, 6.0))
+def test_nor_is_it_where_messages_are_timed_by_the_steps_of_the_clock(
+    period: float, slow: float, ratio: float
+) -> None:
+    phases = [Phase(slow * ratio, 0.0, 9.0), Phase(slow, 9.0, 18.0)]
+    times = [moment // STEP_S * STEP_S for moment in of_the_wall_clock(period, phases)]
+    assert follows(phases, times, STEP_S) is not True
 
 
 @given(
@@ -76,7 +85,7 @@ def test_what_lives_on_the_wall_clock_is_never_taken_for_one_that_follows(
 )
 def test_what_follows_is_never_taken_for_one_that_does_not(period: float, speeds: list[float]) -> None:
     phases = [Phase(speed, 9.0 * number, 9.0 * (number + 1)) for number, speed in enumerate(speeds)]
-    assert follows(phases, each(period, 0.0, 9.0 * len(speeds))) is not False
+    assert follows(phases, each(period, 0.0, 9.0 * len(speeds)), STEP_S) is not False
 
 
 @given(speeds=st.lists(st.floats(0.1, 1000.0), max_size=8))
@@ -91,4 +100,4 @@ def test_paces_are_a_factor_of_two_apart(speeds: list[float]) -> None:
 def test_phases_are_compared_in_which_the_messages_came() -> None:
     speeds = (7.8, 3.2, 6.8, 3.0, 7.4, 2.8, 4.0, 1.8)  # as measured on a busy machine
     phases = [Phase(speed, 2.5 * n, 2.5 * (n + 1)) for n, speed in enumerate(speeds)]
-    assert follows(phases, [0.5 * n for n in range(1, 13)]) is True  # it stops after 6 s
+    assert follows(phases, [0.5 * n for n in range(1, 13)], STEP_S) is True  # it stops after 6 s

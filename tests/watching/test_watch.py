@@ -1,23 +1,20 @@
 """Watching real programs: exact robot time, honest doubt about wall-clock ones, and two observers that do not meet."""
 
-import os
 import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
-from tests.calm import await_calm
 from tests.programs.support import write
 from workbook.programs.spec import ProgramSpec
-from workbook.recording.plan import Plan
+from workbook.recording.plan import SPEEDS, Plan
 from workbook.recording.recording import Phase, Recording
 from workbook.ros.domains import lease_domain
 from workbook.watching.following import two_paces
 from workbook.watching.observer import Observer
 from workbook.watching.recorder import Recorder
 
-TRIES = 8
 TOPICS = ("/battery", "/status")
 PLAN = Plan(TOPICS, shortest_period=0.5, longest_period=1.0, paced=TOPICS)
 TWO_TIMERS = """
@@ -195,16 +192,6 @@ def test_the_wall_clock_gives_real_seconds(watched: Watched) -> None:
     assert all(0.0 <= t <= recording.robot_s for t in times)
 
 
-def unless_busy(watch: Callable[[], Recording], holds: Callable[[Recording], bool]) -> Recording:
-    """Watch once, and again as long as the machine has far more to do than it can and `holds` is not met."""
-    for _ in range(TRIES):
-        recording = watch()
-        if holds(recording) or os.getloadavg()[0] < 2 * (os.cpu_count() or 1):
-            break
-        await_calm()
-    return recording
-
-
 def test_a_program_on_its_own_clock_is_never_taken_for_one_that_follows(watched: Watched) -> None:
     recording = watched(OWN_CLOCK.format(options=""))
     assert recording.follows_clock
@@ -213,12 +200,21 @@ def test_a_program_on_its_own_clock_is_never_taken_for_one_that_follows(watched:
 
 def test_what_runs_beside_a_sleeping_thread_is_told_from_it(watched: Watched) -> None:
     """One topic by a timer of the node, one by a thread that sleeps: the first one follows, and only that."""
-    recording = unless_busy(
-        lambda: watched(TIMER_AND_SLEEP), lambda one: one.following.get("/battery") is True
-    )
+    recording = watched(TIMER_AND_SLEEP)
     assert recording.follows_clock
     assert recording.following.get("/battery") is True
     assert recording.following.get("/status") is not True
+
+
+def test_a_slow_pace_is_slow_beside_what_the_machine_could_do(
+    watched: Watched, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A busy machine makes the fast pace of a program that never rests slow: here it is no faster than the slow one."""
+    monkeypatch.setattr("workbook.watching.robot_time.SPEEDS", (SPEEDS[0], SPEEDS[0]))
+    recording = watched(TIMER_AND_SLEEP)
+    assert not recording.in_lockstep
+    assert all(two_paces(recording.phases))
+    assert recording.following.get("/battery") is True
 
 
 def test_a_slow_topic_gets_more_robot_time_which_is_not_judged(watched: Watched) -> None:

@@ -19,11 +19,12 @@ ALIKE = 0.1
 """How much typical intervals may differ, as a share."""
 
 
-def follows(phases: Sequence[Phase], times: Sequence[float]) -> bool | None:
+def follows(phases: Sequence[Phase], times: Sequence[float], step_s: float) -> bool | None:
     """Whether messages that came at `times` (s of robot time) keep their intervals at two paces; None: not proved.
 
-    Nothing is proved by silence, by too few messages, and by paces that came out too much alike. Nor by messages that
-    come quicker than the clock steps: their typical interval is zero at every pace.
+    Nothing is proved by silence, by too few messages, and by paces that came out too much alike. Nor does it prove
+    that a topic follows if the median interval is a single step of the clock (`step_s`, s), or none: one that is twice
+    as long may be rounded to the same.
     """
     slow, fast = max(
         _ways_to_choose(phases),
@@ -33,8 +34,12 @@ def follows(phases: Sequence[Phase], times: Sequence[float]) -> bool | None:
     at_slow, at_fast = _intervals(times, slow), _intervals(times, fast)
     if min(len(at_slow), len(at_fast)) < LEAST_INTERVALS:
         return None
-    typical = [(of(at_slow), of(at_fast)) for of in (median, fmean)]
-    return any(slower > 0.0 and math.isclose(slower, faster, rel_tol=ALIKE) for slower, faster in typical)
+    if math.isclose(fmean(at_slow), fmean(at_fast), rel_tol=ALIKE) and fmean(at_slow) > 0.0:
+        return True
+    slower, faster = median(at_slow), median(at_fast)
+    if not math.isclose(slower, faster, rel_tol=ALIKE):
+        return False
+    return True if slower > 1.5 * step_s else None
 
 
 def two_paces(phases: Sequence[Phase]) -> tuple[list[Phase], list[Phase]]:

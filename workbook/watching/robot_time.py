@@ -33,7 +33,7 @@ class RobotTime:
         self._session = session
         self._clock = clock
         self._lock = LockStep(session.process.pid)
-        self._slowest_step_s = 0.0
+        self._slowest_step_s = {True: 0.0, False: 0.0}
         self._next_look = 0.0
         self._late_match_s = dict.fromkeys(session.plan.topics, LATE_MATCH_S)
         self.phases: list[Phase] = []
@@ -55,13 +55,13 @@ class RobotTime:
     def _unsure(self, topic: str) -> list[float]:
         """When messages of a topic came of which nothing is proved yet (s of robot time)."""
         times = self._session.recorder.times(topic)
-        return times if follows(self.phases, times) is None else []
+        return times if follows(self.phases, times, self._session.plan.step_s) is None else []
 
     def following(self) -> dict[str, bool]:
         """The judged topics of which it is proved that they follow the clock, or that they do not."""
         found = {}
         for name in self._session.plan.paced:
-            proved = follows(self.phases, self._session.recorder.times(name))
+            proved = follows(self.phases, self._session.recorder.times(name), self._session.plan.step_s)
             if proved is not None:
                 found[name] = proved
         return found
@@ -104,8 +104,8 @@ class RobotTime:
         spent = time.monotonic() - began
         if steps:
             self.phases.append(Phase(round((clock.now - begin) / spent, 3), begin, clock.now))
-        if steps and fast and locked:
-            self._slowest_step_s = max(self._slowest_step_s, spent / steps)
+        if steps and fast:
+            self._slowest_step_s[locked] = max(self._slowest_step_s[locked], spent / steps)
 
     def _match_late_publishers(self) -> None:
         """Let the clock stand still while a publisher that was made late is connected.
@@ -129,9 +129,12 @@ class RobotTime:
             self._session.quiescence.wait()
 
     def _speed(self, *, fast: bool, locked: bool) -> float:
-        """Robot seconds per real second at which the clock is driven; infinite: as fast as the program can follow."""
-        if not locked:
-            return SPEEDS[1] if fast else SPEEDS[0]
+        """Robot seconds per real second at which the clock is driven; infinite: as fast as the program can follow.
+
+        A slow block is slow beside the fast ones as they came out, which a busy machine makes slower than intended.
+        """
         if fast:
-            return math.inf
-        return self._session.plan.step_s / (SLOWER * self._slowest_step_s)
+            return math.inf if locked else SPEEDS[1]
+        measured = self._slowest_step_s[locked]
+        slow = self._session.plan.step_s / (SLOWER * measured) if measured else math.inf
+        return slow if locked else min(SPEEDS[0], slow)

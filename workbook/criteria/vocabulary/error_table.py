@@ -15,12 +15,26 @@ class KnownError:
     try_this: str
 
 
-OVERTAKEN = (
+TRY_SHUTDOWN_OVERTAKEN = (
     r'rclpy/context\.py", line \d+, in try_shutdown\n'
     r"[^\n]*\n"
-    r"\S*RCLError: failed to shutdown: rcl_shutdown already called"
+    r"\S*RCLError: failed to shutdown: rcl_shutdown already called[^\n]*"
 )
 """Ctrl-C came between the question of `rclpy.try_shutdown()` and its shutdown. See `shutdown_overtaken`."""
+
+SPIN_OVERTAKEN = (
+    r'rclpy/executors\.py", line \d+, in _wait_for_ready_callbacks\n'
+    r"(?: [^\n]*\n)+"
+    r"(?:\S*RCLError: failed to initialize wait set: the given context is not valid|"
+    r"AttributeError: 'NoneType' object has no attribute 'handle')[^\n]*|"
+    r'rclpy/executors\.py", line \d+, in handler\n'
+    r" +gc\.trigger\(\)\n"
+    r"(?: [^\n]*\n)+"
+    r"\S*InvalidHandle: [^\n]*"
+)
+"""The context was shut down while a spin was about to wait. See `shutdown_overtaken`."""
+
+OVERTAKEN = f"{TRY_SHUTDOWN_OVERTAKEN}|{SPIN_OVERTAKEN}"
 
 KNOWN_ERRORS = (
     KnownError(

@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass
 
 from workbook.criteria.verdict import Verdict, failed
-from workbook.criteria.vocabulary.error_table import KNOWN_ERRORS, OVERTAKEN
+from workbook.criteria.vocabulary.error_table import KNOWN_ERRORS, OVERTAKEN, SPIN_OVERTAKEN
 from workbook.recording.recording import Recording
 
 
@@ -32,6 +32,11 @@ _EXECUTOR_LEFT = re.compile(
     r"Exception ignored in: <function Executor\.__del__ at \S+>\n"
     + re.escape(TRACEBACK)
     + r":\n(?: .*\n)+\S*InvalidHandle: .*\n?"
+)
+_THREAD_OVERTAKEN = re.compile(
+    r"Exception in thread [^\n]*:\n"
+    + re.escape(TRACEBACK)
+    + rf":\n(?: [^\n]*\n)*? [^\n]*(?:{SPIN_OVERTAKEN})\n?"
 )
 _FRAME = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)')
 
@@ -85,22 +90,25 @@ def _explained(error: str, with_lines_before: str, line: int | None) -> ProgramE
 
 
 def without_executors_end(log: str) -> str:
-    """The log without rclpy's harmless "Exception ignored in Executor.__del__".
+    """The log without what rclpy prints at the end of a program that has done nothing wrong.
 
-    Python may collect an executor's guard condition before the executor, whose finalizer then tries to destroy it once
-    more. That changes nothing and is no fault of the program. Seen twice in some thousand ends.
-    Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/executors.py (Executor.__del__).
+    - "Exception ignored in Executor.__del__": Python may collect an executor's guard condition before the executor,
+      whose finalizer then tries to destroy it once more. Seen twice in some thousand ends.
+    - "Exception in thread" from a thread that spins while another one shuts the context down: see `shutdown_overtaken`.
+
+    Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/executors.py (Executor.__del__, Executor.shutdown).
     """
-    return _EXECUTOR_LEFT.sub("", log)
+    return _THREAD_OVERTAKEN.sub("", _EXECUTOR_LEFT.sub("", log))
 
 
 def shutdown_overtaken(log: str) -> bool:
-    """Whether the only error in a log is that Ctrl-C shut the context down in the middle of `rclpy.try_shutdown()`.
+    """Whether the only error in a log is that Ctrl-C shut the context down in the middle of rclpy's own work.
 
-    `try_shutdown` checks whether the context is up, and then shuts it down. The thread of rclpy that handles Ctrl-C may
-    do so in between; then a correct program ends with a traceback and exit code 1. Measured: 4 of about 550 ends on two
-    processors with work for ten.
-    Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py (Context.try_shutdown).
+    `rclpy.try_shutdown()` checks whether the context is up, and then shuts it down. A spin checks whether it is up, and
+    then waits. The thread of rclpy that handles Ctrl-C may shut it down in between; then a correct program ends with a
+    traceback and exit code 1. Measured: `try_shutdown` 4 of about 550 ends on two processors with work for ten.
+    Sources: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py (Context.try_shutdown),
+    https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/executors.py (Executor._wait_for_ready_callbacks).
     """
     log = without_executors_end(log)
     return log.count(TRACEBACK) == 1 and re.search(OVERTAKEN, log) is not None
