@@ -340,8 +340,9 @@ def test_a_killed_grader_goes_on_and_leaves_no_process(tmp_path: Path) -> None:
     command += ("--isolation", "limits")  # in a sandbox it could not leave its mark
 
     with workbook(*command) as grader:
-        everything = {*pids_in(marks), *process_tree(grader.pid)}
-        assert not any(map(is_gone, everything))
+        judged = pids_in(marks)
+        everything = {*judged, *process_tree(grader.pid)}
+        assert not any(map(is_gone, (*judged, grader.pid)))  # what else is started may have done its work
         wait_until(lambda: len(lines(out)) == 3)  # what s2 got is written while s3 runs already
         grader.kill()
         wait_until(lambda: all(map(is_gone, everything - {grader.pid})))
