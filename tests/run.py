@@ -13,7 +13,7 @@ import time
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fnmatch import fnmatch
 from pathlib import Path
 
@@ -26,17 +26,25 @@ TYPED_FOLDERS = ("workbook", "lesson_nodes", "solutions", "exercises/criteria", 
 JOBS = str(min(8, 2 * len(os.sched_getaffinity(0))))
 TESTS_LIMIT_S = 50 * 60.0
 SUMMARY_LIMIT_S = 120.0
+MOST_ALONE = 3
+"""So many failed tests are run again, alone: a fault of the code fails again, a busy machine does not."""
+NEVER_FORGIVEN = "full marks for a wrong answer"
+"""In the words of a failure: whatever comes of a second run, this must not happen even once."""
 
 
 @dataclass(frozen=True)
 class Step:
-    """One command of the proof. `quiet`: what it says matters only when it fails."""
+    """One command of the proof.
+
+    `quiet`: what it says matters only when it fails. `alone`: the command that runs again what has failed.
+    """
 
     name: str
     group: str
     command: tuple[str, ...]
     report: Path | None = None
     quiet: bool = False
+    alone: tuple[str, ...] = ()
 
 
 def steps() -> list[Step]:
@@ -56,7 +64,9 @@ def steps() -> list[Step]:
     found.append(Step("tests can be collected", "collection", collect, quiet=True))
     tested = ARTIFACTS / "pytest.xml"
     spread = ("-n", JOBS)
-    found.append(Step("pytest", "pytest", (python, "-m", "pytest", *spread, f"--junitxml={tested}"), tested))
+    tests = (python, "-m", "pytest", f"--junitxml={tested}")
+    alone = (*tests, "--last-failed", "--last-failed-no-failures=none", "-n", "0")
+    found.append(Step("pytest", "pytest", (*tests, *spread), tested, alone=alone))
     return found
 
 
@@ -135,8 +145,41 @@ def run(plan: Sequence[Step], say: Callable[[str], None]) -> list[str]:
         if step.report is not None:
             step.report.unlink(missing_ok=True)
             say(f"── {step.name}")
-            failed += _run_tests(step, environ, TESTS_LIMIT_S)
+            lines = _run_tests(step, environ, TESTS_LIMIT_S)
+            failed += lines if not lines or not _may_run_alone(step) else _run_alone(step, environ, say)
     return failed
+
+
+def failures(report: Path) -> dict[str, str]:
+    """Failed tests of a JUnit report, and what each of them said."""
+    found: dict[str, str] = {}
+    if report.is_file():
+        for case in ElementTree.parse(report).iter("testcase"):
+            for told in (*case.findall("failure"), *case.findall("error")):
+                found[f"{case.get('classname')}::{case.get('name')}"] = f"{told.get('message')}\n{told.text}"
+    return found
+
+
+def _may_run_alone(step: Step) -> bool:
+    """Whether so few tests failed that the machine may have been at fault, none of them in an unforgivable way."""
+    assert step.report is not None
+    told = failures(step.report)
+    return (
+        bool(step.alone)
+        and 0 < len(told) <= MOST_ALONE
+        and not any(NEVER_FORGIVEN in one for one in told.values())
+    )
+
+
+def _run_alone(step: Step, environ: dict[str, str], say: Callable[[str], None]) -> list[str]:
+    """Run the failed tests once more with nothing beside them; the report of the first run is kept."""
+    assert step.report is not None
+    unsteady = [*failures(step.report)]
+    step.report.replace(step.report.with_stem(f"{step.report.stem}_side_by_side"))
+    (ARTIFACTS / "not_steady.txt").write_text("".join(f"{name}\n" for name in unsteady), encoding="utf-8")
+    say("── once more, alone. What fails again is at fault; what passes now is not steady, and wants repair:")
+    say("\n".join(f"   {name}" for name in unsteady))
+    return _run_tests(replace(step, command=step.alone), environ, TESTS_LIMIT_S)
 
 
 def _run_tests(step: Step, environ: dict[str, str], limit_s: float) -> list[str]:

@@ -113,3 +113,51 @@ def test_tests_that_never_end_are_interrupted_and_fail(proof: ModuleType) -> Non
         "pytest", "pytest", (sys.executable, "-c", "import threading; threading.Event().wait()")
     )
     assert proof._run_tests(endless, dict(os.environ), 0.5) == ["pytest (did not end within 0.5 s)"]
+
+
+SECOND_RUN = """
+import pathlib, sys
+tries = pathlib.Path({tries!r})
+tries.write_text((tries.read_text() if tries.exists() else "") + "x")
+wrong = "<failure message='{message}'>it was late</failure>"
+case = "<testcase classname='tests.test_robot' name='test_{{}}'>{{}}</testcase>"
+cases = "".join(case.format(n, wrong) for n in range({failed}))
+pathlib.Path({report!r}).write_text(f"<testsuites><testsuite>{{cases}}</testsuite></testsuites>")
+sys.exit(len(tries.read_text()) <= {bad_runs})
+"""
+
+
+@pytest.mark.parametrize(
+    ("failed", "bad_runs", "message", "runs", "holds"),
+    [
+        pytest.param(1, 0, "", 1, True, id="all holds"),
+        pytest.param(2, 1, "a silence of 3 s", 2, True, id="not steady"),
+        pytest.param(2, 2, "a silence of 3 s", 2, False, id="at fault"),
+        pytest.param(4, 1, "a silence of 3 s", 1, False, id="too many"),
+        pytest.param(0, 1, "", 1, False, id="no test failed"),
+        pytest.param(1, 1, "full marks for a wrong answer: late", 1, False, id="never forgiven"),
+    ],
+)
+def test_a_few_failed_tests_run_once_more_alone(
+    proof: ModuleType,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    failed: int,
+    bad_runs: int,
+    message: str,
+    runs: int,
+    holds: bool,
+) -> None:
+    monkeypatch.setattr(proof, "ARTIFACTS", tmp_path)
+    tries, report = tmp_path / "tries", tmp_path / "pytest.xml"
+    program = SECOND_RUN.format(
+        tries=str(tries), report=str(report), message=message, failed=failed, bad_runs=bad_runs
+    )
+    command = (sys.executable, "-c", program)
+    said: list[str] = []
+    assert (
+        proof.run([proof.Step("pytest", "pytest", command, report, alone=command)], said.append) == []
+    ) == holds
+    assert len(tries.read_text()) == runs
+    named = {line.strip() for text in said for line in text.splitlines() if "test_robot::" in line}
+    assert named == ({f"tests.test_robot::test_{n}" for n in range(failed)} if runs == 2 else set())
