@@ -3,7 +3,15 @@
 import re
 from typing import Any
 
-from workbook.criteria.vocabulary.rates import LONGEST_GAP_PERIODS, RATE_TOLERANCE
+import pytest
+
+from workbook.criteria.criterion import Topic
+from workbook.criteria.vocabulary.rates import (
+    INTERVAL_TOLERANCE,
+    LONGEST_GAP_PERIODS,
+    MEAN_TOLERANCE,
+    RATE_TOLERANCE,
+)
 from workbook.exercise.course import course_folder
 from workbook.exercise.definition import load_exercise
 
@@ -112,3 +120,46 @@ def test_01_tells_how_long_the_guard_is_watched_and_what_it_must_log() -> None:
     applied, told = constants("01_the_context"), task("01_the_context")
     watched, lines = f"{applied['WATCH_S']:g} s", f"{applied['LEAST_ROUNDS']} lines"
     assert f"for some {watched}, in which {lines} in its log are enough" in told
+
+
+def test_05_tells_what_evenly_means() -> None:
+    told = task("05_timers")
+    assert f"on average within {share(MEAN_TOLERANCE)}, and never more than one and a half periods" in told
+    assert LONGEST_GAP_PERIODS == 1.5
+    assert "there a tenth of a period is allowed" in told and INTERVAL_TOLERANCE == 0.1
+
+
+@pytest.mark.parametrize("stem", ["08_humanoid_status_publisher", "09_joint_positions"])
+def test_08_and_09_tell_how_far_a_rate_may_be_off(stem: str) -> None:
+    topics = [one for one in constants(stem).values() if isinstance(one, Topic) and one.hz]
+    assert topics
+    for one in topics:
+        low, high = one.hz * (1 - RATE_TOLERANCE), one.hz * (1 + RATE_TOLERANCE)
+        gap = f"no gap over {LONGEST_GAP_PERIODS / one.hz:g} s"
+        assert f"({low:g} to {high:g} Hz, {gap}" in task(stem), one
+
+
+@pytest.mark.parametrize("stem", ["05_timers", "08_humanoid_status_publisher", "09_joint_positions"])
+def test_how_long_a_program_is_watched_is_told(stem: str) -> None:
+    watched = load_exercise(stem, ROOT).plan.robot_s
+    told = "one minute" if watched == 60.0 else f"{watched:g} s"
+    assert f"for {told} of robot time" in task(stem)
+
+
+def test_10_tells_how_the_heart_must_beat_and_how_exact_a_plan_must_be() -> None:
+    applied, told = constants("10_slow_callbacks"), task("10_slow_callbacks")
+    assert f"{share(applied['LEAST_SHARE'])} to {share(applied['MOST_SHARE'])} of the heartbeats" in told
+    low, high = applied["TYPICALLY_S"]
+    assert f"typically there are {low:g} to {high:g} s between two (the mean over five)" in told
+    assert applied["AVERAGED"] == 5
+    assert f"never more than {applied['LONGEST_SILENCE_S']:g} s without a heartbeat" in told
+    exact = f"{applied['TOLERANCE_RAD']:f} rad"
+    assert f"to {exact}, and comes {applied['SOONEST_S']:g} s after its request, or later" in told
+
+
+def test_11_tells_how_soon_a_touch_must_be_reported_and_what_it_may_cost() -> None:
+    applied, told = constants("11_polling_against_callbacks"), task("11_polling_against_callbacks")
+    assert applied["ALONE_SHARE"] == 0.75
+    assert f"three in four are reported within {applied['ALONE_MS']:g} ms" in told
+    assert f"half within {applied['TOGETHER_MS']:g} ms" in told
+    assert f"less than {share(applied['PROCESSOR_SHARE'])} of a processor" in told
