@@ -77,6 +77,11 @@ WRONG = 'wrong = ["wrong_name", "wrong_type"]'
             "10: the id 'topic' is that of requirement 1 as well: give each its own",
         ),
         (
+            'wrong = ["no_timer", ',
+            'wrong = ["wrong_type", "no_timer", ',
+            "13: requirement 'rate': the wrong answer 'wrong_type' loses temperature_topic, and none of its criteria",
+        ),
+        (
             'sentence = "real sensors."',
             "sentence = []",
             "38: requirement 'out-of-scope': sentence must be a text",
@@ -135,12 +140,6 @@ WRONG = 'wrong = ["wrong_name", "wrong_type"]'
             "tests/wrong_answers/21_beeps/wrong_types.py is missing",
         ),
         (
-            'criteria = ["changes"]',
-            'criteria = ["in_range"]',
-            " the criterion 'changes' is worth 2 points, and no requirement names it: which sentence of the task does "
-            "it judge?",
-        ),
-        (
             '"wrong_name", ',
             "",
             " the wrong answer 'wrong_name' belongs to no requirement: name it under `wrong` of the one it breaks",
@@ -151,6 +150,16 @@ def test_a_fault_of_a_table_is_told_once(course: Tree, old: str, new: str, says:
     change(table(course), old, new)
     [problem] = told(course)
     assert problem.startswith(f"{NAME}:{says}")
+
+
+def test_a_criterion_that_no_requirement_names_is_told(course: Tree) -> None:
+    change(table(course), 'criteria = ["changes"]', 'criteria = ["in_range"]')
+    assert told(course) == [
+        f"{NAME}:28: requirement 'changes': the wrong answer 'always_the_same' loses changes, and none of its "
+        "criteria: it belongs to another requirement",
+        f"{NAME}: the criterion 'changes' is worth 2 points, and no requirement names it: which sentence of the task "
+        "does it judge?",
+    ]
 
 
 @pytest.mark.parametrize(

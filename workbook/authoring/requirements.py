@@ -15,6 +15,7 @@ from typing import Any, TypeGuard
 from workbook.authoring.task_text import folded, missing_words, task_text
 from workbook.authoring.tree import Tree, entries
 from workbook.authoring.violations import Violation, line_of
+from workbook.authoring.wrong_answers import WrongAnswerError, read_header
 from workbook.exercise.definition import Exercise
 from workbook.feedback.wording import points
 
@@ -261,6 +262,9 @@ def _names(
                 yield file.at_name(
                     one.row, name, f"{one.title}: {words}; {tree.name(folder)}/{name}.py is missing"
                 )
+            elif _is_elsewhere(lost := _lost(folder / f"{name}.py"), one, criteria):
+                words = f"the wrong answer {name!r} loses {', '.join(sorted(lost))}, and none of its criteria"
+                yield file.at_name(one.row, name, f"{one.title}: {words}: it belongs to another requirement")
     if not whole:
         return
     for name, worth in criteria.items():
@@ -271,6 +275,20 @@ def _names(
         if name not in broken:
             words = f"the wrong answer {name!r} belongs to no requirement: name it under `wrong` of the one it breaks"
             yield Violation(file.name, words)
+
+
+def _is_elsewhere(lost: frozenset[str], one: Requirement, criteria: Iterable[str]) -> bool:
+    """Whether an answer that loses these criteria breaks another requirement, as far as both can be read."""
+    named = {*one.criteria}
+    return bool(lost and named) and named <= {*criteria} and not named & lost
+
+
+def _lost(path: Path) -> frozenset[str]:
+    """Criteria that a wrong answer must lose, as its header says."""
+    try:
+        return read_header(path).loses
+    except WrongAnswerError:
+        return frozenset()
 
 
 def _nearest(name: str, known: Iterable[str]) -> list[str]:
