@@ -119,7 +119,7 @@ def test_causes_are_counted_by_their_reason_and_say_what_was_seen(few: list[Resu
     [cause] = [row for row in page.rows if len(row) == 4 and lost.because in row[2]]
     assert cause[0].startswith("3 students")
     assert cause[3] == "2 × every message has 11 values1 × every message has 13 values"
-    counts = [int(row[0].split()[0]) for row in page.rows if row and "students: show them" in row[0]]
+    counts = [int(row[0].split()[0]) for row in page.rows if row and ": show them" in row[0]]
     assert counts == sorted(counts, reverse=True)
     assert len(counts) == 3
 
@@ -148,9 +148,9 @@ def test_a_huge_class_shows_those_with_the_fewest_points(
     monkeypatch.setattr(module, "MOST_STUDENTS", 2)
     html = class_page(few, EXERCISE)
     assert "The 2 with the fewest points are shown" in html
-    assert html.count('<th scope="row">') == 2
+    assert html.count('<th scope="row"') == 2
 
 
 def test_a_class_of_nobody_and_one_without_marks_have_a_page() -> None:
     assert "0 answers" in class_page([], EXERCISE)
-    assert "1 answers, 0 graded" in class_page([refused("bob")], EXERCISE)
+    assert "1 answer, 0 graded" in class_page([refused("bob")], EXERCISE)
