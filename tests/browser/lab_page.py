@@ -56,11 +56,18 @@ _CONTRASTS = """
         return 0.2126 * x + 0.7152 * y + 0.0722 * z;
     };
     const behind = (element) => {
+        const tints = [];
+        let ground = [255, 255, 255];
         for (let one = element; one; one = one.parentElement) {
             const color = parse(getComputedStyle(one).backgroundColor);
-            if (color.length === 3 || color[3] > 0.99) return color;
+            if (color.length === 3 || color[3] > 0.99) {
+                ground = color.slice(0, 3);
+                break;
+            }
+            if (color[3] > 0) tints.unshift(color);
         }
-        return [255, 255, 255];
+        const over = (below, [r, g, b, share]) => [r, g, b].map((part, i) => below[i] * (1 - share) + part * share);
+        return tints.reduce(over, ground);
     };
     const found = [];
     const walker = document.createTreeWalker(card, NodeFilter.SHOW_TEXT);

@@ -133,12 +133,28 @@ def test_a_program_that_published_nothing_can_be_drawn() -> None:
     assert timeline.describe(record) == "timeline of messages: nothing was published; the program ended early"
 
 
-def test_the_description_names_topics_and_gaps_without_numbers() -> None:
+def test_the_description_names_topics_rates_and_gaps() -> None:
     record = recording({JOINTS: [2, 4, 12, 14, 16, 18, 20], STATUS: range(1, 21)})
     words = timeline.describe(record, {JOINTS: 2.0, STATUS: 1.0, "/robot/battery": 2.0})
     assert words == (
-        "timeline of messages: /robot/joint_positions with gaps, /robot/status without a gap, /robot/battery silent"
+        "timeline of messages: /robot/joint_positions at 0.33 Hz (0.5 Hz due), with gaps; "
+        "/robot/status at 1 Hz as due, without a gap; /robot/battery silent"
     )
+
+
+def test_the_description_of_a_wrong_rate_says_both_rates() -> None:
+    fast = recording({JOINTS: [number / 99 for number in range(20 * 99)]})
+    assert "at 99 Hz (0.5 Hz due), without a gap" in timeline.describe(fast, {JOINTS: 2.0})
+    once = recording({JOINTS: [3.0]})
+    assert "once (0.5 Hz due), with gaps" in timeline.describe(once, {JOINTS: 2.0})
+
+
+def test_the_description_of_a_rate_that_is_as_due_is_the_same_in_every_run() -> None:
+    told = {
+        timeline.describe(recording({JOINTS: [shift + 2.01 * k for k in range(10)]}), {JOINTS: 2.0})
+        for shift in (0.0, 0.1)
+    }
+    assert told == {"timeline of messages: /robot/joint_positions at 0.5 Hz as due, without a gap"}
 
 
 @given(st.lists(st.floats(0, 100), max_size=30), st.floats(0.1, 20))

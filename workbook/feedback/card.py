@@ -6,10 +6,8 @@ from dataclasses import dataclass
 from workbook.exercise.judgement import Judgement
 from workbook.exercise.museum import Exhibit
 from workbook.feedback import wording
+from workbook.feedback.colors import COLORS, ON_DARK, ON_LIGHT, TEXT, TINTS, variables
 from workbook.templating import render
-
-COLORS = {"passed": "#208a3c", "failed": "#dc3b3b", "partial": "#b06a00", "skipped": "#787878"}
-BLUE = "#2f78d0"
 
 
 @dataclass(frozen=True)
@@ -17,6 +15,7 @@ class Extras:
     """What a card may carry besides the judgement.
 
     `timeline` is a PNG and `timeline_text` describes it; `has_rates` says whether it shows when messages were due.
+    `is_graded`: the card is part of a gradebook, where no other try follows.
     """
 
     file: str = ""
@@ -26,26 +25,32 @@ class Extras:
     has_rates: bool = True
     hints_left: int = 0
     exhibit: Exhibit | None = None
+    is_graded: bool = False
 
 
-def _color_of(judgement: Judgement) -> str:
+def _state_of(judgement: Judgement) -> str:
+    """The state of a criterion whose color the whole card has."""
     if judgement.provisional:
-        return COLORS["partial"]
+        return "partial"
     if wording.all_shown_hold(judgement):
-        return COLORS["passed"]
-    return COLORS["partial"] if wording.shown_points(judgement)[0] else COLORS["failed"]
+        return "passed"
+    return "partial" if wording.shown_points(judgement)[0] else "failed"
 
 
 def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
-    """The card. All text of the program is escaped; colors are plain hex values with a word beside each."""
+    """The card. All text of the program is escaped; a word stands beside each color (see `colors`)."""
     extras = extras or Extras()
     holds = wording.all_shown_hold(judgement)
     score, most = wording.shown_points(judgement)
     return render(
         "feedback/card",
         extras=extras,
-        color=_color_of(judgement),
+        state=_state_of(judgement),
         colors=COLORS,
+        text=TEXT,
+        tints=TINTS,
+        on_light=variables(ON_LIGHT),
+        on_dark=variables(ON_DARK),
         signs=wording.SIGNS,
         words=wording.WORDS,
         sign="✓" if holds else "◔" if judgement.provisional else "➜",
@@ -53,10 +58,11 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
         score=score,
         most=most,
         provisional_line=wording.provisional_line(judgement),
-        doubt_line=wording.doubt_line(judgement),
+        doubt_line=wording.doubt_line(judgement, is_graded=extras.is_graded),
         first=wording.first_to_mend(judgement),
         later=wording.also_to_mend(judgement),
-        shown=wording.visible(judgement),
+        shown=wording.worst_first(judgement),
+        earned=wording.earned,
         timeline=None if extras.timeline is None else base64.b64encode(extras.timeline).decode(),
         log=wording.printed(judgement).strip(),
         is_done=holds and not judgement.provisional,

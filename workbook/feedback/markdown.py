@@ -28,7 +28,7 @@ def as_markdown(judgement: Judgement) -> str:
     first = wording.first_to_mend(judgement)
     if first is not None:
         parts += [f"First to mend: {plain(first.title)}", _advice(first)]
-    shown = wording.visible(judgement)
+    shown = wording.worst_first(judgement)
     if shown:
         parts.append(
             render(
@@ -36,11 +36,12 @@ def as_markdown(judgement: Judgement) -> str:
                 shown=shown,
                 signs=wording.SIGNS,
                 words=wording.WORDS,
+                earned=wording.earned,
                 plain=plain_markup,
             )
         )
     for line in (
-        wording.doubt_line(judgement),
+        wording.doubt_line(judgement, is_graded=True),
         wording.hidden_line(judgement),
         wording.clock_line(judgement),
     ):

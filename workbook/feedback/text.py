@@ -24,7 +24,9 @@ def _block(label: str, text: str) -> list[str]:
 
 
 def _criterion(result: CriterionResult, color: bool, in_full: bool) -> list[str]:
-    earned = f"{wording.points(result.points)}/{wording.points(result.max_points)}"
+    earned = (
+        f"{wording.points(result.points)}/{wording.points(result.max_points)}" if result.max_points else ""
+    )
     sign = _paint(wording.SIGNS[result.status], result.status, color)
     lines = [f"  {sign} {earned:>5}  {result.title}"]
     if in_full:

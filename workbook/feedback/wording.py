@@ -6,12 +6,22 @@ from workbook.exercise.judgement import Judgement
 from workbook.exercise.museum import BrokenMuseum, Exhibit, load_museum
 
 SIGNS = {"passed": "✓", "failed": "✗", "partial": "◐", "skipped": "–"}
+SHORTEST_WATCH_S = 0.5
+"""A shorter one would be told as 0 s."""
+NOTHING_WATCHED = "The program ended before there was anything to watch."
 WORDS = {"passed": "holds", "failed": "not yet", "partial": "in part", "skipped": "waits"}
 
 
 def points(value: float) -> str:
     """Points without a useless .0."""
     return f"{value:g}"
+
+
+def earned(result: CriterionResult) -> str:
+    """The points of a criterion, such as "1 of 2"; for one that carries none and must hold first: "needed"."""
+    if not result.max_points:
+        return "needed"
+    return f"{points(result.points)} of {points(result.max_points)}"
 
 
 def visible(judgement: Judgement) -> list[CriterionResult]:
@@ -21,6 +31,12 @@ def visible(judgement: Judgement) -> list[CriterionResult]:
         for result in judgement.criteria
         if not result.hidden and (result.max_points > 0 or result.status != "passed")
     ]
+
+
+def worst_first(judgement: Judgement) -> list[CriterionResult]:
+    """The criteria shown: first what failed, in part or not, then what waits for it, then what passed."""
+    order = ("failed", "partial"), ("skipped",), ("passed",)
+    return [one for states in order for one in visible(judgement) if one.status in states]
 
 
 def hidden_count(judgement: Judgement) -> int:
@@ -83,6 +99,8 @@ def clock_line(judgement: Judgement) -> str:
     recording = judgement.recording
     if recording is None:
         return ""
+    if recording.robot_s < SHORTEST_WATCH_S:
+        return NOTHING_WATCHED
     if recording.clock == "simulated":
         line = f"Judged on {recording.robot_s:.0f} s of robot time in {recording.wall_s:.1f} real seconds."
         if judgement.watched_real_life:
@@ -100,11 +118,12 @@ def provisional_line(judgement: Judgement) -> str:
     return "Provisional: this was seen on fast robot time. The wall clock has the last word; it takes some seconds."
 
 
-def doubt_line(judgement: Judgement) -> str:
-    """Why the judgement is inconclusive; empty for one that is sound."""
+def doubt_line(judgement: Judgement, *, is_graded: bool = False) -> str:
+    """Why the judgement is inconclusive; empty for one that is sound. `is_graded`: no other try follows."""
     if not judgement.doubt or judgement.provisional:
         return ""
-    return f"Inconclusive: {judgement.doubt}. This may not be the program's fault; another try decides."
+    then = "." if is_graded else "; another try decides."
+    return f"Inconclusive: {judgement.doubt}. This may not be the program's fault{then}"
 
 
 def hidden_line(judgement: Judgement) -> str:

@@ -6,11 +6,12 @@ from pathlib import Path
 
 from workbook.exercise.definition import Exercise
 from workbook.grading.appeals import kept, with_changes
+from workbook.grading.class_page import class_page
 from workbook.grading.exports import canvas, gradescope, moodle, nbgrader
 from workbook.grading.files import write_whole
 from workbook.grading.grades_csv import grades_csv
 from workbook.grading.lateness import Lateness, with_lateness
-from workbook.grading.pages import CLASS, PAGES, class_page, page_name, student_page
+from workbook.grading.pages import CLASS, PAGES, page_name, student_page
 from workbook.grading.results import Result, StudentAndExercise
 
 GRADES = "grades.csv"

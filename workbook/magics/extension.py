@@ -232,7 +232,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def hint(self, line: str) -> None:
-        """The next of three hints: a nudge, a pointer, a sketch."""
+        """The next of three hints, below the earlier ones: a nudge, a pointer, a sketch."""
         self._report(self._hint, line)
 
     def _hint(self, line: str) -> None:
@@ -241,15 +241,15 @@ class ExerciseMagics(Magics):
         exercise = self._exercise(" ".join(words))
         hints = exercise.source.hints
         progress = load_progress(exercise.stem)
-        if wanted is None and progress.hints >= len(hints):
-            print(f"Those were all {len(hints)} hints. `%hint 1` shows the first one again.")
-            return
-        number = progress.hints + 1 if wanted is None else wanted
+        number = min(progress.hints + 1, len(hints)) if wanted is None else wanted
         if not 1 <= number <= len(hints):
-            raise _Notice(f"There are {len(hints)} hints: `%hint 1` to `%hint {len(hints)}`.")
+            raise _Notice(f"There are {len(hints)} hints: %hint 1 to %hint {len(hints)}.")
+        told = [f"**Hint {one} of {len(hints)}.** {hints[one - 1]}" for one in range(1, number + 1)]
+        if wanted is None and progress.hints >= len(hints):
+            told.append(f"These are all {len(hints)} hints.")
         progress.hints = max(progress.hints, number)
         save_progress(exercise.stem, progress)
-        display(Markdown(f"**Hint {number} of {len(hints)}.** {hints[number - 1]}"))
+        display(Markdown("\n\n".join(told)))
 
     @line_magic
     def solution(self, line: str) -> None:
@@ -263,7 +263,7 @@ class ExerciseMagics(Magics):
             left = TRIES_BEFORE_SOLUTION - progress.tries
             raise _Notice(
                 f"The solution opens when your answer passes, or after {left} more "
-                f"{'try' if left == 1 else 'tries'} with %check. `%hint` helps until then."
+                f"{'try' if left == 1 else 'tries'} with %check. %hint helps until then."
             )
         source = exercise.source
         display(Markdown(f"```python\n{source.solution_code.rstrip()}\n```\n\n{source.alternatives}"))

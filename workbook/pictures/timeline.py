@@ -16,6 +16,8 @@ from workbook.pictures.palette import AMBER, BLUE, CYCLE, RED
 from workbook.recording.recording import Recording
 
 WIDTH = 680
+AS_DUE = 0.1
+"""A rate that is off by no more than this share is told as the rate that is due."""
 
 _ROW, _TOP, _LEFT, _RIGHT = 40.0, 12.0, 16.0, 16.0
 
@@ -162,7 +164,10 @@ def histogram(
 
 
 def describe(recording: Recording, periods: Mapping[str, float] | None = None) -> str:
-    """The timeline in words, as its alternative text: topics and their gaps, without measured numbers."""
+    """The timeline in words, as its alternative text: topics, the rate seen and the rate due, and their gaps.
+
+    A rate that is as due is told as that, so that the text is the same in every run of a program that keeps its rates.
+    """
     asked = dict(periods or {})
     parts = []
     for name in _topics(recording, asked):
@@ -173,11 +178,23 @@ def describe(recording: Recording, periods: Mapping[str, float] | None = None) -
         elif name in asked:
             window = topic.window or (0.0, recording.robot_s)
             found = gaps(times, asked[name], *window)
-            parts.append(f"{name} {'with gaps' if found else 'without a gap'}")
+            pace = _pace_words(times, asked[name])
+            parts.append(f"{name} {pace}, {'with gaps' if found else 'without a gap'}")
         else:
             parts.append(name)
     ended = "; the program ended early" if process_end(recording) is not None else ""
-    return f"timeline of messages: {', '.join(parts) or 'nothing was published'}{ended}"
+    return f"timeline of messages: {'; '.join(parts) or 'nothing was published'}{ended}"
+
+
+def _pace_words(times: Sequence[float], period: float) -> str:
+    due = f"{1 / period:.3g} Hz"
+    span = max(times) - min(times)
+    if span <= 0:
+        return f"{'once' if len(times) == 1 else f'{len(times)} times at once'} ({due} due)"
+    seen = (len(times) - 1) / span
+    if abs(seen * period - 1) <= AS_DUE:
+        return f"at {due} as due"
+    return f"at {seen:.2g} Hz ({due} due)"
 
 
 def process_end(recording: Recording) -> float | None:

@@ -1,0 +1,198 @@
+"""The class on one page: marks, what fails most and why, and a map of students and criteria that leads to their pages.
+
+The page is one file. Its script, which sorts and filters the map, is the only one that its policy lets run.
+"""
+
+import base64
+import hashlib
+import re
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from workbook.exercise.definition import Exercise
+from workbook.feedback.colors import COLORS, tint
+from workbook.feedback.wording import SIGNS, WORDS
+from workbook.grading.exports import by_student
+from workbook.grading.pages import TEXT_COLORS, page_name
+from workbook.grading.results import CriterionLine, Result
+from workbook.templating import as_markup, render
+
+SLOWEST = 5
+CAUSES = 8
+SIGHTS = 3
+MOST_STUDENTS = 3000
+"""In the map. A browser takes long to show more cells."""
+GROUNDS = {
+    "passed": tint("passed"),
+    "partial": tint("partial", 0.4),
+    "failed": tint("failed", 0.45),
+    "skipped": tint("skipped", 0.25),
+}
+_SCRIPT = Path(__file__).parent / "templates" / "class.js"
+_NUMBER = re.compile(r"\d+(\.\d+)?")
+
+
+def class_page(results: Iterable[Result], exercise: Exercise) -> str:
+    """How the class did: points, what fails most and why, everybody at a glance, and what needs a look."""
+    rows = by_student(results)
+    graded = [row for row in rows if row.score is not None]
+    shown = sorted(rows, key=lambda row: (row.score is None, row.score or 0.0, row.student))[:MOST_STUDENTS]
+    criteria = _columns(graded)
+    causes = _causes(graded, criteria)
+    script = _script()
+    return render(
+        "grading/class",
+        title=f"{exercise.source.title}: the class",
+        text_colors=TEXT_COLORS,
+        colors=COLORS,
+        grounds=GROUNDS,
+        signs=SIGNS,
+        words=WORDS,
+        page_name=page_name,
+        rows=rows,
+        graded=graded,
+        shown=shown,
+        left_out=len(rows) - len(shown),
+        mean=_mean(graded),
+        isolation=_isolation(rows),
+        distribution=_distribution(graded, round(exercise.max_points)),
+        criteria=criteria,
+        causes=causes,
+        most_causes=CAUSES,
+        causes_of=_causes_of(causes),
+        lines={row.student: _lines(row, criteria) for row in shown},
+        has_timelines=bool(exercise.periods),
+        slowest=_slowest(graded),
+        twice=sorted((row for row in rows if row.tries), key=lambda row: row.tries_differ, reverse=True),
+        missing=[row for row in rows if row.score is None],
+        script=as_markup(script),
+        script_sha256=base64.b64encode(hashlib.sha256(script.encode()).digest()).decode(),
+    )
+
+
+@cache
+def _script() -> str:
+    return _SCRIPT.read_text(encoding="utf-8")
+
+
+def _mean(graded: Sequence[Result]) -> str:
+    scores = sorted(row.score for row in graded if row.score is not None)
+    if not scores:
+        return ""
+    middle = (scores[(len(scores) - 1) // 2] + scores[len(scores) // 2]) / 2
+    full = sum(row.score is not None and row.score >= row.max_score for row in graded)
+    return f"Mean {sum(scores) / len(scores):.2g}, median {middle:g} points; full marks: {full}."
+
+
+def _isolation(rows: Sequence[Result]) -> str:
+    tiers = Counter(row.isolation for row in rows)
+    told = ", ".join(f"{tier} ({count})" for tier, count in sorted(tiers.items()))
+    return f"Isolation: {told}." if told else ""
+
+
+def _distribution(graded: Sequence[Result], most: int) -> list[tuple[int, int, float]]:
+    """For all points, rounded down, from the most to none: how many answers got them, as a share of the largest."""
+    bins = Counter(min(most, int(row.score)) for row in graded if row.score is not None)
+    largest = max(bins.values(), default=1)
+    return [(points, bins[points], bins[points] / largest) for points in range(most, -1, -1)]
+
+
+@dataclass(frozen=True)
+class _Column:
+    """A criterion of the map: its number there, in how many answers it was lost, and in how many not looked at."""
+
+    column: int
+    id: str
+    title: str
+    hidden: bool
+    lost: int
+    skipped: int
+
+
+def _columns(graded: Sequence[Result]) -> list[_Column]:
+    """All criteria in the order of the exercise; one that carries no points only if somebody lost it."""
+    lines: dict[str, list[CriterionLine]] = defaultdict(list)
+    for row in graded:
+        for one in row.criteria:
+            lines[one.id].append(one)
+    kept = [some for some in lines.values() if any(one.max_points or one.is_lost for one in some)]
+    return [
+        _Column(
+            column,
+            some[0].id,
+            some[0].title,
+            some[0].hidden,
+            sum(one.is_lost for one in some),
+            sum(one.status == "skipped" for one in some),
+        )
+        for column, some in enumerate(kept, start=1)
+    ]
+
+
+def _lines(row: Result, criteria: Sequence[_Column]) -> list[CriterionLine | None]:
+    """What a student got, column by column; None where nothing was judged."""
+    found = {one.id: one for one in row.criteria}
+    return [found.get(one.id) for one in criteria]
+
+
+@dataclass(frozen=True)
+class _Cause:
+    """Why a criterion was lost, in the words that those who lost it read, and what was seen of their programs."""
+
+    number: int
+    column: int
+    title: str
+    because: str
+    sights: tuple[tuple[str, int], ...]
+    other_sights: int
+    who: frozenset[str]
+
+    @property
+    def students(self) -> int:
+        return len(self.who)
+
+
+def _causes(graded: Sequence[Result], criteria: Sequence[_Column]) -> list[_Cause]:
+    """The most frequent first. Where the likely reason differs, the cause does (see `criteria.verdict`)."""
+    found: dict[tuple[str, str], list[tuple[str, CriterionLine]]] = defaultdict(list)
+    for row in graded:
+        for one in row.criteria:
+            if one.is_lost:
+                found[one.id, _NUMBER.sub("0", one.because or one.saw)].append((row.student, one))
+    column_of = {one.id: one for one in criteria}
+    ordered = sorted(found.items(), key=lambda item: (-len(item[1]), column_of[item[0][0]].column))
+    causes = []
+    for number, ((criterion, _), lost) in enumerate(ordered):
+        sights = Counter(one.saw for _, one in lost).most_common()
+        told = Counter(one.because for _, one in lost).most_common(1)[0][0]
+        column = column_of[criterion]
+        causes.append(
+            _Cause(
+                number,
+                column.column,
+                column.title,
+                told,
+                tuple(sights[:SIGHTS]),
+                sum(count for _, count in sights[SIGHTS:]),
+                frozenset(student for student, _ in lost),
+            )
+        )
+    return causes
+
+
+def _causes_of(causes: Sequence[_Cause]) -> Mapping[str, list[int]]:
+    """The numbers of the causes by student."""
+    numbers: dict[str, list[int]] = defaultdict(list)
+    for cause in causes:
+        for student in cause.who:
+            numbers[student].append(cause.number)
+    return numbers
+
+
+def _slowest(graded: Sequence[Result]) -> list[Result]:
+    return sorted((row for row in graded if row.wall_s is not None), key=lambda row: -(row.wall_s or 0.0))[
+        :SLOWEST
+    ]
