@@ -12,6 +12,12 @@ from workbook.lesson.progress import LessonProgress, all_progress
 from workbook.templating import render
 
 _HEAD = ("lesson", "read", "predicted", "exercise", "points")
+_GAP = "  "
+_SHORTEST_TITLE = 16
+
+
+def _cut(text: str, width: int) -> str:
+    return text if len(text) <= width else f"{text[: width - 1]}…"
 
 
 @dataclass(frozen=True)
@@ -89,15 +95,24 @@ class ProgressTable:
                 return f"Go on with the exercise of: {row.title}"
         return "You have done all there is. Well done!"
 
-    def __str__(self) -> str:
+    def text(self, columns: int | None = None) -> str:
+        """The table for a terminal. Titles are cut where `columns` would not hold them."""
         lines = [_HEAD, *(row.columns() for row in self.rows)]
         widths = [max(len(line[place]) for line in lines) for place in range(len(_HEAD))]
+        if columns is not None:
+            over = sum(widths) + len(_GAP) * (len(widths) - 1) - columns
+            widths[0] = max(_SHORTEST_TITLE, widths[0] - max(0, over))
         table = [
-            "  ".join(text.ljust(width) for text, width in zip(line, widths, strict=True)).rstrip()
+            _GAP.join(
+                _cut(text, width).ljust(width) for text, width in zip(line, widths, strict=True)
+            ).rstrip()
             for line in lines
         ]
-        table.insert(1, "  ".join("─" * width for width in widths))
+        table.insert(1, _GAP.join("─" * width for width in widths))
         return "\n".join([*table, "", self.summary, self.next_step])
+
+    def __str__(self) -> str:
+        return self.text()
 
     __repr__ = __str__
 
