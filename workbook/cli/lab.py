@@ -20,7 +20,7 @@ def register(subparsers: Any) -> None:
         help="put an exercise in work/ back to its start, keeping a backup of yours",
         description="Put an exercise in work/ back to its start. What you had is kept in work/.state/backups/.",
     )
-    again.add_argument("exercise", help="09_joint_positions, joint_positions or 9")
+    again.add_argument("exercise", metavar="EXERCISE", help="such as 09 or joint_positions")
     again.set_defaults(run=run_reset)
 
 

@@ -84,7 +84,7 @@ class CommandParser(argparse.ArgumentParser):
         end = "" if what.endswith("?") else "."
         lines = [f"{self.prog}: {what}{end}"]
         if not self.below:
-            lines += [" ".join(self.format_usage().split())]
+            lines.append(self.format_usage().rstrip())
         lines.append(f"`{self.prog} --help` explains it.")
         self.exit(2, terminal.wrapped("\n".join(lines)) + "\n")
 

@@ -1,6 +1,8 @@
 """`workbook check --watch`: judges an answer again at each save, in a slot that stays warm."""
 
+import os
 import sys
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,9 +19,12 @@ from workbook.feedback import wording
 from workbook.grading.judges import Job
 from workbook.grading.pool import Slot, judge_with_retry
 from workbook.grading.retries import until_sure
+from workbook.inside.proc import pids, process_tree
 
 LOOK_S = 0.1
 """So often the file is looked at. One that has not changed from one look to the next was written to its end."""
+END_S = 5.0
+"""So long what was started may take to end, after it was told to."""
 
 Signature = tuple[int, ...] | None
 
@@ -54,6 +59,7 @@ class WatchMode:
         self._watched = watched
         self._screen = screen
         self._slot: Slot | None = Slot()
+        self._at_work = False
         self._code = NOT_JUDGED
         self._seen: Signature = None
         self._points: float | None = None
@@ -67,13 +73,22 @@ class WatchMode:
                 while self._waited_for_save():
                     self._judge()
         except KeyboardInterrupt:
-            if self._slot is not None:
-                self._slot.kill()
+            pass
         finally:
-            if self._slot is not None:
-                self._slot.close()
+            self._end_all()
         print("\nStopped watching.", file=sys.stderr)
         return self._code
+
+    def _end_all(self) -> None:
+        """End the slot and what it has started; at once, if it is at work."""
+        started = process_tree(os.getpid())[1:]
+        if self._slot is not None:
+            if self._at_work:
+                self._slot.kill()
+            self._slot.close()
+        deadline = time.monotonic() + END_S
+        while set(started) & set(pids()) and time.monotonic() < deadline:
+            time.sleep(LOOK_S / 10)
 
     # --- waiting ------------------------------------------------------------------------------------------------
 
@@ -95,7 +110,7 @@ class WatchMode:
 
     def _hint(self) -> None:
         source = self._watched.source
-        self._screen.show(hints_of(source.stem, source.hints, None), self._keys())
+        self._screen.show(hints_of(source.stem, source.hints, None), *self._keys())
 
     # --- judging ------------------------------------------------------------------------------------------------
 
@@ -108,7 +123,7 @@ class WatchMode:
             judgement = until_sure(lambda: self._judged(answer), self._report)
         except (Ungradable, OSError) as error:
             self._code = NOT_JUDGED
-            self._show(terminal.wrapped(f"{watched.source.stem}: not judged: {error}"), self._keys())
+            self._show(terminal.wrapped(f"{watched.source.stem}: not judged: {error}"), *self._keys())
             return
         except _SavedAgain:
             return
@@ -118,14 +133,16 @@ class WatchMode:
         if wording.all_shown_hold(judgement):
             self._code = FULL_MARKS
             notes.append(f"Hand in this file: {name}")
-        self._show(self._text(judgement), *filter(None, notes), self._keys())
+        self._show(self._text(judgement), *filter(None, notes), *self._keys())
 
     def _judged(self, answer: Answer) -> Judgement:
         """Judge on the warm slot. Raises _SavedAgain when a try that was in doubt is out of date."""
         if signature(self._watched.file) not in (self._seen, None):
             raise _SavedAgain
         job = Job("", self._watched.source.stem, answer)
+        self._at_work = True
         self._slot, judgement = judge_with_retry(self._slot, job, self._watched.thorough, report=self._report)
+        self._at_work = False
         return judgement
 
     def _report(self, judgement: Judgement) -> None:
@@ -153,8 +170,8 @@ class WatchMode:
         count = wording.points(abs(points - before))
         return f"{count} {'point' if count == '1' else 'points'} {more} than before this save."
 
-    def _keys(self) -> str:
-        name = as_typed(self._watched.file)
+    def _keys(self) -> tuple[str, ...]:
+        saving = f"Watching {as_typed(self._watched.file)}. Save it to judge it again."
         if not self._screen.takes_keys:
-            return f"Save {name} to judge it again. Ctrl-C ends."
-        return f"Save {name} to judge it again. Keys: h hint, c check again, q quit."
+            return (f"{saving} Ctrl-C ends.",)
+        return (saving, "Keys: h hint, c check again, q quit.")
