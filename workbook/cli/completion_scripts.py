@@ -115,11 +115,9 @@ function __workbook_at --argument-names wanted
                 string match -q -- "-*" $word; or set places (math $places + 1)
         end
     end
-    if test -n "$skip"
-        return 1
-    end
     set -l here (string join " " -- $command)
-    test "$here" = "$wanted"; or test "$here/$places" = "$wanted"
+    test "$here" = "$wanted"; and return
+    test -z "$skip"; and test "$here/$places" = "$wanted"
 end
 complete -c workbook -f
 """

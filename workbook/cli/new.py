@@ -16,7 +16,7 @@ def register(subparsers: Any) -> None:
         description="Write a small lesson or exercise that passes every check as it is, and build its notebook. "
         "Then make it yours, step by step; CONTRIBUTING.md says how.",
     )
-    parser.add_argument("what", choices=("lesson", "exercise"))
+    parser.add_argument("what", metavar="KIND", choices=("lesson", "exercise"), help="lesson or exercise")
     parser.add_argument(
         "slug", metavar="SLUG", help="slow_callbacks, or 10_slow_callbacks to choose the number"
     )

@@ -30,6 +30,7 @@ class CommandParser(argparse.ArgumentParser):
 
     def __init__(self, *args: Any, groups: Groups = (), **options: Any) -> None:
         super().__init__(*args, **{"formatter_class": _Narrow, **options})
+        self._positionals.title = "arguments"
         self.groups = groups
         self._below: Any = None
         self.set_defaults(command=self)
@@ -54,11 +55,30 @@ class CommandParser(argparse.ArgumentParser):
         """Its own options and places, without the commands below."""
         return [action for action in self._actions if action is not self._below]
 
+    def format_usage(self) -> str:
+        """The line to type, without the options that may be left out."""
+        self.usage = self._line_to_type()
+        return super().format_usage()
+
+    def _line_to_type(self) -> str:
+        optional = any(one.option_strings and not one.required for one in self.arguments)
+        required = [f"{_name_of(one)} {one.metavar}" for one in self.arguments if _is_required_option(one)]
+        places = [_place(one) for one in self.arguments if not one.option_strings]
+        words = [
+            self.prog,
+            *["[OPTIONS]"] * optional,
+            *required,
+            *places,
+            *["COMMAND ..."] * bool(self.below),
+        ]
+        return terminal.wrapped(" ".join(words), " " * len("usage: ")).lstrip().replace("%", "%%")
+
     def format_help(self) -> str:
         """The help page; commands stand in groups where there are some."""
+        self.usage = self._line_to_type()
         if not self.groups:
             return super().format_help()
-        page = [f"usage: {self.prog} COMMAND ...", "", terminal.wrapped(self.description or "")]
+        page = [f"usage: {self.usage}", "", terminal.wrapped(self.description or "")]
         for heading, names in self._complete_groups():
             page += ["", f"{heading}:", *(line for name in names for line in self._line(name))]
         page += ["", terminal.wrapped(f"`{self.prog} COMMAND --help` explains a command.")]
@@ -120,6 +140,16 @@ def _name_of(action: argparse.Action) -> str:
     if action.option_strings:
         return "/".join(action.option_strings)
     return action.metavar if isinstance(action.metavar, str) else action.dest
+
+
+def _is_required_option(action: argparse.Action) -> bool:
+    return bool(action.option_strings) and action.required
+
+
+def _place(action: argparse.Action) -> str:
+    """A place of the line to type; in brackets if it may stay empty."""
+    name = _name_of(action)
+    return {"?": f"[{name}]", "*": f"[{name} ...]", "+": f"{name} ..."}.get(str(action.nargs), name)
 
 
 def show_what_is_below(parser: CommandParser) -> int:

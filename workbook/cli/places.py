@@ -17,7 +17,7 @@ def student_answers() -> Path:
     from workbook.lab.launch import student_folder
 
     folder = answers_folder()
-    if ANSWERS_VARIABLE not in os.environ:
+    if not os.environ.get(ANSWERS_VARIABLE):
         # An `answers` folder of the course itself is an instructor's, who grades it.
         if not folder.is_dir() or folder.parent.resolve() == course_folder().resolve():
             folder = student_folder() / ANSWERS

@@ -24,7 +24,7 @@ def in_color(stream: TextIO) -> bool:
 
 
 def wrapped(text: str, indent: str = "", columns: int | None = None) -> str:
-    """Each line of a text, broken to fit. What stands between backticks on one line stays together."""
+    """Each line of a text, broken to fit. What stands between backticks stays together if it fits on a line."""
     return "\n".join(
         _wrapped_line(line, indent, width() if columns is None else columns) for line in text.split("\n")
     )
@@ -33,7 +33,8 @@ def wrapped(text: str, indent: str = "", columns: int | None = None) -> str:
 def _wrapped_line(line: str, indent: str, columns: int) -> str:
     parts = line.split("`")
     if len(parts) % 2:  # every backtick has its partner
-        parts[1::2] = [part.replace(" ", _CODE_SPACE) for part in parts[1::2]]
+        room = columns - len(indent) - 3  # two backticks, and a sign that follows
+        parts[1::2] = [part.replace(" ", _CODE_SPACE) if len(part) <= room else part for part in parts[1::2]]
     broken = textwrap.fill(
         "`".join(parts),
         columns,

@@ -1,6 +1,7 @@
 """The table of `%progress`: lesson by lesson, what was read, predicted and solved."""
 
 import json
+import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -109,7 +110,8 @@ class ProgressTable:
             for line in lines
         ]
         table.insert(1, _GAP.join("─" * width for width in widths))
-        return "\n".join([*table, "", self.summary, self.next_step])
+        summary = [self.summary] if columns is None else textwrap.wrap(self.summary, columns)
+        return "\n".join([*table, "", *summary, self.next_step])
 
     def __str__(self) -> str:
         return self.text()
