@@ -137,7 +137,7 @@ def _say_who_is_there(options: argparse.Namespace) -> Callable[[Sequence[str]], 
 
     def say(published: Sequence[str]) -> None:
         options.said_who = True
-        said = [f"Nobody publishes {topic}.", terminal.meant(topic, published, cutoff=0.5)]
+        said = [f"Nobody publishes {topic}.", _topic_meant(topic, published)]
         if published:
             said.append(f"Published now: {', '.join(published)}.")
         else:
@@ -146,6 +146,12 @@ def _say_who_is_there(options: argparse.Namespace) -> Callable[[Sequence[str]], 
         terminal.say(" ".join(filter(None, said)), sys.stderr)
 
     return say
+
+
+def _topic_meant(topic: str, published: Sequence[str]) -> str:
+    """A question for the topic that was probably meant: one in a namespace, or one with a similar name."""
+    ending = [name for name in published if name.endswith(topic)]
+    return f"Did you mean {ending[0]}?" if ending else terminal.meant(topic, published, cutoff=0.75)
 
 
 def nodes_on(domain_id: int) -> int:

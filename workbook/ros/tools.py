@@ -72,7 +72,8 @@ class NodeList(Shown, tuple[str, ...]):
             rows.append((name if count == 1 else f"{name}  ({count} nodes with this name)",))
         return [Table("Nodes", ("node",), tuple(rows), "No nodes.")]
 
-    def __str__(self) -> str:
+    def text(self, columns: int | None = None) -> str:
+        """One name a line."""
         table = self._tables()[0]
         return "\n".join(row[0] for row in table.rows) or table.empty
 
