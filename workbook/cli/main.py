@@ -69,10 +69,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if arguments is None:
         drop_search_path()
         print_any_text()
-    options, options.rest = build_parser().parse_known_args(arguments)
+    options, rest = build_parser().parse_known_args(arguments)
+    options.rest = rest
     command: CommandParser = options.command
-    if options.rest and not getattr(options, "takes_rest", False):
-        command.refuse(options.rest)
+    if rest and not getattr(options, "takes_rest", False):
+        command.refuse(rest)
     if command.below:
         return show_what_is_below(command)
     try:
