@@ -58,6 +58,11 @@ def test_workbook_alone_shows_what_there_is(typed: Type) -> None:
     assert "{" not in said.out
 
 
+@pytest.mark.parametrize("line", ["", "check", "topic echo"])
+def test_help_may_be_a_word(line: str, typed: Type) -> None:
+    assert typed("help", *line.split()) == typed(*line.split(), "--help")
+
+
 @pytest.mark.parametrize("name", ["node", "topic", "package", "autograde"])
 def test_half_a_command_says_what_is_missing(name: str, typed: Type) -> None:
     said = typed(name)

@@ -69,7 +69,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if arguments is None:
         drop_search_path()
         print_any_text()
-    options, rest = build_parser().parse_known_args(arguments)
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    if words[:1] == ["help"]:
+        words = [*words[1:], "--help"]
+    options, rest = build_parser().parse_known_args(words)
     options.rest = rest
     command: CommandParser = options.command
     if rest and not getattr(options, "takes_rest", False):

@@ -4,6 +4,8 @@ import argparse
 import sys
 from typing import Any
 
+from workbook.cli import terminal
+
 TEMPLATES = ("publisher", "listener", "service", "function")
 """Those of `workbook.authoring.skeleton`, which is not imported before it is needed."""
 
@@ -43,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
         else:
             files = new_exercise(tree, options.slug, options.template)
     except (AuthoringError, NoCourse) as problem:
-        print(f"workbook new: {problem}", file=sys.stderr)
+        terminal.complain("new", problem)
         return 2
     for path in files:
         print(f"written    {tree.name(path)}")

@@ -47,8 +47,10 @@ def _wrapped_line(line: str, indent: str, columns: int) -> str:
 
 
 def say(text: str, stream: TextIO | None = None) -> None:
-    """Print sentences so that they fit."""
-    print(wrapped(text), file=stream or sys.stdout, flush=True)
+    """Print sentences so that they fit. In a file or a pipe, lines are not broken."""
+    stream = stream or sys.stdout
+    fits = stream.isatty() or "COLUMNS" in os.environ
+    print(wrapped(text) if fits else text, file=stream, flush=True)
 
 
 def complain(command: str, problem: object) -> None:

@@ -156,6 +156,17 @@ class Graph(Shown):
         rows += [(node, "", "", "") for node in self.nodes if node not in busy]
         return [Table("Graph", ("publishers", "topic", "subscribers", "type"), tuple(rows), "No nodes.")]
 
+    def text(self, columns: int | None = None) -> str:
+        """One arrow a line; where that does not fit, the type stands below it."""
+        (table,) = self._tables()
+        text = table.text()
+        if columns is None or max(map(len, text.splitlines())) <= columns:
+            return text
+        return "\n".join(
+            f"{writers} {arrow} {readers}\n    {kind}" if arrow else writers
+            for writers, arrow, readers, kind in table.rows
+        )
+
 
 def fully_qualified_name(name: str, namespace: str) -> str:
     """A node's name with its namespace, "/arm/gripper"."""
