@@ -27,6 +27,17 @@ ROWS, COLUMNS = 24, 80
 CLEAR = "\x1b[H\x1b[2J\x1b[3J"
 
 
+def heed_ctrl_c() -> None:
+    """In the child, before it becomes the command: also when the tests themselves run in the background."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
+def in_a_terminal() -> None:
+    """In the child: the terminal on its input is the one whose keys it gets."""
+    heed_ctrl_c()
+    fcntl.ioctl(0, termios.TIOCSCTTY, 0)
+
+
 class Watching:
     """A running `workbook check --watch` in a terminal of its own."""
 
@@ -43,7 +54,7 @@ class Watching:
             env=environ | {"NO_COLOR": "1"},
             cwd=file.parent,
             start_new_session=True,
-            preexec_fn=lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0),
+            preexec_fn=in_a_terminal,
         )
         os.close(theirs)
         self.file = file
@@ -70,10 +81,10 @@ class Watching:
             if select.select([self.ours], [], [], 1.0)[0]:
                 self.seen += os.read(self.ours, 1 << 16).decode()
 
-    def wait_for_more_than(self, processes: int) -> None:
-        """Until an answer is at work beside the slot and its helpers."""
+    def wait_for_another_than(self, known: list[int]) -> None:
+        """Until a process is there that was not: an answer at work."""
         deadline = time.monotonic() + LIMIT_S
-        while len(process_tree(self.process.pid)) <= processes:
+        while not set(process_tree(self.process.pid)) - set(known):
             assert time.monotonic() < deadline
             time.sleep(0.01)
 
@@ -130,9 +141,9 @@ def test_each_save_is_judged_in_the_same_slot_on_one_screen(watch: Callable[...,
 def test_ctrl_c_ends_an_answer_under_way(watch: Callable[..., Watching]) -> None:
     watching = watch(SOLUTION)
     watching.screen_with("Full marks", "Keys: h hint")
-    idle = len(process_tree(watching.process.pid))
+    idle = process_tree(watching.process.pid)
     watching.save("import time\ntime.sleep(1000)\n")
-    watching.wait_for_more_than(idle)
+    watching.wait_for_another_than(idle)
     watching.end()
     watching.screen_with("Stopped watching.")
 
@@ -170,7 +181,9 @@ def test_without_a_terminal_verdicts_follow_one_another(tmp_path: Path) -> None:
     file = tmp_path / f"{STEM}.py"
     file.write_text("this is no Python\n")
     command = [sys.executable, "-m", "workbook.cli.main", "check", "09", str(file), "--watch"]
-    process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, preexec_fn=heed_ctrl_c
+    )
     assert process.stdout is not None
     said = ""
     while "Ctrl-C ends." not in said:
