@@ -61,6 +61,19 @@ def test_reset_of_an_unknown_exercise(capsys: pytest.CaptureFixture[str]) -> Non
     assert "no exercise 'flying'" in capsys.readouterr().err
 
 
+def test_the_copy_may_be_made_without_opening_anything(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("exercises", "notebooks"):
+        (tmp_path / name).symlink_to(ROOT / name)
+    monkeypatch.setenv("WORKBOOK_COURSE", str(tmp_path))
+    assert main(["lab", "--only-copy"]) == 0
+    assert "notebooks added to work/." in capsys.readouterr().out
+    assert (tmp_path / "work" / "exercises" / "09_joint_positions.ipynb").is_file()
+    assert main(["lab", "--only-copy"]) == 0
+    assert capsys.readouterr().out == "Your copy in work/ is up to date.\n"
+
+
 def test_make_help_has_a_line_for_every_target() -> None:
     text = (ROOT / "Makefile").read_text(encoding="utf-8")
     (phony,) = re.findall(r"^\.PHONY: (.+)$", text, re.MULTILINE)

@@ -9,6 +9,7 @@ import sys
 
 import pytest
 
+from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment
 from workbook.ros.notebook_registry import OpenNotebook, announce, open_notebooks, withdraw
 from workbook.ros.topic_monitor import rate_of
@@ -200,7 +201,21 @@ def test_the_terminal_sees_nodes_and_topics(robot, domain):
     assert 1 < float(rate.stdout.splitlines()[1].split()[0]) < MOST_PER_SECOND
     missing = workbook("topic", "echo", "/robot/battery", "--timeout=0.5", on)
     assert missing.returncode == 1
-    assert "There is: /robot/joints, /robot/status" in missing.stderr
+    told = " ".join(missing.stderr.split())
+    assert "Nobody publishes /robot/battery. Published now: /robot/joints, /robot/status." in told
+    assert told.endswith("Waiting for it; Ctrl-C ends. Still nobody publishes /robot/battery.")
+
+
+def test_a_misspelled_topic_is_told_at_once_and_awaited(robot, domain, start_script):
+    line, ours = command("topic", "echo", "/robot/statu", "--count=1", f"--domain={domain}")
+    process = subprocess.Popen(line, env=ours, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    told = process.stderr.readline()
+    assert told.startswith("Nobody publishes /robot/statu. Did you mean /robot/status?")
+    start_script(ROBOT.replace("'status', 10", "'statu', 10"))
+    assert process.stdout.read() == "data: operational\n---\n"
+    assert process.wait(20) == 0
+    process.stdout.close()
+    process.stderr.close()
 
 
 def test_an_endless_echo_ends_cleanly_on_interrupt(robot, domain):
@@ -231,7 +246,12 @@ def two_notebooks(monkeypatch):
     from workbook.cli import graph
 
     shown = [OpenNotebook("05_timers", 7, 1), OpenNotebook("08_status", 23, 2)]
-    return lambda asked, environment, number=2: graph.choose_domain(asked, shown[:number], environment)
+
+    def choose(asked, environment, number=2, nodes=(0, 0)):
+        count = dict(zip((7, 23), nodes, strict=True)).__getitem__
+        return graph.choose_domain(asked, shown[:number], environment, count)
+
+    return choose
 
 
 def test_which_domain_a_terminal_looks_at(two_notebooks, capsys, monkeypatch):
@@ -247,7 +267,32 @@ def test_which_domain_a_terminal_looks_at(two_notebooks, capsys, monkeypatch):
     monkeypatch.setattr("sys.stdin", io.StringIO())
     with pytest.raises(NoChoice, match="--domain"):
         two_notebooks(None, None)
-    assert "08_status (domain 23)" in capsys.readouterr().err
+    assert "08_status (domain 23, no nodes)" in capsys.readouterr().err
+
+
+def test_the_only_notebook_with_nodes_is_taken_and_named(two_notebooks, capsys, monkeypatch):
+    from workbook.cli.graph import NoChoice
+
+    monkeypatch.setattr("sys.stdin", io.StringIO())
+    assert two_notebooks(None, None, nodes=(0, 1)) == 23
+    assert capsys.readouterr().err == "Looking at 08_status (domain 23), the only open notebook with nodes.\n"
+    with pytest.raises(NoChoice):
+        two_notebooks(None, None, nodes=(2, 1))
+    said = capsys.readouterr().err
+    assert "05_timers (domain 7, 2 nodes)" in said
+    assert "08_status (domain 23, 1 node)" in said
+
+
+def test_nodes_of_a_domain_are_counted(robot, domain):
+    with lease_domain() as other:
+        code = (
+            "from workbook.cli.graph import nodes_on\n"
+            f"print(nodes_on({domain}), nodes_on({other.domain_id}), nodes_on({domain}))"
+        )
+        done = subprocess.run(
+            [sys.executable, "-c", code], env=child_environment(domain), capture_output=True, text=True
+        )
+    assert done.stdout == "1 0 1\n", done.stderr
 
 
 def test_a_person_is_asked_which_notebook_is_meant(two_notebooks, capsys, monkeypatch):

@@ -5,13 +5,16 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from workbook.cli import terminal
+from workbook.cli.places import as_typed, student_answers
+from workbook.cli.verdict_text import FULL_MARKS, NOT_JUDGED, NOT_YET, verdict_text
+
 if TYPE_CHECKING:
     from workbook.exercise.answers import Answer
     from workbook.exercise.definition import Exercise
     from workbook.exercise.early_start import StartedAnswer
     from workbook.exercise.judgement import Judgement
-
-FULL_MARKS, NOT_YET, NOT_JUDGED = 0, 1, 2
+    from workbook.exercise.source import ExerciseSource
 
 
 def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -22,13 +25,16 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         description="Run an answer, watch what it does on the topics, and say what is right and what is not yet. "
         "Exit code 0: full marks, 1: not yet, 2: could not be judged.",
     )
-    parser.add_argument("exercise", metavar="EXERCISE", help="such as 09_joint_positions or joint_positions")
+    parser.add_argument("exercise", metavar="EXERCISE", help="such as 09 or joint_positions")
     parser.add_argument(
         "file",
         metavar="FILE",
         nargs="?",
         type=Path,
-        help="the answer, .py or .ipynb (default: answers/EXERCISE.py)",
+        help="the answer, .py or .ipynb (default: work/answers/EXERCISE.py)",
+    )
+    parser.add_argument(
+        "--watch", action="store_true", help="judge again each time the file is saved, until Ctrl-C"
     )
     parser.add_argument(
         "--as-graded",
@@ -37,14 +43,6 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     )
     parser.add_argument("--review", action="store_true", help="with full marks: print a prompt for a review")
     parser.set_defaults(run=run)
-
-
-def _default_file(stem: str) -> Path | None:
-    for folder in (Path("answers"), Path("work/answers"), Path("../answers")):
-        candidate = folder / f"{stem}.py"
-        if candidate.is_file():
-            return candidate
-    return None
 
 
 def run(options: argparse.Namespace) -> int:
@@ -57,11 +55,9 @@ def run(options: argparse.Namespace) -> int:
 
     try:
         source = load(find(course_folder() / "solutions", options.exercise))
-        file = options.file or _default_file(source.stem)
-        if file is None:
-            raise Ungradable(
-                f"there is no answers/{source.stem}.py here; name the file: workbook check EXERCISE FILE"
-            )
+        file = _file(options, source)
+        if options.watch:
+            return _watch(options, source, file)
         answer = read_answer(file, source.stem)
         with StartedAnswer(source, answer) as started:
             return _judge(options, source.stem, file, answer, started)
@@ -69,8 +65,53 @@ def run(options: argparse.Namespace) -> int:
         return _not_judged(error)
 
 
+def _file(options: argparse.Namespace, source: "ExerciseSource") -> Path:
+    """The answer to judge. With --watch, an answer that is not there yet begins as the starter. Raises Ungradable."""
+    from workbook.exercise.answer_files import save_answer
+    from workbook.exercise.answers import Ungradable
+
+    named = Path(options.exercise)
+    if options.file is not None:
+        return Path(options.file)
+    if named.suffix in (".py", ".ipynb") and named.is_file():
+        return named
+    file = student_answers() / f"{source.stem}.py"
+    if not file.is_file():
+        if not options.watch:
+            raise Ungradable(
+                f"there is no {as_typed(file)} yet. Run the answer cell of the exercise in JupyterLab, or let "
+                f"`workbook check {source.stem[:2]} --watch` write the file with the starter, or name your file: "
+                f"`workbook check {source.stem[:2]} FILE`"
+            )
+        save_answer(source.stem, source.starter_code, source.starter_code)
+    return file
+
+
+def _watch(options: argparse.Namespace, source: "ExerciseSource", file: Path) -> int:
+    from workbook.cli.watch.mode import Watched, WatchMode
+    from workbook.cli.watch.screen import Screen
+
+    def note(judgement: "Judgement") -> None:
+        _note(judgement, file)
+
+    return WatchMode(Watched(source, file, options.as_graded, note), Screen()).run()
+
+
+def _note(judgement: "Judgement", file: Path) -> None:
+    """Keep the outcome in the student's progress, as `%check` does, when it is the student's own answer file."""
+    from workbook.feedback import wording
+    from workbook.lesson.progress import changed_progress
+
+    if judgement.status != "graded" or file.resolve().parent != student_answers().resolve():
+        return
+    with changed_progress(judgement.stem) as progress:
+        progress.tries += 1
+        progress.solved = progress.solved or wording.all_shown_hold(judgement)
+        progress.best = max(progress.best, wording.shown_points(judgement)[0])
+
+
 def _not_judged(error: Exception) -> int:
-    print(f"workbook check: {error}", file=sys.stderr)
+    terminal.complain("check", error)
     return NOT_JUDGED
 
 
@@ -81,18 +122,18 @@ def _judge(
     from workbook.exercise.definition import BrokenCriteria, load_exercise
     from workbook.feedback import wording
     from workbook.feedback.review import review_prompt
-    from workbook.feedback.text import as_text
 
     try:
         exercise = load_exercise(stem)
     except BrokenCriteria as error:
         return _not_judged(error)
     judgement = _judgement_of(exercise, answer, started, thorough=options.as_graded)
-    print(as_text(judgement, sys.stdout.isatty(), exhibit=wording.exhibit_of(judgement)))
+    print(verdict_text(judgement, terminal.in_color(sys.stdout)))
+    _note(judgement, file)
     if judgement.status != "graded":
         return NOT_JUDGED
     if wording.all_shown_hold(judgement):
-        print(f"  Hand in this file: {file}")
+        print(f"  Hand in this file: {as_typed(file)}")
         if options.review:
             print("\n" + review_prompt(exercise.source, answer.text, judgement))
         return FULL_MARKS
@@ -128,7 +169,7 @@ def _report(judgement: "Judgement") -> None:
     from workbook.feedback import wording
 
     if judgement.doubt:
-        print(wording.provisional_line(judgement), file=sys.stderr)
+        terminal.say(wording.provisional_line(judgement), sys.stderr)
     elif judgement.provisional:
         print("Watching it on the wall clock as well; that takes some seconds ...", file=sys.stderr)
     else:

@@ -5,11 +5,14 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any, TextIO
 
+from workbook.cli import terminal
+
 if TYPE_CHECKING:
     from workbook.lab.health import HealthFinding
 
 SIGNS = {"ok": "✓", "note": "!", "fix": "✗"}
 PLAIN_SIGNS = {"ok": "+", "note": "!", "fix": "x"}
+_COLUMN = 23
 COLORS = {"ok": "32", "note": "33", "fix": "31"}
 
 
@@ -34,16 +37,15 @@ def line(finding: "HealthFinding", stream: TextIO) -> str:
     mark = f"{sign} {finding.status:<5}"
     if stream.isatty() and "NO_COLOR" not in os.environ:
         mark = f"\033[{COLORS[finding.status]}m{mark}\033[0m"
-    text = f"{mark}{finding.title:<15} {finding.saw}"
-    return (
-        f"{text}\n{'':23}→ {finding.todo}"
-        if finding.todo and sign in SIGNS.values()
-        else _plain(text, finding.todo)
-    )
+    arrow = "→" if sign in SIGNS.values() else ">"
+    lines = [f"{mark}{finding.title:<15} {_in_column(finding.saw)[_COLUMN:]}"]
+    if finding.todo:
+        lines.append(_in_column(f"{arrow} {finding.todo}"))
+    return "\n".join(lines)
 
 
-def _plain(text: str, todo: str) -> str:
-    return f"{text}\n{'':23}> {todo}" if todo else text
+def _in_column(text: str) -> str:
+    return terminal.wrapped(text, " " * _COLUMN, max(terminal.width(), 2 * _COLUMN))
 
 
 def run(_options: argparse.Namespace) -> int:

@@ -3,11 +3,11 @@
 import argparse
 import os
 import signal
-import sys
 from collections.abc import Sequence
 from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING
 
+from workbook.cli import terminal
 from workbook.cli.grade_appeals import lines_of, only_override, say_changes, take
 from workbook.cli.grade_options import SLOTS_PER_CORE, add_options, gradebook_options, roster
 from workbook.cli.grade_screen import (
@@ -113,7 +113,7 @@ def run(options: argparse.Namespace) -> int:
         NoJudges,
         OSError,
     ) as error:
-        print(f"workbook grade: {error}", file=sys.stderr)
+        terminal.complain("grade", error)
         return 2
 
 

@@ -4,11 +4,17 @@ import argparse
 import math
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
+from workbook.cli import terminal
+from workbook.inside.proc import udp_ports_in_use
+from workbook.ros.domains import dds_port_range
 from workbook.ros.environment import prepare
 from workbook.ros.notebook_registry import OpenNotebook, open_notebooks
+
+_LAST_DOMAIN = 232
+"""The highest that ROS knows."""
 
 
 class NoChoice(Exception):
@@ -30,7 +36,7 @@ def register(subparsers: Any) -> None:
         "what one node does",
         lambda tools, options: tools.node_info(options.name, hidden=options.hidden),
     )
-    one.add_argument("name", help="for example /humanoid_status")
+    one.add_argument("name", metavar="NODE", help="for example /humanoid_status")
     _command(
         topic, "list", "all topics with their types", lambda t, options: t.topic_list(hidden=options.hidden)
     )
@@ -41,22 +47,37 @@ def register(subparsers: Any) -> None:
         lambda t, o: t.topic_info(o.topic, hidden=o.hidden),
     )
     echo = _command(topic, "echo", "print messages as they come", _echo)
-    echo.add_argument("--count", type=_positive, help="end after so many messages")
-    echo.add_argument("--timeout", type=float, default=math.inf, metavar="S", help="end after S seconds")
+    echo.add_argument("--count", type=_positive, metavar="N", help="end after so many messages")
+    echo.add_argument("--timeout", type=_seconds, default=math.inf, metavar="S", help="end after S seconds")
     hz = _command(topic, "hz", "measure how often messages come", _hz)
-    hz.add_argument("--seconds", type=float, default=5.0, metavar="S", help="for how long (default 5)")
+    hz.add_argument("--seconds", type=_seconds, default=5.0, metavar="S", help="for how long (default 5)")
     for parser in (info, echo, hz):
-        parser.add_argument("topic", help="for example /robot/status")
+        parser.add_argument("topic", metavar="TOPIC", help="for example /robot/status")
     _command(
         subparsers, "graph", "who talks to whom", lambda tools, options: tools.graph(hidden=options.hidden)
     )
 
 
 def _positive(text: str) -> int:
-    number = int(text)
-    if number < 1:
-        raise ValueError
-    return number
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not a number from 1 on")
+    return int(text)
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = -1.0
+    if not seconds > 0:
+        raise argparse.ArgumentTypeError(f"{text} is not a number of seconds")
+    return seconds
+
+
+def _domain(text: str) -> int:
+    if not text.isdecimal() or int(text) > _LAST_DOMAIN:
+        raise argparse.ArgumentTypeError(f"{text} is not a ROS domain: those are 0 to {_LAST_DOMAIN}")
+    return int(text)
 
 
 def _command(subparsers: Any, name: str, help_text: str, query: Callable[[Any, Any], Any]) -> Any:
@@ -64,7 +85,7 @@ def _command(subparsers: Any, name: str, help_text: str, query: Callable[[Any, A
         name, help=help_text, description=help_text[0].upper() + help_text[1:] + "."
     )
     parser.add_argument(
-        "--domain", type=int, metavar="N", help="ROS domain (default: that of the open notebook)"
+        "--domain", type=_domain, metavar="N", help="ROS domain (default: that of the open notebook)"
     )
     parser.add_argument("--hidden", action="store_true", help="show what is usually left out, too")
     parser.set_defaults(run=lambda options: _run(options, query))
@@ -80,15 +101,17 @@ def _run(options: argparse.Namespace, query: Callable[[Any, Any], Any]) -> int:
     prepare(domain_id=domain_id, check_fields=False)
     import workbook.ros as tools
     from workbook.ros import exit_cleanup
+    from workbook.ros.tables import Shown
 
     exit_cleanup.register()
     try:
         shown = query(tools, options)
     except LookupError as error:
-        print(error, file=sys.stderr)
+        still = f"Still nobody publishes {options.topic}." if getattr(options, "said_who", False) else error
+        terminal.say(str(still), sys.stderr)
         return 1
     if shown is not None:
-        print(shown)
+        print(shown.text(terminal.width()) if isinstance(shown, Shown) else shown)
     return 0
 
 
@@ -98,33 +121,88 @@ def _echo(tools: Any, options: argparse.Namespace) -> Any:
     def show(message: Any) -> None:
         print(f"{message_text(message)}\n---", flush=True)
 
-    echo = tools.topic_echo(options.topic, options.count, options.timeout, on_message=show)
+    echo = tools.topic_echo(
+        options.topic, options.count, options.timeout, on_message=show, on_silence=_say_who_is_there(options)
+    )
     return None if echo.messages else echo
 
 
 def _hz(tools: Any, options: argparse.Namespace) -> Any:
-    return tools.topic_hz(options.topic, options.seconds)
+    return tools.topic_hz(options.topic, options.seconds, on_silence=_say_who_is_there(options))
 
 
-def choose_domain(asked: int | None, notebooks: list[OpenNotebook], in_environment: str | None) -> int:
+def _say_who_is_there(options: argparse.Namespace) -> Callable[[Sequence[str]], None]:
+    """For a topic that nobody publishes: a function that says so, given the topics that are published."""
+    topic = "/" + options.topic.strip("/")
+
+    def say(published: Sequence[str]) -> None:
+        options.said_who = True
+        said = [f"Nobody publishes {topic}.", _topic_meant(topic, published)]
+        if published:
+            said.append(f"Published now: {', '.join(published)}.")
+        else:
+            said.append("Nothing is published now. Is a node running?")
+        said.append("Waiting for it; Ctrl-C ends.")
+        terminal.say(" ".join(filter(None, said)), sys.stderr)
+
+    return say
+
+
+def _topic_meant(topic: str, published: Sequence[str]) -> str:
+    """A question for the topic that was probably meant: one in a namespace, or one with a similar name."""
+    ending = [name for name in published if name.endswith(topic)]
+    return f"Did you mean {ending[0]}?" if ending else terminal.meant(topic, published, cutoff=0.75)
+
+
+def nodes_on(domain_id: int) -> int:
+    """How many nodes there are on a domain now."""
+    if not udp_ports_in_use() & set(dds_port_range(domain_id)):
+        return 0
+    prepare(domain_id=domain_id, check_fields=False)
+    from workbook.ros import node_list
+
+    return len(node_list(domain=domain_id))
+
+
+def choose_domain(
+    asked: int | None,
+    notebooks: list[OpenNotebook],
+    in_environment: str | None,
+    count_nodes: Callable[[int], int] = nodes_on,
+) -> int:
     """The domain to look at: the one asked for, that of the open notebook, or that of the environment.
 
-    With several open notebooks it asks at a terminal, and raises NoChoice elsewhere.
+    Of several open notebooks it takes the only one that has nodes, and says which. Otherwise it asks at a terminal, and
+    raises NoChoice elsewhere.
     """
     if asked is not None:
         return asked
     fallback = int(in_environment) if in_environment and in_environment.isdigit() else 0
     if not notebooks:
-        print(f"No notebook is open. Looking at domain {fallback}.", file=sys.stderr)
+        terminal.say(f"No notebook is open. Looking at domain {fallback}.", sys.stderr)
         return fallback
     fitting = [notebook for notebook in notebooks if notebook.domain_id == fallback]
     if len(notebooks) == 1 or fitting:
         return (fitting or notebooks)[0].domain_id
-    menu = [
-        f"  {place}  {notebook.label} (domain {notebook.domain_id})"
-        for place, notebook in enumerate(notebooks, 1)
-    ]
-    print("\n".join(["Several notebooks are open:", *menu]), file=sys.stderr)
+    nodes = {notebook.domain_id: count_nodes(notebook.domain_id) for notebook in notebooks}
+    with_nodes = [notebook for notebook in notebooks if nodes[notebook.domain_id]]
+    if len(with_nodes) == 1:
+        (only,) = with_nodes
+        terminal.say(
+            f"Looking at {only.label} (domain {only.domain_id}), the only open notebook with nodes.",
+            sys.stderr,
+        )
+        return only.domain_id
+    return _ask_which(notebooks, nodes)
+
+
+def _ask_which(notebooks: list[OpenNotebook], nodes: dict[int, int]) -> int:
+    """The domain of the notebook that a person chooses from a menu. Raises NoChoice where there is nobody to ask."""
+    print("Several notebooks are open:", file=sys.stderr)
+    for place, notebook in enumerate(notebooks, 1):
+        count = nodes[notebook.domain_id]
+        words = "1 node" if count == 1 else f"{count or 'no'} nodes"
+        print(f"  {place}  {notebook.label} (domain {notebook.domain_id}, {words})", file=sys.stderr)
     if not sys.stdin.isatty():
         raise NoChoice("Say which with --domain N.")
     while True:

@@ -1,8 +1,9 @@
 """`workbook lab` and `workbook reset`."""
 
 import argparse
-import sys
 from typing import Any
+
+from workbook.cli import terminal
 
 
 def register(subparsers: Any) -> None:
@@ -14,13 +15,16 @@ def register(subparsers: Any) -> None:
         description="Bring your copy in work/ up to date and open it in JupyterLab. "
         "Further arguments go to JupyterLab, for example --no-browser --port=8899.",
     )
+    lab.add_argument(
+        "--only-copy", action="store_true", help="bring your copy in work/ up to date, and open nothing"
+    )
     lab.set_defaults(run=run_lab, takes_rest=True)
     again = subparsers.add_parser(
         "reset",
         help="put an exercise in work/ back to its start, keeping a backup of yours",
         description="Put an exercise in work/ back to its start. What you had is kept in work/.state/backups/.",
     )
-    again.add_argument("exercise", help="09_joint_positions, joint_positions or 9")
+    again.add_argument("exercise", metavar="EXERCISE", help="such as 09 or joint_positions")
     again.set_defaults(run=run_reset)
 
 
@@ -28,7 +32,23 @@ def run_lab(options: argparse.Namespace) -> int:
     """Become JupyterLab."""
     from workbook.lab.launch import launch
 
-    return launch(options.rest)
+    return _only_copy() if options.only_copy else launch(options.rest)
+
+
+def _only_copy() -> int:
+    """Bring the student's copy up to date, for those who open it in another editor."""
+    from workbook.exercise.course import NoCourse, course_folder
+    from workbook.lab.launch import student_folder
+    from workbook.lab.work_folder import update_work_folder
+
+    try:
+        said = update_work_folder(course_folder(), student_folder()).lines()
+    except (NoCourse, OSError) as problem:
+        terminal.complain("lab", problem)
+        return 1
+    for line in said or ["Your copy in work/ is up to date."]:
+        terminal.say(line)
+    return 0
 
 
 def run_reset(options: argparse.Namespace) -> int:
@@ -41,7 +61,7 @@ def run_reset(options: argparse.Namespace) -> int:
         course, work = course_folder(), student_folder()
         stem, kept = reset(course, work, options.exercise)
     except (NoCourse, NoSuchExercise) as problem:
-        print(f"workbook reset: {problem}", file=sys.stderr)
+        terminal.complain("reset", problem)
         return 2
     print(f"work/exercises/{stem}.ipynb is back at its start.")
     for path in kept:

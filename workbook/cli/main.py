@@ -5,9 +5,9 @@ Every module of this package with a `register(subparsers)` function adds its sub
 nothing heavy at their top, so that `workbook --help` answers at once.
 """
 
-import argparse
 import atexit
 import importlib
+import io
 import os
 import pkgutil
 import sys
@@ -16,17 +16,27 @@ from typing import NoReturn
 
 import workbook
 from workbook import cli
+from workbook.cli.parsing import CommandParser, show_what_is_below
+
+GROUPS = (
+    ("Lessons and exercises", ("lab", "check", "hint", "progress", "reset")),
+    ("The robot of the open notebook", ("node", "topic", "graph")),
+    ("This machine", ("doctor", "completion")),
+    ("For instructors and authors", ("grade", "package", "new")),
+    ("What other systems call", ("autograde",)),
+)
 
 
-def build_parser() -> argparse.ArgumentParser:
+def build_parser() -> CommandParser:
     """The parser with the subcommands of every module of `workbook.cli`."""
-    parser = argparse.ArgumentParser(
+    parser = CommandParser(
         prog="workbook",
+        groups=GROUPS,
         allow_abbrev=False,
         description="Learn ROS 2 with rclpy: lessons, exercises, and a judge that watches the robot.",
     )
     parser.add_argument("--version", action="version", version=f"workbook {workbook.__version__}")
-    subparsers = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    subparsers = parser.add_subparsers(title="commands", metavar="COMMAND")
     for module in sorted(pkgutil.iter_modules(cli.__path__), key=lambda found: found.name):
         register = getattr(importlib.import_module(f"{cli.__name__}.{module.name}"), "register", None)
         if register is not None:
@@ -47,18 +57,28 @@ def drop_search_path() -> None:
         os.execve(sys.executable, [sys.executable, "-P", "-m", "workbook.cli.main", *sys.argv[1:]], environ)
 
 
+def print_any_text() -> None:
+    """Where the terminal cannot show a sign, print a question mark instead of failing."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one subcommand and return its exit code."""
     if arguments is None:
         drop_search_path()
-    parser = build_parser()
-    options, rest = parser.parse_known_args(arguments)
-    if rest:
-        if not getattr(options, "takes_rest", False):
-            parser.error(f"unknown arguments: {' '.join(rest)}")
-        options.rest = rest
-    else:
-        options.rest = []
+        print_any_text()
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    if words[:1] == ["help"]:
+        words = [*words[1:], "--help"]
+    options, rest = build_parser().parse_known_args(words)
+    options.rest = rest
+    command: CommandParser = options.command
+    if rest and not getattr(options, "takes_rest", False):
+        command.refuse(rest)
+    if command.below:
+        return show_what_is_below(command)
     try:
         code: int = options.run(options)
     except KeyboardInterrupt:

@@ -4,6 +4,8 @@ import argparse
 import sys
 from typing import Any
 
+from workbook.cli import terminal
+
 TEMPLATES = ("publisher", "listener", "service", "function")
 """Those of `workbook.authoring.skeleton`, which is not imported before it is needed."""
 
@@ -16,7 +18,7 @@ def register(subparsers: Any) -> None:
         description="Write a small lesson or exercise that passes every check as it is, and build its notebook. "
         "Then make it yours, step by step; CONTRIBUTING.md says how.",
     )
-    parser.add_argument("what", choices=("lesson", "exercise"))
+    parser.add_argument("what", metavar="KIND", choices=("lesson", "exercise"), help="lesson or exercise")
     parser.add_argument(
         "slug", metavar="SLUG", help="slow_callbacks, or 10_slow_callbacks to choose the number"
     )
@@ -43,7 +45,7 @@ def run(options: argparse.Namespace) -> int:
         else:
             files = new_exercise(tree, options.slug, options.template)
     except (AuthoringError, NoCourse) as problem:
-        print(f"workbook new: {problem}", file=sys.stderr)
+        terminal.complain("new", problem)
         return 2
     for path in files:
         print(f"written    {tree.name(path)}")

@@ -2,9 +2,10 @@
 
 import argparse
 import os
-import sys
 from collections.abc import Callable
 from pathlib import Path
+
+from workbook.cli import terminal
 
 
 def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") -> None:
@@ -92,5 +93,5 @@ def _run(work: "Callable[[], int]") -> int:
     try:
         return work()
     except (CannotPackage, NoCourse, BrokenCriteria, SourceError, UnknownExercise, OSError) as error:
-        print(f"workbook package: {error}", file=sys.stderr)
+        terminal.complain("package", error)
         return 2

@@ -1,33 +1,32 @@
 """`workbook progress`: what a student has done so far."""
 
 import argparse
-import sys
 from typing import Any
+
+from workbook.cli import terminal
 
 
 def register(subparsers: Any) -> None:
     """Add the subcommand."""
     parser = subparsers.add_parser(
-        "progress", help="what you have read, predicted and solved so far", description=__doc__
+        "progress",
+        help="what you have read, predicted and solved so far",
+        description="Show what you have read, predicted and solved so far.",
     )
     parser.set_defaults(run=run)
 
 
-def run(options: argparse.Namespace) -> int:
+def run(_options: argparse.Namespace) -> int:
     """Print the table."""
-    from workbook.exercise.answer_files import ANSWERS
-    from workbook.exercise.course import NoCourse, course_folder
+    from workbook.cli.places import student_answers
+    from workbook.exercise.course import NoCourse
     from workbook.exercise.definition import BrokenCriteria
-    from workbook.lesson.progress import all_progress, progress_file
     from workbook.magics.progress_table import progress_table
 
     try:
-        kept = all_progress()
-        if not kept and not progress_file().is_file():
-            # In a terminal one often stands above the work folder.
-            kept = all_progress(course_folder() / "work" / ANSWERS)
-        print(progress_table(done=kept))
+        student_answers()
+        print(progress_table().text(terminal.width()))
     except (NoCourse, BrokenCriteria, OSError) as error:
-        print(f"workbook progress: {error}", file=sys.stderr)
+        terminal.complain("progress", error)
         return 2
     return 0

@@ -1,13 +1,16 @@
 """Feedback as text for a terminal."""
 
+import re
 import textwrap
+from collections.abc import Sequence
 
 from workbook.criteria.runner import CriterionResult
 from workbook.exercise.judgement import Judgement
 from workbook.exercise.museum import Exhibit
 from workbook.feedback import wording
 
-WIDTH = 100
+WIDTH = 80
+_SCRATCH = re.compile(r'"/[^"]*/rclpy-workbook-[^/"]+/')
 _ANSI = {"passed": "32", "failed": "31", "partial": "33", "skipped": "90"}
 
 
@@ -15,53 +18,65 @@ def _paint(text: str, status: str, color: bool) -> str:
     return f"\x1b[{_ANSI[status]}m{text}\x1b[0m" if color else text
 
 
-def _block(label: str, text: str) -> list[str]:
-    if not text:
-        return []
-    return textwrap.wrap(
-        text, WIDTH, initial_indent=f"      {label:<9}", subsequent_indent=" " * 15, break_long_words=False
-    )
+def _wrapped(text: str, width: int, first: str, rest: str) -> list[str]:
+    return textwrap.wrap(text, width, initial_indent=first, subsequent_indent=rest, break_long_words=False)
 
 
-def _criterion(result: CriterionResult, color: bool, in_full: bool) -> list[str]:
+def _block(label: str, text: str, width: int) -> list[str]:
+    return _wrapped(text, width, f"      {label:<9}", " " * 15) if text else []
+
+
+def _criterion(result: CriterionResult, color: bool, in_full: bool, width: int) -> list[str]:
     earned = (
         f"{wording.points(result.points)}/{wording.points(result.max_points)}" if result.max_points else ""
     )
-    sign = _paint(wording.SIGNS[result.status], result.status, color)
-    lines = [f"  {sign} {earned:>5}  {result.title}"]
+    sign = wording.SIGNS[result.status]
+    title, *rest = _wrapped(result.title, width, f"  {sign} {earned:>5}  ", " " * 11)
+    lines = [title.replace(sign, _paint(sign, result.status, color), 1), *rest]
     if in_full:
-        lines += _block("saw", result.saw)
-        lines += _block("expected", result.expected)
-        lines += _block("because", result.because)
-        lines += _block("try", result.try_this)
+        lines += _block("saw", result.saw, width)
+        lines += _block("expected", result.expected, width)
+        lines += _block("because", result.because, width)
+        lines += _block("try", result.try_this, width)
     elif result.status in ("failed", "partial"):
-        lines += _block("saw", result.saw)
+        lines += _block("saw", result.saw, width)
     return lines
 
 
+def _program_lines(lines: Sequence[str], width: int) -> list[str]:
+    """What a program printed: without the path of the folder it ran in, and long lines broken where they must be."""
+    room = max(20, width - 4)
+    short = [_SCRATCH.sub('"', line) for line in lines]
+    return [f"    {line[at : at + room]}" for line in short for at in range(0, max(1, len(line)), room)]
+
+
 def as_text(
-    judgement: Judgement, color: bool = False, log_lines: int = 12, exhibit: Exhibit | None = None
+    judgement: Judgement,
+    color: bool = False,
+    log_lines: int = 12,
+    exhibit: Exhibit | None = None,
+    width: int = WIDTH,
 ) -> str:
     """The judgement for a terminal: the headline, every criterion, and the first one to fix in full.
 
     `exhibit`: the entry of the error museum that fits.
     """
-    lines = [f"{judgement.stem}: {wording.headline(judgement)}"]
+    lines = _wrapped(f"{judgement.stem}: {wording.headline(judgement)}", width, "", "  ")
     first = wording.first_to_mend(judgement)
     for result in wording.visible(judgement):
-        lines += _criterion(result, color, in_full=result is first)
+        lines += _criterion(result, color, in_full=result is first, width=width)
         if result is first and exhibit is not None:
-            lines += _block("more", f"{exhibit.symptom} (notebooks/error_museum.md, lesson {exhibit.lesson})")
+            symptom = f"{exhibit.symptom} (notebooks/error_museum.md, lesson {exhibit.lesson})"
+            lines += _block("more", symptom, width)
     for line in (
         wording.provisional_line(judgement),
         wording.doubt_line(judgement),
         wording.hidden_line(judgement),
         wording.clock_line(judgement),
     ):
-        if line:
-            lines.append(f"  {line}")
+        lines += _wrapped(line, width, "  ", "  ")
     log = wording.printed(judgement)
     if first is not None and "Traceback" in log:
         tail = log.rstrip().splitlines()[-log_lines:]
-        lines += ["  Last lines of your program's log:", *(f"    {line}" for line in tail)]
+        lines += ["  Last lines of your program's log:", *_program_lines(tail, width)]
     return "\n".join(lines)

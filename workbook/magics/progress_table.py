@@ -1,6 +1,7 @@
 """The table of `%progress`: lesson by lesson, what was read, predicted and solved."""
 
 import json
+import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,6 +13,12 @@ from workbook.lesson.progress import LessonProgress, all_progress
 from workbook.templating import render
 
 _HEAD = ("lesson", "read", "predicted", "exercise", "points")
+_GAP = "  "
+_SHORTEST_TITLE = 16
+
+
+def _cut(text: str, width: int) -> str:
+    return text if len(text) <= width else f"{text[: width - 1]}…"
 
 
 @dataclass(frozen=True)
@@ -89,15 +96,25 @@ class ProgressTable:
                 return f"Go on with the exercise of: {row.title}"
         return "You have done all there is. Well done!"
 
-    def __str__(self) -> str:
+    def text(self, columns: int | None = None) -> str:
+        """The table for a terminal. Titles are cut where `columns` would not hold them."""
         lines = [_HEAD, *(row.columns() for row in self.rows)]
         widths = [max(len(line[place]) for line in lines) for place in range(len(_HEAD))]
+        if columns is not None:
+            over = sum(widths) + len(_GAP) * (len(widths) - 1) - columns
+            widths[0] = max(_SHORTEST_TITLE, widths[0] - max(0, over))
         table = [
-            "  ".join(text.ljust(width) for text, width in zip(line, widths, strict=True)).rstrip()
+            _GAP.join(
+                _cut(text, width).ljust(width) for text, width in zip(line, widths, strict=True)
+            ).rstrip()
             for line in lines
         ]
-        table.insert(1, "  ".join("─" * width for width in widths))
-        return "\n".join([*table, "", self.summary, self.next_step])
+        table.insert(1, _GAP.join("─" * width for width in widths))
+        summary = [self.summary] if columns is None else textwrap.wrap(self.summary, columns)
+        return "\n".join([*table, "", *summary, self.next_step])
+
+    def __str__(self) -> str:
+        return self.text()
 
     __repr__ = __str__
 

@@ -15,16 +15,28 @@ class Table:
     rows: tuple[tuple[str, ...], ...]
     empty: str
 
-    def text(self) -> str:
-        """Aligned columns."""
+    def text(self, columns: int | None = None) -> str:
+        """Aligned columns; where the terminal has too few `columns` for them, a row is a few lines."""
         if not self.rows:
             return self.empty
         lines = [self.header, *self.rows]
         widths = [max(len(line[column]) for line in lines) for column in range(len(self.header))]
+        if columns is not None and sum(widths) + 2 * (len(widths) - 1) > columns:
+            return self._below_each_other()
         return "\n".join(
             "  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip()
             for line in lines
         )
+
+    def _below_each_other(self) -> str:
+        """Each row as a first line and, indented below it, what stands in its other columns."""
+        wide = max(map(len, self.header[1:]))
+        lines = []
+        for first, *rest in self.rows:
+            lines.append(first)
+            named = zip(self.header[1:], rest, strict=True)
+            lines += [f"    {name.ljust(wide)}  {cell}" for name, cell in named if cell]
+        return "\n".join(lines)
 
     def html(self) -> str:
         """An HTML table without colors of its own."""
@@ -43,13 +55,17 @@ class Shown:
     def _repr_html_(self) -> str:
         return render("ros/tables", tables=self._tables(), notes=self._notes())
 
-    def __str__(self) -> str:
+    def text(self, columns: int | None = None) -> str:
+        """The tables for a terminal that has so many `columns`."""
         tables = self._tables()
         if len(tables) == 1:
-            parts = [tables[0].text()]
+            parts = [tables[0].text(columns)]
         else:
-            parts = [f"{table.title}\n{_indent(table.text())}" for table in tables]
+            parts = [f"{table.title}\n{_indent(table.text(columns))}" for table in tables]
         return "\n\n".join([*parts, *self._notes()])
+
+    def __str__(self) -> str:
+        return self.text()
 
     def __repr__(self) -> str:
         return str(self)

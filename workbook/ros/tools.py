@@ -72,7 +72,8 @@ class NodeList(Shown, tuple[str, ...]):
             rows.append((name if count == 1 else f"{name}  ({count} nodes with this name)",))
         return [Table("Nodes", ("node",), tuple(rows), "No nodes.")]
 
-    def __str__(self) -> str:
+    def text(self, columns: int | None = None) -> str:
+        """One name a line."""
         table = self._tables()[0]
         return "\n".join(row[0] for row in table.rows) or table.empty
 
@@ -154,6 +155,17 @@ class Graph(Shown):
         busy = {edge.node for edge in self.edges}
         rows += [(node, "", "", "") for node in self.nodes if node not in busy]
         return [Table("Graph", ("publishers", "topic", "subscribers", "type"), tuple(rows), "No nodes.")]
+
+    def text(self, columns: int | None = None) -> str:
+        """One arrow a line; where that does not fit, the type stands below it."""
+        (table,) = self._tables()
+        text = table.text()
+        if columns is None or max(map(len, text.splitlines())) <= columns:
+            return text
+        return "\n".join(
+            f"{writers} {arrow} {readers}\n    {kind}" if arrow else writers
+            for writers, arrow, readers, kind in table.rows
+        )
 
 
 def fully_qualified_name(name: str, namespace: str) -> str:

@@ -11,11 +11,12 @@ from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
 from workbook.ros import fresh_nodes, tools
-from workbook.ros.discovery import discovery_node
+from workbook.ros.discovery import discovery_node, wait_for_graph
 from workbook.ros.messages import message_class
 from workbook.ros.session import serving
 from workbook.ros.tables import Shown, Table
 
+OnSilence = Callable[[Sequence[str]], None]
 _QUEUE = 100
 """Depth of the subscription's queue: a second of a topic at 100 Hz may wait while a cell draws."""
 _POLL_S = 0.02
@@ -135,6 +136,7 @@ def _collect(
     raw: bool,
     enough: Callable[[list[tuple[float, Any]]], bool],
     on_arrival: Callable[[Any], None] = lambda message: None,
+    on_silence: OnSilence | None = None,
 ) -> tuple[str, list[tuple[float, Any]]]:
     """Collect (moment, message) on a topic until `enough` says so or `timeout` s have passed."""
     topic = tools.absolute(source.topic)
@@ -147,6 +149,10 @@ def _collect(
     with discovery_node(source.domain) as node:
         partners = fresh_nodes.nodes_in(node.context) if source.nodes is None else list(source.nodes)
         partners = [partner for partner in partners if partner.executor is None]
+        if on_silence is not None:
+            wait_for_graph(node)
+            if not node.get_publishers_info_by_topic(topic):
+                on_silence(_published(node))
         end = time.monotonic() + timeout
         type_name = ""
         with serving(node, *partners) as executor:
@@ -159,9 +165,12 @@ def _collect(
                         node.create_subscription(kind, topic, arrived, qos, raw=raw)
                 executor.step(min(_POLL_S, left))
         if not type_name:
-            with_publisher = [entry.name for entry in tools.topics_seen(node) if entry.publishers]
-            raise tools.not_found("published topic", topic, with_publisher)
+            raise tools.not_found("published topic", topic, _published(node))
     return type_name, arrivals
+
+
+def _published(node: Node) -> list[str]:
+    return [entry.name for entry in tools.topics_seen(node) if entry.publishers]
 
 
 def topic_echo(
@@ -172,34 +181,45 @@ def topic_echo(
     nodes: Iterable[Node] | None = None,
     domain: int | None = None,
     on_message: Callable[[Any], None] = lambda message: None,
+    on_silence: OnSilence | None = None,
 ) -> Echo:
     """Listen to a topic for `count` messages, at most `timeout` s; `count=None` listens all the time.
 
-    Meanwhile the nodes made with `fresh` run (or those in `nodes`). Raises NotFound when nobody publishes it.
+    Meanwhile the nodes made with `fresh` run (or those in `nodes`). `on_silence`: called once, with the topics that are
+    published, when nobody publishes this one at first. Raises NotFound when nobody does until the end.
     """
 
     def enough(arrivals: list[tuple[float, Any]]) -> bool:
         return count is not None and len(arrivals) >= count
 
     source = _Source(topic, domain, nodes)
-    type_name, arrivals = _collect(source, timeout, raw=False, enough=enough, on_arrival=on_message)
+    type_name, arrivals = _collect(
+        source, timeout, raw=False, enough=enough, on_arrival=on_message, on_silence=on_silence
+    )
     first = arrivals[0][0] if arrivals else 0.0
     messages = tuple(message for _, message in arrivals)
     return Echo(tools.absolute(topic), type_name, messages, tuple(t - first for t, _ in arrivals), timeout)
 
 
 def topic_hz(
-    topic: str, seconds: float = 5.0, *, nodes: Iterable[Node] | None = None, domain: int | None = None
+    topic: str,
+    seconds: float = 5.0,
+    *,
+    nodes: Iterable[Node] | None = None,
+    domain: int | None = None,
+    on_silence: OnSilence | None = None,
 ) -> Rate:
     """Measure how often messages come on a topic, over `seconds` s from the first one on.
 
-    Meanwhile the nodes made with `fresh` run (or those in `nodes`). Raises NotFound when nobody publishes it.
+    Meanwhile the nodes made with `fresh` run (or those in `nodes`). `on_silence`: see `topic_echo`. Raises NotFound
+    when nobody publishes it.
     """
 
     def enough(arrivals: list[tuple[float, Any]]) -> bool:
         return bool(arrivals) and time.monotonic() - arrivals[0][0] >= seconds
 
-    _, arrivals = _collect(_Source(topic, domain, nodes), 2 * seconds + 1.0, raw=True, enough=enough)
+    source = _Source(topic, domain, nodes)
+    _, arrivals = _collect(source, 2 * seconds + 1.0, raw=True, enough=enough, on_silence=on_silence)
     return rate_of(tools.absolute(topic), [moment for moment, _ in arrivals], seconds)
 
 

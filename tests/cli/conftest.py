@@ -1,0 +1,60 @@
+"""A course of its own with an empty `work/`, and the command as a person types it."""
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from workbook.cli.main import main
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@dataclass(frozen=True)
+class Said:
+    """What one command printed, and its exit code."""
+
+    code: int
+    out: str
+    err: str
+
+
+Type = Callable[..., Said]
+
+
+@pytest.fixture
+def course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The course with a `work/` of its own, as the current folder."""
+    folder = tmp_path / "course"
+    folder.mkdir()
+    for name in ("exercises", "solutions", "notebooks"):
+        (folder / name).symlink_to(ROOT / name)
+    (folder / "work" / "answers").mkdir(parents=True)
+    (folder / "work" / ".state").mkdir()
+    (folder / "work" / "notebooks").mkdir()
+    monkeypatch.setenv("WORKBOOK_COURSE", str(folder))
+    # Commands name this folder to the process they run in: afterwards it is as it was.
+    monkeypatch.setenv("WORKBOOK_ANSWERS", "")
+    monkeypatch.chdir(folder)
+    return folder
+
+
+@pytest.fixture
+def typed(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Type:
+    """Runs `workbook` with arguments, in a terminal of 80 columns unless `columns` says otherwise."""
+
+    def type_it(*arguments: str, columns: int = 80) -> Said:
+        monkeypatch.setenv("COLUMNS", str(columns))
+        if "WORKBOOK_ANSWERS" in os.environ:
+            monkeypatch.setenv("WORKBOOK_ANSWERS", "")
+        capsys.readouterr()
+        try:
+            code = main(arguments)
+        except SystemExit as ended:
+            code = int(ended.code or 0)
+        said = capsys.readouterr()
+        return Said(code, said.out, said.err)
+
+    return type_it

@@ -1,0 +1,177 @@
+"""`workbook check --watch`: judges an answer again at each save, in a slot that stays warm."""
+
+import os
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from workbook.cli import terminal
+from workbook.cli.hint import hints_of
+from workbook.cli.places import as_typed
+from workbook.cli.verdict_text import FULL_MARKS, NOT_JUDGED, NOT_YET, verdict_text
+from workbook.cli.watch.screen import Screen
+from workbook.exercise.answers import Answer, Ungradable, read_answer
+from workbook.exercise.judgement import Judgement
+from workbook.exercise.source import ExerciseSource
+from workbook.feedback import wording
+from workbook.grading.judges import Job
+from workbook.grading.pool import Slot, judge_with_retry
+from workbook.grading.retries import until_sure
+from workbook.inside.proc import pids, process_tree
+
+LOOK_S = 0.1
+"""So often the file is looked at. One that has not changed from one look to the next was written to its end."""
+END_S = 5.0
+"""So long what was started may take to end, after it was told to."""
+
+Signature = tuple[int, ...] | None
+
+
+def signature(file: Path) -> Signature:
+    """What changes with each save of a file; None while it is missing, as when an editor is about to replace it."""
+    try:
+        state = file.stat()
+    except OSError:
+        return None
+    return state.st_mtime_ns, state.st_size, state.st_ino
+
+
+class _SavedAgain(Exception):
+    """The file was saved again before this answer had its next try."""
+
+
+@dataclass
+class Watched:
+    """The answer that is watched. `note` keeps each judgement in the student's progress."""
+
+    source: ExerciseSource
+    file: Path
+    thorough: bool
+    note: Callable[[Judgement], None]
+
+
+class WatchMode:
+    """Judges at each save until Ctrl-C or `q`; `run` returns the exit code of the last judgement."""
+
+    def __init__(self, watched: Watched, screen: Screen) -> None:
+        self._watched = watched
+        self._screen = screen
+        self._slot: Slot | None = Slot()
+        self._at_work = False
+        self._code = NOT_JUDGED
+        self._seen: Signature = None
+        self._points: float | None = None
+        self._shown = ""
+
+    def run(self) -> int:
+        """Watch and judge. Nothing that was started stays behind."""
+        try:
+            with self._screen.keys():
+                self._judge()
+                while self._waited_for_save():
+                    self._judge()
+        except KeyboardInterrupt:
+            pass
+        finally:
+            self._end_all()
+        print("\nStopped watching.", file=sys.stderr)
+        return self._code
+
+    def _end_all(self) -> None:
+        """End the slot and what it has started; at once, if it is at work."""
+        started = process_tree(os.getpid())[1:]
+        if self._slot is not None:
+            if self._at_work:
+                self._slot.kill()
+            self._slot.close()
+        deadline = time.monotonic() + END_S
+        while set(started) & set(pids()) and time.monotonic() < deadline:
+            time.sleep(LOOK_S / 10)
+
+    # --- waiting ------------------------------------------------------------------------------------------------
+
+    def _waited_for_save(self) -> bool:
+        """Wait until the file was saved, or someone asks for another check. False: for the end."""
+        before = signature(self._watched.file)
+        while True:
+            key = self._screen.key(LOOK_S)
+            if key == "q":
+                return False
+            if key == "c":
+                return True
+            if key == "h":
+                self._hint()
+            now = signature(self._watched.file)
+            if now is not None and now != self._seen and now == before:
+                return True
+            before = now
+
+    def _hint(self) -> None:
+        source = self._watched.source
+        self._screen.show(hints_of(source.stem, source.hints, None), *self._keys())
+
+    # --- judging ------------------------------------------------------------------------------------------------
+
+    def _judge(self) -> None:
+        watched, name = self._watched, as_typed(self._watched.file)
+        self._seen = signature(watched.file)
+        self._screen.show(self._shown, f"Judging {name} ...")
+        try:
+            answer = read_answer(watched.file, watched.source.stem)
+            judgement = until_sure(lambda: self._judged(answer), self._report)
+        except (Ungradable, OSError) as error:
+            self._code = NOT_JUDGED
+            self._show(terminal.wrapped(f"{watched.source.stem}: not judged: {error}"), *self._keys())
+            return
+        except _SavedAgain:
+            return
+        watched.note(judgement)
+        self._code = NOT_YET if judgement.status == "graded" else NOT_JUDGED
+        notes = [self._change(judgement)]
+        if wording.all_shown_hold(judgement):
+            self._code = FULL_MARKS
+            notes.append(f"Hand in this file: {name}")
+        self._show(self._text(judgement), *filter(None, notes), *self._keys())
+
+    def _judged(self, answer: Answer) -> Judgement:
+        """Judge on the warm slot. Raises _SavedAgain when a try that was in doubt is out of date."""
+        if signature(self._watched.file) not in (self._seen, None):
+            raise _SavedAgain
+        job = Job("", self._watched.source.stem, answer)
+        self._at_work = True
+        self._slot, judgement = judge_with_retry(self._slot, job, self._watched.thorough, report=self._report)
+        self._at_work = False
+        return judgement
+
+    def _report(self, judgement: Judgement) -> None:
+        """Show what is known before the last word on it."""
+        self._show(self._text(judgement), "Still watching your program ...")
+
+    # --- showing ------------------------------------------------------------------------------------------------
+
+    def _text(self, judgement: Judgement) -> str:
+        return verdict_text(judgement, terminal.in_color(sys.stdout))
+
+    def _show(self, text: str, *notes: str) -> None:
+        self._shown = text
+        self._screen.show(text, *notes)
+
+    def _change(self, judgement: Judgement) -> str:
+        """What this save has changed, in points."""
+        if judgement.status != "graded":
+            return ""
+        points, before = wording.shown_points(judgement)[0], self._points
+        self._points = points
+        if before is None or before == points:
+            return ""
+        more = "more" if points > before else "fewer"
+        count = wording.points(abs(points - before))
+        return f"{count} {'point' if count == '1' else 'points'} {more} than before this save."
+
+    def _keys(self) -> tuple[str, ...]:
+        saving = f"Watching {as_typed(self._watched.file)}. Save it to judge it again."
+        if not self._screen.takes_keys:
+            return (f"{saving} Ctrl-C ends.",)
+        return (saving, "Keys: h hint, c check again, q quit.")
