@@ -15,18 +15,18 @@ def register(subparsers: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Print the table."""
-    from workbook.exercise.answer_files import ANSWERS
+    from workbook.exercise.answer_files import ANSWERS, answers_folder
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.exercise.definition import BrokenCriteria
     from workbook.lesson.progress import all_progress, progress_file
     from workbook.magics.progress_table import progress_table
 
     try:
-        kept = all_progress()
-        if not kept and not progress_file().is_file():
+        folder = answers_folder()
+        if not progress_file(folder).is_file():
             # In a terminal one often stands above the work folder.
-            kept = all_progress(course_folder() / "work" / ANSWERS)
-        print(progress_table(done=kept))
+            folder = course_folder() / "work" / ANSWERS
+        print(progress_table(done=all_progress(folder), answers=folder))
     except (NoCourse, BrokenCriteria, OSError) as error:
         print(f"workbook progress: {error}", file=sys.stderr)
         return 2

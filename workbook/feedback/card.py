@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from workbook.exercise.judgement import Judgement
 from workbook.exercise.museum import Exhibit
 from workbook.feedback import wording
+from workbook.feedback.moment import Moment
 from workbook.templating import render
 
 COLORS = {"passed": "#208a3c", "failed": "#dc3b3b", "partial": "#b06a00", "skipped": "#787878"}
@@ -17,6 +18,8 @@ class Extras:
     """What a card may carry besides the judgement.
 
     `timeline` is a PNG and `timeline_text` describes it; `has_rates` says whether it shows when messages were due.
+    `version_line` says which version was judged where the screen could not be asked, and `is_on_screen` is false when
+    it is known to be another. `better_line`: that an earlier version is better. `moment`: what full marks bring.
     """
 
     file: str = ""
@@ -26,30 +29,43 @@ class Extras:
     has_rates: bool = True
     hints_left: int = 0
     exhibit: Exhibit | None = None
+    version_line: str = ""
+    is_on_screen: bool = True
+    better_line: str = ""
+    moment: Moment | None = None
 
 
-def _color_of(judgement: Judgement) -> str:
-    if judgement.provisional:
+def _color_of(judgement: Judgement, is_on_screen: bool) -> str:
+    if judgement.provisional or not is_on_screen:
         return COLORS["partial"]
     if wording.all_shown_hold(judgement):
         return COLORS["passed"]
     return COLORS["partial"] if wording.shown_points(judgement)[0] else COLORS["failed"]
 
 
+def _headline(judgement: Judgement, extras: Extras) -> str:
+    """The headline, which praises nothing that is not on the screen."""
+    if extras.is_on_screen or not wording.all_shown_hold(judgement):
+        return wording.headline(judgement)
+    score, most = map(wording.points, wording.shown_points(judgement))
+    return f"{score} of {most} points, for a version that is not on your screen."
+
+
 def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
     """The card. All text of the program is escaped; colors are plain hex values with a word beside each."""
     extras = extras or Extras()
-    holds = wording.all_shown_hold(judgement)
+    holds = wording.all_shown_hold(judgement) and extras.is_on_screen
     score, most = wording.shown_points(judgement)
+    film = extras.moment.film if extras.moment else None
     return render(
         "feedback/card",
         extras=extras,
-        color=_color_of(judgement),
+        color=_color_of(judgement, extras.is_on_screen),
         colors=COLORS,
         signs=wording.SIGNS,
         words=wording.WORDS,
         sign="✓" if holds else "◔" if judgement.provisional else "➜",
-        headline=wording.headline(judgement),
+        headline=_headline(judgement, extras),
         score=score,
         most=most,
         provisional_line=wording.provisional_line(judgement),
@@ -60,6 +76,9 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
         timeline=None if extras.timeline is None else base64.b64encode(extras.timeline).decode(),
         log=wording.printed(judgement).strip(),
         is_done=holds and not judgement.provisional,
+        moment=extras.moment,
+        moving=base64.b64encode(film.moving).decode() if film else "",
+        still=base64.b64encode(film.still).decode() if film else "",
         small=" ".join(filter(None, (wording.clock_line(judgement), wording.hidden_line(judgement)))),
     )
 
@@ -69,12 +88,12 @@ class Card:
 
     def __init__(self, judgement: Judgement, extras: Extras | None = None) -> None:
         self.judgement = judgement
-        self._extras = extras
+        self._extras = extras or Extras()
 
     def _repr_html_(self) -> str:
         return as_html(self.judgement, self._extras)
 
     def __repr__(self) -> str:
         first = wording.first_to_mend(self.judgement)
-        line = wording.headline(self.judgement)
+        line = _headline(self.judgement, self._extras)
         return line if first is None else f"{line} First to mend: {first.title}."
