@@ -23,7 +23,7 @@ def recording() -> Recording:
 def frames(film: bytes) -> list[bytes]:
     picture = Image.open(io.BytesIO(film))
     assert picture.format == "WEBP"
-    assert picture.info["loop"] == 1, "a film that plays for ever disturbs who reads"
+    assert picture.info["loop"] == 1, "a film that plays forever disturbs who reads"
     found = []
     for number in range(getattr(picture, "n_frames", 1)):
         picture.seek(number)

@@ -2,13 +2,16 @@
 
 import subprocess
 import sys
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement, judge_recording
+from workbook.feedback.moment import Film
 from workbook.lesson.best_answers import (
     Check,
     NothingJudged,
@@ -17,6 +20,8 @@ from workbook.lesson.best_answers import (
     restore_best,
 )
 from workbook.lesson.progress import load_progress
+from workbook.magics import checking, live_card
+from workbook.magics.checking import Asked
 from workbook.recording.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -97,3 +102,33 @@ def test_the_command_puts_the_best_version_back(folder: Path) -> None:
     [before] = (folder / ".previous").glob("*.py")
     assert before.read_text() == "robot = 'wrong'\n"
     assert "already" in subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
+@pytest.mark.parametrize("can_draw", [True, False])
+def test_the_card_comes_first_and_the_moving_robot_costs_no_judgement(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, can_draw: bool
+) -> None:
+    shown: list[str] = []
+    card = live_card.LiveCard(
+        Asked(EXERCISE, Answer("x\n"), folder / f"{STEM}.py", 3, None, check(folder, "x\n"))
+    )
+
+    def judge(_: str, __: Answer, report: Callable[[Judgement], None]) -> Judgement:
+        report(FULL)
+        return EIGHT
+
+    def draw(_: Recording) -> object:
+        assert len(shown) == 1 and card.decided.is_set()
+        if not can_draw:
+            raise OSError("encoder webp not available")
+        return Film(b"film", b"still", "Your robot moves.")
+
+    monkeypatch.setattr(checking, "judge", judge)
+    monkeypatch.setattr(live_card, "film_of", draw)
+    monkeypatch.setattr(card, "_put", lambda one: shown.append(one._repr_html_()))
+    card.judge()
+    assert ["Your robot moves." in page for page in shown] == (
+        [False, True, False] if can_draw else [False, False]
+    )
+    assert "8 of 10 points" in shown[-1]
+    assert load_progress(STEM).best == 8.0

@@ -37,9 +37,16 @@ class LiveCard:
         if judgement.provisional:
             return
         self.decided.set()
-        if self._film is None and judgement.recording and checking.deserves_praise(self._asked, judgement):
-            self._film = film_of(judgement.recording)  # takes about a second: the card is there already
-            self._put(checking.card_for(self._asked, judgement, self._film))
+        if self._film is None and checking.deserves_praise(self._asked, judgement):
+            self._add_the_film(judgement)
+
+    def _add_the_film(self, judgement: Judgement) -> None:
+        """Have the robot move on the card, which is there already: to draw it takes about a second."""
+        try:
+            self._film = film_of(judgement.recording) if judgement.recording else None
+        except Exception:
+            return  # a picture that cannot be drawn must not cost the judgement that is still under way
+        self._put(checking.card_for(self._asked, judgement, self._film))
 
     def _put(self, card: Card) -> None:
         if self._handle is None:
