@@ -120,8 +120,9 @@ def test_a_wrong_answer_then_the_right_one(
     # A later wrong version does not take the best one away, and that comes back into the cell and the file.
     page.write(answer, f"%%answer {STEM}\n{wrong}")
     page.write(check, "%restore")
-    page.run(check)
-    expect(check.locator(".jp-OutputArea")).to_contain_text("is your best version")
+    restore = page.cell("%restore")
+    page.run(restore)
+    expect(restore.locator(".jp-OutputArea")).to_contain_text("is your best version")
     content = answer.locator(".cm-content")
     expect(content).to_contain_text(f"%%answer {STEM}")
     expect(content).to_contain_text(exercise.source.solution_code.strip().splitlines()[-1].strip())

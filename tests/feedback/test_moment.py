@@ -64,7 +64,7 @@ def test_the_robot_waves_where_there_is_no_pose(recording: Recording, value: obj
 )
 def test_the_points_gained(before: float, now: float, said: str) -> None:
     assert said in gained(before, now, 3, 14)
-    assert "3 of 14 exercises are solved." in gained(before, now, 3, 14)
+    assert "3 of 14 exercises solved." in gained(before, now, 3, 14)
 
 
 def test_what_comes_next_is_a_lesson_that_exists() -> None:

@@ -44,7 +44,7 @@ def gained(before: float, now: float, solved: int, of: int) -> str:
         points = f"You gained {now:g} points. "
     else:
         points = "You had these points already, and they stay yours. "
-    return f"{points}{solved} of {of} exercises are solved."
+    return f"{points}{solved} of {of} exercises solved."
 
 
 def what_comes_next(course: Path, stem: str) -> tuple[str, str]:
