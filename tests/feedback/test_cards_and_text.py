@@ -379,4 +379,6 @@ def test_full_marks_are_a_moment() -> None:
 
 
 def test_the_card_says_that_a_better_version_is_kept() -> None:
-    assert "%restore 09" in as_html(judged("eleven_values"), Extras(better_line="%restore 09 puts it back."))
+    page = as_html(judged("eleven_values"), Extras(better_line="Your best version is kept."))
+    assert "Your best version is kept." in page and "<code>%restore 09</code>" in page
+    assert "%restore" not in as_html(judged("eleven_values"))

@@ -76,6 +76,7 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
         timeline=None if extras.timeline is None else base64.b64encode(extras.timeline).decode(),
         log=wording.printed(judgement).strip(),
         is_done=holds and not judgement.provisional,
+        number=judgement.stem[:2],
         moment=extras.moment,
         moving=base64.b64encode(film.moving).decode() if film else "",
         still=base64.b64encode(film.still).decode() if film else "",

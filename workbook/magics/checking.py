@@ -117,8 +117,8 @@ def _better_line(asked: Asked, judgement: Judgement) -> str:
         return ""
     most = wording.points(wording.shown_points(judgement)[1])
     return (
-        f"Your best version, with {wording.points(best)} of {most} points, is kept, and so are its points. The file to "
-        f"hand in holds another one now: %restore {asked.exercise.stem[:2]} puts the best one back."
+        f"Your best version, with {wording.points(best)} of {most} points, is kept, and so are its points. "
+        "The file to hand in now holds another one."
     )
 
 
