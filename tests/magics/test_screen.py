@@ -9,8 +9,9 @@ import pytest
 
 from tests.magics.conftest import Kernel
 from workbook.exercise.definition import load_exercise
+from workbook.lab.jupyter_files import FRONT_END
 from workbook.lesson.progress import load_progress
-from workbook.magics.screen import answer_on_screen, answers_on_screen, version_that_ran
+from workbook.magics.screen import ANSWER_PAYLOAD, answer_on_screen, answers_on_screen, version_that_ran
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -97,6 +98,12 @@ def test_the_last_answer_cell_of_an_exercise_counts() -> None:
     assert answer_on_screen(request, STEM) == "two"
     assert answer_on_screen(request, "05_timers") == "three"
     assert answer_on_screen(request, "06_spinning") is None
+
+
+def test_both_sides_use_the_same_names() -> None:
+    script = (FRONT_END / "answers.js").read_text(encoding="utf-8")
+    assert f"payload.source === '{ANSWER_PAYLOAD}'" in script
+    assert "{workbook: {answers}}" in script
 
 
 @pytest.mark.parametrize(
