@@ -110,14 +110,20 @@ def test_a_wrong_answer_then_the_right_one(
         check_legibility(page, card)
     check_that_nothing_is_cut(page, card, artifacts / "card_wrong_narrow.png")
 
-    page.write(answer, f"%%answer {STEM}\n{exercise.source.solution_code}")
-    page.run(answer)
-    assert written.read_text(encoding="utf-8").strip() == exercise.source.solution_code.strip()
+    # The answer cell is changed and not run: what is on the screen is judged all the same.
+    page.write(answer, f"%%answer 09 --check\n{exercise.source.solution_code}")
     page.run(check)
     expect(headline_of(card)).to_contain_text(FULL_MARKS, timeout=CELL_MS)
+    expect(check.locator(".jp-OutputArea")).to_contain_text("Took the answer cell as it is now")
+    assert written.read_text(encoding="utf-8").strip() == exercise.source.solution_code.strip()
     expect(card).not_to_contain_text("First to mend")
     expect(card).to_contain_text(f"Hand in this file: answers/{STEM}.py")
+    expect(card).to_contain_text("2 more points than before.")
+    expect(card).to_contain_text("What comes next: 10")
     expect(card).to_contain_text("real seconds had passed", timeout=CELL_MS)
+    robot = card.locator("img")
+    expect(robot).to_have_attribute("alt", re.compile("^Your robot moves"))
+    expect(robot).to_have_js_property("naturalWidth", 315)
     for theme in in_both_themes(page):
         screenshot(check.locator(".jp-OutputArea"), artifacts / f"card_right_{theme}.png")
         page.page.screenshot(path=artifacts / f"exercise_{theme}.png")
@@ -127,6 +133,22 @@ def test_a_wrong_answer_then_the_right_one(
     for theme in in_both_themes(page):
         check_legibility(page, card)
         page.page.screenshot(path=artifacts / f"exercise_unfolded_{theme}.png")
+
+    # A later wrong version does not take the best one away, and that comes back into the cell and the file.
+    page.write(answer, f"%%answer {STEM}\n{wrong}")
+    page.write(check, "%restore")
+    restore = page.cell("%restore")
+    page.run(restore)
+    expect(restore.locator(".jp-OutputArea")).to_contain_text("is your best version")
+    content = answer.locator(".cm-content")
+    expect(content).to_contain_text(f"%%answer {STEM}")
+    expect(content).to_contain_text(exercise.source.solution_code.strip().splitlines()[-1].strip())
+    cells = page.save(NOTEBOOK)["cells"]
+    shown = next("".join(one["source"]) for one in cells if "".join(one["source"]).startswith("%%answer"))
+    assert shown.partition("\n")[2].strip() == exercise.source.solution_code.strip()
+    assert not [one for one in cells if "workbook" in one["metadata"]], (
+        "what is told to the kernel stays out of the file"
+    )
     expect(page.pop_ups()).to_have_count(0)
 
 

@@ -125,6 +125,9 @@ def test_files_go_where_jupyter_looks(tmp_path: Path) -> None:
     written = jupyter_files.install(tmp_path, "/env/bin/python")
     names = {path.relative_to(tmp_path).as_posix() for path in written}
     assert "etc/ipython/ipython_kernel_config.py" in names
+    extension = tmp_path / "share/jupyter/labextensions/rclpy-workbook"
+    load = json.loads((extension / "package.json").read_text())["jupyterlab"]["_build"]["load"]
+    assert (extension / load).is_file()
     settings = json.loads((tmp_path / "share/jupyter/lab/settings/overrides.json").read_text())
     assert settings["@jupyterlab/apputils-extension:notification"]["fetchNews"] == "false"
     spec = json.loads((tmp_path / "share/jupyter/kernels/python3/kernel.json").read_text())

@@ -263,7 +263,9 @@ def test_the_same_program_has_the_same_sum_in_every_wrapping(program: Path, note
     [
         ("%%answer 09_joint_positions", STEM),
         ("  %%answer   09_joint_positions  ", STEM),
+        ("%%answer 09_joint_positions --check", STEM),
         ("%%answer", None),
+        ("%%answer --check", None),
         ("%answer 09_joint_positions", None),
         ("# %%answer 09_joint_positions", None),
         ("%%answer a b", None),

@@ -15,6 +15,7 @@ from workbook.exercise.museum import Exhibit
 from workbook.feedback.card import Card, Extras, as_html
 from workbook.feedback.colors import COLORS, TEXT, TINTS
 from workbook.feedback.markdown import as_markdown
+from workbook.feedback.moment import Film, Moment
 from workbook.feedback.review import review_prompt
 from workbook.feedback.text import as_text
 from workbook.feedback.wording import first_to_mend, worst_first
@@ -378,3 +379,39 @@ def test_a_known_error_leads_to_the_museum_and_the_lesson() -> None:
     assert 'href="../notebooks/01_the_context.ipynb"' in page
     assert "init &lt;twice&gt;" in page
     assert "error_museum.md, lesson 01_the_context" in " ".join(as_text(judgement, exhibit=exhibit).split())
+
+
+# --- which version, and the moment of full marks --------------------------------------------------------------------
+
+
+def test_nothing_is_praised_that_is_not_on_the_screen() -> None:
+    extras = Extras(file="answers/09.py", version_line="This card judges the version you ran at 14:03.")
+    known = as_html(judged("solution"), extras)
+    assert "version you ran at 14:03" in known
+    assert "Full marks" in known and "Hand in this file" in known
+    other = Card(judged("solution"), replace(extras, is_on_screen=False, review="Please review"))
+    page = other._repr_html_()
+    assert repr(other) == "10 of 10 points, for a version that is not on your screen."
+    for praise in ("Full marks", "Hand in this file", "Please review", "✓ 10 of 10"):
+        assert praise not in page
+    assert "8 of 10 points." in as_html(judged("period_for_frequency"), replace(extras, is_on_screen=False))
+
+
+def test_full_marks_are_a_moment() -> None:
+    film = Film(b"film", b"still", "Your robot moves.")
+    moment = Moment("You gained 10 points.", "10 · Slow <callbacks>", "../notebooks/10_slow.ipynb", film)
+    page = as_html(judged("solution"), Extras(moment=moment))
+    assert "You gained 10 points." in page
+    assert '<a href="../notebooks/10_slow.ipynb">10 · Slow &lt;callbacks&gt;</a>' in page
+    assert 'alt="Your robot moves."' in page
+    assert "data:image/webp;base64,ZmlsbQ==" in page
+    assert "prefers-reduced-motion" in page
+    without_film = as_html(judged("solution"), Extras(moment=replace(moment, film=None)))
+    assert "You gained" in without_film and "image/webp" not in without_film
+    assert "You gained" not in as_html(judgement_as_provisional(judged("solution")), Extras(moment=moment))
+
+
+def test_the_card_says_that_a_better_version_is_kept() -> None:
+    page = as_html(judged("eleven_values"), Extras(better_line="Your best version is kept."))
+    assert "Your best version is kept." in page and "<code>%restore 09</code>" in page
+    assert "%restore" not in as_html(judged("eleven_values"))

@@ -3,7 +3,7 @@
 import os
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -23,12 +23,13 @@ if 'workbook.magics' not in get_ipython().extension_manager.loaded:
 
 @dataclass
 class Shown:
-    """What one cell gave: what it printed, the text form of what it displayed, and its error."""
+    """What one cell gave: what it printed, the text form of what it displayed, its error, what the screen is to do."""
 
     text: str = ""
     displays: list[str] = field(default_factory=list)
     html: list[str] = field(default_factory=list)
     error: str | None = None
+    payloads: list[dict[str, Any]] = field(default_factory=list)
 
 
 class Kernel:
@@ -58,8 +59,14 @@ class Kernel:
     def pid(self) -> int:
         return int(self.manager.provisioner.pid)
 
-    def start(self, code: str) -> str:
-        return str(self.client.execute(code))
+    def start(self, code: str, on_screen: Sequence[str] | None = None) -> str:
+        """`on_screen`: what the answer cells hold, as JupyterLab tells it with each cell that runs."""
+        if on_screen is None:
+            return str(self.client.execute(code))
+        message = self.client.session.msg("execute_request", {"code": code, "silent": False})
+        message["metadata"] = {"workbook": {"answers": list(on_screen)}}
+        self.client.shell_channel.send(message)
+        return str(message["header"]["msg_id"])
 
     def finish(self, request: str) -> Shown:
         shown = Shown()
@@ -79,11 +86,17 @@ class Kernel:
             elif kind == "status" and content["execution_state"] == "idle":
                 return shown
 
-    def run(self, code: str) -> Shown:
-        return self.finish(self.start(code))
+    def run(self, code: str, on_screen: Sequence[str] | None = None) -> Shown:
+        request = self.start(code, on_screen)
+        shown = self.finish(request)
+        while True:
+            reply = self.client.get_shell_msg(timeout=PATIENCE_S)
+            if reply["parent_header"].get("msg_id") == request:
+                shown.payloads = reply["content"].get("payload", [])
+                return shown
 
-    def good(self, code: str) -> Shown:
-        shown = self.run(code)
+    def good(self, code: str, on_screen: Sequence[str] | None = None) -> Shown:
+        shown = self.run(code, on_screen)
         assert shown.error is None, shown.error
         return shown
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from workbook.exercise.answer_files import KEPT_VERSIONS, Saved, answers_folder, restore_starter, save_answer
+from workbook.exercise.answer_files import KEPT_VERSIONS, Saved, answers_folder, replace_answer, save_answer
 from workbook.lesson.progress import TRIES_BEFORE_SOLUTION, LessonProgress, load_progress, save_progress
 
 STEM = "09_joint_positions"
@@ -58,7 +58,7 @@ def test_the_starter_never_replaces_work(folder: Path) -> None:
 
 def test_a_reset_brings_the_starter_and_keeps_the_answer(folder: Path) -> None:
     save("robot = 1")
-    saved = restore_starter(STEM, STARTER)
+    saved = replace_answer(STEM, STARTER)
     assert saved.path.read_text() == STARTER
     assert kept(folder) == ["robot = 1\n"]
     assert save("robot = 2").outcome == "changed"
@@ -109,7 +109,7 @@ def test_every_text_that_was_saved_is_still_there(folder: Path, sequence: list[t
     ever: list[str] = []
     for what, text in sequence:
         if what == "reset":
-            restore_starter(STEM, text)
+            replace_answer(STEM, text)
             ever.append(text)
         elif save(text).outcome in ("new", "changed"):
             ever.append(text)

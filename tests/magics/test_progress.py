@@ -129,3 +129,14 @@ def test_the_command_shows_the_table(folder: Path) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert "2 of 10" in done.stdout
     assert "lessons read to the end" in done.stdout
+
+
+def test_a_file_to_hand_in_that_is_not_the_best_version_is_named(folder: Path) -> None:
+    (folder / ".best").mkdir()
+    (folder / ".best" / f"{STEM}.py").write_text("robot = 'best'\n")
+    (folder / f"{STEM}.py").write_text("robot = 'best'  \n")
+    assert "best version" not in str(progress_table(ROOT))
+    (folder / f"{STEM}.py").write_text("robot = 'worse'\n")
+    warning = f"{STEM}: the file to hand in is not your best version. %restore 09"
+    assert warning in str(progress_table(ROOT))
+    assert warning in progress_table(ROOT)._repr_html_()

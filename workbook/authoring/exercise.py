@@ -91,7 +91,8 @@ def _your_program(source: ExerciseSource) -> str:
     return (
         "## Your program\n\n"
         "Change the cell below and run it (Shift+Enter). It does not run here: it is saved as "
-        f"`answers/{source.stem}.py`, with the version before it kept beside it. Keep its first line as it is."
+        f"`answers/{source.stem}.py`, with the version before it kept beside it. Keep its first line; with "
+        "` --check` at its end, running the cell also checks it."
     )
 
 
@@ -99,7 +100,10 @@ _WATCH = (
     "## Watch it run\n\n"
     "`%start` runs your program as a process of its own, on the bus of this notebook. `%stop` ends it."
 )
-_CHECK = "## Check it\n\nAs often as you like. It shows what your program did, and the first thing to mend."
+_CHECK = (
+    "## Check it\n\nAs often as you like. It shows what your program did, and the first thing to mend. "
+    "In JupyterLab it takes the answer cell as it is, run or not."
+)
 _HINTS = "## Stuck?\n\nThree hints, one at a time: run the cell again for the next."
 _SOLUTION = (
     "## The solution\n\n"

@@ -91,23 +91,18 @@ def _watch(options: argparse.Namespace, source: "ExerciseSource", file: Path) ->
     from workbook.cli.watch.mode import Watched, WatchMode
     from workbook.cli.watch.screen import Screen
 
-    def note(judgement: "Judgement") -> None:
-        _note(judgement, file)
+    def note(judgement: "Judgement", answer: "Answer") -> None:
+        _note(judgement, answer, file)
 
     return WatchMode(Watched(source, file, options.as_graded, note), Screen()).run()
 
 
-def _note(judgement: "Judgement", file: Path) -> None:
+def _note(judgement: "Judgement", answer: "Answer", file: Path) -> None:
     """Keep the outcome in the student's progress, as `%check` does, when it is the student's own answer file."""
-    from workbook.feedback import wording
-    from workbook.lesson.progress import changed_progress
+    from workbook.lesson.best_answers import Check
 
-    if judgement.status != "graded" or file.resolve().parent != student_answers().resolve():
-        return
-    with changed_progress(judgement.stem) as progress:
-        progress.tries += 1
-        progress.solved = progress.solved or wording.all_shown_hold(judgement)
-        progress.best = max(progress.best, wording.shown_points(judgement)[0])
+    if file.resolve().parent == student_answers().resolve():
+        Check(judgement.stem, answer.text).note(judgement)
 
 
 def _not_judged(error: Exception) -> int:
@@ -129,7 +124,7 @@ def _judge(
         return _not_judged(error)
     judgement = _judgement_of(exercise, answer, started, thorough=options.as_graded)
     print(verdict_text(judgement, terminal.in_color(sys.stdout)))
-    _note(judgement, file)
+    _note(judgement, answer, file)
     if judgement.status != "graded":
         return NOT_JUDGED
     if wording.all_shown_hold(judgement):

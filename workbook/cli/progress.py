@@ -24,8 +24,7 @@ def run(_options: argparse.Namespace) -> int:
     from workbook.magics.progress_table import progress_table
 
     try:
-        student_answers()
-        print(progress_table().text(terminal.width()))
+        print(progress_table(answers=student_answers()).text(terminal.width()))
     except (NoCourse, BrokenCriteria, OSError) as error:
         terminal.complain("progress", error)
         return 2

@@ -35,7 +35,8 @@ class Saved:
     previous: Path | None = None
 
 
-def _same_program(one: str, other: str) -> bool:
+def same_program(one: str, other: str) -> bool:
+    """Whether two texts are the same but for spaces at the ends of lines and blank lines at both ends."""
     return [line.rstrip() for line in one.strip().splitlines()] == [
         line.rstrip() for line in other.strip().splitlines()
     ]
@@ -65,9 +66,10 @@ def save_answer(stem: str, text: str, starter: str) -> Saved:
         _write(path, text)
         return Saved(path, "new")
     current = path.read_text(encoding="utf-8", errors="replace")
-    if _same_program(current, text):
+    if same_program(current, text):
+        os.utime(path)  # its time is when the student last ran it
         return Saved(path, "unchanged")
-    if _same_program(text, starter):
+    if same_program(text, starter):
         return Saved(path, "refused")
     previous = _put_aside(path)
     _write(path, text)
@@ -80,10 +82,10 @@ def _write(path: Path, text: str) -> None:
     partial.replace(path)
 
 
-def restore_starter(stem: str, starter: str) -> Saved:
-    """Put the starter back; the answer so far is kept in `.previous/`."""
-    path = answer_file(stem)
+def replace_answer(stem: str, text: str, folder: Path | None = None) -> Saved:
+    """Make this the answer, such as the starter or an earlier version; the answer so far is kept in `.previous/`."""
+    path = (folder or answers_folder()) / f"{stem}.py"
     path.parent.mkdir(parents=True, exist_ok=True)
     previous = _put_aside(path) if path.exists() else None
-    _write(path, starter)
+    _write(path, text)
     return Saved(path, "changed", previous)

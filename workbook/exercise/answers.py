@@ -10,6 +10,7 @@ from pathlib import Path
 
 from workbook.exercise.notebook_cells import LARGEST_NOTEBOOK_BYTES as LARGEST_NOTEBOOK_BYTES
 from workbook.exercise.notebook_cells import answer_cells
+from workbook.exercise.notebook_cells import means as means
 from workbook.exercise.notebook_cells import named_exercise as named_exercise
 
 LARGEST_ANSWER_BYTES = 1_000_000
@@ -138,7 +139,7 @@ def read_answer(path: Path, stem: str) -> Answer:
         lines = text.lstrip().split("\n")
         named = named_exercise(lines[0]) if lines else None
         if named is not None:
-            if named != stem:
+            if not means(named, stem):
                 raise Ungradable(f"the file answers {named}, and not {stem}")
             text = "\n".join(lines[1:])
     else:

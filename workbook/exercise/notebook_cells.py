@@ -33,13 +33,19 @@ MOST_NAMES = 50
 _ADVICE = "Clear its outputs and save it again"
 TOO_MUCH_MEMORY = f"reading the notebook takes more than {MEMORY_BYTES // 1_000_000} MB of memory. {_ADVICE}"
 TOO_MUCH_TIME = f"reading the notebook takes more than {CPU_S} s of processor time. {_ADVICE}"
-_MAGIC_LINE = re.compile(r"^%%answer\s+(?P<stem>[\w-]{1,100})\s*$")
+_MAGIC_LINE = re.compile(r"^%%answer\s+(?P<name>\w[\w-]{0,99})(?:\s+--check)?\s*$")
 
 
 def named_exercise(line: str) -> str | None:
-    """The exercise that a `%%answer` line names, or None for any other line."""
+    """The exercise that a `%%answer` line names, as it is written there, or None for any other line."""
     found = _MAGIC_LINE.match(line.strip())
-    return found["stem"] if found else None
+    return found["name"] if found else None
+
+
+def means(name: str, stem: str) -> bool:
+    """Whether a `%%answer` line that says `name` is about `stem`: 09_joint_positions, joint_positions, 09 or 9."""
+    number, _, slug = stem.partition("_")
+    return name in (stem, slug, number, number.lstrip("0") or "0")
 
 
 def answer_cells(path: Path, stem: str = "") -> dict[str, Any]:
@@ -74,7 +80,7 @@ def cells_of(raw: bytes, stem: str) -> dict[str, Any]:
     for text in texts:
         first, _, rest = text.partition("\n")
         name = named_exercise(first[:1000])
-        if name is not None and name == stem:
+        if name is not None and means(name, stem):
             answer = rest[:LONGEST_TEXT]
         if name is not None and len(named) < MOST_NAMES:
             named[name] = None

@@ -7,6 +7,7 @@ from workbook.exercise.judgement import Judgement
 from workbook.exercise.museum import Exhibit
 from workbook.feedback import wording
 from workbook.feedback.colors import COLORS, ON_DARK, ON_LIGHT, TEXT, TINTS, variables
+from workbook.feedback.moment import Moment
 from workbook.templating import render
 
 
@@ -16,6 +17,8 @@ class Extras:
 
     `timeline` is a PNG and `timeline_text` describes it; `has_rates` says whether it shows when messages were due.
     `is_graded`: the card is part of a gradebook, where no other try follows.
+    `version_line` says which version was judged where the screen could not be asked, and `is_on_screen` is false when
+    it is known to be another. `better_line`: that an earlier version is better. `moment`: what full marks bring.
     """
 
     file: str = ""
@@ -26,26 +29,39 @@ class Extras:
     hints_left: int = 0
     exhibit: Exhibit | None = None
     is_graded: bool = False
+    version_line: str = ""
+    is_on_screen: bool = True
+    better_line: str = ""
+    moment: Moment | None = None
 
 
-def _state_of(judgement: Judgement) -> str:
+def _state_of(judgement: Judgement, is_on_screen: bool) -> str:
     """The state of a criterion whose color the whole card has."""
-    if judgement.provisional:
+    if judgement.provisional or not is_on_screen:
         return "partial"
     if wording.all_shown_hold(judgement):
         return "passed"
     return "partial" if wording.shown_points(judgement)[0] else "failed"
 
 
+def _headline(judgement: Judgement, extras: Extras) -> str:
+    """The headline, which praises nothing that is not on the screen."""
+    if extras.is_on_screen or not wording.all_shown_hold(judgement):
+        return wording.headline(judgement)
+    score, most = map(wording.points, wording.shown_points(judgement))
+    return f"{score} of {most} points, for a version that is not on your screen."
+
+
 def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
     """The card. All text of the program is escaped; a word stands beside each color (see `colors`)."""
     extras = extras or Extras()
-    holds = wording.all_shown_hold(judgement)
+    holds = wording.all_shown_hold(judgement) and extras.is_on_screen
     score, most = wording.shown_points(judgement)
+    film = extras.moment.film if extras.moment else None
     return render(
         "feedback/card",
         extras=extras,
-        state=_state_of(judgement),
+        state=_state_of(judgement, extras.is_on_screen),
         colors=COLORS,
         text=TEXT,
         tints=TINTS,
@@ -54,7 +70,7 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
         signs=wording.SIGNS,
         words=wording.WORDS,
         sign="✓" if holds else "◔" if judgement.provisional else "➜",
-        headline=wording.headline(judgement),
+        headline=_headline(judgement, extras),
         score=score,
         most=most,
         provisional_line=wording.provisional_line(judgement),
@@ -66,6 +82,10 @@ def as_html(judgement: Judgement, extras: Extras | None = None) -> str:
         timeline=None if extras.timeline is None else base64.b64encode(extras.timeline).decode(),
         log=wording.printed(judgement).strip(),
         is_done=holds and not judgement.provisional,
+        number=judgement.stem[:2],
+        moment=extras.moment,
+        moving=base64.b64encode(film.moving).decode() if film else "",
+        still=base64.b64encode(film.still).decode() if film else "",
         small=" ".join(filter(None, (wording.clock_line(judgement), wording.hidden_line(judgement)))),
     )
 
@@ -75,12 +95,12 @@ class Card:
 
     def __init__(self, judgement: Judgement, extras: Extras | None = None) -> None:
         self.judgement = judgement
-        self._extras = extras
+        self._extras = extras or Extras()
 
     def _repr_html_(self) -> str:
         return as_html(self.judgement, self._extras)
 
     def __repr__(self) -> str:
         first = wording.first_to_mend(self.judgement)
-        line = wording.headline(self.judgement)
+        line = _headline(self.judgement, self._extras)
         return line if first is None else f"{line} First to mend: {first.title}."

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from workbook.exercise.answers import exercises_named
+from workbook.exercise.answers import exercises_named, means
 
 ANSWER_SUFFIXES = (".py", ".ipynb")
 ARCHIVE_SUFFIXES = (".zip", ".gz", ".tgz", ".tar", ".bz2", ".xz", ".zst", ".7z", ".rar")
@@ -65,7 +65,7 @@ def _files_below(folder: Path) -> list[Path]:
 
 def names_exercise(path: Path, stem: str) -> bool:
     """Whether a file says by its name or its `%%answer` line that it answers `stem`."""
-    return _named_after(path.stem, stem) or stem in exercises_named(path)
+    return _named_after(path.stem, stem) or any(means(name, stem) for name in exercises_named(path))
 
 
 def _named_after(name: str, stem: str) -> bool:

@@ -154,7 +154,9 @@ def requirements(sections: dict[str, dict[str, list[str]]], names: list[str]) ->
 def digest() -> str:
     """What the environment is made from, as one hash: the lock, the project file, and this recipe."""
     state = hashlib.sha256()
-    for path in (LOCK, ROOT / "pyproject.toml", Path(__file__), Path(__file__).with_name("jupyter_files.py")):
+    here = Path(__file__)
+    front_end = sorted(here.with_name("front_end").glob("*.js*"))
+    for path in (LOCK, ROOT / "pyproject.toml", here, here.with_name("jupyter_files.py"), *front_end):
         state.update(path.read_bytes())
     return state.hexdigest()
 

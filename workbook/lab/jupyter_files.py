@@ -36,6 +36,9 @@ LAB_SETTINGS = {
     "@jupyterlab/notebook-extension:tracker": {"windowingMode": "defer"},
 }
 
+FRONT_END = Path(__file__).with_name("front_end")
+"""What JupyterLab itself loads: tells the kernel which answer is on the screen."""
+
 # An empty guard makes the wheels find their own libraries, even when Jupyter runs in another environment.
 KERNEL_ENVIRONMENT = {"_ROS_WHEELS_BOOTSTRAP_COMPLETE": "", "PYTHONPATH": ""}
 
@@ -58,12 +61,15 @@ def install(prefix: Path, python: str) -> list[Path]:
     other environment as well.
     """
     kernels = prefix / "share" / "jupyter" / "kernels" / "python3"
+    extension = prefix / "share" / "jupyter" / "labextensions" / "rclpy-workbook"
     files = {
         prefix / "etc" / "ipython" / "ipython_kernel_config.py": KERNEL_CONFIG,
         prefix / "share" / "jupyter" / "lab" / "settings" / "overrides.json": json.dumps(
             LAB_SETTINGS, indent=2
         ),
         kernels / "kernel.json": json.dumps(kernel_spec(python), indent=1),
+        extension / "package.json": (FRONT_END / "package.json").read_text(encoding="utf-8"),
+        extension / "static" / "answers.js": (FRONT_END / "answers.js").read_text(encoding="utf-8"),
     }
     for path, text in files.items():
         path.parent.mkdir(parents=True, exist_ok=True)

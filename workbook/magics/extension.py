@@ -1,4 +1,4 @@
-"""The magics of an exercise: %%answer, %start, %stop, %check, %hint, %solution, %reset, %progress."""
+"""The magics of an exercise: %%answer, %start, %stop, %check, %hint, %solution, %reset, %restore, %progress."""
 
 import os
 import threading
@@ -6,21 +6,29 @@ from pathlib import Path
 
 from IPython.core.interactiveshell import InteractiveShell
 from IPython.core.magic import Magics, cell_magic, line_magic, magics_class
-from IPython.display import DisplayHandle, Markdown, display
+from IPython.display import Markdown, display
 
-from workbook.exercise.answer_files import answer_file, answers_folder, restore_starter, save_answer
+from workbook.exercise.answer_files import (
+    Saved,
+    answer_file,
+    answers_folder,
+    replace_answer,
+    same_program,
+    save_answer,
+)
 from workbook.exercise.answers import ANSWER_MAGIC, Ungradable, read_answer, syntax_mistake
 from workbook.exercise.course import NoCourse
 from workbook.exercise.definition import BrokenCriteria, Exercise, load_exercise
-from workbook.exercise.judgement import Judgement
 from workbook.exercise.source import STEM, SourceError, UnknownExercise
-from workbook.feedback import wording
+from workbook.lesson.best_answers import Check, NothingJudged, best_text, hands_in_another, restore_best
 from workbook.lesson.progress import TRIES_BEFORE_SOLUTION, load_progress, save_progress
-from workbook.magics import checking
+from workbook.magics import checking, screen
+from workbook.magics.live_card import LiveCard
 from workbook.magics.progress_table import progress_table
 from workbook.magics.running import Running
 
-_EXPECTED = (Ungradable, UnknownExercise, NoCourse, BrokenCriteria, SourceError, OSError)
+_EXPECTED = (Ungradable, UnknownExercise, NoCourse, BrokenCriteria, SourceError, NothingJudged, OSError)
+CHECK_OPTION = "--check"
 
 
 def shown_path(path: Path) -> str:
@@ -66,11 +74,16 @@ class ExerciseMagics(Magics):
 
     @cell_magic
     def answer(self, line: str, cell: str) -> None:
-        """Save this cell as the answer to an exercise. It does not run here: %start and %check run it."""
+        """Save this cell as the answer to an exercise. It does not run here: %start and %check run it.
+
+        `%%answer 09_joint_positions --check` also checks it.
+        """
         self._report(self._answer, line, cell)
 
     def _answer(self, line: str, cell: str) -> None:
-        if not line.strip():
+        words = line.split()
+        line = " ".join(word for word in words if word != CHECK_OPTION)
+        if not line:
             raise _Notice(
                 f"Name the exercise in the first line, for example `{ANSWER_MAGIC} 09_joint_positions`."
             )
@@ -78,11 +91,7 @@ class ExerciseMagics(Magics):
         saved = save_answer(exercise.stem, cell, exercise.source.starter_code)
         where = shown_path(saved.path)
         if saved.outcome == "refused":
-            print(
-                f"Kept your answer in {where}: this cell holds the starter again, and it does not replace work.\n"
-                f"`%load {saved.path}` brings your answer back into a cell; `%reset` really starts over."
-            )
-            return
+            raise _Notice(self._kept_from_the_starter(saved, "this cell"))
         print(
             {
                 "new": f"Saved as {where}.",
@@ -97,8 +106,38 @@ class ExerciseMagics(Magics):
                 f"Python cannot read it yet: {mistake.message}, line {mistake.line} of the answer.\n"
                 f"    {mistake.text}\n    {caret}"
             )
-        else:
+        elif CHECK_OPTION not in words:
             checking.warm_slot()
+        if CHECK_OPTION in words:
+            self._judge(exercise, None)
+
+    @staticmethod
+    def _kept_from_the_starter(saved: Saved, cell: str) -> str:
+        return (
+            f"Kept your answer in {shown_path(saved.path)}: {cell} holds the starter again, and it does not replace "
+            f"work.\n`%load {saved.path}` brings your answer back into a cell; `%reset` really starts over."
+        )
+
+    def _request(self) -> object:
+        """The message that made the present cell run; empty outside of a kernel."""
+        parent = getattr(self.shell, "get_parent", dict)
+        return parent()
+
+    def _take_screen(self, exercise: Exercise) -> screen.Version | None:
+        """Save what the answer cell on the screen holds, as running it would.
+
+        Returns None then, and the version that was run where no front end tells what is on the screen.
+        """
+        program = screen.answer_on_screen(self._request(), exercise.stem)
+        if program is None:
+            self._need_file(exercise.stem)
+            return screen.version_that_ran(exercise.stem, self.shell.user_ns if self.shell else {})
+        saved = save_answer(exercise.stem, program, exercise.source.starter_code)
+        if saved.outcome == "refused":
+            raise _Notice(self._kept_from_the_starter(saved, "the answer cell"))
+        if saved.outcome != "unchanged":
+            print(f"Took the answer cell as it is now, and saved it as {shown_path(saved.path)}.")
+        return None
 
     @line_magic
     def reset(self, line: str) -> None:
@@ -107,10 +146,31 @@ class ExerciseMagics(Magics):
 
     def _reset(self, line: str) -> None:
         exercise = self._exercise(line)
-        saved = restore_starter(exercise.stem, exercise.source.starter_code)
+        saved = replace_answer(exercise.stem, exercise.source.starter_code)
+        screen.put_on_screen(self.shell, self._request(), exercise.stem, exercise.source.starter_code)
         print(f"{shown_path(saved.path)} holds the starter again.")
         if saved.previous is not None:
             print(f"Your answer is kept as {shown_path(saved.previous)}.")
+
+    @line_magic
+    def restore(self, line: str) -> None:
+        """Put the best version that was ever judged back. The one you have now is kept."""
+        self._report(self._restore, line)
+
+    def _restore(self, line: str) -> None:
+        exercise = self._exercise(line)
+        stem, file = exercise.stem, shown_path(answer_file(exercise.stem))
+        shown = screen.answer_on_screen(self._request(), stem)
+        if hands_in_another(stem) or best_text(stem) is None:
+            saved = restore_best(stem)
+            print(f"{file} is your best version again.")
+            if saved.previous is not None:
+                print(f"The one before is kept as {shown_path(saved.previous)}.")
+        else:
+            print(f"{file} is your best version already.")
+        best = best_text(stem) or ""
+        if shown is None or not same_program(shown, best):
+            screen.put_on_screen(self.shell, self._request(), stem, best)
 
     # --- running it beside the notebook ---------------------------------------------------------------------
 
@@ -124,6 +184,9 @@ class ExerciseMagics(Magics):
         from workbook.lesson.startup import node_names, wait_for_nodes, wait_until_it_serves
 
         exercise = self._exercise(line)
+        version = self._take_screen(exercise)
+        if version is not None:
+            print(version.line("Starting"))
         file = self._need_file(exercise.stem)
         answer = read_answer(file, exercise.stem)
         mistake = syntax_mistake(answer.text)
@@ -170,63 +233,33 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def check(self, line: str) -> None:
-        """Judge your answer by what it does on the topics."""
+        """Judge your answer, as it is on the screen, by what it does on the topics."""
         self._report(self._check, line)
 
     def _check(self, line: str) -> None:
         exercise = self._exercise(line)
+        self._judge(exercise, self._take_screen(exercise))
+
+    def _judge(self, exercise: Exercise, version: screen.Version | None) -> None:
         file = self._need_file(exercise.stem)
         answer = read_answer(file, exercise.stem)
-        progress = load_progress(exercise.stem)
-        hints_left = len(exercise.source.hints) - progress.hints
         if self._watcher is not None and self._watcher.is_alive():
             checking.finish_soon()
             self._watcher.join()
+        kept = Check(exercise.stem, answer.text)
+        hints_left = len(exercise.source.hints) - kept.before.hints
+        asked = checking.Asked(exercise, answer, Path(shown_path(file)), hints_left, version, kept)
         checking.warm_slot()  # here, not in the thread below: a slot ends with the thread that started it
-        handle: list[DisplayHandle] = []
-        decided = threading.Event()
-        abandoned = threading.Event()
-
-        def show(judgement: Judgement) -> None:
-            if abandoned.is_set():
-                return
-            card = checking.card_for(exercise, answer, Path(shown_path(file)), judgement, hints_left)
-            if handle:
-                handle[0].update(card)
-            else:
-                shown = display(card, display_id=True)
-                assert shown is not None
-                handle.append(shown)
-            if not judgement.provisional:
-                self._note(judgement, first=not decided.is_set())
-                decided.set()
-
-        def work() -> None:
-            try:
-                show(checking.judge(exercise.stem, answer, show))
-            finally:
-                decided.set()
-
-        self._watcher = threading.Thread(target=work, name="check", daemon=True)
+        card = LiveCard(asked)
+        self._watcher = threading.Thread(target=card.judge, name="check", daemon=True)
         self._watcher.start()
         try:
-            while not decided.wait(0.1):
+            while not card.decided.wait(0.1):
                 pass
         except KeyboardInterrupt:
-            abandoned.set()
+            card.abandoned.set()
             checking.kill_slot()
             raise _Notice("Check stopped.") from None
-
-    @staticmethod
-    def _note(judgement: Judgement, first: bool) -> None:
-        """Keep the outcome: one try per check, solved only by the last word."""
-        if judgement.status != "graded":
-            return
-        progress = load_progress(judgement.stem)
-        progress.tries += first
-        progress.solved = wording.all_shown_hold(judgement) or (progress.solved and first)
-        progress.best = max(progress.best, wording.shown_points(judgement)[0])
-        save_progress(judgement.stem, progress)
 
     # --- help -------------------------------------------------------------------------------------------------
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from workbook.exercise.course import course_folder
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.source import stems
+from workbook.lesson.best_answers import hands_in_another
 from workbook.lesson.progress import LessonProgress, all_progress
 from workbook.templating import render
 
@@ -68,10 +69,23 @@ class LessonRow:
 
 
 class ProgressTable:
-    """What a student has done in the whole course; shows itself in a notebook and as text."""
+    """What a student has done in the whole course; shows itself in a notebook and as text.
 
-    def __init__(self, rows: Sequence[LessonRow]) -> None:
+    `not_best`: exercises whose file to hand in is not the best version.
+    """
+
+    def __init__(self, rows: Sequence[LessonRow], not_best: Sequence[str] = ()) -> None:
         self.rows = tuple(rows)
+        self.not_best = tuple(not_best)
+
+    @property
+    def warnings(self) -> list[str]:
+        """One line for each exercise whose file to hand in is not the best version."""
+        return [
+            f"{stem}: the file to hand in is not your best version. %restore {stem[:2]} in its notebook, or "
+            f"workbook restore {stem[:2]} in a terminal, puts that back."
+            for stem in self.not_best
+        ]
 
     @property
     def summary(self) -> str:
@@ -110,8 +124,10 @@ class ProgressTable:
             for line in lines
         ]
         table.insert(1, _GAP.join("─" * width for width in widths))
-        summary = [self.summary] if columns is None else textwrap.wrap(self.summary, columns)
-        return "\n".join([*table, "", *summary, self.next_step])
+        said = [*self.warnings, self.summary]
+        if columns is not None:
+            said = [line for text in said for line in textwrap.wrap(text, columns)]
+        return "\n".join([*table, "", *said, self.next_step])
 
     def __str__(self) -> str:
         return self.text()
@@ -123,15 +139,18 @@ class ProgressTable:
             "magics/overview",
             head=_HEAD,
             rows=self.rows,
+            warnings=self.warnings,
             summary=self.summary,
             next_step=self.next_step,
         )
 
 
 def progress_table(
-    course: Path | None = None, done: Mapping[str, LessonProgress] | None = None
+    course: Path | None = None,
+    done: Mapping[str, LessonProgress] | None = None,
+    answers: Path | None = None,
 ) -> ProgressTable:
-    """The state of this student. `course` and `done` default to what is installed and what is kept."""
+    """The state of this student. `course`, `done` and `answers` default to what is installed and what is kept."""
     folder = course_folder() if course is None else course
     kept = all_progress() if done is None else done
     exercises = set(stems(folder / "solutions"))
@@ -154,7 +173,7 @@ def progress_table(
                 solved=progress.solved,
             )
         )
-    return ProgressTable(rows)
+    return ProgressTable(rows, [stem for stem in sorted(exercises) if hands_in_another(stem, answers)])
 
 
 def _lesson(path: Path) -> tuple[str, set[str], int]:

@@ -49,7 +49,7 @@ class Watched:
     source: ExerciseSource
     file: Path
     thorough: bool
-    note: Callable[[Judgement], None]
+    note: Callable[[Judgement, Answer], None]
 
 
 class WatchMode:
@@ -127,7 +127,7 @@ class WatchMode:
             return
         except _SavedAgain:
             return
-        watched.note(judgement)
+        watched.note(judgement, answer)
         self._code = NOT_YET if judgement.status == "graded" else NOT_JUDGED
         notes = [self._change(judgement)]
         if wording.all_shown_hold(judgement):

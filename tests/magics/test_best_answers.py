@@ -1,0 +1,134 @@
+"""Solved stays solved: the best that was ever judged counts, and its file is kept."""
+
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from workbook.exercise.answers import Answer
+from workbook.exercise.definition import load_exercise
+from workbook.exercise.judgement import Judgement, judge_recording
+from workbook.feedback.moment import Film
+from workbook.lesson.best_answers import (
+    Check,
+    NothingJudged,
+    best_text,
+    hands_in_another,
+    restore_best,
+)
+from workbook.lesson.progress import load_progress
+from workbook.magics import checking, live_card
+from workbook.magics.checking import Asked
+from workbook.recording.recording import Recording
+
+ROOT = Path(__file__).resolve().parents[2]
+STEM = "09_joint_positions"
+EXERCISE = load_exercise(STEM, ROOT)
+
+
+def judged(name: str) -> Judgement:
+    recording = Recording.load(ROOT / "tests" / "recordings" / STEM / f"{name}.json")
+    return judge_recording(EXERCISE, "0" * 64, recording)
+
+
+FULL, EIGHT, NOTHING = judged("solution"), judged("period_for_frequency"), judged("raises_at_once")
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("WORKBOOK_ANSWERS", str(tmp_path))
+    return tmp_path
+
+
+def check(folder: Path, text: str, *judgements: Judgement) -> Check:
+    (folder / f"{STEM}.py").write_text(text)
+    one = Check(STEM, text)
+    for judgement in judgements:
+        one.note(judgement)
+    return one
+
+
+def test_a_later_wrong_try_changes_nothing(folder: Path) -> None:
+    check(folder, "robot = 'right'\n", FULL)
+    worse = check(folder, "robot = 'wrong'\n", EIGHT)
+    progress = load_progress(STEM)
+    assert (progress.tries, progress.solved, progress.best) == (2, True, 10.0)
+    assert best_text(STEM) == "robot = 'right'\n"
+    assert worse.best_of_another_version() == 10.0
+    assert hands_in_another(STEM)
+
+
+def test_the_last_word_of_a_check_counts_and_is_one_try(folder: Path) -> None:
+    """Full marks on robot time, and then the program ends before its real seconds have passed."""
+    check(folder, "robot = 'ends early'\n", FULL, EIGHT)
+    progress = load_progress(STEM)
+    assert (progress.tries, progress.solved, progress.best) == (1, False, 8.0)
+    check(folder, "robot = 'right'\n", FULL, FULL)
+    check(folder, "robot = 'ends early'\n", FULL, EIGHT)
+    progress = load_progress(STEM)
+    assert (progress.tries, progress.solved, progress.best) == (3, True, 10.0)
+    assert best_text(STEM) == "robot = 'right'\n"
+
+
+def test_of_equally_good_versions_the_last_one_is_the_best(folder: Path) -> None:
+    check(folder, "robot = 'right'\n", FULL)
+    later = check(folder, "robot = 'right, and tidy'\n", FULL)
+    assert best_text(STEM) == "robot = 'right, and tidy'\n"
+    assert later.best_of_another_version() is None
+    assert not hands_in_another(STEM)
+
+
+def test_what_earned_nothing_or_was_not_judged_is_no_best_version(folder: Path) -> None:
+    assert NOTHING.score == 0
+    check(folder, "robot = 'broken'\n", NOTHING)
+    check(folder, "robot = 'right'\n", replace(FULL, status="infra_error"))
+    assert best_text(STEM) is None
+    assert load_progress(STEM).tries == 1
+    assert not hands_in_another(STEM)
+    with pytest.raises(NothingJudged, match=STEM):
+        restore_best(STEM)
+
+
+def test_the_command_puts_the_best_version_back(folder: Path) -> None:
+    check(folder, "robot = 'right'\n", FULL)
+    check(folder, "robot = 'wrong'\n", EIGHT)
+    command = [str(Path(sys.executable).with_name("workbook")), "restore", "9"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert "is your best version again" in done.stdout
+    assert (folder / f"{STEM}.py").read_text() == "robot = 'right'\n"
+    [before] = (folder / ".previous").glob("*.py")
+    assert before.read_text() == "robot = 'wrong'\n"
+    assert "already" in subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
+@pytest.mark.parametrize("can_draw", [True, False])
+def test_the_card_comes_first_and_the_moving_robot_costs_no_judgement(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, can_draw: bool
+) -> None:
+    shown: list[str] = []
+    card = live_card.LiveCard(
+        Asked(EXERCISE, Answer("x\n"), folder / f"{STEM}.py", 3, None, check(folder, "x\n"))
+    )
+
+    def judge(_: str, __: Answer, report: Callable[[Judgement], None]) -> Judgement:
+        report(FULL)
+        return EIGHT
+
+    def draw(_: Recording) -> object:
+        assert len(shown) == 1 and card.decided.is_set()
+        if not can_draw:
+            raise OSError("encoder webp not available")
+        return Film(b"film", b"still", "Your robot moves.")
+
+    monkeypatch.setattr(checking, "judge", judge)
+    monkeypatch.setattr(live_card, "film_of", draw)
+    monkeypatch.setattr(card, "_put", lambda one: shown.append(one._repr_html_()))
+    card.judge()
+    assert ["Your robot moves." in page for page in shown] == (
+        [False, True, False] if can_draw else [False, False]
+    )
+    assert "8 of 10 points" in shown[-1]
+    assert load_progress(STEM).best == 8.0

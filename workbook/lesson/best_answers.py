@@ -1,0 +1,87 @@
+"""The best version of each answer: what it earned is kept, the version itself as a file, and nothing takes it back."""
+
+from pathlib import Path
+
+from workbook.exercise.answer_files import Saved, answers_folder, replace_answer, same_program
+from workbook.exercise.judgement import Judgement
+from workbook.feedback import wording
+from workbook.lesson.progress import changed_progress, load_progress
+
+BEST = ".best"
+
+
+class NothingJudged(LookupError):
+    """There is no best version yet; the text says what makes one."""
+
+
+def best_file(stem: str, folder: Path | None = None) -> Path:
+    """The file of the best version that was judged, whether it exists or not."""
+    return (folder or answers_folder()) / BEST / f"{stem}.py"
+
+
+def best_text(stem: str, folder: Path | None = None) -> str | None:
+    """The best version that was judged; None before the first point."""
+    try:
+        return best_file(stem, folder).read_text(encoding="utf-8")
+    except OSError:
+        return None
+
+
+def hands_in_another(stem: str, folder: Path | None = None) -> bool:
+    """Whether the file to hand in is not the best version. Of equally good ones, the last that was judged is it."""
+    best = best_text(stem, folder)
+    if best is None:
+        return False
+    try:
+        text = ((folder or answers_folder()) / f"{stem}.py").read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        return True
+    return not same_program(best, text)
+
+
+def restore_best(stem: str, folder: Path | None = None) -> Saved:
+    """Make the best version the file to hand in; the one before is kept. Raises NothingJudged."""
+    best = best_text(stem, folder)
+    if best is None:
+        raise NothingJudged(f"No version of {stem} has earned points yet, so there is none to restore.")
+    return replace_answer(stem, best, folder)
+
+
+class Check:
+    """One check of one answer: a try, whose last word counts, and which never lowers what earlier ones earned."""
+
+    def __init__(self, stem: str, text: str) -> None:
+        self._stem = stem
+        self._text = text
+        self.before = load_progress(stem)
+        self._best_before = best_text(stem)
+        self._noted = False
+
+    def note(self, judgement: Judgement) -> None:
+        """Keep the outcome. A later judgement of the same check replaces it."""
+        if judgement.status != "graded":
+            return
+        points = wording.shown_points(judgement)[0]
+        with changed_progress(self._stem) as progress:
+            progress.tries += not self._noted
+            progress.solved = self.before.solved or wording.all_shown_hold(judgement)
+            progress.best = max(self.before.best, points)
+        self._noted = True
+        self._keep(self._text if 0 < points >= self.before.best else self._best_before)
+
+    def best_of_another_version(self) -> float | None:
+        """The points of the best version when that is not the one of this check; else None."""
+        best = best_text(self._stem)
+        if best is None or same_program(best, self._text):
+            return None
+        return load_progress(self._stem).best
+
+    def _keep(self, best: str | None) -> None:
+        file = best_file(self._stem)
+        if best is None:
+            file.unlink(missing_ok=True)
+        elif best != best_text(self._stem):
+            file.parent.mkdir(parents=True, exist_ok=True)
+            partial = file.with_suffix(".part")
+            partial.write_text(best, encoding="utf-8")
+            partial.replace(file)

@@ -1,0 +1,90 @@
+"""What the answer cell on the screen holds, run or not, and an answer that is put on the screen.
+
+JupyterLab sends it with each cell that runs (workbook/lab/front_end/answers.js). Other front ends do not: there, the
+version that was run is judged, and the saved notebook tells whether the screen holds another.
+"""
+
+import os
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from workbook.exercise.answer_files import answer_file, same_program
+from workbook.exercise.answers import ANSWER_MAGIC, Ungradable, answer_in_notebook, means, named_exercise
+
+ANSWER_PAYLOAD = "workbook_answer"
+
+
+@dataclass(frozen=True)
+class Version:
+    """Which version of an answer is at hand, where the screen could not be asked.
+
+    `ran_at`: when the student ran it, as a clock shows it. `differs`: the notebook was saved later, with another text.
+    """
+
+    ran_at: str
+    differs: bool = False
+
+    def line(self, doing: str) -> str:
+        """A sentence or two for the student, such as "Judging the version you ran at 14:03."."""
+        said = f"{doing} the version you ran {self.ran_at}."
+        if self.differs:
+            said += " The saved notebook holds another one: run its answer cell first."
+        return said
+
+
+def answers_on_screen(request: Any) -> list[tuple[str, str]] | None:
+    """Name and program of each answer cell, from top to bottom; None where the front end does not tell.
+
+    `request` is the message that made the present cell run.
+    """
+    told = request.get("metadata", {}).get("workbook") if isinstance(request, dict) else None
+    sources = told.get("answers") if isinstance(told, dict) else None
+    if not isinstance(sources, list):
+        return None
+    found = []
+    for source in sources:
+        if not isinstance(source, str):
+            continue
+        first, _, program = source.lstrip("\n \t").partition("\n")
+        name = named_exercise(first)
+        if name is not None:
+            found.append((name, program))
+    return found
+
+
+def answer_on_screen(request: Any, stem: str) -> str | None:
+    """The program in the last answer cell of an exercise; None where there is none or the front end does not tell."""
+    fitting = [program for name, program in answers_on_screen(request) or [] if means(name, stem)]
+    return fitting[-1] if fitting else None
+
+
+def version_that_ran(stem: str, names: dict[str, Any]) -> Version:
+    """The version in the answer file. `names`: the kernel's variables, in which VS Code says which notebook it is."""
+    file = answer_file(stem)
+    moment = file.stat().st_mtime
+    ran = time.localtime(moment)
+    today = time.localtime()[:3] == ran[:3]
+    ran_at = time.strftime("at %H:%M" if today else "on %Y-%m-%d at %H:%M", ran)
+    notebook = Path(str(names.get("__vsc_ipynb_file__") or os.environ.get("JPY_SESSION_NAME", "")))
+    if notebook.suffix != ".ipynb":
+        return Version(ran_at)
+    try:
+        if notebook.stat().st_mtime < moment:
+            return Version(ran_at)
+        saved = answer_in_notebook(notebook, stem)
+    except (OSError, Ungradable):
+        return Version(ran_at)
+    return Version(ran_at, not same_program(saved, file.read_text(encoding="utf-8", errors="replace")))
+
+
+def put_on_screen(shell: Any, request: Any, stem: str, program: str) -> None:
+    """Have the answer cell hold `program`; where that is not possible, a new cell below does."""
+    if answer_on_screen(request, stem) is None:
+        shell.set_next_input(f"{ANSWER_MAGIC} {stem}\n{program.rstrip()}", replace=False)
+        return
+    names = sorted({name for name, _ in answers_on_screen(request) or [] if means(name, stem)})
+    write: Callable[..., None] = shell.payload_manager.write_payload
+    write({"source": ANSWER_PAYLOAD, "exercises": names, "text": program.rstrip()})
