@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +24,7 @@ from workbook.inside.landlock import ABI_OF_SIGNALS, landlock_abi
 from workbook.inside.proc import running_users
 from workbook.inside.sweeper import act_as, is_ours
 from workbook.isolation import tiers
+from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.isolation.host_files import closed_folder, interpreter_folders
 from workbook.isolation.tiers import BEST_FIRST, Isolation, covers, leaves_open, refuses
 from workbook.isolation.user_ids import Ids, NoIds, lease_ids
@@ -193,10 +194,14 @@ def ids_can_be_leased() -> bool:
 
 @dataclass(frozen=True)
 class Account:
-    """Who runs the grader: a user id, or whoever runs the tests, and a folder of that user's."""
+    """Who runs the grader: a user id, or whoever runs the tests, and a folder of that user's.
+
+    `around`: put before the command.
+    """
 
     user: int | None
     folder: Path
+    around: tuple[str, ...] = ()
 
     def start(self, command: list[str]) -> "subprocess.Popen[str]":
         environ = {**os.environ, "HOME": str(self.folder), "PYTHONDONTWRITEBYTECODE": "1"}
@@ -206,7 +211,7 @@ class Account:
             user = ["setpriv", "--reuid", str(self.user), "--regid", str(self.user), "--clear-groups"]
         pipe = subprocess.PIPE
         return subprocess.Popen(
-            [*as_every_user(), *user, *command],
+            [*self.around, *as_every_user(), *user, *command],
             stdin=pipe,
             stdout=pipe,
             stderr=pipe,
@@ -464,9 +469,9 @@ def test_what_is_open_is_said_and_nothing_else(aftermath: Aftermath) -> None:
     assert {name: word in sentence for name, word in WORDS_FOR.items()} == found, sentence
 
 
-def test_every_slot_has_a_user_of_its_own(aftermath: Aftermath) -> None:
+def test_answers_run_as_users_that_have_no_account(aftermath: Aftermath) -> None:
     if aftermath.tier == "uid" and works_here(aftermath):
-        assert len(aftermath.users) == SLOTS
+        assert aftermath.users and all(map(is_ours, aftermath.users))
 
 
 @pytest.mark.parametrize("tier", WEAKER)
@@ -499,6 +504,79 @@ def test_a_killed_grader_takes_along_even_what_hides_from_it(
             return
         grader.kill()
     wait_until(lambda: not processes_that(sleep))
+
+
+# --- the network that answers share -------------------------------------------------------------------------------
+
+TAKES_AND_SPEAKS_ON_ALL_DOMAINS = """
+import socket, threading, time
+import rclpy
+from std_msgs.msg import Float32MultiArray, String
+held = []
+for domain in range(1, 102):
+    one = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    try:
+        one.bind(chr(0) + f"rclpy-workbook/domain/{domain}")
+    except OSError:
+        continue
+    held.append(one)
+print("took", len(held), flush=True)
+def domains():
+    with open("/proc/self/net/udp") as table:
+        ports = [int(line.split()[1].split(":")[1], 16) for line in table.readlines()[1:]]
+    return {(port - 7400) // 250 for port in ports if 7400 <= port < 7400 + 250 * 102}
+own = domains()
+speakers = {}
+ends = time.monotonic() + 60
+while time.monotonic() < ends:
+    for domain in domains() - own - speakers.keys():
+        context = rclpy.Context()
+        rclpy.init(context=context, domain_id=domain)
+        node = rclpy.create_node("stranger", context=context)
+        speakers[domain] = (node.create_publisher(Float32MultiArray, "/robot/joint_positions", 10),
+                            node.create_publisher(String, "/robot/status", 10))
+        print("speaks on", domain, flush=True)
+    for numbers, words in speakers.values():
+        numbers.publish(Float32MultiArray(data=[7.0]))
+        words.publish(String(data="not me"))
+    time.sleep(0.05)
+"""
+OWN_NETWORK = (
+    "bwrap",
+    "--dev-bind",
+    "/",
+    "/",
+    "--unshare-net",
+    "--cap-add",
+    "ALL",
+    "--die-with-parent",
+    "--",
+)
+
+
+@pytest.mark.sandbox
+@pytest.mark.parametrize("tier", ["uid", "landlock"])
+def test_no_answer_takes_or_disturbs_the_domain_of_another(
+    tier: Isolation, ordinary: Account, owner: Account
+) -> None:
+    """In a network of their own, so that no other test is disturbed."""
+    problem = sandbox_problem()
+    if problem is not None:
+        pytest.skip(f"no network of its own: {problem}")
+    account = replace(owner if tier == "uid" else ordinary, around=OWN_NETWORK)
+    solution = load_exercise(STEM, ROOT).source.solution_code
+    texts = {"stranger": TAKES_AND_SPEAKS_ON_ALL_DOMAINS, "right": solution, "right, too": solution}
+    done = account.run([sys.executable, "-m", "tests.hostile.tier_run", tier, "3"], json.dumps(texts))
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout)
+    if told["problem"] is not None:
+        assert tier == "landlock" or not ids_can_be_leased(), told["problem"]
+        return
+    found = {name: (one["status"], one["score"]) for name, one in told["judgements"].items()}
+    right = ("graded", 10)
+    assert found == {"stranger": ("graded", 0), "right": right, "right, too": right}, told
+    said = told["judgements"]["stranger"]["log"]
+    assert re.search(r"^took (9|10)\d$", said, re.MULTILINE) and "speaks on" not in said, said
 
 
 # --- a user id of its own, where there is no Landlock ---------------------------------------------------------------

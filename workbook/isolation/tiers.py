@@ -21,7 +21,7 @@ from workbook.programs.warm_start import ForkServer
 
 Isolation = Literal["sandbox", "uid", "landlock", "limits"]
 BEST_FIRST: tuple[Isolation, ...] = ("sandbox", "uid", "landlock", "limits")
-_NETWORK = "the network of this machine and, through it, the ROS domains of other answers"
+_NETWORK = "the network of this machine and, through it, all ROS domains on it"
 _DISK = "the disk, which an answer can fill"
 _ENDLESS = "an answer that starts itself anew without a pause, which may go on running"
 _KERNEL = "holes in the Linux kernel"
@@ -31,6 +31,14 @@ def named_tier(name: str) -> Isolation:
     """A tier by its name. Raises KeyError."""
     tiers: dict[str, Isolation] = {tier: tier for tier in BEST_FIRST}
     return tiers[name]
+
+
+def meets_others(isolation: Isolation) -> bool:
+    """Whether answers of strangers would meet on the network of this machine, so that one is judged after another.
+
+    In "limits" they meet as well, and more: it is for answers that one would run oneself.
+    """
+    return isolation in ("uid", "landlock")
 
 
 def make_tier(isolation: Isolation, *, ids: Ids | None = None, server: ForkServer | None = None) -> Tier:
