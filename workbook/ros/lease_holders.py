@@ -11,7 +11,6 @@ import struct
 import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 
 from workbook.inside import proc
@@ -131,12 +130,9 @@ def _user(user: int | None) -> str:
 
 def _command(pid: int) -> str:
     """How a process was started, in short. It is text of a stranger's."""
-    with suppress(OSError):
-        words = proc.read(f"/proc/{pid}/cmdline").split(b"\0")
-        said = " ".join(word.decode(errors="replace") for word in words).replace("`", "'")
-        text = " ".join("".join(one if one.isprintable() else " " for one in said).split())
-        return text if len(text) <= LONGEST_COMMAND else f"{text[: LONGEST_COMMAND - 1]}…"
-    return ""
+    said = proc.command_line(pid).replace("`", "'")
+    text = " ".join("".join(one if one.isprintable() else " " for one in said).split())
+    return text if len(text) <= LONGEST_COMMAND else f"{text[: LONGEST_COMMAND - 1]}…"
 
 
 def _is_number(text: str) -> bool:
