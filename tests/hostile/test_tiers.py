@@ -138,6 +138,21 @@ os.chdir(os.environ["HOME"])
 os.chmod("deep", 0)
 raise SystemExit(0)
 """
+STORES = """
+import os, time
+names = [os.path.join("@@PLACE@@" or os.getcwd(), f"stored_by_@@RUN@@_{number}") for number in range(4)]
+for name in names:
+    place = os.open(name, os.O_CREAT | os.O_RDWR, 0o600)
+    os.posix_fallocate(place, 0, 90_000_000)
+    os.close(place)
+print("stored", flush=True)
+time.sleep(120)
+"""
+LEAVES_TEMPORARY_FILES = """
+import tempfile
+print("temporary:", tempfile.mkdtemp(prefix="left_by_@@RUN@@_"), flush=True)
+raise SystemExit(0)
+"""
 TRIES_WHAT_IS_OPEN = """
 import json, os, signal, socket
 def works(attempt):
@@ -277,6 +292,8 @@ def answers_for(tier: Isolation, solution: str) -> dict[str, str]:
         "bomb": BOMB,
         "comes back": COMES_BACK,
         "litters": LITTERS,
+        "stores": STORES.replace("@@PLACE@@", ""),
+        "leaves temporary files": LEAVES_TEMPORARY_FILES,
         "open": TRIES_WHAT_IS_OPEN,
         "right afterwards": solution,
     }
@@ -288,6 +305,7 @@ def answers_for(tier: Isolation, solution: str) -> dict[str, str]:
         del texts["litters"]
     if tier == "uid":
         texts["cannot be caught"] = CANNOT_BE_CAUGHT
+        texts["stores in memory"] = STORES.replace("@@PLACE@@", "/dev/shm")
     return {name: SAYS_USER + text for name, text in texts.items()}
 
 
@@ -435,7 +453,20 @@ def test_a_right_answer_gets_full_marks_and_does_nothing_else(name: str, afterma
     assert aftermath.judgements[name]["score"] == 10, explained(aftermath, name)
 
 
-@pytest.mark.parametrize("name", ["left behind", "comes back", "cannot be caught", "bomb", "litters", "open"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "left behind",
+        "comes back",
+        "cannot be caught",
+        "bomb",
+        "litters",
+        "stores",
+        "stores in memory",
+        "leaves temporary files",
+        "open",
+    ],
+)
 def test_a_hostile_answer_gets_nothing(name: str, aftermath: Aftermath) -> None:
     if not works_here(aftermath) or name not in aftermath.judgements:
         return
@@ -444,6 +475,8 @@ def test_a_hostile_answer_gets_nothing(name: str, aftermath: Aftermath) -> None:
     if name == "bomb":
         assert one["limits"] == ["processes"], explained(aftermath, name)
         assert f"ran more than {ANSWER_LIMITS.processes} processes" in one["said"]
+    if name.startswith("stores"):
+        assert one["limits"] == ["disk"], explained(aftermath, name)
 
 
 def test_everything_that_was_asked_was_judged(aftermath: Aftermath) -> None:

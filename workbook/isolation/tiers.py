@@ -22,7 +22,8 @@ from workbook.programs.warm_start import ForkServer
 Isolation = Literal["sandbox", "uid", "landlock", "limits"]
 BEST_FIRST: tuple[Isolation, ...] = ("sandbox", "uid", "landlock", "limits")
 _NETWORK = "the network of this machine and, through it, all ROS domains on it"
-_DISK = "the disk, which an answer can fill"
+_DISK = "the disk, on which more than 200 MB are noticed when they are written"
+_WHOLE_DISK = "the disk and shared memory, which an answer can fill outside the folder that it works in"
 _ENDLESS = "an answer that starts itself anew without a pause, which may go on running"
 _KERNEL = "holes in the Linux kernel"
 
@@ -130,7 +131,8 @@ def leaves_open(isolation: Isolation) -> str:
         return f"Not protected: {_KERNEL}."
     abi = landlock_abi()
     network = _NETWORK + ("" if isolation == "limits" or abi < ABI_OF_TCP else " (TCP is closed)")
-    open_to = [network, _DISK, *(() if isolation == "uid" else (_ENDLESS,)), _KERNEL]
+    disk = _WHOLE_DISK if isolation == "limits" else _DISK
+    open_to = [network, disk, *(() if isolation == "uid" else (_ENDLESS,)), _KERNEL]
     if isolation == "uid" and not abi:
         open_to.insert(0, "files that every user of this machine may read (`chmod o= FOLDER` helps)")
     if isolation == "landlock" and not knows_this_machine():
