@@ -23,6 +23,7 @@ from workbook.grading import tier_check
 from workbook.inside.landlock import ABI_OF_SIGNALS, landlock_abi
 from workbook.inside.proc import running_users
 from workbook.inside.sweeper import act_as, is_ours
+from workbook.inside.syscall_filter import knows_this_machine
 from workbook.isolation import tiers
 from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.isolation.host_files import closed_folder, interpreter_folders
@@ -86,6 +87,27 @@ for pid in grader:
     except PermissionError:
         continue
     raise SystemExit("the grader can be killed")
+"""
+HINDERS_THE_GRADER = """
+import os, resource
+grader = os.getppid()
+attempts = [
+    lambda: resource.prlimit(grader, resource.RLIMIT_CPU, (0, 0)),
+    lambda: resource.prlimit(grader, resource.RLIMIT_NOFILE, (3, 3)),
+    lambda: os.setpriority(os.PRIO_PROCESS, grader, 19),
+    lambda: os.setpriority(os.PRIO_PGRP, os.getpgid(grader), 19),
+]
+if os.getuid() < 60600:
+    attempts.append(lambda: os.setpriority(os.PRIO_USER, 0, 19))
+for number, attempt in enumerate(attempts):
+    try:
+        attempt()
+    except OSError:
+        continue
+    raise SystemExit(f"attempt {number}: the grader can be hindered")
+resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+os.sched_setaffinity(0, os.sched_getaffinity(0))
+os.nice(1)
 """
 LEFT_BEHIND = '''
 import os, sys
@@ -301,6 +323,8 @@ def answers_for(tier: Isolation, solution: str) -> dict[str, str]:
         texts |= {name: text + solution for name, text in GOES_ON.items()}
         if landlock_abi() >= ABI_OF_SIGNALS or tier == "uid":
             texts["kills the grader"] = KILLS_THE_GRADER + solution
+        if tier == "uid" or knows_this_machine():
+            texts["hinders the grader"] = HINDERS_THE_GRADER + solution
     else:
         del texts["litters"]
     if tier == "uid":
@@ -445,6 +469,7 @@ def test_root_and_the_ordinary_user_have_a_tier_that_isolates(aftermath: Afterma
         "reads others",
         "changes its folder",
         "kills the grader",
+        "hinders the grader",
     ],
 )
 def test_a_right_answer_gets_full_marks_and_does_nothing_else(name: str, aftermath: Aftermath) -> None:

@@ -137,7 +137,9 @@ def leaves_open(isolation: Isolation) -> str:
         open_to.insert(0, "files that every user of this machine may read (`chmod o= FOLDER` helps)")
     if isolation == "landlock" and not knows_this_machine():
         open_to.insert(
-            0, "the permissions of your files, which an answer can change where it guesses the name"
+            0,
+            "the permissions of your files, which an answer can change where it guesses the name, and the limits of "
+            "your processes, with which it can end them",
         )
     if isolation == "limits" or (isolation == "landlock" and abi < ABI_OF_SIGNALS):
         open_to.insert(0, "your processes, this grader among them, which an answer can end")
