@@ -14,7 +14,7 @@ import pytest
 
 from workbook.exercise import answers, notebook_cells
 from workbook.exercise.answers import Ungradable, exercises_named, read_answer
-from workbook.grading.hand_ins import find_hand_ins
+from workbook.grading.hand_ins import find_hand_ins, hand_in_named
 from workbook.grading.skipped import find_skipped
 from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.recording.plain_text import without_commands
@@ -165,6 +165,18 @@ def test_a_link_is_no_answer(tmp_path: Path, target: str) -> None:
     assert read_answer(found["s2"].path, STEM).text == "print('the work of s2')\n"
     with pytest.raises(Ungradable, match="not a regular file"):
         read_answer(found["s1"].path, STEM)
+
+
+def test_a_folder_of_answers_that_is_a_link_leads_to_no_solutions(tmp_path: Path) -> None:
+    """In a class repository, beside the course: `answers` pushed as a link, and a link below a folder of that name."""
+    (tmp_path / "answers").symlink_to(ROOT / "solutions")
+    found = hand_in_named("the pushed answer", tmp_path, STEM)
+    assert found is not None
+    assert found.problem == "`answers` is a symbolic link: links are not followed"
+    (tmp_path / "answers").unlink()
+    (tmp_path / "answers").mkdir()
+    (tmp_path / "answers" / "more").symlink_to(ROOT / "solutions")
+    assert hand_in_named("the pushed answer", tmp_path, STEM) is None
 
 
 def test_folders_without_end_stop_nobody(tmp_path: Path) -> None:

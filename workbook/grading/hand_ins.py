@@ -115,8 +115,11 @@ def hand_in_named(student: str, folder: Path, stem: str) -> HandIn | None:
 
     Answers may lie beside other things: where there is a folder `answers`, only that one is looked at.
     """
-    if (folder / "answers").is_dir():
-        folder = folder / "answers"
+    place = folder / "answers"
+    if place.is_symlink():  # it may lead to the solutions
+        return HandIn(student, place, place.name, "`answers` is a symbolic link: links are not followed")
+    if place.is_dir():
+        folder = place
     named = [path for path in _files_below(folder) if names_exercise(path, stem)]
     if not named:
         return None
