@@ -479,6 +479,30 @@ def test_another_commit_than_the_pinned_one_is_not_run(tmp_path: Path, course: P
     assert runner.outputs() == {}
 
 
+@pytest.mark.parametrize("where", ["github", "gradescope"])
+def test_no_file_name_is_a_command_to_the_log(
+    where: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """GitHub takes a line that begins with :: for a command, and `reason` names files as students called them."""
+    answers = tmp_path / "answers"
+    answers.mkdir()
+    for name in (f"{STEM}\n::error::hacked\x1b[2J.py", f"{STEM}_2\r::stop-commands::x.py"):
+        (answers / name).write_text("x = 1\n")
+    command = ["autograde", where, STEM, "--isolation", "limits"]
+    if where == "github":
+        command += ["--answers", str(answers), "--out", str(tmp_path / "out")]
+        command += ["--summary", str(tmp_path / "summary"), "--outputs", str(tmp_path / "outputs")]
+    else:
+        command += ["--submission", str(answers), "--results", str(tmp_path / "results.json")]
+    main(command)
+    [line] = capsys.readouterr().out.splitlines()
+    assert line.startswith(f"{STEM}: ungradable, 2 files could be the answer") and line.isprintable()
+    if where == "github":
+        lines = (tmp_path / "outputs").read_text().splitlines()
+        assert all(re.fullmatch(r"\w+=[\w+/=]+", one) for one in lines)
+        assert not re.search(r"^::", (tmp_path / "summary").read_text(), re.MULTILINE)
+
+
 def test_a_fault_of_ours_is_told_as_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from workbook.grading import github
 

@@ -12,6 +12,7 @@ from workbook.grading import local, pool
 from workbook.grading.judges import Job
 from workbook.grading.local import Places, judge_all
 from workbook.grading.pool import Slot
+from workbook.isolation.tiers import Isolation
 
 STEM = "09_joint_positions"
 LONG_S = 30.0
@@ -114,6 +115,17 @@ def test_little_memory_no_slot_beside_the_places(monkeypatch: pytest.MonkeyPatch
     monkeypatch.setattr(pool, "judge_with_retry", judge)
     assert len(list(judge_all(jobs(10), 2))) == 10
     assert len(judge.slots) <= 2
+
+
+@pytest.mark.usefixtures("plenty")
+@pytest.mark.parametrize("isolation", ["uid", "landlock"])
+def test_where_answers_meet_on_the_network_one_is_judged_after_another(
+    isolation: Isolation, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    judge = FakeJudge(most=0)
+    monkeypatch.setattr(pool, "judge_with_retry", judge)
+    assert len(list(judge_all(jobs(6), 3, isolation=isolation))) == 6
+    assert judge.most_under_way == 1
 
 
 def test_a_broken_slot_makes_room_for_a_new_one() -> None:

@@ -14,9 +14,11 @@ import pytest
 
 from workbook.exercise import answers, notebook_cells
 from workbook.exercise.answers import Ungradable, exercises_named, read_answer
-from workbook.grading.hand_ins import find_hand_ins
+from workbook.grading.hand_ins import find_hand_ins, hand_in_named
+from workbook.grading.skipped import find_skipped
 from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.recording.plain_text import without_commands
+from workbook.ros.scratch import remove_scratch
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -165,6 +167,43 @@ def test_a_link_is_no_answer(tmp_path: Path, target: str) -> None:
         read_answer(found["s1"].path, STEM)
 
 
+def test_a_folder_of_answers_that_is_a_link_leads_to_no_solutions(tmp_path: Path) -> None:
+    """In a class repository, beside the course: `answers` pushed as a link, and a link below a folder of that name."""
+    (tmp_path / "answers").symlink_to(ROOT / "solutions")
+    found = hand_in_named("the pushed answer", tmp_path, STEM)
+    assert found is not None
+    assert found.problem == "`answers` is a symbolic link: links are not followed"
+    (tmp_path / "answers").unlink()
+    (tmp_path / "answers").mkdir()
+    (tmp_path / "answers" / "more").symlink_to(ROOT / "solutions")
+    assert hand_in_named("the pushed answer", tmp_path, STEM) is None
+
+
+def test_folders_without_end_stop_nobody(tmp_path: Path) -> None:
+    """Deeper than Python can call itself, and links in circles; s2 is found all the same."""
+    deep = tmp_path / "s1"
+    try:
+        for _ in range(1100):
+            os.mkdir(deep)
+            deep /= "d"
+        (tmp_path / "s2" / "a").mkdir(parents=True)
+        (tmp_path / "s2" / "a" / "answer.py").write_text(CANNOT_RUN)
+        (tmp_path / "s2" / "a" / "back").symlink_to("..")
+        (tmp_path / "s2" / "a" / "itself.py").symlink_to("itself.py")
+        os.mkfifo(tmp_path / "s3.py")
+        found = {one.student: one for one in find_hand_ins([tmp_path], STEM)}
+        assert find_skipped([tmp_path]) == []
+        assert "holds no .py" in (found["s1"].problem or "")
+        assert found["s2"].problem is not None and "itself.py" in found["s2"].problem
+        (tmp_path / "s2" / "a" / "itself.py").unlink()
+        [second] = [one for one in find_hand_ins([tmp_path], STEM) if one.student == "s2"]
+        assert read_answer(second.path, STEM).text == CANNOT_RUN
+        with pytest.raises(Ungradable, match="not a regular file"):
+            read_answer(found["s3"].path, STEM)
+    finally:
+        remove_scratch(tmp_path / "s1")
+
+
 # --- notebooks --------------------------------------------------------------------------------------------------------
 
 
@@ -229,6 +268,19 @@ def test_a_large_notebook_of_an_honest_student_is_read(tmp_path: Path) -> None:
     path.write_text(json.dumps(made, ensure_ascii=False), encoding="utf-8")
     assert read_answer(path, STEM).text == "print('the answer')\n"
     assert exercises_named(path) == [STEM]
+
+
+@pytest.mark.parametrize("line_end", ["\r", "\r\n", "\n\r"])
+def test_no_line_end_hides_a_coding_line_from_those_who_read_the_program(
+    tmp_path: Path, line_end: str
+) -> None:
+    """In UTF-7, `+AAo-` ends a line: Python would run what everybody else takes for a comment."""
+    cell = f"%%answer {STEM}\n{line_end}# coding: utf-7\nx = 1  # +AAo-print('hidden')\n"
+    program = tmp_path / "program.py"
+    program.write_bytes(text_in(tmp_path, notebook(cell)).encode())
+    assert b"\r" not in program.read_bytes()
+    done = subprocess.run([sys.executable, program], capture_output=True, text=True)
+    assert (done.returncode, done.stdout) == (0, "")
 
 
 def test_a_reader_that_takes_too_long_is_stopped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +23,9 @@ from workbook.grading import tier_check
 from workbook.inside.landlock import ABI_OF_SIGNALS, landlock_abi
 from workbook.inside.proc import running_users
 from workbook.inside.sweeper import act_as, is_ours
+from workbook.inside.syscall_filter import knows_this_machine
 from workbook.isolation import tiers
+from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.isolation.host_files import closed_folder, interpreter_folders
 from workbook.isolation.tiers import BEST_FIRST, Isolation, covers, leaves_open, refuses
 from workbook.isolation.user_ids import Ids, NoIds, lease_ids
@@ -86,6 +88,27 @@ for pid in grader:
         continue
     raise SystemExit("the grader can be killed")
 """
+HINDERS_THE_GRADER = """
+import os, resource
+grader = os.getppid()
+attempts = [
+    lambda: resource.prlimit(grader, resource.RLIMIT_CPU, (0, 0)),
+    lambda: resource.prlimit(grader, resource.RLIMIT_NOFILE, (3, 3)),
+    lambda: os.setpriority(os.PRIO_PROCESS, grader, 19),
+    lambda: os.setpriority(os.PRIO_PGRP, os.getpgid(grader), 19),
+]
+if os.getuid() < 60600:
+    attempts.append(lambda: os.setpriority(os.PRIO_USER, 0, 19))
+for number, attempt in enumerate(attempts):
+    try:
+        attempt()
+    except OSError:
+        continue
+    raise SystemExit(f"attempt {number}: the grader can be hindered")
+resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+os.sched_setaffinity(0, os.sched_getaffinity(0))
+os.nice(1)
+"""
 LEFT_BEHIND = '''
 import os, sys
 if os.fork() == 0:
@@ -135,6 +158,21 @@ for _ in range(1500):
     os.chdir("deep")
 os.chdir(os.environ["HOME"])
 os.chmod("deep", 0)
+raise SystemExit(0)
+"""
+STORES = """
+import os, time
+names = [os.path.join("@@PLACE@@" or os.getcwd(), f"stored_by_@@RUN@@_{number}") for number in range(4)]
+for name in names:
+    place = os.open(name, os.O_CREAT | os.O_RDWR, 0o600)
+    os.posix_fallocate(place, 0, 90_000_000)
+    os.close(place)
+print("stored", flush=True)
+time.sleep(120)
+"""
+LEAVES_TEMPORARY_FILES = """
+import tempfile
+print("temporary:", tempfile.mkdtemp(prefix="left_by_@@RUN@@_"), flush=True)
 raise SystemExit(0)
 """
 TRIES_WHAT_IS_OPEN = """
@@ -193,10 +231,14 @@ def ids_can_be_leased() -> bool:
 
 @dataclass(frozen=True)
 class Account:
-    """Who runs the grader: a user id, or whoever runs the tests, and a folder of that user's."""
+    """Who runs the grader: a user id, or whoever runs the tests, and a folder of that user's.
+
+    `around`: put before the command.
+    """
 
     user: int | None
     folder: Path
+    around: tuple[str, ...] = ()
 
     def start(self, command: list[str]) -> "subprocess.Popen[str]":
         environ = {**os.environ, "HOME": str(self.folder), "PYTHONDONTWRITEBYTECODE": "1"}
@@ -206,7 +248,7 @@ class Account:
             user = ["setpriv", "--reuid", str(self.user), "--regid", str(self.user), "--clear-groups"]
         pipe = subprocess.PIPE
         return subprocess.Popen(
-            [*as_every_user(), *user, *command],
+            [*self.around, *as_every_user(), *user, *command],
             stdin=pipe,
             stdout=pipe,
             stderr=pipe,
@@ -272,6 +314,8 @@ def answers_for(tier: Isolation, solution: str) -> dict[str, str]:
         "bomb": BOMB,
         "comes back": COMES_BACK,
         "litters": LITTERS,
+        "stores": STORES.replace("@@PLACE@@", ""),
+        "leaves temporary files": LEAVES_TEMPORARY_FILES,
         "open": TRIES_WHAT_IS_OPEN,
         "right afterwards": solution,
     }
@@ -279,10 +323,13 @@ def answers_for(tier: Isolation, solution: str) -> dict[str, str]:
         texts |= {name: text + solution for name, text in GOES_ON.items()}
         if landlock_abi() >= ABI_OF_SIGNALS or tier == "uid":
             texts["kills the grader"] = KILLS_THE_GRADER + solution
+        if tier == "uid" or knows_this_machine():
+            texts["hinders the grader"] = HINDERS_THE_GRADER + solution
     else:
         del texts["litters"]
     if tier == "uid":
         texts["cannot be caught"] = CANNOT_BE_CAUGHT
+        texts["stores in memory"] = STORES.replace("@@PLACE@@", "/dev/shm")
     return {name: SAYS_USER + text for name, text in texts.items()}
 
 
@@ -422,6 +469,7 @@ def test_root_and_the_ordinary_user_have_a_tier_that_isolates(aftermath: Afterma
         "reads others",
         "changes its folder",
         "kills the grader",
+        "hinders the grader",
     ],
 )
 def test_a_right_answer_gets_full_marks_and_does_nothing_else(name: str, aftermath: Aftermath) -> None:
@@ -430,7 +478,20 @@ def test_a_right_answer_gets_full_marks_and_does_nothing_else(name: str, afterma
     assert aftermath.judgements[name]["score"] == 10, explained(aftermath, name)
 
 
-@pytest.mark.parametrize("name", ["left behind", "comes back", "cannot be caught", "bomb", "litters", "open"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "left behind",
+        "comes back",
+        "cannot be caught",
+        "bomb",
+        "litters",
+        "stores",
+        "stores in memory",
+        "leaves temporary files",
+        "open",
+    ],
+)
 def test_a_hostile_answer_gets_nothing(name: str, aftermath: Aftermath) -> None:
     if not works_here(aftermath) or name not in aftermath.judgements:
         return
@@ -439,6 +500,8 @@ def test_a_hostile_answer_gets_nothing(name: str, aftermath: Aftermath) -> None:
     if name == "bomb":
         assert one["limits"] == ["processes"], explained(aftermath, name)
         assert f"ran more than {ANSWER_LIMITS.processes} processes" in one["said"]
+    if name.startswith("stores"):
+        assert one["limits"] == ["disk"], explained(aftermath, name)
 
 
 def test_everything_that_was_asked_was_judged(aftermath: Aftermath) -> None:
@@ -464,9 +527,9 @@ def test_what_is_open_is_said_and_nothing_else(aftermath: Aftermath) -> None:
     assert {name: word in sentence for name, word in WORDS_FOR.items()} == found, sentence
 
 
-def test_every_slot_has_a_user_of_its_own(aftermath: Aftermath) -> None:
+def test_answers_run_as_users_that_have_no_account(aftermath: Aftermath) -> None:
     if aftermath.tier == "uid" and works_here(aftermath):
-        assert len(aftermath.users) == SLOTS
+        assert aftermath.users and all(map(is_ours, aftermath.users))
 
 
 @pytest.mark.parametrize("tier", WEAKER)
@@ -499,6 +562,79 @@ def test_a_killed_grader_takes_along_even_what_hides_from_it(
             return
         grader.kill()
     wait_until(lambda: not processes_that(sleep))
+
+
+# --- the network that answers share -------------------------------------------------------------------------------
+
+TAKES_AND_SPEAKS_ON_ALL_DOMAINS = """
+import socket, threading, time
+import rclpy
+from std_msgs.msg import Float32MultiArray, String
+held = []
+for domain in range(1, 102):
+    one = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    try:
+        one.bind(chr(0) + f"rclpy-workbook/domain/{domain}")
+    except OSError:
+        continue
+    held.append(one)
+print("took", len(held), flush=True)
+def domains():
+    with open("/proc/self/net/udp") as table:
+        ports = [int(line.split()[1].split(":")[1], 16) for line in table.readlines()[1:]]
+    return {(port - 7400) // 250 for port in ports if 7400 <= port < 7400 + 250 * 102}
+own = domains()
+speakers = {}
+ends = time.monotonic() + 60
+while time.monotonic() < ends:
+    for domain in domains() - own - speakers.keys():
+        context = rclpy.Context()
+        rclpy.init(context=context, domain_id=domain)
+        node = rclpy.create_node("stranger", context=context)
+        speakers[domain] = (node.create_publisher(Float32MultiArray, "/robot/joint_positions", 10),
+                            node.create_publisher(String, "/robot/status", 10))
+        print("speaks on", domain, flush=True)
+    for numbers, words in speakers.values():
+        numbers.publish(Float32MultiArray(data=[7.0]))
+        words.publish(String(data="not me"))
+    time.sleep(0.05)
+"""
+OWN_NETWORK = (
+    "bwrap",
+    "--dev-bind",
+    "/",
+    "/",
+    "--unshare-net",
+    "--cap-add",
+    "ALL",
+    "--die-with-parent",
+    "--",
+)
+
+
+@pytest.mark.sandbox
+@pytest.mark.parametrize("tier", ["uid", "landlock"])
+def test_no_answer_takes_or_disturbs_the_domain_of_another(
+    tier: Isolation, ordinary: Account, owner: Account
+) -> None:
+    """In a network of their own, so that no other test is disturbed."""
+    problem = sandbox_problem()
+    if problem is not None:
+        pytest.skip(f"no network of its own: {problem}")
+    account = replace(owner if tier == "uid" else ordinary, around=OWN_NETWORK)
+    solution = load_exercise(STEM, ROOT).source.solution_code
+    texts = {"stranger": TAKES_AND_SPEAKS_ON_ALL_DOMAINS, "right": solution, "right, too": solution}
+    done = account.run([sys.executable, "-m", "tests.hostile.tier_run", tier, "3"], json.dumps(texts))
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout)
+    if told["problem"] is not None:
+        assert tier == "landlock" or not ids_can_be_leased(), told["problem"]
+        return
+    found = {name: (one["status"], one["score"]) for name, one in told["judgements"].items()}
+    right = ("graded", 10)
+    assert found == {"stranger": ("graded", 0), "right": right, "right, too": right}, told
+    said = told["judgements"]["stranger"]["log"]
+    assert re.search(r"^took (9|10)\d$", said, re.MULTILINE) and "speaks on" not in said, said
 
 
 # --- a user id of its own, where there is no Landlock ---------------------------------------------------------------

@@ -11,6 +11,7 @@ import pytest
 
 from workbook.ros import domains
 from workbook.ros.domains import DomainLease, NoDomainFree, dds_port_range, domain_of_port, lease_domain
+from workbook.ros.lease_holders import Holder
 
 HOLDER = """
 import sys
@@ -144,8 +145,22 @@ def test_a_domain_whose_ports_a_stranger_holds_is_skipped(held: DomainLease) -> 
 
 def test_none_free_says_what_to_do(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(domains, "_try_lease", lambda domain_id: None)
-    with pytest.raises(NoDomainFree, match="Close some of them and try again"):
+    monkeypatch.setattr(domains, "lease_holders", lambda: [Holder(7, os.getuid(), os.getppid())])
+    with pytest.raises(NoDomainFree, match=rf"1 domain by you \(process {os.getppid()}\).*Close notebooks"):
         lease_domain()
+    monkeypatch.setattr(domains, "lease_holders", list)
+    with pytest.raises(NoDomainFree, match=r"is free.*try again"):
+        lease_domain()
+
+
+def test_domains_that_rest_or_belong_to_strangers_are_counted(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(domains, "lease_holders", list)
+    monkeypatch.setattr(domains, "_is_cooling_down", lambda domain_id: domain_id <= 90)
+    monkeypatch.setattr(domains, "udp_ports_in_use", lambda: {*range(7400, 33_000, 10)})
+    with pytest.raises(NoDomainFree) as raised:
+        lease_domain()
+    assert "Resting after a program was killed, for 30 s at most: 90." in str(raised.value)
+    assert "Used by ROS programs that lease none: 11" in str(raised.value)
 
 
 def test_every_domain_can_be_leased_once(monkeypatch: pytest.MonkeyPatch) -> None:

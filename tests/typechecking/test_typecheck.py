@@ -141,10 +141,43 @@ def test_a_file_cannot_be_silenced() -> None:
         "from typing import TYPE_CHECKING\nif not TYPE_CHECKING:\n    x: int = 'a'\n",
         "import typing as t\nif t.TYPE_CHECKING:\n    x = 1\nelse:\n    x: int = 'a'\n",
         "MYPY = False\nif not MYPY:\n    def f(x: int) -> int:\n        return 'a'\n",
+        "PY2 = True\nif PY2:\n    x: int = 'a'\n",
+        "PY3 = False\nif PY3:\n    pass\nelse:\n    x: int = 'a'\n",
+        "from typing import TYPE_CHECKING\nassert not TYPE_CHECKING\nx: int = 'a'\n",
+        "from typing import TYPE_CHECKING\nif not TYPE_CHECKING and len('a'):\n    x: int = 'a'\n",
+        "from typing import TYPE_CHECKING\ny = not TYPE_CHECKING and len(3)\n",
+        "from typing import TYPE_CHECKING\ny = 1 if TYPE_CHECKING else len(3)\n",
+        "from typing import TYPE_CHECKING\n"
+        "def f() -> None:\n    if TYPE_CHECKING:\n        return\n    x: int = 'a'\n",
+        "import sys\nsys.platform = 'win32'\nif sys.platform == 'win32':\n    x: int = 'a'\n",
+        "import sys as s\ns.platform = 'win32'\nif s.platform == 'win32':\n    x: int = 'a'\n",
     ],
 )
 def test_code_that_mypy_would_skip_is_reported(program: str) -> None:
     assert UNCHECKED in {code for _, code in codes(program)}
+
+
+def test_what_is_for_hints_alone_is_no_evasion() -> None:
+    program = """\
+        import sys
+        from typing import TYPE_CHECKING
+
+        if TYPE_CHECKING:
+            from std_msgs.msg import Float32
+            Number = float
+        else:
+            from std_msgs.msg import String
+
+        if sys.platform == "win32":
+            print("who would have thought")
+
+        class Robot:
+            def __init__(self) -> None:
+                self.platform = "wheels"
+
+        print(Robot().platform)
+        """
+    assert UNCHECKED not in {code for _, code in codes(program)}
 
 
 def test_imports_for_hints_alone_are_no_evasion() -> None:

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from workbook.cli.grade_screen import printable
+
 if TYPE_CHECKING:
     from workbook.exercise.definition import Exercise
     from workbook.grading.github import Pushed
@@ -62,7 +64,7 @@ def run_gradescope(options: argparse.Namespace) -> int:
         exercise = load_exercise(options.exercise)
         result = grade_submission(exercise, options.submission, options.results, options.isolation)
     except Exception as error:  # whatever it is, it is our fault, and it must not cost points
-        print(f"workbook autograde: {type(error).__name__}: {error}", file=sys.stderr)
+        print(printable(f"workbook autograde: {type(error).__name__}: {error}"), file=sys.stderr)
         write_whole(options.results, fault_json(f"{type(error).__name__}: {error}"))
         return FAULT
     print(_line(result))
@@ -70,8 +72,9 @@ def run_gradescope(options: argparse.Namespace) -> int:
 
 
 def _line(result: "Result") -> str:
+    """One line: on GitHub, a line of the log that begins with `::` is a command, and names of files are a student's."""
     said = result.reason if result.score is None else f"{result.score:g} of {result.max_score:g} points"
-    return f"{result.exercise}: {result.status}, {said}. Isolation: {result.isolation}."
+    return printable(f"{result.exercise}: {result.status}, {said}. Isolation: {result.isolation}.")
 
 
 def run_github(options: argparse.Namespace) -> int:
@@ -87,7 +90,7 @@ def run_github(options: argparse.Namespace) -> int:
         pushed = grade_pushed(exercises, options.answers, options.out, isolation)
         text = summary(pushed, options.out, isolation)
     except Exception as error:
-        print(f"workbook autograde: {type(error).__name__}: {error}", file=sys.stderr)
+        print(printable(f"workbook autograde: {type(error).__name__}: {error}"), file=sys.stderr)
         _append(options.summary, _fault_page(error))
         _append(options.outputs, _faults(exercises))
         return FAULT

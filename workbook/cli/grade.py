@@ -136,6 +136,7 @@ def _judges(
     """Who judges: slots of this machine, or a farm. Says who. Raises BadOption, NoSandbox, NoJudges."""
     from workbook.grading.local import LocalSlots
     from workbook.grading.roster import BadOption
+    from workbook.isolation.tiers import meets_others
 
     if options.farm is not None:
         return _farm(options, exercise.stem, screen)
@@ -144,9 +145,8 @@ def _judges(
     if slots < 1:
         raise BadOption("--slots must be at least 1")
     isolation = _isolation(options.isolation)
-    screen.say(
-        f"Grading {exercise.stem}, {slots} answers at work at once. Isolation: {isolation}{_warning(isolation)}."
-    )
+    at_once = "one answer after another" if meets_others(isolation) else f"{slots} answers at work at once"
+    screen.say(f"Grading {exercise.stem}, {at_once}. Isolation: {isolation}{_warning(isolation)}.")
     return nullcontext(LocalSlots(slots, isolation))
 
 

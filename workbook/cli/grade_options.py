@@ -51,7 +51,8 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         type=int,
         help=f"answers at work at once (default: {SLOTS_PER_CORE['simulated']} per core on robot time, "
-        f"{SLOTS_PER_CORE['wall']} per core on the wall clock). Those that only stay alive do not count",
+        f"{SLOTS_PER_CORE['wall']} per core on the wall clock). Those that only stay alive do not count. "
+        "With uid and landlock it is always one",
     )
     parser.add_argument(
         "--farm",

@@ -73,7 +73,12 @@ def read_program(raw: bytes) -> str:
         text = raw.decode(encoding)
     except (SyntaxError, ValueError, LookupError) as error:
         raise Ungradable(f"the file is not readable as text: {error}") from error
-    return text.lstrip("\ufeff").replace("\r\n", "\n").replace("\r", "\n")
+    return with_line_feeds(text.lstrip("\ufeff"))
+
+
+def with_line_feeds(text: str) -> str:
+    """The same lines, each ended as on Linux. Python ends one at a carriage return, too, and most tools do not."""
+    return text.replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _as_utf8(text: str) -> str:
@@ -133,7 +138,7 @@ def read_answer(path: Path, stem: str) -> Answer:
         advice = ". Clear the outputs of the notebook and save it again" if path.suffix == ".ipynb" else ""
         raise Ungradable(f"the file is larger than {largest // 1_000_000} MB{advice}")
     if path.suffix == ".ipynb":
-        text = answer_in_notebook(path, stem)
+        text = with_line_feeds(answer_in_notebook(path, stem))
     elif path.suffix == ".py":
         text = read_program(path.read_bytes())
         lines = text.lstrip().split("\n")

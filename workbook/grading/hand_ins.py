@@ -16,6 +16,8 @@ SHADOWS = frozenset(
 """Names of files that are no answers, but would get between a program and the module of that name."""
 _ARCHIVE = "archives are not opened: unpack it into a folder with the student's name"
 SKIPPED_FOLDERS = frozenset({"__pycache__", ".ipynb_checkpoints", "__MACOSX"})
+DEEPEST = 100
+"""Folders within folders. Archives and disks nest a few, and a path may have some thousand."""
 _LOOKS_LIKE_ONE = re.compile(r"\.(py\w?|ipynb)(?![^\W\d_])", re.IGNORECASE)
 _BESIDE_OTHERS = "._"
 """How names of files begin that macOS puts beside others."""
@@ -53,9 +55,38 @@ def why_no_answer(name: str) -> str | None:
     return f"its name ends in {shown}, and not in .py or .ipynb: rename it"
 
 
+def walk(top: Path) -> Iterator[tuple[str, list[str], list[str]]]:
+    """As `os.walk` from the top down, for folders of strangers: however deep they are, that is no error.
+
+    Nobody looks below `DEEPEST` folders. What cannot be read is left out, and no link is followed.
+    """
+    waiting = [(str(top), 0)]
+    while waiting:
+        base, depth = waiting.pop()
+        try:
+            with os.scandir(base) as entries:
+                found = sorted(entries, key=lambda entry: entry.name)
+        except OSError:
+            continue
+        folders = [entry.name for entry in found if _is_folder(entry)]
+        links = {entry.name for entry in found if entry.is_symlink()}
+        known = set(folders)
+        yield base, folders, [entry.name for entry in found if entry.name not in known]
+        if depth < DEEPEST:
+            below = [os.path.join(base, name) for name in folders if name not in links]
+            waiting += [(folder, depth + 1) for folder in reversed(below)]
+
+
+def _is_folder(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_dir()
+    except OSError:  # a link to itself
+        return False
+
+
 def _files_below(folder: Path) -> list[Path]:
     found: list[Path] = []
-    for base, folders, files in os.walk(folder, followlinks=False):
+    for base, folders, files in walk(folder):
         folders[:] = sorted(
             name for name in folders if name not in SKIPPED_FOLDERS and not name.startswith(".")
         )
@@ -84,8 +115,11 @@ def hand_in_named(student: str, folder: Path, stem: str) -> HandIn | None:
 
     Answers may lie beside other things: where there is a folder `answers`, only that one is looked at.
     """
-    if (folder / "answers").is_dir():
-        folder = folder / "answers"
+    place = folder / "answers"
+    if place.is_symlink():  # it may lead to the solutions
+        return HandIn(student, place, place.name, "`answers` is a symbolic link: links are not followed")
+    if place.is_dir():
+        folder = place
     named = [path for path in _files_below(folder) if names_exercise(path, stem)]
     if not named:
         return None
@@ -121,7 +155,7 @@ def _why_nothing(folder: Path) -> str:
     shadows = sorted({path.name for path in _files_below(folder)})
     if shadows:
         return f"the folder holds only {', '.join(shadows)}: an answer needs a name that no module of ROS or Python has"
-    inside = [name for _, _, names in os.walk(folder) for name in names]
+    inside = [name for _, _, names in walk(folder) for name in names]
     packed = [name for name in sorted(inside) if name.lower().endswith(ARCHIVE_SUFFIXES)]
     if packed:
         return f"the folder holds no .py and no .ipynb file, but {packed[0]}; {_ARCHIVE}"

@@ -17,7 +17,7 @@ from workbook.grading import pool
 from workbook.grading.judges import Job, Key
 from workbook.grading.pool import Slot
 from workbook.inside.proc import available_memory_bytes
-from workbook.isolation.tiers import Isolation
+from workbook.isolation.tiers import Isolation, meets_others
 from workbook.typechecking.typecheck import TypeCheckFailed, warm_cache
 
 WAITING_PER_PLACE = 8
@@ -102,6 +102,7 @@ def judge_all(
 ) -> Iterator[tuple[Job[Key], Judgement]]:
     """Judge many answers, `slots` of them at work at once; yields each judgement as it is ready.
 
+    In a tier in which answers meet each other they are judged one after another, whatever `slots` says.
     `stop` is asked before each new answer, so that an interrupted run ends after those under way.
     """
     run = _Run(list(jobs), max(1, slots), thorough, isolation, stop)
@@ -138,6 +139,8 @@ class _Run(Generic[Key]):
         self.done: queue.SimpleQueue[tuple[Job[Key], Judgement] | None] = queue.SimpleQueue()
         self.places = Places(slots, self._has_room)
         self.most_at_once = min(slots * (1 + (WAITING_PER_PLACE if thorough else 0)), max(1, len(jobs)))
+        if meets_others(isolation):
+            self.most_at_once = 1  # beside it, an answer that only waits could still speak to the others
         for job in jobs:
             self._waiting.put(job)
         _prepare_for({job.stem for job in jobs})

@@ -17,6 +17,7 @@ from workbook.exercise.definition import OWN_CRITERIA
 from workbook.exercise.judgement import Judgement, Report
 from workbook.exercise.serialization import judgement_from_json
 from workbook.grading.judges import Job, Key
+from workbook.grading.turns import turn
 from workbook.inside.orphans import StillThere
 from workbook.isolation.tiers import Isolation, lease_for, slot_command
 from workbook.isolation.user_ids import NoIds
@@ -104,6 +105,8 @@ class Slot:
         line, _, self._buffer = self._buffer.partition(b"\n")
         message = json.loads(line)
         assert isinstance(message, dict)
+        if "broken" in message:
+            raise SlotBroken(message["broken"])
         return message
 
     def judge(
@@ -123,6 +126,7 @@ class Slot:
             self._process.stdin.write((json.dumps(order) + "\n").encode())
             self._process.stdin.flush()
         except OSError as error:
+            self._read_line(deadline)  # it may have said why
             raise SlotBroken("the slot is gone") from error
         while True:
             message = self._read_line(deadline)
@@ -228,20 +232,21 @@ def judge_with_retry(
 ) -> tuple[Slot | None, Judgement]:
     """Judge a job, replacing a slot that breaks, at most twice; then the fault is ours: `infra_error` and no slot."""
     reason = ""
-    for _ in range(TRIES):
-        try:
-            if slot is not None and not slot.is_running:
-                slot.close()
+    with turn(isolation):
+        for _ in range(TRIES):
+            try:
+                if slot is not None and not slot.is_running:
+                    slot.close()
+                    slot = None
+                slot = slot or standby.take(isolation, own_criteria)
+                judgement = slot.judge(
+                    job.stem, job.answer, thorough=thorough, second_start=job.second_start, report=report
+                )
+                return slot, judgement
+            except Exception as error:  # whatever it is, the answer must not get lost
+                reason = str(error) or type(error).__name__
+                if slot is not None:
+                    slot.kill()
                 slot = None
-            slot = slot or standby.take(isolation, own_criteria)
-            judgement = slot.judge(
-                job.stem, job.answer, thorough=thorough, second_start=job.second_start, report=report
-            )
-            return slot, judgement
-        except Exception as error:  # whatever it is, the answer must not get lost
-            reason = str(error) or type(error).__name__
-            if slot is not None:
-                slot.kill()
-            slot = None
     reason += f", {TRIES} times with this answer. Run the command again; if it stays so, look at this answer yourself"
     return None, Judgement(job.stem, job.answer.sha256, "infra_error", reason, (), None)

@@ -1,11 +1,10 @@
 """Files that look like hand-ins and are none: what was skipped, and why. Nobody's answer gets lost without a word."""
 
-import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from workbook.grading.hand_ins import SKIPPED_FOLDERS, hand_in_root, readable, why_no_answer
+from workbook.grading.hand_ins import SKIPPED_FOLDERS, hand_in_root, readable, walk, why_no_answer
 
 _TOOLS = frozenset({".git", ".github", ".vscode", ".idea", ".venv", ".cache", ".config", ".local", ".ros"})
 """Hidden folders that programs make. No student has such a name."""
@@ -30,7 +29,7 @@ def find_skipped(paths: Sequence[Path]) -> list[Skipped]:
 
 
 def _skipped_below(root: Path) -> Iterator[Skipped]:
-    for base, folders, files in os.walk(root, followlinks=False):
+    for base, folders, files in walk(root):
         folder = Path(base)
         if folder == root:
             for name in sorted(folders):

@@ -7,7 +7,8 @@ comes in on standard input, judgements go out on standard output, the last one w
 
     python -m workbook.grading.slot TIER [--user ID] [--try PORT]
 
-The first line that goes out says that it is ready and, with `--try`, what is wrong with the tier, if anything is.
+The first line that goes out says that it is ready and, with `--try`, what is wrong with the tier, if anything is. If it
+cannot begin, the line says why: `{"broken": "No ROS domain is free…"}`.
 """
 
 import argparse
@@ -35,6 +36,7 @@ from workbook.isolation.tiers import Isolation, make_tier, named_tier
 from workbook.isolation.user_ids import Ids
 from workbook.programs.warm_start import ForkServer, own_server
 from workbook.recording.limits import ANSWER_LIMITS
+from workbook.ros.domains import NoDomainFree
 from workbook.ros.environment import child_environment
 from workbook.watching.observer import Observer
 from workbook.watching.tier_self_test import try_out
@@ -99,7 +101,12 @@ def serve(isolation: Isolation, ids: Ids | None = None, port: int | None = None)
     server = ForkServer()
     tier = make_tier(isolation, ids=ids, server=server)
     warm_up(isolation, server)
-    with contextlib.closing(server), Observer(tier=tier) as observer:
+    with contextlib.closing(server), contextlib.ExitStack() as stack:
+        try:
+            observer = stack.enter_context(Observer(tier=tier))
+        except NoDomainFree as error:
+            send({"broken": str(error)})
+            return
         judge = Judge(observer, ANSWER_LIMITS)
         problem = None if port is None else try_out(isolation, observer, ANSWER_LIMITS, port, ids)
         send({"ready": os.getpid(), "problem": problem})

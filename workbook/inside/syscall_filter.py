@@ -77,6 +77,15 @@ UNCOUNTED_MEMORY = {
 NEWS_OF_FILES = {"inotify_init": 253, "inotify_init1": 294, "fanotify_init": 300}
 """Who opens a file can be heard in every sandbox that sees it."""
 LOCKS = {"flock": 73}
+OF_ONE_PROCESS = {"prlimit64": 302}
+SCHEDULING_OF_ONE = {
+    "sched_setparam": 142,
+    "sched_setscheduler": 144,
+    "sched_setaffinity": 203,
+    "sched_setattr": 314,
+}
+"""Calls whose first argument says which process they change; zero is the caller itself."""
+SETPRIORITY, IOPRIO_SET = 141, 251
 MMAP, SOCKET, SOCKETPAIR, SETSOCKOPT, FCNTL = 9, 41, 53, 54, 72
 FAMILIES = {"AF_UNIX": 1, "AF_INET": 2, "AF_INET6": 10, "AF_NETLINK": 16}
 """The sockets that a node needs. With others (AF_VSOCK is one) a program reaches what is around the machine."""
@@ -145,6 +154,15 @@ def all_bits(argument: int, *bits: int) -> list[Step]:
     return steps
 
 
+def not_zero(*arguments: int) -> list[Step]:
+    """Go on if one of the arguments with these numbers is not zero; else let the call through."""
+    steps: list[Step] = []
+    for position, argument in enumerate(arguments):
+        behind = 2 * (len(arguments) - position) - 1
+        steps += [_load(argument), (BPF_JUMP_IF_EQUAL, 0, behind, 0)]
+    return [*steps, (BPF_RETURN, 0, 0, SECCOMP_ALLOW)]
+
+
 def _load(argument: int) -> Step:
     """Load the lower half of an argument of the call: all of what the kernel reads of those that are looked at here."""
     return (BPF_LOAD_WORD, 0, 0, 16 + 8 * argument)
@@ -201,6 +219,22 @@ def bounded_memory() -> list[list[Step]]:
     ]
 
 
+def others_left_alone() -> list[list[Step]]:
+    """Cases that keep a program from changing limits and priorities of other processes, for `filter_syscalls`.
+
+    They may belong to the same user: with a limit of no processor time, a program would end its judge. Libraries set
+    the scheduling of their own threads by number, so that comes to nothing and is no error.
+    """
+    limits = [case(number, errno.EPERM, not_zero(0)) for number in OF_ONE_PROCESS.values()]
+    scheduling = [case(number, 0, not_zero(0)) for number in SCHEDULING_OF_ONE.values()]
+    return [
+        *limits,
+        *scheduling,
+        case(SETPRIORITY, errno.EPERM, not_zero(0, 1)),
+        case(IOPRIO_SET, errno.EPERM),
+    ]
+
+
 def filter_sandbox_escapes() -> None:
     """Refuse the calls with which programs have escaped from sandboxes, met in two of them, or hidden memory.
 
@@ -222,13 +256,13 @@ def filter_sandbox_escapes() -> None:
 
 
 def filter_permission_changes() -> None:
-    """Let no call through that changes permissions, owners or times of files, or looks into other processes.
+    """Let no call through that changes permissions, owners or times of files, or meddles with other processes.
 
     Those of the first kind say that all went well, so that a copied file is no error. Raises OSError.
     """
     refused = (OTHER_PROCESSES, KEYS, INTO_THE_KERNEL, UNCOUNTED_MEMORY)
     unchanged = numbers(PERMISSIONS, OWNERS, TIMES, ATTRIBUTES)
-    filter_syscalls(numbers(*refused), unchanged, bounded_memory())
+    filter_syscalls(numbers(*refused), unchanged, [*bounded_memory(), *others_left_alone()])
 
 
 def filter_uncounted_memory() -> None:

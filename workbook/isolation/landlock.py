@@ -6,6 +6,7 @@ import sys
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 from workbook.inside import RUN, proc
@@ -17,6 +18,7 @@ from workbook.isolation.host_files import (
     SYSTEM_FOLDERS,
     interpreter_folders,
 )
+from workbook.isolation.written_files import WrittenFiles
 from workbook.programs.process import PROFILE
 from workbook.programs.tier import Confinement, Order, Started, limit_options
 from workbook.programs.unconfined import KERNEL_LIMITS, FreshProgram, host_command
@@ -88,9 +90,18 @@ class ConfinedProgram:
         """Where the program may write."""
         return (str(self.scratch), os.devnull)
 
+    @cached_property
+    def written(self) -> WrittenFiles:
+        """What the program writes."""
+        return WrittenFiles(self.scratch)
+
     def most_files(self, pids: Sequence[int]) -> int:
-        """Zero: this tier does not limit the number of files."""
-        return 0
+        """How many files the program has made, in all folders together."""
+        return self.written.look().files
+
+    def stored_bytes(self) -> int:
+        """What the program has written to files."""
+        return self.written.look().bytes
 
     def sockets(self, pids: Sequence[int]) -> int:
         """How many sockets the program and all that it has started have open."""

@@ -1,16 +1,36 @@
 """The tier "limits": resource limits, and an end to all that a program has started."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 from workbook.inside.orphans import sweep_orphans
-from workbook.programs.tier import Confinement
+from workbook.isolation.written_files import WrittenFiles
+from workbook.programs.tier import Confinement, Order, Started
 from workbook.programs.unconfined import UnconfinedProgram
 
 
 @dataclass(frozen=True)
 class LimitedProgram(UnconfinedProgram):
-    """See `workbook.programs.tier.Confinement`."""
+    """See `workbook.programs.tier.Confinement`. What the program writes to its temporary folder goes with it."""
+
+    @cached_property
+    def written(self) -> WrittenFiles:
+        """What the program writes to the folder that it works in."""
+        return WrittenFiles(self.scratch)
+
+    def start(self, order: Order) -> Started:
+        """See `UnconfinedProgram`; temporary files go to the folder that the program works in."""
+        return super().start(replace(order, environ={**order.environ, "TMPDIR": str(self.scratch)}))
+
+    def most_files(self, pids: Sequence[int]) -> int:
+        """How many files the program has made in the folder that it works in."""
+        return self.written.look().files
+
+    def stored_bytes(self) -> int:
+        """What the program has written to the folder that it works in."""
+        return self.written.look().bytes
 
     def sweep(self) -> bool:
         """Kill the processes that the program left behind. Returns whether there were any. Raises StillThere."""

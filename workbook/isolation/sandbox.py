@@ -170,6 +170,10 @@ class Sandbox:
         """How many files the fullest folder holds that the program may write to."""
         return most_files(pids)
 
+    def stored_bytes(self) -> int:
+        """Zero: the folders that a program can write to are file systems of its own, of a fixed size."""
+        return 0
+
     def sockets(self, pids: Sequence[int]) -> int:
         """How many sockets there are in the network of the program and this process, sent ones included."""
         return proc.sockets_of_network()

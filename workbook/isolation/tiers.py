@@ -21,8 +21,9 @@ from workbook.programs.warm_start import ForkServer
 
 Isolation = Literal["sandbox", "uid", "landlock", "limits"]
 BEST_FIRST: tuple[Isolation, ...] = ("sandbox", "uid", "landlock", "limits")
-_NETWORK = "the network of this machine and, through it, the ROS domains of other answers"
-_DISK = "the disk, which an answer can fill"
+_NETWORK = "the network of this machine and, through it, all ROS domains on it"
+_DISK = "the disk, on which more than 200 MB are noticed when they are written"
+_WHOLE_DISK = "the disk and shared memory, which an answer can fill outside the folder that it works in"
 _ENDLESS = "an answer that starts itself anew without a pause, which may go on running"
 _KERNEL = "holes in the Linux kernel"
 
@@ -31,6 +32,14 @@ def named_tier(name: str) -> Isolation:
     """A tier by its name. Raises KeyError."""
     tiers: dict[str, Isolation] = {tier: tier for tier in BEST_FIRST}
     return tiers[name]
+
+
+def meets_others(isolation: Isolation) -> bool:
+    """Whether answers of strangers would meet on the network of this machine, so that one is judged after another.
+
+    In "limits" they meet as well, and more: it is for answers that one would run oneself.
+    """
+    return isolation in ("uid", "landlock")
 
 
 def make_tier(isolation: Isolation, *, ids: Ids | None = None, server: ForkServer | None = None) -> Tier:
@@ -122,12 +131,15 @@ def leaves_open(isolation: Isolation) -> str:
         return f"Not protected: {_KERNEL}."
     abi = landlock_abi()
     network = _NETWORK + ("" if isolation == "limits" or abi < ABI_OF_TCP else " (TCP is closed)")
-    open_to = [network, _DISK, *(() if isolation == "uid" else (_ENDLESS,)), _KERNEL]
+    disk = _WHOLE_DISK if isolation == "limits" else _DISK
+    open_to = [network, disk, *(() if isolation == "uid" else (_ENDLESS,)), _KERNEL]
     if isolation == "uid" and not abi:
         open_to.insert(0, "files that every user of this machine may read (`chmod o= FOLDER` helps)")
     if isolation == "landlock" and not knows_this_machine():
         open_to.insert(
-            0, "the permissions of your files, which an answer can change where it guesses the name"
+            0,
+            "the permissions of your files, which an answer can change where it guesses the name, and the limits of "
+            "your processes, with which it can end them",
         )
     if isolation == "limits" or (isolation == "landlock" and abi < ABI_OF_SIGNALS):
         open_to.insert(0, "your processes, this grader among them, which an answer can end")

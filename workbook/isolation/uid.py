@@ -2,12 +2,14 @@
 
 import os
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 
 from workbook.inside.landlock import landlock_abi
 from workbook.inside.orphans import sweep_orphans
 from workbook.isolation.landlock import ConfinedProgram
-from workbook.isolation.user_ids import Ids
+from workbook.isolation.user_ids import Ids, shared_folders
+from workbook.isolation.written_files import WrittenFiles
 from workbook.programs.tier import Confinement
 from workbook.recording.limits import Limits
 from workbook.ros.scratch import scratch_folder
@@ -45,6 +47,11 @@ class UserProgram(ConfinedProgram):
     def writable(self) -> tuple[str, ...]:
         """As its base, and the shared memory that DDS uses."""
         return (*super().writable(), "/dev/shm")
+
+    @cached_property
+    def written(self) -> WrittenFiles:
+        """What the program writes, and what its user has in folders that everybody may write to."""
+        return WrittenFiles(self.scratch, shared_folders(), self.ids.user)
 
     def sweep(self) -> bool:
         """Kill every process of the user and what the program left behind. Returns whether there was any.

@@ -96,9 +96,14 @@ def processes_of(user: int) -> list[int]:
     return [pid for pid, owner in proc.running_users() if owner == user]
 
 
+def shared_folders() -> tuple[str, ...]:
+    """The folders of this machine that everybody may write to."""
+    return tuple({*SHARED_FOLDERS, tempfile.gettempdir()})
+
+
 def remove_files_of(user: int) -> None:
     """Remove what a user owns in the folders that everybody may write to."""
-    for folder in {*SHARED_FOLDERS, tempfile.gettempdir()}:
+    for folder in shared_folders():
         try:
             entries = [*Path(folder).iterdir()]
         except OSError:

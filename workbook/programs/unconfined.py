@@ -95,6 +95,10 @@ class UnconfinedProgram:
         """Zero: files are not limited."""
         return 0
 
+    def stored_bytes(self) -> int:
+        """Zero: files are not limited."""
+        return 0
+
     def sockets(self, pids: Sequence[int]) -> int:
         """How many sockets the program and all that it has started have open."""
         return proc.sockets_open(pids)

@@ -11,9 +11,10 @@ WRITABLE_MIB = 64
 class Limits:
     """Limits of one program: bytes, numbers, and seconds of processor time. None: no limit.
 
-    `processes`, `memory`, `files`, `sockets` and `queued` hold for a program and all that it has started, the others
-    for each process. `processes` counts threads as well where the kernel enforces it, `files` is for each folder that
-    it may write to, `queued` is what its sockets hold that nobody has read, and `output` is what it may print.
+    `processes`, `memory`, `files`, `sockets`, `queued` and `stored` hold for a program and all that it has started, the
+    others for each process. `processes` counts threads as well where the kernel enforces it, `files` is for each folder
+    that it may write to, `queued` is what its sockets hold that nobody has read, `stored` what it writes to files where
+    no file system of its own bounds them, and `output` is what it may print.
     """
 
     memory: int | None = None
@@ -25,6 +26,7 @@ class Limits:
     files: int | None = None
     sockets: int | None = None
     queued: int | None = None
+    stored: int | None = None
     output: int = 50 * MB
 
 
@@ -40,5 +42,6 @@ ANSWER_LIMITS = Limits(
     files=20_000,
     sockets=256,  # a node takes about ten, and all that wait for messages share one figure of the machine
     queued=32 * MB,
+    stored=200 * MB,  # as much as the folders in a sandbox hold
 )
 """What an answer may use that is graded."""

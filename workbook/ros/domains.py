@@ -14,6 +14,7 @@ from pathlib import Path
 from types import TracebackType
 
 from workbook.inside.proc import udp_ports_in_use
+from workbook.ros.lease_holders import LEASE_PREFIX, announce_lease, lease_holders, told
 
 FIRST_DOMAIN = 1
 """Domain 0 is everybody's default: a robot, or a student's own terminal, may be on it."""
@@ -21,7 +22,7 @@ LAST_DOMAIN = 101
 """The ports of domain 102 begin at 32900, within the ephemeral range of Linux (from 32768)."""
 COOL_DOWN_S = 30.0
 """After a kill. Other participants keep a vanished one until its liveliness lease expires; this is well above that."""
-SOCKET_PREFIX = "rclpy-workbook/domain/"
+SOCKET_PREFIX = LEASE_PREFIX
 
 
 class NoDomainFree(RuntimeError):
@@ -72,6 +73,7 @@ class DomainLease:
     def __init__(self, domain_id: int, holder: socket.socket) -> None:
         self.domain_id = domain_id
         self._holder: socket.socket | None = holder
+        self._announced = announce_lease(domain_id)
 
     def release(self, killed: bool = False) -> None:
         """Give the domain back.
@@ -83,6 +85,8 @@ class DomainLease:
             return
         if killed:
             _begin_cool_down(self.domain_id)
+        if self._announced is not None:
+            self._announced.close()
         self._holder.close()
         self._holder = None
 
@@ -123,7 +127,21 @@ def lease_domain(preferred: int | None = None, avoid: Container[int] = ()) -> Do
         lease = _try_lease(domain_id)
         if lease is not None:
             return lease
-    raise NoDomainFree(
-        f"No ROS domain from {FIRST_DOMAIN} to {LAST_DOMAIN} is free: other notebooks or graders hold them all. "
-        "Close some of them and try again."
-    )
+    raise NoDomainFree(_why_none_is_free(ports))
+
+
+def _why_none_is_free(ports: set[int]) -> str:
+    """Who has all the domains, and what to do, as sentences."""
+    holders = lease_holders()
+    free = set(range(FIRST_DOMAIN, LAST_DOMAIN + 1)) - {holder.domain_id for holder in holders}
+    resting = {domain_id for domain_id in free if _is_cooling_down(domain_id)}
+    strangers = {one for one in free - resting if not ports.isdisjoint(dds_port_range(one))}
+    sentences = [f"No ROS domain from {FIRST_DOMAIN} to {LAST_DOMAIN} is free."]
+    if resting:
+        sentences.append(
+            f"Resting after a program was killed, for {COOL_DOWN_S:.0f} s at most: {len(resting)}."
+        )
+    if strangers:
+        sentences.append(f"Used by ROS programs that lease none: {len(strangers)} (`ss -lupn` lists them).")
+    sentences.append(told(holders) if holders else "Wait a moment, and try again.")
+    return " ".join(sentences)

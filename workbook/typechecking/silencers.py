@@ -12,7 +12,16 @@ _IGNORE = re.compile(
     r"#\s*type:\s*ignore\b"
 )  # at the beginning of a comment; elsewhere mypy does not heed it
 _INLINE = re.compile(r"^# mypy: .*$", re.MULTILINE)
-_HIDING = ("TYPE_CHECKING", "MYPY")
+_HIDING = ("TYPE_CHECKING", "MYPY", "PY2", "PY3")
+"""Names that mypy takes for true or false, whatever they are (`infer_condition_value` in mypy/reachability.py)."""
+_ABOUT_THE_MACHINE = ("platform", "version_info")
+"""What mypy believes to know of `sys`, whoever changes it."""
+_WHAT_HIDES = "code that runs, and that mypy is told to skip"
+_FOR_CHECKERS = (
+    *(ast.Import, ast.ImportFrom, ast.Pass, ast.Assign, ast.AnnAssign),
+    *(ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef),
+)
+"""What may be there for a type checker alone. Others, such as `return`, make it skip what follows."""
 
 
 def _comments(program: str) -> Iterator[tokenize.TokenInfo]:
@@ -49,13 +58,20 @@ def evasions(program: str) -> Iterator[Finding]:
         tree = ast.parse(program)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return  # mypy will say that it cannot read the file
-    for node in ast.walk(tree):
+    explained: set[ast.AST] = set()
+    systems = _names_of_sys(tree)
+    for node in ast.walk(tree):  # an `if` comes before its parts
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
             for decorator in node.decorator_list:
                 if _last_name(decorator) == "no_type_check":
                     yield Finding("", decorator.lineno, UNCHECKED, "@no_type_check")
-        elif isinstance(node, ast.If) and (hidden := _hidden_code(node)) is not None:
-            yield Finding("", hidden.lineno, UNCHECKED, "code that runs, and that mypy is told to skip")
+        elif isinstance(node, ast.If) and _asks_for_checkers(node.test):
+            explained |= {*ast.walk(node.test)}
+            hidden = _hidden_code(node)
+            if hidden is not None:
+                yield Finding("", hidden.lineno, UNCHECKED, _WHAT_HIDES)
+        elif isinstance(node, (ast.Name, ast.Attribute)) and node not in explained and _hides(node, systems):
+            yield Finding("", node.lineno, UNCHECKED, _WHAT_HIDES)
 
 
 def _last_name(node: ast.expr) -> str:
@@ -64,11 +80,36 @@ def _last_name(node: ast.expr) -> str:
     return node.id if isinstance(node, ast.Name) else ""
 
 
+def _names_of_sys(tree: ast.Module) -> frozenset[str]:
+    """What the program calls the module `sys`."""
+    aliases = (one for node in ast.walk(tree) if isinstance(node, ast.Import) for one in node.names)
+    return frozenset(one.asname or one.name for one in aliases if one.name == "sys")
+
+
+def _hides(node: ast.Name | ast.Attribute, systems: frozenset[str]) -> bool:
+    """Whether mypy takes what is done here for a reason to skip code: no `if` of the usual form explains it."""
+    if isinstance(node.ctx, ast.Load):
+        return _last_name(node) in _HIDING
+    return (
+        isinstance(node, ast.Attribute)
+        and node.attr in _ABOUT_THE_MACHINE
+        and isinstance(node.value, ast.Name)
+        and node.value.id in systems
+    )
+
+
+def _asks_for_checkers(test: ast.expr) -> bool:
+    """Whether this is `TYPE_CHECKING` or `not TYPE_CHECKING`, and no more."""
+    if isinstance(test, ast.UnaryOp) and isinstance(test.op, ast.Not):
+        test = test.operand
+    return _last_name(test) in _HIDING
+
+
 def _hidden_code(node: ast.If) -> ast.stmt | None:
-    """The first statement of the branch that runs, but is not for the eyes of a type checker. Imports may be there."""
-    names = {_last_name(part) for part in ast.walk(node.test) if isinstance(part, ast.expr)}
-    if names.isdisjoint(_HIDING):
-        return None
-    turned = isinstance(node.test, ast.UnaryOp) and isinstance(node.test.op, ast.Not)
-    runs = node.body if turned else node.orelse
-    return next((one for one in runs if not isinstance(one, (ast.Import, ast.ImportFrom, ast.Pass))), None)
+    """The first statement that runs and is skipped by mypy. Imports may be there."""
+    turned = isinstance(node.test, ast.UnaryOp) or _last_name(node.test) == "PY2"
+    runs, skipped = (node.body, node.orelse) if turned else (node.orelse, node.body)
+    for one in runs:
+        if not isinstance(one, (ast.Import, ast.ImportFrom, ast.Pass)):
+            return one
+    return next((one for one in skipped if not isinstance(one, _FOR_CHECKERS)), None)

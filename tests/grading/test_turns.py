@@ -1,0 +1,83 @@
+"""Turns: in a tier in which answers meet, one is judged at a time, whoever of this user judges it."""
+
+import select
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+
+from workbook.grading.turns import turn
+from workbook.isolation.tiers import Isolation
+
+LONG_S = 60.0
+"""So long a test waits for what must come: only a broken program lets it pass."""
+TAKES_A_TURN = """
+import sys
+from workbook.grading.turns import turn
+print("waits", flush=True)
+with turn("landlock"):
+    print("has it", flush=True)
+    sys.stdin.read()
+"""
+
+
+@pytest.fixture(autouse=True)
+def _own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+
+
+def grader() -> "subprocess.Popen[str]":
+    pipe = subprocess.PIPE
+    return subprocess.Popen([sys.executable, "-c", TAKES_A_TURN], stdin=pipe, stdout=pipe, text=True)
+
+
+def said_by(process: "subprocess.Popen[str]") -> str:
+    assert process.stdout is not None
+    return process.stdout.readline().strip()
+
+
+def taken_by(isolation: Isolation) -> tuple[threading.Thread, threading.Event]:
+    """A thread that takes a turn, and what tells that it has it."""
+    has_it = threading.Event()
+
+    def take() -> None:
+        with turn(isolation):
+            has_it.set()
+
+    thread = threading.Thread(target=take)
+    thread.start()
+    return thread, has_it
+
+
+def test_two_graders_of_one_user_take_turns() -> None:
+    with grader() as other:
+        assert [said_by(other), said_by(other)] == ["waits", "has it"]
+        thread, has_it = taken_by("uid")
+        assert not has_it.wait(0.2)
+        other.kill()
+        assert has_it.wait(LONG_S), "a turn ends with its process"
+        thread.join()
+    with turn("uid"), grader() as other:
+        assert said_by(other) == "waits"
+        assert not select.select([other.stdout], [], [], 0.2)[0]
+        other.kill()
+
+
+@pytest.mark.parametrize("isolation", ["sandbox", "limits"])
+def test_other_tiers_do_not_wait(isolation: Isolation) -> None:
+    with turn("uid"), turn(isolation):
+        pass
+
+
+def test_without_a_cache_the_turns_of_one_process_remain(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "file").write_text("")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "file"))
+    with turn("uid"):
+        thread, has_it = taken_by("uid")
+        assert not has_it.wait(0.2)
+    assert has_it.wait(LONG_S)
+    thread.join()
