@@ -393,15 +393,15 @@ stop()
 #
 # **1. What is rclpy?**
 #
-# <details><summary>a) A simulator of robots</summary>
+# <details><summary>a) The Python library with which a program becomes a node of ROS 2</summary>
+#
+# ✓ It makes nodes, topics and timers usable from Python, and passes the work on to `rcl`.
+#
+# </details>
+# <details><summary>b) A simulator of robots</summary>
 #
 # ✗ A simulator makes up a world. rclpy only connects programs; whether the robot behind them is real or made up, it
 # neither knows nor cares.
-#
-# </details>
-# <details><summary>b) The Python library with which a program becomes a node of ROS 2</summary>
-#
-# ✓ It makes nodes, topics and timers usable from Python, and passes the work on to `rcl`.
 #
 # </details>
 # <details><summary>c) A translator that turns Python into C++</summary>
@@ -417,22 +417,22 @@ stop()
 # ✗ A publisher waits for nobody. In the first picture of the graph nobody listened to the joint positions.
 #
 # </details>
-# <details><summary>b) It gets an error</summary>
-#
-# ✗ To speak without listeners is perfectly normal on a robot. A camera does not fail because nobody looks.
-#
-# </details>
-# <details><summary>c) It publishes all the same, and the messages are gone</summary>
+# <details><summary>b) It publishes all the same, and the messages are gone</summary>
 #
 # ✓ Publishers and subscribers come and go on their own. (How a late one can still get the last message is lesson 13.)
+#
+# </details>
+# <details><summary>c) It gets an error</summary>
+#
+# ✗ To speak without listeners is perfectly normal on a robot. A camera does not fail because nobody looks.
 #
 # </details>
 #
 # **3. What do `rclpy` and `rclcpp` have in common?**
 #
-# <details><summary>a) Both stand on rcl, a library in C</summary>
+# <details><summary>a) Nothing; a bridge is needed between them</summary>
 #
-# ✓ So names, types and rules are the same, and nodes of both kinds talk to each other.
+# ✗ On the wire their messages are the same bytes. No bridge is needed.
 #
 # </details>
 # <details><summary>b) rclpy calls rclcpp</summary>
@@ -440,9 +440,9 @@ stop()
 # ✗ They stand side by side on the same core. Neither needs the other.
 #
 # </details>
-# <details><summary>c) Nothing; a bridge is needed between them</summary>
+# <details><summary>c) Both stand on rcl, a library in C</summary>
 #
-# ✗ On the wire their messages are the same bytes. No bridge is needed.
+# ✓ So names, types and rules are the same, and nodes of both kinds talk to each other.
 #
 # </details>
 #
@@ -453,14 +453,14 @@ stop()
 # ✗ If your node runs, Python is good enough.
 #
 # </details>
-# <details><summary>b) The names: is the topic in the list, spelled exactly so, with somebody who publishes?</summary>
-#
-# ✓ `topic_list()` in a notebook or `workbook topic list` in a terminal answers that in a second.
-#
-# </details>
-# <details><summary>c) The network cable</summary>
+# <details><summary>b) The network cable</summary>
 #
 # ✗ In these lessons everything happens inside one computer. And names are wrong far more often than cables.
+#
+# </details>
+# <details><summary>c) The names: is the topic in the list, spelled exactly so, with somebody who publishes?</summary>
+#
+# ✓ `topic_list()` in a notebook or `workbook topic list` in a terminal answers that in a second.
 #
 # </details>
 

@@ -717,27 +717,27 @@ print("box locked: ", "box locked" in end.log)
 # ✗ That loads a library. Nothing is opened.
 #
 # </details>
-# <details><summary>b) `rclpy.init()`</summary>
-#
-# ✗ It sets up a context in your process. In the picture the doors were still closed after it.
-#
-# </details>
-# <details><summary>c) The first node</summary>
+# <details><summary>b) The first node</summary>
 #
 # ✓ Yes. With the first node of a context the process opens its doors on the domain, and appears on the graph.
+#
+# </details>
+# <details><summary>c) `rclpy.init()`</summary>
+#
+# ✗ It sets up a context in your process. In the picture the doors were still closed after it.
 #
 # </details>
 #
 # **2. Your program says `RuntimeError: Context.init() must only be called once`. What now?**
 #
-# <details><summary>a) Call `rclpy.shutdown()` before each `rclpy.init()`</summary>
-#
-# ✗ It raises as well, if there is nothing to shut down. And the nodes that were made in between would lose their ground.
-#
-# </details>
-# <details><summary>b) Find the second call and remove it</summary>
+# <details><summary>a) Find the second call and remove it</summary>
 #
 # ✓ One `init`, in `main`. Often the other one is at the top of a file that you import.
+#
+# </details>
+# <details><summary>b) Call `rclpy.shutdown()` before each `rclpy.init()`</summary>
+#
+# ✗ It raises as well, if there is nothing to shut down. And the nodes that were made in between would lose their ground.
 #
 # </details>
 # <details><summary>c) Put it into `try` and `except` and go on</summary>
@@ -753,22 +753,22 @@ print("box locked: ", "box locked" in end.log)
 # ✗ It looks like one, up to the last line: `RCLError`, exit code 1.
 #
 # </details>
-# <details><summary>b) An error, because the context is down already</summary>
-#
-# ✓ rclpy's own answer to SIGINT has shut it down. `rclpy.try_shutdown()` is made for this.
-#
-# </details>
-# <details><summary>c) The program hangs</summary>
+# <details><summary>b) The program hangs</summary>
 #
 # ✗ No, it ends at once, but not well.
+#
+# </details>
+# <details><summary>c) An error, because the context is down already</summary>
+#
+# ✓ rclpy's own answer to SIGINT has shut it down. `rclpy.try_shutdown()` is made for this.
 #
 # </details>
 #
 # **4. Two students sit side by side. One starts a dashboard, and it shows the other one's robot. What is the remedy?**
 #
-# <details><summary>a) Other names for the topics</summary>
+# <details><summary>a) Another domain for each desk</summary>
 #
-# ✗ That helps for this one topic. Their nodes would still meet everywhere else, in all tools and logs.
+# ✓ Programs on different domains do not meet at all. `export ROS_DOMAIN_ID=17` in the terminal, once.
 #
 # </details>
 # <details><summary>b) A context of its own for each program</summary>
@@ -776,22 +776,22 @@ print("box locked: ", "box locked" in end.log)
 # ✗ They have that anyway: they are two processes. Kitchen and hall had one each, and heard each other.
 #
 # </details>
-# <details><summary>c) Another domain for each desk</summary>
+# <details><summary>c) Other names for the topics</summary>
 #
-# ✓ Programs on different domains do not meet at all. `export ROS_DOMAIN_ID=17` in the terminal, once.
+# ✗ That helps for this one topic. Their nodes would still meet everywhere else, in all tools and logs.
 #
 # </details>
 #
 # **5. You press ■ in a notebook while a cell spins your node. What becomes of the context?**
 #
-# <details><summary>a) It is still up</summary>
-#
-# ✓ Here Python alone answers to that signal. Your nodes are usable in the next cell.
-#
-# </details>
-# <details><summary>b) It is shut down, as after Ctrl-C in a terminal</summary>
+# <details><summary>a) It is shut down, as after Ctrl-C in a terminal</summary>
 #
 # ✗ In a program, yes. The last experiment above shows both.
+#
+# </details>
+# <details><summary>b) It is still up</summary>
+#
+# ✓ Here Python alone answers to that signal. Your nodes are usable in the next cell.
 #
 # </details>
 # <details><summary>c) The kernel has to be restarted</summary>

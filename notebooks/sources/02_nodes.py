@@ -603,14 +603,14 @@ else:
 #
 # **4. A program makes two nodes from one class. You start it with `--ros-args -r __node:=scout`. What are they called?**
 #
-# <details><summary>a) The first one `scout`, the second one as before</summary>
-#
-# ✗ Nothing in these words says which one is meant.
-#
-# </details>
-# <details><summary>b) Both `scout`</summary>
+# <details><summary>a) Both `scout`</summary>
 #
 # ✓ The command line counts for all nodes of the process. Give `cli_args` to one of them instead.
+#
+# </details>
+# <details><summary>b) The first one `scout`, the second one as before</summary>
+#
+# ✗ Nothing in these words says which one is meant.
 #
 # </details>
 # <details><summary>c) `scout` and `scout_2`</summary>
@@ -626,14 +626,14 @@ else:
 # ✗ With a list it was just as quiet in this lesson.
 #
 # </details>
-# <details><summary>b) It has replaced the list in which the node keeps its timers</summary>
-#
-# ✓ Names with one underscore belong to the class that you inherit from. Choose another one.
-#
-# </details>
-# <details><summary>c) The node is not spun</summary>
+# <details><summary>b) The node is not spun</summary>
 #
 # ✗ That is worth a look as well, always. But here the name is enough.
+#
+# </details>
+# <details><summary>c) It has replaced the list in which the node keeps its timers</summary>
+#
+# ✓ Names with one underscore belong to the class that you inherit from. Choose another one.
 #
 # </details>
 

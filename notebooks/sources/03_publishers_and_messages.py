@@ -704,14 +704,14 @@ else:
 # ✗ They wait at the listener, and it has room for one.
 #
 # </details>
-# <details><summary>b) The latest picture</summary>
-#
-# ✓ The depth of the listener decides. And for pictures one is a good choice: who wants to see the past?
-#
-# </details>
-# <details><summary>c) The picture at which the camera stopped, to wait for the listener</summary>
+# <details><summary>b) The picture at which the camera stopped, to wait for the listener</summary>
 #
 # ✗ `publish` comes back at once, whoever listens.
+#
+# </details>
+# <details><summary>c) The latest picture</summary>
+#
+# ✓ The depth of the listener decides. And for pictures one is a good choice: who wants to see the past?
 #
 # </details>
 #
@@ -722,14 +722,14 @@ else:
 # ✗ The class looks at the variable when it is loaded, and that was one line too early.
 #
 # </details>
-# <details><summary>b) An error, because the variable comes too late</summary>
-#
-# ✗ Nobody looks at it any more, so nobody complains either.
-#
-# </details>
-# <details><summary>c) A program that looks safe and is not</summary>
+# <details><summary>b) A program that looks safe and is not</summary>
 #
 # ✓ Just what you saw: the int went out as 0.0. Set it before the import, or where the program is started.
+#
+# </details>
+# <details><summary>c) An error, because the variable comes too late</summary>
+#
+# ✗ Nobody looks at it any more, so nobody complains either.
 #
 # </details>
 #

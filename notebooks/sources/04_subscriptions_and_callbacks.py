@@ -605,22 +605,22 @@ else:
 # ✗ Connecting is the work of DDS, in threads of its own. You have seen the black box get all five.
 #
 # </details>
-# <details><summary>b) Publishing works, callbacks do not run</summary>
-#
-# ✓ Yes. What comes for the node waits in its queue, up to the depth.
-#
-# </details>
-# <details><summary>c) Both work, only more slowly</summary>
+# <details><summary>b) Both work, only more slowly</summary>
 #
 # ✗ Callbacks run in your thread, inside `spin`. A thread that sleeps runs none.
+#
+# </details>
+# <details><summary>c) Publishing works, callbacks do not run</summary>
+#
+# ✓ Yes. What comes for the node waits in its queue, up to the depth.
 #
 # </details>
 #
 # **2. A subscription has depth 10. While its node is busy for a second, 25 messages come. What then?**
 #
-# <details><summary>a) The callback gets the last 10, the oldest of them first</summary>
+# <details><summary>a) rclpy raises an error: the queue has run over</summary>
 #
-# ✓ The new ones have pushed out the old ones. What is left comes in the order in which it was sent.
+# ✗ It drops the oldest and says nothing. If each message counts, the depth is your affair.
 #
 # </details>
 # <details><summary>b) The callback gets the first 10; the others found the queue full</summary>
@@ -633,9 +633,9 @@ else:
 # ✗ That takes a depth of 25 or more.
 #
 # </details>
-# <details><summary>d) rclpy raises an error: the queue has run over</summary>
+# <details><summary>d) The callback gets the last 10, the oldest of them first</summary>
 #
-# ✗ It drops the oldest and says nothing. If each message counts, the depth is your affair.
+# ✓ The new ones have pushed out the old ones. What is left comes in the order in which it was sent.
 #
 # </details>
 #
@@ -659,9 +659,9 @@ else:
 #
 # **4. A node subscribes to `/robot/battery` as `String`. Another program publishes `Float32` there. What happens?**
 #
-# <details><summary>a) The callback gets the number as a text</summary>
+# <details><summary>a) Nothing, without a word; `topic_info` tells why</summary>
 #
-# ✗ ROS converts nothing. A message is of one type.
+# ✓ Silence is the usual sign of a wrong name or a wrong type.
 #
 # </details>
 # <details><summary>b) An error when the first message comes</summary>
@@ -669,9 +669,9 @@ else:
 # ✗ No message comes. The two are not connected, because their types differ.
 #
 # </details>
-# <details><summary>c) Nothing, without a word; `topic_info` tells why</summary>
+# <details><summary>c) The callback gets the number as a text</summary>
 #
-# ✓ Silence is the usual sign of a wrong name or a wrong type.
+# ✗ ROS converts nothing. A message is of one type.
 #
 # </details>
 

@@ -647,14 +647,14 @@ else:
 #
 # **2. A loop calls `spin_once(node, timeout_sec=0.5)`. A message arrives while it waits. When is it handled?**
 #
-# <details><summary>a) At the end of the half second</summary>
-#
-# ✗ That would be polling. The timeout ends the wait only if nothing comes.
-#
-# </details>
-# <details><summary>b) At once</summary>
+# <details><summary>a) At once</summary>
 #
 # ✓ The message ends the wait. The timeout says how long the loop can stand silence.
+#
+# </details>
+# <details><summary>b) At the end of the half second</summary>
+#
+# ✗ That would be polling. The timeout ends the wait only if nothing comes.
 #
 # </details>
 # <details><summary>c) It is lost, since the call was waiting for something else</summary>

@@ -682,14 +682,14 @@ else:
 #
 # **1. mypy has nothing against `Float32().dta`, with ROS as it is installed. Why?**
 #
-# <details><summary>a) A field is looked up at run time, so no tool can know it</summary>
-#
-# ✗ It can, as soon as somebody tells it the fields. The stubs of this course do.
-#
-# </details>
-# <details><summary>b) The package has no hints that mypy may trust, so the message is Any</summary>
+# <details><summary>a) The package has no hints that mypy may trust, so the message is Any</summary>
 #
 # ✓ Neither stubs nor `py.typed`. And `Any` has every attribute that you can think of.
+#
+# </details>
+# <details><summary>b) A field is looked up at run time, so no tool can know it</summary>
+#
+# ✗ It can, as soon as somebody tells it the fields. The stubs of this course do.
 #
 # </details>
 # <details><summary>c) mypy checks only code that has been run once</summary>
@@ -705,14 +705,14 @@ else:
 # ✗ It would, with `-> None`. Or with `--strict`, which reads all functions.
 #
 # </details>
-# <details><summary>b) Nothing: it does not look into a function without hints</summary>
-#
-# ✓ You saw it with the closure and the class. `-> None` is enough to change that.
-#
-# </details>
-# <details><summary>c) That `send` is unknown</summary>
+# <details><summary>b) That `send` is unknown</summary>
 #
 # ✗ It does not even read the line.
+#
+# </details>
+# <details><summary>c) Nothing: it does not look into a function without hints</summary>
+#
+# ✓ You saw it with the closure and the class. `-> None` is enough to change that.
 #
 # </details>
 #
@@ -736,14 +736,14 @@ else:
 #
 # **4. What makes an object a `Sends[Float32]`?**
 #
-# <details><summary>a) Its class inherits from Sends</summary>
-#
-# ✗ That would do, but no publisher of rclpy does so, and they fit all the same.
-#
-# </details>
-# <details><summary>b) It has a method publish that takes a Float32</summary>
+# <details><summary>a) It has a method publish that takes a Float32</summary>
 #
 # ✓ A Protocol describes. Whatever fits the description will do, also a small class that you write for a test.
+#
+# </details>
+# <details><summary>b) Its class inherits from Sends</summary>
+#
+# ✗ That would do, but no publisher of rclpy does so, and they fit all the same.
 #
 # </details>
 # <details><summary>c) make_publisher marks it at run time</summary>
@@ -759,14 +759,14 @@ else:
 # ✗ With stubs mypy knows the fields.
 #
 # </details>
-# <details><summary>b) The battery topic says 0.0, because an int was put into a float field</summary>
-#
-# ✓ mypy lets an int pass for a float. `float(level)` at the border, and a test that looks at what arrives, catch it.
-#
-# </details>
-# <details><summary>c) `create_timer` gets its two arguments swapped</summary>
+# <details><summary>b) `create_timer` gets its two arguments swapped</summary>
 #
 # ✗ rclpy's own functions have hints, and mypy knew this one even without stubs.
+#
+# </details>
+# <details><summary>c) The battery topic says 0.0, because an int was put into a float field</summary>
+#
+# ✓ mypy lets an int pass for a float. `float(level)` at the border, and a test that looks at what arrives, catch it.
 #
 # </details>
 

@@ -720,14 +720,14 @@ print("exit code", outcome.exit)
 #
 # **3. A node is on the graph, its last status was "operational", and nothing has come for a minute. What is likely?**
 #
-# <details><summary>a) Nothing, no news is good news</summary>
-#
-# ✗ A status topic with a rate is a heartbeat. When it stops, something is wrong.
-#
-# </details>
-# <details><summary>b) An exception has ended the thread that spins</summary>
+# <details><summary>a) An exception has ended the thread that spins</summary>
 #
 # ✓ The node object lives on, so the graph still shows it, but nothing calls its timers any more.
+#
+# </details>
+# <details><summary>b) Nothing, no news is good news</summary>
+#
+# ✗ A status topic with a rate is a heartbeat. When it stops, something is wrong.
 #
 # </details>
 # <details><summary>c) All its listeners have gone, so it has paused</summary>
@@ -738,14 +738,14 @@ print("exit code", outcome.exit)
 #
 # **4. Why does `rclpy.shutdown()` in `finally` fail after Ctrl-C?**
 #
-# <details><summary>a) The context has been shut down already, by Ctrl-C itself</summary>
-#
-# ✓ rclpy does it when the signal comes. `try_shutdown()` does not mind.
-#
-# </details>
-# <details><summary>b) destroy_node() has shut the context down</summary>
+# <details><summary>a) destroy_node() has shut the context down</summary>
 #
 # ✗ `destroy_node()` takes one node off the graph. The context stays up.
+#
+# </details>
+# <details><summary>b) The context has been shut down already, by Ctrl-C itself</summary>
+#
+# ✓ rclpy does it when the signal comes. `try_shutdown()` does not mind.
 #
 # </details>
 # <details><summary>c) `finally` is not executed after an exception</summary>

@@ -453,14 +453,14 @@ else:
 #
 # **3. You want 0.5 Hz and write `create_timer(0.5, self.publish_joints)`. What arrives?**
 #
-# <details><summary>a) One message every 2 s</summary>
-#
-# ✗ That would be `create_timer(2.0, …)`: the argument is a period in seconds.
-#
-# </details>
-# <details><summary>b) Two messages every second</summary>
+# <details><summary>a) Two messages every second</summary>
 #
 # ✓ A period of 0.5 s is 2 Hz, four times too fast.
+#
+# </details>
+# <details><summary>b) One message every 2 s</summary>
+#
+# ✗ That would be `create_timer(2.0, …)`: the argument is a period in seconds.
 #
 # </details>
 # <details><summary>c) An error, because Hz was meant</summary>
@@ -471,14 +471,14 @@ else:
 #
 # **4. The angles come from NumPy as `float32`, and you write `Float32MultiArray(data=angles)`. What do subscribers get?**
 #
-# <details><summary>a) The right values</summary>
-#
-# ✓ An array field converts what it is given, element by element. (A single Float32 field is another story: lesson 03.)
-#
-# </details>
-# <details><summary>b) Zeros</summary>
+# <details><summary>a) Zeros</summary>
 #
 # ✗ That happens to `Float32(data=np.float32(1.5))` with field checks off, not to an array.
+#
+# </details>
+# <details><summary>b) The right values</summary>
+#
+# ✓ An array field converts what it is given, element by element. (A single Float32 field is another story: lesson 03.)
 #
 # </details>
 # <details><summary>c) Nothing, the message is refused</summary>

@@ -568,14 +568,14 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 #
 # **1. The slow callback has just ended. What does the timer do now?**
 #
-# <details><summary>a) Ten ticks at once</summary>
-#
-# ✗ You counted: no burst. A timer does not keep a list of what it owes.
-#
-# </details>
-# <details><summary>b) One late tick, then the usual rhythm</summary>
+# <details><summary>a) One late tick, then the usual rhythm</summary>
 #
 # ✓ Yes. The others are dropped.
+#
+# </details>
+# <details><summary>b) Ten ticks at once</summary>
+#
+# ✗ You counted: no burst. A timer does not keep a list of what it owes.
 #
 # </details>
 # <details><summary>c) Nothing: the timer has given up</summary>
@@ -586,9 +586,9 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 #
 # **2. Instead of `rclpy.spin` you use a MultiThreadedExecutor with eight threads. What changes for the callbacks?**
 #
-# <details><summary>a) Nothing: they still run one at a time</summary>
+# <details><summary>a) Timers run at once, subscriptions do not</summary>
 #
-# ✓ They are all in the default group, which is mutually exclusive.
+# ✗ Groups do not care about the kind of callback.
 #
 # </details>
 # <details><summary>b) They run at once, up to eight of them</summary>
@@ -596,9 +596,9 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 # ✗ They would need permission: groups of their own, or a reentrant one.
 #
 # </details>
-# <details><summary>c) Timers run at once, subscriptions do not</summary>
+# <details><summary>c) Nothing: they still run one at a time</summary>
 #
-# ✗ Groups do not care about the kind of callback.
+# ✓ They are all in the default group, which is mutually exclusive.
 #
 # </details>
 #
@@ -609,14 +609,14 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 # ✗ One at a time, but it may change between the reading and the writing.
 #
 # </details>
-# <details><summary>b) Yes, because both groups are mutually exclusive</summary>
-#
-# ✗ Each group excludes its own members. The two callbacks are not in the same one.
-#
-# </details>
-# <details><summary>c) No: put both into one group, or guard the line with a lock</summary>
+# <details><summary>b) No: put both into one group, or guard the line with a lock</summary>
 #
 # ✓ Either will do. The group is simpler if the callbacks are short.
+#
+# </details>
+# <details><summary>c) Yes, because both groups are mutually exclusive</summary>
+#
+# ✗ Each group excludes its own members. The two callbacks are not in the same one.
 #
 # </details>
 #
@@ -628,14 +628,14 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 # not get faster, and the beats tremble.
 #
 # </details>
-# <details><summary>b) Into a node in a process of its own</summary>
-#
-# ✓ Another process has another GIL, and may crash without taking the heart along.
-#
-# </details>
-# <details><summary>c) Into the heartbeat's callback, so that they cannot disturb each other</summary>
+# <details><summary>b) Into the heartbeat's callback, so that they cannot disturb each other</summary>
 #
 # ✗ Then each beat waits for a picture.
+#
+# </details>
+# <details><summary>c) Into a node in a process of its own</summary>
+#
+# ✓ Another process has another GIL, and may crash without taking the heart along.
 #
 # </details>
 

@@ -486,14 +486,14 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 #
 # **1. A loop sleeps for 0.2 s between two looks. How late does it notice an event, on average?**
 #
-# <details><summary>a) 0.2 s</summary>
-#
-# ✗ That is the worst case: the event came just after a look.
-#
-# </details>
-# <details><summary>b) About 0.1 s</summary>
+# <details><summary>a) About 0.1 s</summary>
 #
 # ✓ Anything from nothing to 0.2 s, so half of it on average. If it notices it at all.
+#
+# </details>
+# <details><summary>b) 0.2 s</summary>
+#
+# ✗ That is the worst case: the event came just after a look.
 #
 # </details>
 # <details><summary>c) It depends on how often events come</summary>
@@ -504,9 +504,9 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 #
 # **2. A callback stores `self.last`, a loop looks at it every millisecond. Can it miss a message?**
 #
-# <details><summary>a) Yes, if two come within one sleep</summary>
+# <details><summary>a) No, ROS keeps messages until they are read</summary>
 #
-# ✓ Room for one is room for one. You saw it with 5 ms.
+# ✗ Up to the moment at which your callback has run. Then the message is yours, and you overwrote it.
 #
 # </details>
 # <details><summary>b) No, a millisecond is shorter than any pause between messages</summary>
@@ -514,9 +514,9 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 # ✗ Messages that were published together arrive within a fraction of that.
 #
 # </details>
-# <details><summary>c) No, ROS keeps messages until they are read</summary>
+# <details><summary>c) Yes, if two come within one sleep</summary>
 #
-# ✗ Up to the moment at which your callback has run. Then the message is yours, and you overwrote it.
+# ✓ Room for one is room for one. You saw it with 5 ms.
 #
 # </details>
 #
@@ -540,14 +540,14 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 #
 # **4. Where is it right to keep only the last value and look at it with a timer?**
 #
-# <details><summary>a) The stop button</summary>
-#
-# ✗ An event. It must act at once, and each time.
-#
-# </details>
-# <details><summary>b) The distance for a controller that steers five times a second</summary>
+# <details><summary>a) The distance for a controller that steers five times a second</summary>
 #
 # ✓ A state: the newest is all it needs, at its own pace.
+#
+# </details>
+# <details><summary>b) The stop button</summary>
+#
+# ✗ An event. It must act at once, and each time.
 #
 # </details>
 # <details><summary>c) Parcels that shall be counted</summary>

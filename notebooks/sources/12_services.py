@@ -662,27 +662,27 @@ else:
 # ✗ The answer is in the process after that time, but nobody can take it in: the only thread waits in `call`.
 #
 # </details>
-# <details><summary>b) The node hangs, without an error</summary>
-#
-# ✓ The callback waits for the executor, and the executor for the callback.
-#
-# </details>
-# <details><summary>c) The node hangs, but only until the server is called again</summary>
+# <details><summary>b) The node hangs, but only until the server is called again</summary>
 #
 # ✗ Another request would only be another letter in the same mailbox.
+#
+# </details>
+# <details><summary>c) The node hangs, without an error</summary>
+#
+# ✓ The callback waits for the executor, and the executor for the callback.
 #
 # </details>
 #
 # **2. Now you use a `MultiThreadedExecutor` with eight threads, and change nothing else. Does `call` work?**
 #
-# <details><summary>a) Yes: seven threads are free</summary>
-#
-# ✗ Threads are free, but client and callback share the default group, and that lets in one at a time (case 2).
-#
-# </details>
-# <details><summary>b) No: the client needs another callback group as well</summary>
+# <details><summary>a) No: the client needs another callback group as well</summary>
 #
 # ✓ A thread *and* a group have to be free.
+#
+# </details>
+# <details><summary>b) Yes: seven threads are free</summary>
+#
+# ✗ Threads are free, but client and callback share the default group, and that lets in one at a time (case 2).
 #
 # </details>
 # <details><summary>c) No: call never works inside a callback</summary>
@@ -698,14 +698,14 @@ else:
 # ✗ The future has no exception. It has nothing at all.
 #
 # </details>
-# <details><summary>b) The done callback, with the result None</summary>
-#
-# ✗ Done callbacks are called when the future is done. This one never will be.
-#
-# </details>
-# <details><summary>c) Nothing</summary>
+# <details><summary>b) Nothing</summary>
 #
 # ✓ That is why the one who asks needs a clock: give the call up, report it, go on.
+#
+# </details>
+# <details><summary>c) The done callback, with the result None</summary>
+#
+# ✗ Done callbacks are called when the future is done. This one never will be.
 #
 # </details>
 #
@@ -716,14 +716,14 @@ else:
 # ✗ They flow, many times a second, and several nodes want them: a topic.
 #
 # </details>
-# <details><summary>b) "Set the zero of the left elbow to where it is now"</summary>
-#
-# ✓ It happens once, when somebody wants it, and that one wants to know whether it worked.
-#
-# </details>
-# <details><summary>c) "Walk to the kitchen"</summary>
+# <details><summary>b) "Walk to the kitchen"</summary>
 #
 # ✗ It takes minutes. One wants to see progress and to be able to call it off: an action.
+#
+# </details>
+# <details><summary>c) "Set the zero of the left elbow to where it is now"</summary>
+#
+# ✓ It happens once, when somebody wants it, and that one wants to know whether it worked.
 #
 # </details>
 

@@ -756,14 +756,14 @@ stop()
 #
 # **1. A camera publishes with best effort. Your node subscribes with `10` and hears nothing. What do you change?**
 #
-# <details><summary>a) The depth: 10 is too small for pictures</summary>
-#
-# ✗ The depth is your own queue. It is not compared with anything.
-#
-# </details>
-# <details><summary>b) The reliability of your subscription, to best effort</summary>
+# <details><summary>a) The reliability of your subscription, to best effort</summary>
 #
 # ✓ Yes. `10` requests reliable, and that is more than is offered. `qos_profile_sensor_data` is made for this.
+#
+# </details>
+# <details><summary>b) The depth: 10 is too small for pictures</summary>
+#
+# ✗ The depth is your own queue. It is not compared with anything.
 #
 # </details>
 # <details><summary>c) The durability of your subscription, to transient local</summary>
@@ -797,28 +797,28 @@ stop()
 # ✗ At those who are matched. At this moment nobody is.
 #
 # </details>
-# <details><summary>b) Perhaps: it depends on whether the match came before the message</summary>
+# <details><summary>b) Yes, if the program sleeps for a second before it ends</summary>
+#
+# ✗ After the message it is too late to wait: a volatile publisher has forgotten it.
+#
+# </details>
+# <details><summary>c) Perhaps: it depends on whether the match came before the message</summary>
 #
 # ✓ And that depends on the machine and on its mood. Wait for the match, then publish, then wait until it has arrived:
 # `publisher.wait_for_all_acked(Duration(seconds=1))`.
 #
 # </details>
-# <details><summary>c) Yes, if the program sleeps for a second before it ends</summary>
-#
-# ✗ After the message it is too late to wait: a volatile publisher has forgotten it.
-#
-# </details>
 #
 # **4. You request a deadline of 2 s, and the robot is still switched off. When is `on_missed` called first?**
 #
-# <details><summary>a) 2 s after the subscription was made</summary>
-#
-# ✗ The time counts from a message. There has not been one.
-#
-# </details>
-# <details><summary>b) Not until something was heard, and then 2 s passed without a message</summary>
+# <details><summary>a) Not until something was heard, and then 2 s passed without a message</summary>
 #
 # ✓ A robot that never spoke needs a look of your own: a timer, and a line that says `unknown`.
+#
+# </details>
+# <details><summary>b) 2 s after the subscription was made</summary>
+#
+# ✗ The time counts from a message. There has not been one.
 #
 # </details>
 # <details><summary>c) As soon as the robot is switched on</summary>
