@@ -36,7 +36,7 @@ def show_buttons(prediction: Prediction, question: str, chosen: str | None, choo
 def _buttons(prediction: Prediction, question: str, chosen: str | None, choose: Choose) -> Any:
     from ipywidgets import HTML, Button, Layout, VBox
 
-    buttons = {}
+    buttons: dict[str, Button] = {}
     status = HTML()
 
     def mark(letter: str | None, words: str) -> None:
