@@ -20,7 +20,7 @@ _NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 _OPTION = re.compile(r"- \*\*(?P<letter>[a-z])\*\* (?P<text>\S.*)")
 _WHEN = re.compile(r"when `(?P<condition>[^`]+)`")
 _CALL = re.compile(
-    r"^\s*(?P<what>predict|reveal)\(\s*['\"](?P<name>[^'\"]*)['\"](?P<rest>\s*\))?", re.MULTILINE
+    r"^[ \t]*(?P<what>predict|reveal)\(\s*['\"](?P<name>[^'\"]*)['\"](?P<rest>\s*\))?", re.MULTILINE
 )
 _ALLOWED = (
     ast.Expression, ast.Compare, ast.BoolOp, ast.BinOp, ast.UnaryOp, ast.Name, ast.Constant, ast.Tuple,

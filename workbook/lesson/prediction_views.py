@@ -65,11 +65,11 @@ def _buttons(prediction: Prediction, question: str, chosen: str | None, choose: 
 class Waiting:
     """Stands where the outcome will be, while the reader has not chosen yet."""
 
-    def __init__(self, question: str) -> None:
-        self.question = question
+    def __init__(self, letters: str) -> None:
+        self.letters = letters
 
     def __repr__(self) -> str:
-        return f"Your prediction comes first; then the outcome is shown here. {self.question}"
+        return f"Your prediction comes first: choose {self.letters} above. Then the outcome is shown here."
 
     def shown(self) -> Any:
         """Show it, and return the handle of its place."""

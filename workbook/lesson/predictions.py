@@ -50,7 +50,7 @@ def reveal(name: str, **measured: object) -> None:
         return
     mine = None if unattended() else _chosen_letter(prediction)
     if mine is None and not unattended():
-        _waiting[name] = (measured, Waiting(_question(prediction)).shown())
+        _waiting[name] = (measured, Waiting(prediction.letters).shown())
         return
     _close(name)
     Outcome(prediction, prediction.decided_by(measured), mine, measured).shown()
