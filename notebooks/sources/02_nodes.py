@@ -120,7 +120,11 @@ from workbook.ros import node_list
 
 print("the other process sees", reader.latest())
 print(node_list())
-reveal("two-cameras", named_camera=node_list().count("/camera"), all_nodes=len(node_list()))
+reveal(
+    "two-cameras",
+    named_camera=node_list().count("/camera"),
+    all_nodes=len(node_list()),
+)
 
 # %%
 left.destroy_node()
@@ -253,11 +257,11 @@ only.destroy_node()
 # What are the full names?
 #
 # - **a** `/robot/head/faults`, `/emergency_stop`, `/robot/head/camera/frame`
-#   when `faults_in_namespace and frame_below_node`
+#   when `faults == '/robot/head/faults' and frame == '/robot/head/camera/frame'`
 #   ✓ A relative name goes into the namespace, a name with a slash at the front stays, and `~` stands for the node
 #   itself.
 # - **b** `/faults`, `/emergency_stop`, `/frame`
-#   when `not faults_in_namespace and not frame_below_node`
+#   when `faults == '/faults'`
 #   ✗ A relative name, without a slash at the front, is put into the namespace of the node.
 # - **c** `/robot/head/camera/faults`, `/robot/head/emergency_stop`, `/robot/head/frame`
 #   ✗ The name of the node becomes a part of a topic only where you write `~`. And an absolute name is never moved.
@@ -271,7 +275,11 @@ predict("topic-names")
 camera = fresh(Node, "camera", namespace="/robot/head")
 for name in ("faults", "/emergency_stop", "~/frame"):
     print(f"{name:<16} is {camera.resolve_topic_name(name)}")
-reveal("topic-names", faults_in_namespace=camera.resolve_topic_name("faults") == "/robot/head/faults", frame_below_node=camera.resolve_topic_name("~/frame") == "/robot/head/camera/frame")
+reveal(
+    "topic-names",
+    faults=camera.resolve_topic_name("faults"),
+    frame=camera.resolve_topic_name("~/frame"),
+)
 print("its own full name:", camera.get_fully_qualified_name())
 camera.destroy_node()
 

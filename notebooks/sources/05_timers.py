@@ -292,7 +292,11 @@ predict("two-timers-due")
 # %%
 both = record(blink_and_beep, {BLINK: 1.0, BEEP: 2.0}, seconds=60, blink_period_s=1.0, beep_period_s=2.0)
 print(len(arrivals(both, BLINK)), "blinks and", len(arrivals(both, BEEP)), "beeps")
-reveal("two-timers-due", blinks=len(arrivals(both, BLINK)), beeps=len(arrivals(both, BEEP)))
+reveal(
+    "two-timers-due",
+    blinks=len(arrivals(both, BLINK)),
+    beeps=len(arrivals(both, BEEP)),
+)
 
 # %%
 ten_seconds = {name: [t for t in arrivals(both, name) if t < 10.5] for name in (BLINK, BEEP)}
@@ -351,7 +355,12 @@ print("blinks due from one beep to the next:", round(2.0 / 0.2))
 print("blinks that came, as a rule:         ", median(came))
 gaps = [b - a for a, b in pairwise(blinks)]
 print("any two of them at once, as in a burst:", any(gap < 0.02 for gap in gaps))
-reveal("the-long-beep", blinks_per_beep=median(came), shortest_gap_s=min(gaps), longest_gap_s=max(gaps))
+reveal(
+    "the-long-beep",
+    blinks_per_beep=median(came),
+    shortest_gap_s=min(gaps),
+    longest_gap_s=max(gaps),
+)
 
 # %% [markdown]
 # Five blinks were due while the robot beeped, and four of them never came. When the beep is over, the blink timer sees

@@ -386,7 +386,11 @@ alone = try_out(PARK)
 print("\nCtrl-C after the first tick:")
 seen = try_out(PARK, interrupt_at="tick")
 print("\nthe arm was parked:", "arm parked" in seen.log)
-reveal("after-spin", parked_by_itself="arm parked" in alone.log, parked_after_ctrl_c="arm parked" in seen.log)
+reveal(
+    "after-spin",
+    parked_by_itself="arm parked" in alone.log,
+    parked_after_ctrl_c="arm parked" in seen.log,
+)
 
 # %% [markdown]
 # `spin` does not come back while ROS is up. And on Ctrl-C it does not come back either: it is *left*, by a

@@ -103,7 +103,13 @@ print(
     "silences of 0.9 s and more:",
     "several" if sum(silence > 0.9 for silence in silences) >= 2 else "hardly any",
 )
-reveal("the-heartbeat", arrived=len(beats), due=DUE, longest_silence_s=max(silences), last_beat_s=beats[-1])
+reveal(
+    "the-heartbeat",
+    arrived=len(beats),
+    due=DUE,
+    longest_silence_s=max(silences),
+    last_beat_s=beats[-1],
+)
 
 # %% [markdown]
 # ## Look inside
@@ -165,10 +171,10 @@ print("bursts, three heartbeats or more within 0.05 s:", bursts)
 #   when `arrived >= 0.8 * due`
 #   ✗ Threads are free, but both callbacks are in one group, the default one. It lets in one callback at a time.
 # - **b** Twice as many as before.
-#   when `1.5 * before <= arrived < 0.8 * due`
+#   when `due / 2 <= arrived < 0.8 * due`
 #   ✗ The number of threads changes nothing here. Both timers are in a group that excludes them from each other.
 # - **c** As few as before.
-#   when `arrived < 1.5 * before and arrived < 0.8 * due`
+#   when `arrived < due / 2`
 #   ✓ All callbacks of a node share one mutually exclusive group unless you say otherwise. Three threads have nothing
 #   to do.
 
@@ -180,7 +186,7 @@ counted = {"1 thread": len(beats)}
 counted["4 threads"] = len(arrivals(watch(threads=4), HEARTBEAT))
 
 print("with four threads, fewer than half came:", counted["4 threads"] < DUE / 2)
-reveal("four-threads", before=len(beats), arrived=counted["4 threads"], due=DUE)
+reveal("four-threads", arrived=counted["4 threads"], due=DUE)
 
 # %% [markdown]
 # Four threads, and three of them idle. Why?
@@ -228,7 +234,12 @@ for name, count in counted.items():
         f"{name + ':':<22}",
         "most of them" if count >= MOST else "fewer than half" if count < DUE / 2 else count,
     )
-reveal("own-group", one_thread=counted["1 thread, own group"], four_threads=counted["4 threads, own group"], due=DUE)
+reveal(
+    "own-group",
+    one_thread=counted["1 thread, own group"],
+    four_threads=counted["4 threads, own group"],
+    due=DUE,
+)
 
 # %%
 from workbook.pictures.figures import figure

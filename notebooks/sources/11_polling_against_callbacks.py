@@ -232,7 +232,12 @@ def added_by_polling(of):
 
 print("polling adds less than half of what it added before:", added_by_polling(often) < added_by_polling(first) / 2)
 print("fewer than two thirds seen:", len(often.polling) < TOUCHES * 2 / 3)
-reveal("looking-more-often", times_as_late=added_by_polling(often) / added_by_polling(first), reported=len(often.polling), sent=TOUCHES)
+reveal(
+    "looking-more-often",
+    times_as_late=added_by_polling(often) / added_by_polling(first),
+    reported=len(often.polling),
+    sent=TOUCHES,
+)
 
 # %% [markdown]
 # Ten times as many looks, and hardly any touch more. The five touches of a bunch lie less than a millisecond apart. No
@@ -285,7 +290,11 @@ print(
     "without a sleep, it needs at least ten times the processor time:",
     used["polling without a sleep"] > 10 * used["by callback"],
 )
-reveal("no-sleep", is_later=slower, times_the_processor_time=used["polling without a sleep"] / used["by callback"])
+reveal(
+    "no-sleep",
+    is_later=slower,
+    times_the_processor_time=used["polling without a sleep"] / used["by callback"],
+)
 
 # %% [markdown]
 # It looks without a pause, and is *slower* than the callback, which sleeps until it is woken. Why? The loop holds
@@ -317,7 +326,11 @@ predict("keep-them-all")
 patient = await match(poll_s=0.05, keep_all=True)
 print("all reported:", sorted(number for number, _ in patient.polling) == list(range(1, TOUCHES + 1)))
 print("typically late by 10 ms or more:", median(patient.late(patient.polling)) >= 10)
-reveal("keep-them-all", is_complete=sorted(number for number, _ in patient.polling) == list(range(1, TOUCHES + 1)), late_ms=median(patient.late(patient.polling)))
+reveal(
+    "keep-them-all",
+    is_complete=sorted(number for number, _ in patient.polling) == list(range(1, TOUCHES + 1)),
+    late_ms=median(patient.late(patient.polling)),
+)
 
 # %% [markdown]
 # Nothing is lost any more. But now you have built by hand what the subscription has anyway: it *is* a queue, and the

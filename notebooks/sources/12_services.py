@@ -161,7 +161,12 @@ def question_rows(recording):
 
 rows = [heart_row(deadlock, "heartbeat"), *question_rows(deadlock)]
 show(draw(rows, end=2.2), "a few heartbeats, one question, and then silence on all three lines")
-reveal("call-in-a-callback", asked=len(arrivals(deadlock, ASKED)), answered=len(arrivals(deadlock, ANSWERED)), beats=len(arrivals(deadlock, HEART)))
+reveal(
+    "call-in-a-callback",
+    asked=len(arrivals(deadlock, ASKED)),
+    answered=len(arrivals(deadlock, ANSWERED)),
+    beats=len(arrivals(deadlock, HEART)),
+)
 
 # %% [markdown]
 # The node is not dead. It waits, and it will wait until somebody pulls the plug. This is a **deadlock**: two parties, and
@@ -349,7 +354,12 @@ OTHERS = [("call", "own", 1), ("call", "reentrant", 4), ("await", "reentrant", 1
 others = try_all(OTHERS)
 for case, seen in zip(OTHERS, others, strict=True):
     print(f"{case[0]:<8} {case[1]:<10} threads={case[2]}: answers {answers(seen)}, the heart {heart(seen)}")
-reveal("other-groups", case_1=answers(others[0]) == "come", case_2=answers(others[1]) == "come", case_3=answers(others[2]) == "come")
+reveal(
+    "other-groups",
+    case_1=answers(others[0]) == "come",
+    case_2=answers(others[1]) == "come",
+    case_3=answers(others[2]) == "come",
+)
 
 # %% [markdown]
 # `call` needs a second thread, whatever the groups. `await` does not.
@@ -396,7 +406,12 @@ show(
     draw(rows, end=2.2),
     "heartbeats beside a slow server: gaps with call and with await, none with a done callback",
 )
-reveal("slow-server", case_1=heart(slow[0]) == "beats", case_2=heart(slow[1]) == "beats", case_3=heart(slow[2]) == "beats")
+reveal(
+    "slow-server",
+    case_1=heart(slow[0]) == "beats",
+    case_2=heart(slow[1]) == "beats",
+    case_3=heart(slow[2]) == "beats",
+)
 
 # %% [markdown]
 # `call` and `await` get their answer, because the *client* has a group of its own. But the callback that waits is still

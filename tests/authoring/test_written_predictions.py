@@ -208,7 +208,7 @@ def test_no_notebook_tells_before_the_run_what_a_prediction_reveals() -> None:
                 assert option.why not in " ".join(sources.split()), f"{stem}: {one.name}"
                 assert not option.when or option.when not in sources, f"{stem}: {one.name}"
         for cell in cells:
-            for name in re.findall(r'reveal\("([a-z0-9-]+)"', "".join(cell["source"])):
+            for name in re.findall(r'reveal\(\s*"([a-z0-9-]+)"', "".join(cell["source"])):
                 open_ones.pop(name, None)
             shown = json.dumps(cell.get("outputs", []), ensure_ascii=False)
             for one in open_ones.values():

@@ -13,7 +13,9 @@ LESSON = "notebooks/05_timers.ipynb"
 ENOUGH_CONTRAST = 4.5
 
 
-def test_a_prediction_is_chosen_by_keyboard_and_revealed_after_the_run(page: LabPage, artifacts: Path) -> None:
+def test_a_prediction_is_chosen_by_keyboard_and_revealed_after_the_run(
+    page: LabPage, artifacts: Path
+) -> None:
     page.open(LESSON)
     expect(page.panel.locator(".jp-OutputArea-output")).to_have_count(0)  # the copy arrives unsolved
     page.run(page.cell("from workbook.lesson import predict, reveal"))
@@ -53,3 +55,10 @@ def test_a_prediction_is_chosen_by_keyboard_and_revealed_after_the_run(page: Lab
             assert not low, f"{theme}: {low}"
         ask.scroll_into_view_if_needed()
         page.page.screenshot(path=artifacts / f"prediction_{theme}.png")
+
+    page.save(LESSON)
+    page.close_notebook()
+    page.open(LESSON)
+    again = page.cell('predict("half-a-hertz")')
+    expect(again.locator(".workbook-prediction button").nth(1)).to_contain_text("● b)")
+    expect(page.panel).not_to_contain_text("Error displaying widget")
