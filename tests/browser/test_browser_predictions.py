@@ -4,13 +4,28 @@ import re
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import expect
+from playwright.sync_api import Locator, ViewportSize, expect
 
 from .lab_page import LabPage
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 LESSON = "notebooks/05_timers.ipynb"
 ENOUGH_CONTRAST = 4.5
+WIDE, NARROW = ViewportSize(width=1280, height=1000), ViewportSize(width=800, height=1000)
+
+
+def check_narrow(page: LabPage, cell: Locator, artifacts: Path) -> None:
+    """That long options are not cut off in a narrow window."""
+    page.page.set_viewport_size(NARROW)
+    page.page.keyboard.press("Control+b")  # the file browser
+    cell.scroll_into_view_if_needed()
+    for button in cell.locator(".workbook-prediction button").all():
+        assert button.evaluate(
+            "one => one.scrollWidth <= one.clientWidth && one.scrollHeight <= one.clientHeight"
+        )
+    page.page.screenshot(path=artifacts / "prediction_narrow.png")
+    page.page.keyboard.press("Control+b")
+    page.page.set_viewport_size(WIDE)
 
 
 def test_a_prediction_is_chosen_by_keyboard_and_revealed_after_the_run(
@@ -18,7 +33,9 @@ def test_a_prediction_is_chosen_by_keyboard_and_revealed_after_the_run(
 ) -> None:
     page.open(LESSON)
     expect(page.panel.locator(".jp-OutputArea-output")).to_have_count(0)  # the copy arrives unsolved
-    page.run(page.cell("from workbook.lesson import predict, reveal"))
+    longest = page.cell("from workbook.lesson import predict, reveal")
+    page.run(longest)
+    check_narrow(page, longest, artifacts)
     ask = page.cell('predict("half-a-hertz")')
     reveals = page.cell('reveal("half-a-hertz"')
     page.run(ask)

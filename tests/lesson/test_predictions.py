@@ -9,7 +9,7 @@ from IPython.core.formatters import DisplayFormatter
 
 from workbook.lesson import activity, prediction_views, predictions
 from workbook.lesson.prediction import Option, Prediction
-from workbook.lesson.prediction_views import Outcome
+from workbook.lesson.prediction_views import PredictionOutcome
 from workbook.lesson.predictions import UNATTENDED, choose, predict, reveal
 from workbook.lesson.progress import load_progress
 from workbook.lesson.sealed_predictions import FOLDER, all_predictions, seal, unseal
@@ -98,7 +98,7 @@ def test_own_choice_outcome_and_reasons_of_all_options_are_shown(screen: Screen)
         "  ✗ c  Four arrive (your prediction)",
         "       One is lost on the way.",
     ]
-    assert isinstance(screen.last, Outcome)
+    assert isinstance(screen.last, PredictionOutcome)
     page = screen.last._repr_html_()
     assert "<code>Float32</code>" in page
     assert all(word in page for word in ("your prediction", "what happened", "✓ b", "✗ a"))
@@ -242,6 +242,6 @@ def test_what_is_sealed_cannot_be_read_by_chance_and_damage_is_noticed(
 
 
 def test_the_outcome_is_text_and_page_for_a_notebook() -> None:
-    bundle, _ = DisplayFormatter().format(Outcome(QUEUE, "b", None, {}))
+    bundle, _ = DisplayFormatter().format(PredictionOutcome(QUEUE, "b", None, {}))
     assert {"text/plain", "text/html"} <= set(bundle)
     json.dumps(bundle)

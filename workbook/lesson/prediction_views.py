@@ -76,7 +76,7 @@ class Waiting:
         return display(self, display_id=True)
 
 
-class Outcome:
+class PredictionOutcome:
     """The choice, what happened in this run, and why, for every option."""
 
     def __init__(

@@ -11,7 +11,7 @@ from typing import Any
 from workbook.lesson.activity import kept_choice, note_outcome_seen, note_prediction
 from workbook.lesson.older_predictions import note_in_words
 from workbook.lesson.prediction import Prediction
-from workbook.lesson.prediction_views import Noted, Outcome, Waiting, show_buttons
+from workbook.lesson.prediction_views import Noted, PredictionOutcome, Waiting, show_buttons
 from workbook.lesson.sealed_predictions import all_predictions
 
 UNATTENDED = "WORKBOOK_UNATTENDED"
@@ -53,7 +53,7 @@ def reveal(name: str, **measured: object) -> None:
         _waiting[name] = (measured, Waiting(prediction.letters).shown())
         return
     _close(name)
-    Outcome(prediction, prediction.decided_by(measured), mine, measured).shown()
+    PredictionOutcome(prediction, prediction.decided_by(measured), mine, measured).shown()
 
 
 def choose(prediction: Prediction, choice: str) -> Noted:
@@ -69,7 +69,7 @@ def choose(prediction: Prediction, choice: str) -> Noted:
     if name in _waiting:
         measured, place = _waiting.pop(name)
         _close(name)
-        Outcome(prediction, prediction.decided_by(measured), letter, measured).shown_at(place)
+        PredictionOutcome(prediction, prediction.decided_by(measured), letter, measured).shown_at(place)
         return Noted(letter, f"Your prediction: {letter}. The outcome is shown below the run.")
     return Noted(letter, f"Your prediction: {letter}. You can change it until the run.")
 
