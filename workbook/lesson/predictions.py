@@ -36,7 +36,7 @@ def predict(name: str, choice: str | None = None, about: str | None = None) -> N
     if prediction is None:
         return
     if choice is not None:
-        print(choose(prediction, choice).words)
+        print(choose(prediction, str(choice)).words)
     elif unattended():
         print(_question(prediction))
     else:
