@@ -32,10 +32,16 @@ stop()
 # A robot reads its tilt sensor ten times a second. Reading takes 10 ms. Here are two ways to do it fifty times:
 #
 # ```python
-# # A: a loop that sleeps                   # B: a timer
-# for _ in range(50):                       node.create_timer(0.1, read_tilt)
-#     time.sleep(0.1)                       rclpy.spin(node)
+# # A: a loop that sleeps
+# for _ in range(50):
+#     time.sleep(0.1)
 #     read_tilt()
+# ```
+#
+# ```python
+# # B: a timer
+# node.create_timer(0.1, read_tilt)
+# rclpy.spin(node)
 # ```
 #
 # `create_timer(0.1, read_tilt)` asks the node to call `read_tilt` every 0.1 s, and `spin` lets the node do so.
