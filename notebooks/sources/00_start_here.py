@@ -59,23 +59,28 @@ await watch_robot(seconds=6, ease=0.1)
 # %%
 stop()
 
-# %% [markdown]
+# %% [markdown] prediction="end-of-the-program"
 # ## Predict
 #
 # We start the robot again and watch it for six seconds. But after three seconds its program is ended, while the
 # notebook goes on watching. What will you see?
 #
 # - **a** An error message: the connection was lost.
-# - **b** The robot stands still in its last pose.
-# - **c** The robot goes back to rest, with its arms down.
+#   ✗ There was no connection that could be lost. The notebook listens to a topic, and a topic that goes quiet is no
+#   error.
+# - **b** The robot goes back to rest, with its arms down.
+#   ✗ Nobody tells the robot to go to rest. The notebook draws the last message that it got.
+# - **c** The robot stands still in its last pose.
+#   ✓ No more messages come, and the pose in the last one is all that the notebook knows of the robot.
 # - **d** The robot goes on waving: the notebook knows the movement by now.
+#   ✗ The notebook does not work out the movement. It draws the numbers that it receives, and there are no new ones.
 #
-# Put your letter between the quotes, in place of the three dots.
+# Run the cell below and press the button of your choice. You can change it until the run.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="the end of the program")
+predict("end-of-the-program")
 
 # %% [markdown]
 # ## Run it
@@ -88,9 +93,7 @@ asyncio.get_running_loop().call_later(3, stop)  # in three seconds, end the robo
 await watch_robot(seconds=6, ease=0.1)
 
 # %%
-from workbook.lesson import recall
-
-recall("b", about="the end of the program")
+reveal("end-of-the-program")
 
 # %% [markdown]
 # ## Look inside
@@ -177,7 +180,7 @@ print("a domain between 1 and 101:", 1 <= int(os.environ["ROS_DOMAIN_ID"]) <= 10
 # The **domain** is like the channel of a radio. Only programs on the same channel hear each other. Each open notebook
 # takes a free one, so your robot and that of your neighbor do not mix.
 
-# %% [markdown]
+# %% [markdown] prediction="wave-faster"
 # ## Change it
 #
 # The robot's program has two numbers that can be set when it starts:
@@ -191,12 +194,18 @@ print("a domain between 1 and 101:", 1 <= int(os.environ["ROS_DOMAIN_ID"]) <= 10
 #
 # We set `waves_per_second=2.0`. What changes?
 #
-# - **a** The hand moves faster, and more messages come in a second.
-# - **b** The hand moves faster, and as many messages come as before.
+# - **a** The hand moves faster, and as many messages come as before.
+#   when `messages_per_second < 25`
+#   ✓ `waves_per_second` sets how fast the hand moves. The program still reports once in 0.05 s.
+# - **b** The hand moves faster, and more messages come in a second.
+#   when `messages_per_second >= 25`
+#   ✗ The hand does move faster. But how often the program reports is another number, `period_s`, and we left it
+#   alone.
 # - **c** The hand moves as before, and more messages come in a second.
+#   ✗ `waves_per_second` is about the movement, and that is what changed. The messages have a number of their own.
 
 # %%
-predict("...", about="wave faster")
+predict("wave-faster")
 
 # %%
 start(joint_position_publisher, waves_per_second=2.0)
@@ -207,27 +216,30 @@ from workbook.ros import topic_hz
 
 rate = topic_hz("/robot/joint_positions", seconds=3)
 print("about 20 messages a second, as before:", 15 < rate.mean_hz < 25)
-recall("b", about="wave faster")
+reveal("wave-faster", messages_per_second=rate.mean_hz)
 
 # %% [markdown]
 # How the robot moves and how often it tells of it are two things. Beginners often mix them up, and so did some robots.
 
-# %% [markdown]
+# %% [markdown] prediction="report-less-often"
 # ### Experiment 2: report less often
 #
 # The usual wave again, but with `period_s=0.5`: one message in half a second.
 #
 # - **a** The hand waves slowly and smoothly.
-# - **b** The hand jumps: we see two poses a second of a wave that is as fast as ever.
-# - **c** Nothing changes: the pictures in between are filled in.
+#   ✗ The wave is as fast as before. And it cannot look smooth with two messages a second.
+# - **b** Nothing changes: the pictures in between are filled in.
+#   ✗ Nobody fills in what was not sent. With `ease=0` the picture shows each pose as it comes.
+# - **c** The hand jumps: we see two poses a second of a wave that is as fast as ever.
+#   ✓ The robot moves as before, but reports only two poses in a second. The picture can show no more than these.
 
 # %%
-predict("...", about="report less often")
+predict("report-less-often")
 
 # %%
 start(joint_position_publisher, period_s=0.5)
 await watch_robot(seconds=6, ease=0)
-recall("b", about="report less often")
+reveal("report-less-often")
 
 # %%
 stop()
@@ -393,15 +405,15 @@ stop()
 #
 # **1. What is rclpy?**
 #
-# <details><summary>a) A simulator of robots</summary>
+# <details><summary>a) The Python library with which a program becomes a node of ROS 2</summary>
+#
+# ✓ It makes nodes, topics and timers usable from Python, and passes the work on to `rcl`.
+#
+# </details>
+# <details><summary>b) A simulator of robots</summary>
 #
 # ✗ A simulator makes up a world. rclpy only connects programs; whether the robot behind them is real or made up, it
 # neither knows nor cares.
-#
-# </details>
-# <details><summary>b) The Python library with which a program becomes a node of ROS 2</summary>
-#
-# ✓ It makes nodes, topics and timers usable from Python, and passes the work on to `rcl`.
 #
 # </details>
 # <details><summary>c) A translator that turns Python into C++</summary>
@@ -417,22 +429,22 @@ stop()
 # ✗ A publisher waits for nobody. In the first picture of the graph nobody listened to the joint positions.
 #
 # </details>
-# <details><summary>b) It gets an error</summary>
-#
-# ✗ To speak without listeners is perfectly normal on a robot. A camera does not fail because nobody looks.
-#
-# </details>
-# <details><summary>c) It publishes all the same, and the messages are gone</summary>
+# <details><summary>b) It publishes all the same, and the messages are gone</summary>
 #
 # ✓ Publishers and subscribers come and go on their own. (How a late one can still get the last message is lesson 13.)
+#
+# </details>
+# <details><summary>c) It gets an error</summary>
+#
+# ✗ To speak without listeners is perfectly normal on a robot. A camera does not fail because nobody looks.
 #
 # </details>
 #
 # **3. What do `rclpy` and `rclcpp` have in common?**
 #
-# <details><summary>a) Both stand on rcl, a library in C</summary>
+# <details><summary>a) Nothing; a bridge is needed between them</summary>
 #
-# ✓ So names, types and rules are the same, and nodes of both kinds talk to each other.
+# ✗ On the wire their messages are the same bytes. No bridge is needed.
 #
 # </details>
 # <details><summary>b) rclpy calls rclcpp</summary>
@@ -440,9 +452,9 @@ stop()
 # ✗ They stand side by side on the same core. Neither needs the other.
 #
 # </details>
-# <details><summary>c) Nothing; a bridge is needed between them</summary>
+# <details><summary>c) Both stand on rcl, a library in C</summary>
 #
-# ✗ On the wire their messages are the same bytes. No bridge is needed.
+# ✓ So names, types and rules are the same, and nodes of both kinds talk to each other.
 #
 # </details>
 #
@@ -453,14 +465,14 @@ stop()
 # ✗ If your node runs, Python is good enough.
 #
 # </details>
-# <details><summary>b) The names: is the topic in the list, spelled exactly so, with somebody who publishes?</summary>
-#
-# ✓ `topic_list()` in a notebook or `workbook topic list` in a terminal answers that in a second.
-#
-# </details>
-# <details><summary>c) The network cable</summary>
+# <details><summary>b) The network cable</summary>
 #
 # ✗ In these lessons everything happens inside one computer. And names are wrong far more often than cables.
+#
+# </details>
+# <details><summary>c) The names: is the topic in the list, spelled exactly so, with somebody who publishes?</summary>
+#
+# ✓ `topic_list()` in a notebook or `workbook topic list` in a terminal answers that in a second.
 #
 # </details>
 

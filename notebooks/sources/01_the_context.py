@@ -28,7 +28,7 @@ print("after the end:  ", node_list())
 # it is gone again, without a trace and without an error. That is less common than you would think: many programs that you
 # will find end with a page of red. At the end of this lesson yours will not.
 
-# %% [markdown]
+# %% [markdown] prediction="publish-after-shutdown"
 # ## Predict
 #
 # `init` and `shutdown` frame every rclpy program. Between them stand a node and, here, its voice:
@@ -43,14 +43,18 @@ print("after the end:  ", node_list())
 # After these lines somebody calls `radio.publish(String(data="burglar!"))`. What happens?
 #
 # - **a** It is sent: `shutdown` stops the node from listening, it does not take its voice.
+#   ✗ `shutdown` ends the context, and the publisher needs it. Without a context nothing can be sent.
 # - **b** Nothing, silently: nobody is there any more who could hear it.
-# - **c** An error: the objects are still there, but what they stood on is not.
-# - **d** It does not come to that: `shutdown` refuses as long as there is a node.
+#   ✗ It is not silent. rclpy sees that the context is not valid any more, and says so.
+# - **c** It does not come to that: `shutdown` refuses as long as there is a node.
+#   ✗ `shutdown` does not ask for nodes. It ends the context, with all that belongs to it.
+# - **d** An error: the objects are still there, but what they stood on is not.
+#   ✓ The Python objects are still there, but the context that they belong to is not. `publish` raises an error.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="publish after shutdown")
+predict("publish-after-shutdown")
 
 # %% [markdown]
 # ## Run it
@@ -82,9 +86,7 @@ print("after shutdown: ", rclpy.ok())
 radio.publish(String(data="burglar!"))
 
 # %%
-from workbook.lesson import recall
-
-recall("c", about="publish after shutdown")
+reveal("publish-after-shutdown")
 print("and the node still knows its name:", guard.get_name())
 
 # %% [markdown]
@@ -219,7 +221,7 @@ for row, action in enumerate(actions):
 # `RCLError`: the C library below rclpy (`rcl`, as you saw in lesson 00) has refused; its text says why, and here it is that
 # the context is not valid any more. `InvalidHandle`: the context is fine, but this node was destroyed.
 
-# %% [markdown]
+# %% [markdown] prediction="three-contexts"
 # ## Change it
 #
 # ### Experiment 1: three contexts in one notebook
@@ -228,12 +230,19 @@ for row, action in enumerate(actions):
 # one process, each with a context of its own: `kitchen` and `hall` are on the domain A, `garden` is on the domain B. All
 # three say their names on the same topic, `/building/hello`, and listen to it. Who hears whom?
 #
-# - **a** Everybody hears everybody: it is one process and one topic.
-# - **b** Nobody hears anybody: each has a context of its own.
-# - **c** `kitchen` and `hall` hear each other, and `garden` is alone.
+# - **a** Nobody hears anybody: each has a context of its own.
+#   when `kitchen_hears == 0 and garden_hears == 0`
+#   ✗ A context does not keep nodes apart. `kitchen` and `hall` are on one domain, so they meet, as two programs
+#   would.
+# - **b** `kitchen` and `hall` hear each other, and `garden` is alone.
+#   when `kitchen_hears == 1 and garden_hears == 0`
+#   ✓ The domain decides who hears whom. Two of the three contexts are on the domain A.
+# - **c** Everybody hears everybody: it is one process and one topic.
+#   when `kitchen_hears == 2 and garden_hears == 2`
+#   ✗ `garden` is on another domain. Nodes on different domains do not meet, not even within one process.
 
 # %%
-predict("...", about="three contexts")
+predict("three-contexts")
 
 # %% id="three-contexts"
 from lesson_nodes.radio_robot import RadioRobot
@@ -270,7 +279,11 @@ began = time.monotonic()
 robots = talk(PLACES, seconds=5)
 for place, robot in robots.items():
     print(f"{place:<8} on domain {PLACES[place]} hears {', '.join(robot.others()) or 'nobody else'}")
-recall("c", about="three contexts")
+reveal(
+    "three-contexts",
+    kitchen_hears=len(robots["kitchen"].others()),
+    garden_hears=len(robots["garden"].others()),
+)
 
 # %%
 from workbook.pictures.timeline import strip
@@ -341,19 +354,28 @@ def seasoned() -> None:
         rclpy.try_shutdown()
 
 
-# %% [markdown]
+# %% [markdown] prediction="after-ctrl-c"
 # `guard.park()` folds the arms and prints `arms parked`. `spin` lets the node work until it is told to end.
 #
 # A program reports how it fared by its **exit code**: 0 means well, and anything else means trouble. Scripts, service
 # managers and launch files look at it. Which of the three programs end with 0 after Ctrl-C?
 #
-# - **a** All three: Ctrl-C is a normal way to end.
-# - **b** `careful` and `seasoned`
-# - **c** `seasoned` only
+# - **a** `seasoned` only
+#   when `hopeful != 0 and careful != 0 and seasoned == 0`
+#   ✓ It catches what `spin` raises, and `try_shutdown` does not mind that the context is down already.
+# - **b** All three: Ctrl-C is a normal way to end.
+#   when `hopeful == 0 and careful == 0 and seasoned == 0`
+#   ✗ In `hopeful` nobody catches the `KeyboardInterrupt`. It ends the program, and the exit code is not 0.
+# - **c** `careful` and `seasoned`
+#   when `hopeful != 0 and careful == 0 and seasoned == 0`
+#   ✗ `careful` catches the `KeyboardInterrupt`, but then `rclpy.shutdown()` raises: Ctrl-C has shut the context down
+#   already.
 # - **d** None: after Ctrl-C the code is never 0.
+#   when `hopeful != 0 and careful != 0 and seasoned != 0`
+#   ✗ The exit code is 0 whenever the program comes to its end without an exception, also after Ctrl-C.
 
 # %%
-predict("...", about="Ctrl-C")
+predict("after-ctrl-c")
 
 # %% [markdown]
 # Each runs as a process of its own, and gets its Ctrl-C in the first round.
@@ -380,7 +402,12 @@ for name, end in ends.items():
     last_line = end.log.strip().splitlines()[-1].split(", at ")[0]
     print(f"{name}: exit code {end.exit}, arms parked: {'arms parked' in end.log}")
     print(f"    last line: {last_line}")
-recall("c", about="Ctrl-C")
+reveal(
+    "after-ctrl-c",
+    hopeful=ends["hopeful"].exit,
+    careful=ends["careful"].exit,
+    seasoned=ends["seasoned"].exit,
+)
 
 # %% [markdown]
 # **hopeful** never comes to the line after `spin`. `spin` does not return on Ctrl-C, it *raises*, and the exception takes
@@ -395,7 +422,7 @@ recall("c", about="Ctrl-C")
 # (Very rarely, on a busy computer, rclpy's answer to Ctrl-C slips in between its question and its deed, and the end is that
 # of `careful`. That is a flaw of this rclpy; the judge of the exercise knows it and does not count it.)
 
-# %% [markdown]
+# %% [markdown] prediction="sigterm"
 # ### Experiment 3: told by somebody else
 #
 # Nobody sits at the keyboard of a robot in the field. `systemctl stop` and `docker stop` send another signal, **SIGTERM**,
@@ -403,11 +430,16 @@ recall("c", about="Ctrl-C")
 # `rclpy.shutdown()`. What comes out of `rclpy.spin(guard)` on SIGTERM?
 #
 # - **a** `KeyboardInterrupt`, as for Ctrl-C
-# - **b** `ExternalShutdownException`
-# - **c** Nothing: Linux ends the process on the spot.
+#   when `as_keyboard_interrupt`
+#   ✗ Python turns only SIGINT, the signal of Ctrl-C, into a `KeyboardInterrupt`.
+# - **b** Nothing: Linux ends the process on the spot.
+#   ✗ That is what Linux does with a program that has no handler for SIGTERM. `rclpy.init` installs one.
+# - **c** `ExternalShutdownException`
+#   when `not as_keyboard_interrupt`
+#   ✓ rclpy shuts the context down on SIGTERM, and `spin` raises this exception because its context has ended.
 
 # %%
-predict("...", about="SIGTERM")
+predict("sigterm")
 
 # %% [markdown]
 # We try each cause with `rclpy.spin(guard)`, and with the same by hand: `rclpy.spin` gives the node to an **executor**,
@@ -457,7 +489,7 @@ on_ctrl_c = {what for (cause, _), what in came_out.items() if cause.startswith("
 print("Ctrl-C always comes as KeyboardInterrupt:", on_ctrl_c == {"KeyboardInterrupt"})
 print("SIGTERM ever comes as KeyboardInterrupt: ", "KeyboardInterrupt" in on_sigterm)
 print("the context afterwards, in all six runs: ", *still_ok)
-recall("b", about="SIGTERM")
+reveal("sigterm", as_keyboard_interrupt="KeyboardInterrupt" in on_sigterm)
 
 # %% [markdown]
 # So this is why `seasoned` catches two exceptions. `ExternalShutdownException` means: the context was shut down from
@@ -717,27 +749,27 @@ print("box locked: ", "box locked" in end.log)
 # ✗ That loads a library. Nothing is opened.
 #
 # </details>
-# <details><summary>b) `rclpy.init()`</summary>
-#
-# ✗ It sets up a context in your process. In the picture the doors were still closed after it.
-#
-# </details>
-# <details><summary>c) The first node</summary>
+# <details><summary>b) The first node</summary>
 #
 # ✓ Yes. With the first node of a context the process opens its doors on the domain, and appears on the graph.
+#
+# </details>
+# <details><summary>c) `rclpy.init()`</summary>
+#
+# ✗ It sets up a context in your process. In the picture the doors were still closed after it.
 #
 # </details>
 #
 # **2. Your program says `RuntimeError: Context.init() must only be called once`. What now?**
 #
-# <details><summary>a) Call `rclpy.shutdown()` before each `rclpy.init()`</summary>
-#
-# ✗ It raises as well, if there is nothing to shut down. And the nodes that were made in between would lose their ground.
-#
-# </details>
-# <details><summary>b) Find the second call and remove it</summary>
+# <details><summary>a) Find the second call and remove it</summary>
 #
 # ✓ One `init`, in `main`. Often the other one is at the top of a file that you import.
+#
+# </details>
+# <details><summary>b) Call `rclpy.shutdown()` before each `rclpy.init()`</summary>
+#
+# ✗ It raises as well, if there is nothing to shut down. And the nodes that were made in between would lose their ground.
 #
 # </details>
 # <details><summary>c) Put it into `try` and `except` and go on</summary>
@@ -753,22 +785,22 @@ print("box locked: ", "box locked" in end.log)
 # ✗ It looks like one, up to the last line: `RCLError`, exit code 1.
 #
 # </details>
-# <details><summary>b) An error, because the context is down already</summary>
-#
-# ✓ rclpy's own answer to SIGINT has shut it down. `rclpy.try_shutdown()` is made for this.
-#
-# </details>
-# <details><summary>c) The program hangs</summary>
+# <details><summary>b) The program hangs</summary>
 #
 # ✗ No, it ends at once, but not well.
+#
+# </details>
+# <details><summary>c) An error, because the context is down already</summary>
+#
+# ✓ rclpy's own answer to SIGINT has shut it down. `rclpy.try_shutdown()` is made for this.
 #
 # </details>
 #
 # **4. Two students sit side by side. One starts a dashboard, and it shows the other one's robot. What is the remedy?**
 #
-# <details><summary>a) Other names for the topics</summary>
+# <details><summary>a) Another domain for each desk</summary>
 #
-# ✗ That helps for this one topic. Their nodes would still meet everywhere else, in all tools and logs.
+# ✓ Programs on different domains do not meet at all. `export ROS_DOMAIN_ID=17` in the terminal, once.
 #
 # </details>
 # <details><summary>b) A context of its own for each program</summary>
@@ -776,22 +808,22 @@ print("box locked: ", "box locked" in end.log)
 # ✗ They have that anyway: they are two processes. Kitchen and hall had one each, and heard each other.
 #
 # </details>
-# <details><summary>c) Another domain for each desk</summary>
+# <details><summary>c) Other names for the topics</summary>
 #
-# ✓ Programs on different domains do not meet at all. `export ROS_DOMAIN_ID=17` in the terminal, once.
+# ✗ That helps for this one topic. Their nodes would still meet everywhere else, in all tools and logs.
 #
 # </details>
 #
 # **5. You press ■ in a notebook while a cell spins your node. What becomes of the context?**
 #
-# <details><summary>a) It is still up</summary>
-#
-# ✓ Here Python alone answers to that signal. Your nodes are usable in the next cell.
-#
-# </details>
-# <details><summary>b) It is shut down, as after Ctrl-C in a terminal</summary>
+# <details><summary>a) It is shut down, as after Ctrl-C in a terminal</summary>
 #
 # ✗ In a program, yes. The last experiment above shows both.
+#
+# </details>
+# <details><summary>b) It is still up</summary>
+#
+# ✓ Here Python alone answers to that signal. Your nodes are usable in the next cell.
 #
 # </details>
 # <details><summary>c) The kernel has to be restarted</summary>

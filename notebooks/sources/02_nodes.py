@@ -67,7 +67,7 @@ show(
     "the roll call of another process: the head is there in the middle, the arm a little later, then only the arm",
 )
 
-# %% [markdown]
+# %% [markdown] prediction="two-cameras"
 # ## Predict
 #
 # A humanoid has two eyes. Somebody writes one class for both:
@@ -84,14 +84,21 @@ show(
 # The name `"camera"` is taken when the second one is made. What happens?
 #
 # - **a** An error: a name can be used once.
+#   ✗ Nobody in ROS 2 hands out names, so nobody can refuse one. There is no master.
 # - **b** The second one takes the place of the first.
-# - **c** ROS numbers them: `camera` and `camera_2`.
-# - **d** Both are there, under the same name.
+#   when `named_camera == 1 and all_nodes == 1`
+#   ✗ The two nodes do not know of each other. None of them ends because another one has its name.
+# - **c** Both are there, under the same name.
+#   when `named_camera == 2`
+#   ✓ Names are not checked for duplicates. Both nodes are on the graph, and both are called `/camera`.
+# - **d** ROS numbers them: `camera` and `camera_2`.
+#   when `named_camera == 1 and all_nodes > 1`
+#   ✗ ROS never numbers nodes for you. A node has the name that it was given.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="two eyes")
+predict("two-cameras")
 
 # %% [markdown]
 # ## Run it
@@ -109,12 +116,15 @@ right = Camera()
 await until_seen("/camera", "/camera")
 
 # %%
-from workbook.lesson import recall
 from workbook.ros import node_list
 
 print("the other process sees", reader.latest())
 print(node_list())
-recall("d", about="two eyes")
+reveal(
+    "two-cameras",
+    named_camera=node_list().count("/camera"),
+    all_nodes=len(node_list()),
+)
 
 # %%
 left.destroy_node()
@@ -160,7 +170,7 @@ from lesson_nodes.camera_driver import CameraDriver
 for method in ("__init__", "take_picture", "report_faults"):
     print(inspect.getsource(getattr(CameraDriver, method)))
 
-# %% [markdown]
+# %% [markdown] prediction="three-runs"
 # ## Change it
 #
 # ### Experiment 1: a cell that is run three times
@@ -169,11 +179,17 @@ for method in ("__init__", "take_picture", "report_faults"):
 # **executor**, the thing that lets nodes work (lesson 06). You press Shift+Enter three times. How many cameras are there?
 #
 # - **a** One: `camera` is overwritten each time, so the old one is gone.
+#   when `cameras == 1`
+#   ✗ The variable is overwritten, but the executor still has a reference to each node, and so each of them lives on.
 # - **b** Three
+#   when `cameras == 3`
+#   ✓ Each run makes a new node. The executor keeps the old ones, so Python does not remove them.
 # - **c** None: the second run raises an error, and the third, too.
+#   when `cameras == 0`
+#   ✗ A second node with the same name is no error. That is why it goes unnoticed.
 
 # %%
-predict("...", about="three runs")
+predict("three-runs")
 
 # %% id="three-runs" tags=["nbval-ignore-output"]
 from rclpy.executors import SingleThreadedExecutor
@@ -193,7 +209,7 @@ from workbook.ros import topic_info
 
 print(node_list())
 print("publishers on /camera/frame:", len(topic_info("/camera/frame").publishers))
-recall("b", about="three runs")
+reveal("three-runs", cameras=node_list().count("/camera"))
 
 # %% [markdown]
 # The *name* `camera` was overwritten. The *object* lives as long as somebody holds it, and the executor holds all three.
@@ -225,7 +241,7 @@ print(node_list())
 (only,) = executor.get_nodes()
 only.destroy_node()
 
-# %% [markdown]
+# %% [markdown] prediction="topic-names"
 # ### Experiment 2: three ways to name a topic
 #
 # A humanoid with two arms has everything twice. So names are in folders, as files are. The folder of a node is its
@@ -240,19 +256,30 @@ only.destroy_node()
 #
 # What are the full names?
 #
-# - **a** `/faults`, `/emergency_stop`, `/frame`
-# - **b** `/robot/head/faults`, `/emergency_stop`, `/robot/head/camera/frame`
+# - **a** `/robot/head/faults`, `/emergency_stop`, `/robot/head/camera/frame`
+#   when `faults == '/robot/head/faults' and frame == '/robot/head/camera/frame'`
+#   ✓ A relative name goes into the namespace, a name with a slash at the front stays, and `~` stands for the node
+#   itself.
+# - **b** `/faults`, `/emergency_stop`, `/frame`
+#   when `faults == '/faults'`
+#   ✗ A relative name, without a slash at the front, is put into the namespace of the node.
 # - **c** `/robot/head/camera/faults`, `/robot/head/emergency_stop`, `/robot/head/frame`
+#   ✗ The name of the node becomes a part of a topic only where you write `~`. And an absolute name is never moved.
 # - **d** `/robot/head/faults`, `/robot/head/emergency_stop`, an error for `~`
+#   ✗ An absolute name stays outside of the namespace. `~` is valid: it stands for the full name of the node.
 
 # %%
-predict("...", about="names")
+predict("topic-names")
 
 # %%
 camera = fresh(Node, "camera", namespace="/robot/head")
 for name in ("faults", "/emergency_stop", "~/frame"):
     print(f"{name:<16} is {camera.resolve_topic_name(name)}")
-recall("b", about="names")
+reveal(
+    "topic-names",
+    faults=camera.resolve_topic_name("faults"),
+    frame=camera.resolve_topic_name("~/frame"),
+)
 print("its own full name:", camera.get_fully_qualified_name())
 camera.destroy_node()
 
@@ -279,7 +306,7 @@ from workbook.ros import topic_list
 
 print(*topic_list().names, sep="\n")
 
-# %% [markdown]
+# %% [markdown] prediction="remapped-node"
 # ### Experiment 3: another name from outside
 #
 # A robot with an eye in front and one in the back: two cameras in *one* namespace. The driver has its name built in, and
@@ -292,12 +319,18 @@ print(*topic_list().names, sep="\n")
 # `-r` (remap) says: instead of the left name take the right one. `__node` and `__ns` are the name and the namespace of the
 # node itself. The driver publishes on `~/frame` and on `faults`. Where will its messages go?
 #
-# - **a** `/robot/rear_camera/frame` and `/robot/faults`
+# - **a** `/robot/rear_camera/frame` and `/robot/rear_camera/faults`
+#   when `'/robot/rear_camera/faults' in names`
+#   ✗ `faults` is relative: the namespace comes before it, the name of the node does not.
 # - **b** `/robot/camera/frame` and `/robot/faults`: the node has another name, its topics do not
-# - **c** `/robot/rear_camera/frame` and `/robot/rear_camera/faults`
+#   when `'/robot/camera/frame' in names`
+#   ✗ Names are resolved after the remapping. `~` follows the new name of the node.
+# - **c** `/robot/rear_camera/frame` and `/robot/faults`
+#   when `'/robot/rear_camera/frame' in names and '/robot/faults' in names`
+#   ✓ `~` stands for the node's name, which is the new one now. A relative name depends on the namespace only.
 
 # %%
-predict("...", about="remapping")
+predict("remapped-node")
 
 # %% id="remapped"
 from workbook.lesson import run_program
@@ -318,7 +351,7 @@ end = run_program(DRIVE, arguments=arguments)
 for printed in end.log.splitlines():
     if printed.startswith("/"):
         print(printed)
-recall("a", about="remapping")
+reveal("remapped-node", names=end.log.split())
 
 # %% [markdown]
 # The driver knows nothing of it, and all that is named relative to it comes along. This is why good drivers use relative
@@ -603,14 +636,14 @@ else:
 #
 # **4. A program makes two nodes from one class. You start it with `--ros-args -r __node:=scout`. What are they called?**
 #
-# <details><summary>a) The first one `scout`, the second one as before</summary>
-#
-# ✗ Nothing in these words says which one is meant.
-#
-# </details>
-# <details><summary>b) Both `scout`</summary>
+# <details><summary>a) Both `scout`</summary>
 #
 # ✓ The command line counts for all nodes of the process. Give `cli_args` to one of them instead.
+#
+# </details>
+# <details><summary>b) The first one `scout`, the second one as before</summary>
+#
+# ✗ Nothing in these words says which one is meant.
 #
 # </details>
 # <details><summary>c) `scout` and `scout_2`</summary>
@@ -626,14 +659,14 @@ else:
 # ✗ With a list it was just as quiet in this lesson.
 #
 # </details>
-# <details><summary>b) It has replaced the list in which the node keeps its timers</summary>
-#
-# ✓ Names with one underscore belong to the class that you inherit from. Choose another one.
-#
-# </details>
-# <details><summary>c) The node is not spun</summary>
+# <details><summary>b) The node is not spun</summary>
 #
 # ✗ That is worth a look as well, always. But here the name is enough.
+#
+# </details>
+# <details><summary>c) It has replaced the list in which the node keeps its timers</summary>
+#
+# ✓ Names with one underscore belong to the class that you inherit from. Choose another one.
 #
 # </details>
 

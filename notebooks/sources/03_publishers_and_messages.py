@@ -71,7 +71,7 @@ draw_path(heard, "the path of the robot: a lying eight, a circle to the left and
 #
 # Now you will send messages of your own. And you will see that a message can say something else than you gave.
 
-# %% [markdown]
+# %% [markdown] prediction="int-in-a-float-field"
 # ## Predict
 #
 # To send, a node needs a **publisher**. Two lines are enough:
@@ -87,14 +87,21 @@ draw_path(heard, "the path of the robot: a lying eight, a circle to the left and
 # The program runs on the ROS of this course as it comes out of the box. A screen listens to the topic. What does it show?
 #
 # - **a** 80.0, because Python turns 80 into 80.0 wherever a float is wanted.
+#   when `arrived_for_80 == 80`
+#   ✗ Python converts nothing here. The field is set to the int 80, as it is.
 # - **b** Nothing, because `Float32(data=80)` raises an error: 80 is no float.
-# - **c** Nothing, because `publish` raises an error: it looks at the fields before it sends.
-# - **d** 0.0
+#   ✗ It does so when field checks are on. As ROS comes, they are off, and the message takes any object.
+# - **c** 0.0
+#   when `arrived_for_80 == 0`
+#   ✓ The C code of this build reads the int as if it were a Python float, and gets 0.0. Another build can abort the
+#   program.
+# - **d** Nothing, because `publish` raises an error: it looks at the fields before it sends.
+#   ✗ `publish` does not check the fields either. It hands the message to C code, which expects a Python float.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="an int in a float field")
+predict("int-in-a-float-field")
 
 # %% [markdown]
 # ## Run it
@@ -145,12 +152,11 @@ def what_arrives(*given):
     return values(listen_to(program, seconds=0.5 * len(given) + 1.0), "/robot/battery")
 
 
-print("80.0 and 80 arrive as", *what_arrives("80.0", "80"))
+arrived = what_arrives("80.0", "80")
+print("80.0 and 80 arrive as", *arrived)
 
 # %%
-from workbook.lesson import recall
-
-recall("d", about="an int in a float field")
+reveal("int-in-a-float-field", arrived_for_80=arrived[1])
 
 # %% [markdown]
 # No error and no warning. The program means 80, and the world hears 0.0: an empty battery. What about other values?
@@ -303,19 +309,26 @@ show(fig, "three pictures of the tiny camera: a red ball rolls over the floor, f
 # %% [markdown]
 # ## Change it
 
-# %% [markdown]
+# %% [markdown] prediction="the-wider-circle"
 # ### Experiment 1: a wider circle
 #
 # The robot drives 0.4 m/s and turns left by 1.0 rad/s, always. That is a circle 0.8 m across. Now it shall turn by 0.5
 # rad/s. What will the path be?
 #
-# - **a** A circle half as wide
-# - **b** The same circle, driven at half the speed
-# - **c** A circle twice as wide
+# - **a** A circle twice as wide
+#   when `1.2 <= width_m < 2.0`
+#   ✓ The radius is the speed forward divided by the speed of turning. Half the turning gives twice the radius.
+# - **b** A circle half as wide
+#   when `width_m < 0.6`
+#   ✗ It is the other way round: who turns more slowly gets further before the circle is closed.
+# - **c** The same circle, driven at half the speed
+#   when `0.6 <= width_m < 1.2`
+#   ✗ The speed forward stays 0.4 m/s. Only the turning is slower, and that changes the circle.
 # - **d** A spiral
+#   ✗ For a spiral, one of the two speeds would have to change on the way. Both are constant.
 
 # %%
-predict("...", about="the wider circle")
+predict("the-wider-circle")
 
 # %%
 turn_radps = 0.5  # turn this knob, and forward_mps too, if you like
@@ -325,7 +338,7 @@ draw_path(circle, "the path of the robot: one circle to the left")
 
 xs, _ = path_of(circle)
 print(f"from side to side: {max(xs) - min(xs):.1f} m")
-recall("c", about="the wider circle")
+reveal("the-wider-circle", width_m=max(xs) - min(xs))
 
 # %% [markdown]
 # It drives as fast as before and turns half as fast, so it takes twice as long for a round, and twice the way. The radius
@@ -333,24 +346,30 @@ recall("c", about="the wider circle")
 #
 # Note what you did **not** change: the robot. Two numbers in a message were enough.
 
-# %% [markdown]
+# %% [markdown] prediction="a-tenth"
 # ### Experiment 2: a tenth
 #
 # `Float32` has 32 bits for its number, a Python float has 64. We send four good Python floats. Does 0.1 arrive as 0.1?
 #
 # - **a** Yes: 0.1 is a simple number, 32 bits are plenty.
+#   when `arrived == 0.1`
+#   ✗ 0.1 looks simple in decimal digits. In binary digits it never ends, so it is cut off after 32 bits or after 64.
 # - **b** Not quite: about 0.1000000015 arrives.
+#   when `arrived > 0.05 and arrived != 0.1`
+#   ✓ 32 bits hold the nearest number that fits. Read as 64 bits again, it is not the 0.1 that you gave.
 # - **c** No: it is rounded to 0.0.
+#   when `arrived == 0`
+#   ✗ It is rounded to the nearest number that fits into 32 bits. That is far closer to 0.1 than zero is.
 
 # %%
-predict("...", about="a tenth")
+predict("a-tenth")
 
 # %% id="rounding"
 numbers = ["0.5", "0.1", "16777217.0", "1e40"]
 half, tenth, large, huge = what_arrives(*numbers)
 for one, other in zip(numbers, (half, tenth, large, huge), strict=True):
     print(f"gave {one:<11} arrived {other}")
-recall("b", about="a tenth")
+reveal("a-tenth", arrived=tenth)
 
 # %% [markdown]
 # 32 bits hold about seven digits. 0.5 is a sum of powers of two and fits exactly, 0.1 does not. Above 16 777 216 not
@@ -367,18 +386,26 @@ print("math.isclose(tenth, 0.1, rel_tol=1e-6):", math.isclose(tenth, 0.1, rel_to
 # The second line surprises many: `isclose` is stricter than 32 bits are, so give it a tolerance. The same definition with
 # 64 bits exists, too: `Float64`. The numbers of a `Twist` have 64 bits. For a battery in percent, 32 are plenty.
 
-# %% [markdown]
+# %% [markdown] prediction="whose-queue"
 # ### Experiment 3: whose queue?
 #
 # The last argument of `create_publisher` is the **depth** of a queue. A listener names a depth, too. Here the publisher has
 # depth 1. It sends 20 messages in a burst, while the listener is busy. The listener has depth 100. How many will it get?
 #
-# - **a** 1: the publisher keeps one message, so each new one replaces the one before.
-# - **b** 20
+# - **a** 20
+#   when `arrived == 20`
+#   ✓ In this program, each message is in the queue of the listener before the next one is sent. That queue has room
+#   for 100.
+# - **b** 1: the publisher keeps one message, so each new one replaces the one before.
+#   when `arrived == 1`
+#   ✗ The publisher does not keep messages until the listener has time. In this program each one is handed on at once.
 # - **c** It depends on who is faster.
+#   when `1 < arrived < 20`
+#   ✗ Publisher and listener live in one process here, and nothing has to be sent again. So the depth of the publisher
+#   does not matter.
 
 # %%
-predict("...", about="whose queue")
+predict("whose-queue")
 
 # %%
 from rclpy.node import Node
@@ -411,8 +438,9 @@ def burst(publisher_depth, listener_depth):
     return len(ear.heard)
 
 
-print("publisher 1, listener 100:", burst(1, 100), "of 20 messages")
-recall("b", about="whose queue")
+arrived_of_burst = burst(1, 100)
+print("publisher 1, listener 100:", arrived_of_burst, "of 20 messages")
+reveal("whose-queue", arrived=arrived_of_burst)
 
 # %% [markdown]
 # Here is every combination of a few depths.
@@ -704,14 +732,14 @@ else:
 # ✗ They wait at the listener, and it has room for one.
 #
 # </details>
-# <details><summary>b) The latest picture</summary>
-#
-# ✓ The depth of the listener decides. And for pictures one is a good choice: who wants to see the past?
-#
-# </details>
-# <details><summary>c) The picture at which the camera stopped, to wait for the listener</summary>
+# <details><summary>b) The picture at which the camera stopped, to wait for the listener</summary>
 #
 # ✗ `publish` comes back at once, whoever listens.
+#
+# </details>
+# <details><summary>c) The latest picture</summary>
+#
+# ✓ The depth of the listener decides. And for pictures one is a good choice: who wants to see the past?
 #
 # </details>
 #
@@ -722,14 +750,14 @@ else:
 # ✗ The class looks at the variable when it is loaded, and that was one line too early.
 #
 # </details>
-# <details><summary>b) An error, because the variable comes too late</summary>
-#
-# ✗ Nobody looks at it any more, so nobody complains either.
-#
-# </details>
-# <details><summary>c) A program that looks safe and is not</summary>
+# <details><summary>b) A program that looks safe and is not</summary>
 #
 # ✓ Just what you saw: the int went out as 0.0. Set it before the import, or where the program is started.
+#
+# </details>
+# <details><summary>c) An error, because the variable comes too late</summary>
+#
+# ✗ Nobody looks at it any more, so nobody complains either.
 #
 # </details>
 #

@@ -37,7 +37,7 @@ stop()
 # method is the **callback**: you write it, and rclpy calls it, once for each message. Set `close_m` to `2.5` above and
 # run the cell again. Is this robot careful, or afraid?
 
-# %% [markdown]
+# %% [markdown] prediction="five-distances"
 # ## Predict
 #
 # Now you take the sensor's place. Two nodes in this notebook: `sensor` has a publisher, `guard` has a subscription. A
@@ -54,14 +54,22 @@ stop()
 # messages?
 #
 # - **a** Nobody: publishing needs spin, so nothing was sent.
-# - **b** Both: a callback is called as soon as its message arrives.
-# - **c** Only the black box. When `guard` is spun later, it handles its five, too.
+#   when `by_black_box == 0 and by_guard_before_spin == 0`
+#   ✗ `publish` hands the message to DDS, which sends it from threads of its own. It needs no spin.
+# - **b** Only the black box. When `guard` is spun later, it handles its five, too.
+#   when `by_black_box == 5 and by_guard_before_spin == 0 and by_guard == 5`
+#   ✓ The messages arrived at both. They waited in the queue of `guard` until somebody spun it.
+# - **c** Both: a callback is called as soon as its message arrives.
+#   when `by_black_box == 5 and by_guard_before_spin == 5`
+#   ✗ A message that arrives goes into a queue. Its callback runs later, in a thread that spins the node.
 # - **d** Only the black box. What came while `guard` did not spin is lost.
+#   when `by_black_box == 5 and by_guard_before_spin == 0 and by_guard < 5`
+#   ✗ The queue of `guard` has room for ten messages, and only five came. None was pushed out.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="five distances")
+predict("five-distances")
 
 # %% [markdown]
 # ## Run it
@@ -122,6 +130,7 @@ for distance in (2.0, 1.6, 1.2, 0.8, 0.4):
 time.sleep(1.0)
 
 kept = topic_echo("/black_box/kept", count=1, nodes=[]).messages[0].data  # nodes=[]: none of ours is spun
+heard_before_spin = len(guard.heard)
 print("kept by the black box:   ", kept)
 print("callbacks of the guard:  ", len(guard.heard))
 
@@ -129,11 +138,16 @@ print("callbacks of the guard:  ", len(guard.heard))
 # The guard has done nothing at all. Now somebody spins it:
 
 # %%
-from workbook.lesson import recall, run
+from workbook.lesson import run
 
 await run(guard, seconds=5, until=lambda: len(guard.heard) == 5)
 print("callbacks of the guard:  ", len(guard.heard), guard.heard)
-recall("c", about="five distances")
+reveal(
+    "five-distances",
+    by_black_box=kept,
+    by_guard_before_spin=heard_before_spin,
+    by_guard=len(guard.heard),
+)
 stop()
 
 # %% [markdown]
@@ -227,7 +241,7 @@ print("subscriptions that its node keeps:", len(list(guard.subscriptions)))
 # All survive: the node keeps its subscriptions, as it keeps its publishers and timers. Keep one yourself if you want to
 # end it later, with `self.destroy_subscription(self.subscription)`.
 
-# %% [markdown]
+# %% [markdown] prediction="how-many-may-wait"
 # ## Change it
 #
 # ### Experiment 1: how many may wait
@@ -236,13 +250,21 @@ print("subscriptions that its node keeps:", len(list(guard.subscriptions)))
 # from 1 to 60, while three readers are busy elsewhere. One has a depth of 1, one of 10, one of 100. Then they
 # read. What do they get?
 #
-# - **a** All 60, each of them: a message that was received is never lost.
-# - **b** Number 1, numbers 1 to 10, and all 60: what comes when the queue is full is turned away.
-# - **c** Number 60, numbers 51 to 60, and all 60: what is new pushes out what is old.
-# - **d** Numbers 51 to 60, for all three: the rest is gone after a moment.
+# - **a** Numbers 51 to 60, for all three: the rest is gone after a moment.
+#   when `middle == 10 and deep == 10`
+#   ✗ There is no time limit on waiting. What is kept depends on the depth of each reader alone.
+# - **b** Number 60, numbers 51 to 60, and all 60: what is new pushes out what is old.
+#   when `shallow == 1 and middle == 10 and deep == 60 and first_of_middle == 51`
+#   ✓ A full queue drops its oldest message for each new one. With depth 100 there was room for all 60.
+# - **c** All 60, each of them: a message that was received is never lost.
+#   when `shallow == 60 and middle == 60 and deep == 60`
+#   ✗ Received messages are kept only as far as the depth allows. A reader with depth 1 keeps one.
+# - **d** Number 1, numbers 1 to 10, and all 60: what comes when the queue is full is turned away.
+#   when `shallow == 1 and middle == 10 and deep == 60 and first_of_middle == 1`
+#   ✗ It is the oldest message that has to go, not the newest. A robot cares more for what is new.
 
 # %%
-predict("...", about="how many may wait")
+predict("how-many-may-wait")
 
 # %% id="depth"
 from std_msgs.msg import Int32
@@ -281,7 +303,13 @@ await run(readers, seconds=10, until=lambda: all(reader.numbers[-1:] == [60] for
 for reader in readers:
     span = f"{reader.numbers[0]} to {reader.numbers[-1]}"
     print(f"depth {reader.depth:>3}: {len(reader.numbers):>2} of 60, from number {span}")
-recall("c", about="how many may wait")
+reveal(
+    "how-many-may-wait",
+    shallow=len(readers[0].numbers),
+    middle=len(readers[1].numbers),
+    deep=len(readers[2].numbers),
+    first_of_middle=readers[1].numbers[0],
+)
 
 # %%
 fig, axes = figure(6.4, 1.9)
@@ -305,19 +333,26 @@ show(
 # The sender has a depth as well, the last argument of `create_publisher`. It is another matter (lesson 03): so many
 # messages it keeps for sending again. The camera got 100, so that nothing here can depend on it.
 
-# %% [markdown]
+# %% [markdown] prediction="age-of-a-message"
 # ### Experiment 2: how old is a message
 #
 # So, always a large depth? The distance sensor is back: a message every 0.05 s. Handling one takes this guard 0.2 s, so
 # it can only do every fourth. It gets a depth of 50, and works for four seconds. How old is the distance that it
 # handles last?
 #
-# - **a** Less than 0.1 s: messages travel fast.
-# - **b** About 0.2 s, the time that one takes.
-# - **c** More than a second, and it gets worse.
+# - **a** More than a second, and it gets worse.
+#   when `last_age_s >= 1.0`
+#   ✓ Four messages come in the time that one is handled. The queue grows, and with it the age of the message at its
+#   head.
+# - **b** Less than 0.1 s: messages travel fast.
+#   when `last_age_s < 0.1`
+#   ✗ They do travel fast. But then each one waits in the queue until all that came before it are handled.
+# - **c** About 0.2 s, the time that one takes.
+#   when `0.1 <= last_age_s < 1.0`
+#   ✗ 0.2 s is what one callback takes. A message that waits behind ten others waits ten times as long.
 
 # %%
-predict("...", about="the age of a message")
+predict("age-of-a-message")
 
 # %% [markdown]
 # `info` tells when the message was sent, in nanoseconds. So its age is the time now, minus that.
@@ -363,7 +398,7 @@ deep, shallow = guards[50], guards[1]
 print("depth 50: the last distance was older than a second:", deep.ages_s[-1] > 1.0)
 print("depth  1: half of them were younger than 0.2 s:     ", median(shallow.ages_s) < 0.2)
 print("of that, time on the way was less than 0.1 s:       ", median(deep.travels_s) < 0.1)
-recall("c", about="the age of a message")
+reveal("age-of-a-message", last_age_s=deep.ages_s[-1])
 
 # %% [markdown]
 # The way from one program to the other takes about a millisecond. The rest is waiting in the queue: each callback takes
@@ -380,18 +415,24 @@ recall("c", about="the age of a message")
 #
 # No depth makes a slow callback fast. What to do about that is lesson 10.
 
-# %% [markdown]
+# %% [markdown] prediction="wrong-hint"
 # ### Experiment 3: what the type hint does
 #
 # In `on_distance(self, message: Float32)` the hint says what will come. Somebody copies the callback of another
 # node, and its hint says `String`. The subscription still says `Float32`. What will the callback get?
 #
 # - **a** Nothing: `create_subscription` raises an error, because the two do not fit.
+#   ✗ `create_subscription` looks at the type that it is given, and at how many arguments the callback takes. It does
+#   not read hints.
 # - **b** A `String` with the number as its text.
+#   when `got == 'a String with a str'`
+#   ✗ Nothing is converted. The message keeps the type that the subscription has asked for.
 # - **c** A `Float32`, as if the hint were not there.
+#   when `got == 'a Float32 with a float'`
+#   ✓ The first argument of `create_subscription` decides. Python does not check a hint when the program runs.
 
 # %%
-predict("...", about="the wrong hint")
+predict("wrong-hint")
 
 # %% id="wrong-hint"
 from std_msgs.msg import String
@@ -413,7 +454,7 @@ mixed_up = fresh(MixedUp)
 sensor.publisher.publish(Float32(data=0.7))
 await run(mixed_up, seconds=5, until=lambda: mixed_up.got)
 print("the callback got", mixed_up.got[0])
-recall("c", about="the wrong hint")
+reveal("wrong-hint", got=mixed_up.got[0])
 
 # %% [markdown]
 # What comes is decided by the first argument of `create_subscription`, and by nothing else. The hint is not looked at
@@ -605,22 +646,22 @@ else:
 # ✗ Connecting is the work of DDS, in threads of its own. You have seen the black box get all five.
 #
 # </details>
-# <details><summary>b) Publishing works, callbacks do not run</summary>
-#
-# ✓ Yes. What comes for the node waits in its queue, up to the depth.
-#
-# </details>
-# <details><summary>c) Both work, only more slowly</summary>
+# <details><summary>b) Both work, only more slowly</summary>
 #
 # ✗ Callbacks run in your thread, inside `spin`. A thread that sleeps runs none.
+#
+# </details>
+# <details><summary>c) Publishing works, callbacks do not run</summary>
+#
+# ✓ Yes. What comes for the node waits in its queue, up to the depth.
 #
 # </details>
 #
 # **2. A subscription has depth 10. While its node is busy for a second, 25 messages come. What then?**
 #
-# <details><summary>a) The callback gets the last 10, the oldest of them first</summary>
+# <details><summary>a) rclpy raises an error: the queue has run over</summary>
 #
-# ✓ The new ones have pushed out the old ones. What is left comes in the order in which it was sent.
+# ✗ It drops the oldest and says nothing. If each message counts, the depth is your affair.
 #
 # </details>
 # <details><summary>b) The callback gets the first 10; the others found the queue full</summary>
@@ -633,9 +674,9 @@ else:
 # ✗ That takes a depth of 25 or more.
 #
 # </details>
-# <details><summary>d) rclpy raises an error: the queue has run over</summary>
+# <details><summary>d) The callback gets the last 10, the oldest of them first</summary>
 #
-# ✗ It drops the oldest and says nothing. If each message counts, the depth is your affair.
+# ✓ The new ones have pushed out the old ones. What is left comes in the order in which it was sent.
 #
 # </details>
 #
@@ -659,9 +700,9 @@ else:
 #
 # **4. A node subscribes to `/robot/battery` as `String`. Another program publishes `Float32` there. What happens?**
 #
-# <details><summary>a) The callback gets the number as a text</summary>
+# <details><summary>a) Nothing, without a word; `topic_info` tells why</summary>
 #
-# ✗ ROS converts nothing. A message is of one type.
+# ✓ Silence is the usual sign of a wrong name or a wrong type.
 #
 # </details>
 # <details><summary>b) An error when the first message comes</summary>
@@ -669,9 +710,9 @@ else:
 # ✗ No message comes. The two are not connected, because their types differ.
 #
 # </details>
-# <details><summary>c) Nothing, without a word; `topic_info` tells why</summary>
+# <details><summary>c) The callback gets the number as a text</summary>
 #
-# ✓ Silence is the usual sign of a wrong name or a wrong type.
+# ✗ ROS converts nothing. A message is of one type.
 #
 # </details>
 

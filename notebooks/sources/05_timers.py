@@ -26,31 +26,46 @@ stop()
 # One node, two timers, two rhythms. Change `right_period_s` to `0.3` and run the cell again. How short must
 # the period be until both arms look alike to you?
 
-# %% [markdown]
+# %% [markdown] prediction="loop-and-timer"
 # ## Predict
 #
 # A robot reads its tilt sensor ten times a second. Reading takes 10 ms. Here are two ways to do it fifty times:
 #
 # ```python
-# # A: a loop that sleeps                   # B: a timer
-# for _ in range(50):                       node.create_timer(0.1, read_tilt)
-#     time.sleep(0.1)                       rclpy.spin(node)
+# # A: a loop that sleeps
+# for _ in range(50):
+#     time.sleep(0.1)
 #     read_tilt()
+# ```
+#
+# ```python
+# # B: a timer
+# node.create_timer(0.1, read_tilt)
+# rclpy.spin(node)
 # ```
 #
 # `create_timer(0.1, read_tilt)` asks the node to call `read_tilt` every 0.1 s, and `spin` lets the node do so.
 #
 # Fifty times 0.1 s would be 5.0 s. How long does each of them take?
 #
-# - **a** Both 5.0 s: the period is 0.1 s, so what?
-# - **b** Both at least 5.5 s: the reading takes its time in either case.
-# - **c** The loop at least 5.5 s, the timer about 5.0 s.
-# - **d** The loop 5.0 s, the timer longer, because ROS has to do more.
+# - **a** Both take 5.0 s: the period is 0.1 s in both.
+#   when `loop_s < 5.5 and timer_s < 5.5`
+#   ✗ It would be so if reading took no time. The loop sleeps 0.1 s on top of each reading, so a round takes 0.11 s.
+# - **b** The loop takes at least 5.5 s, the timer about 5.0 s.
+#   when `loop_s >= 5.5 and timer_s < loop_s`
+#   ✓ The loop adds the 10 ms of reading to each sleep: 50 times 0.11 s. The timer reads while its period is running,
+#   so the reading costs nothing extra.
+# - **c** Both take at least 5.5 s: the reading takes its time in either case.
+#   when `loop_s >= 5.5 and timer_s >= loop_s`
+#   ✗ Reading takes 10 ms in both. But the timer waits only for what is left of its period, which is 90 ms.
+# - **d** The loop takes 5.0 s, the timer longer, because ROS has to do more.
+#   when `loop_s < 5.5 and timer_s >= 5.5`
+#   ✗ ROS does do more for each tick, but that takes well under a millisecond, and the period is running meanwhile.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="loop and timer")
+predict("loop-and-timer")
 
 # %% [markdown]
 # ## Run it
@@ -117,11 +132,7 @@ print(f"the loop took  {loop_s:.2f} s")
 print(f"the timer took {timer_s:.2f} s")
 
 # %%
-from workbook.lesson import recall
-
-print("the loop took 5.5 s or more:", loop_s >= 5.5)
-print("the timer was faster:", timer_s < loop_s)
-recall("c", about="loop and timer")
+reveal("loop-and-timer", loop_s=loop_s, timer_s=timer_s)
 
 # %% [markdown]
 # ## Look inside
@@ -221,18 +232,24 @@ print("ticks after the garbage collection:", forgetful.ticks)
 # `/clock`, and not from the clock on the wall. `record` starts a program like this and publishes a `/clock` that runs
 # ten to twenty times as fast, so the node lives through a minute in a few seconds, and its timers cannot tell.
 
-# %% [markdown]
+# %% [markdown] prediction="half-a-hertz"
 # ### Experiment 1: half a hertz
 #
-# A robot shall beep at 0.5 Hz, that is 30 times a minute. Somebody writes `create_timer(0.5, self.beep)`. How many
+# A robot is to beep at 0.5 Hz, that is 30 times a minute. A programmer writes `create_timer(0.5, self.beep)`. How many
 # beeps will we count in one minute of robot time?
 #
 # - **a** 30, as ordered
+#   when `beeps < 45`
+#   ✗ 30 a minute would be one beep every 2 s. The timer was given 0.5, and it takes that as seconds, not as hertz.
 # - **b** 60
+#   when `45 <= beeps < 90`
+#   ✗ 60 a minute would be one beep a second, a period of 1.0 s. Nothing here says 1.0.
 # - **c** 120
+#   when `beeps >= 90`
+#   ✓ The timer beeps every 0.5 s, twice a second. That is 2 Hz, four times too often.
 
 # %%
-predict("...", about="half a hertz")
+predict("half-a-hertz")
 
 # %%
 from lesson_nodes import blink_and_beep
@@ -243,7 +260,7 @@ period_s = 0.5  # turn this knob
 
 minute = record(blink_and_beep, {BEEP: period_s}, seconds=60, beep_period_s=period_s)
 print(f"a period of {period_s} s: {len(arrivals(minute, BEEP))} beeps in a minute")
-recall("c", about="half a hertz")
+reveal("half-a-hertz", beeps=len(arrivals(minute, BEEP)))
 
 # %% [markdown]
 # `create_timer` takes a **period**: seconds from one tick to the next. Hertz is a **frequency**: ticks per second. One
@@ -256,23 +273,36 @@ for hertz in (0.5, 1, 5, 100):
 # %% [markdown]
 # Low frequency, long period. Set `period_s` to `2.0` in the cell above and count again.
 
-# %% [markdown]
+# %% [markdown] prediction="two-timers-due"
 # ### Experiment 2: two timers in one node
 #
-# Now the node blinks at 1 Hz and beeps at 0.5 Hz. It has one thread, so it can do only one thing at a time. What
-# happens in a minute?
+# Now the node blinks at 1 Hz and beeps at 0.5 Hz. Every 2 s both timers are due at the same moment. The node has one
+# thread, so it can run only one callback at a time. What will we count in a minute?
 #
-# - **a** 60 blinks and 30 beeps: the two do not disturb each other
-# - **b** 45 of each: they take turns
-# - **c** 60 blinks and no beep: the first timer keeps the node busy
+# - **a** 60 blinks and 30 beeps: one callback waits for the other, and none is lost.
+#   when `blinks > 50 and 20 < beeps < 40`
+#   ✓ A timer that is due stays due until its callback has run. The second callback runs right after the first.
+# - **b** 30 blinks and 30 beeps: when both are due, the blink is lost.
+#   when `20 < blinks < 40 and 20 < beeps < 40`
+#   ✗ A tick that has to wait a moment is not lost. The executor calls the second callback as soon as the first returns.
+# - **c** 60 blinks and no beep: when both are due, the beep is lost, and it is never due alone.
+#   when `blinks > 50 and beeps < 10`
+#   ✗ The timer that was created first has no right to be the only one. Both are called, one after the other.
+# - **d** 45 of each: the two timers take turns.
+#   when `40 <= blinks <= 50 and 40 <= beeps <= 50`
+#   ✗ The callbacks take turns only when both are due. How often each one is due is up to its own period.
 
 # %%
-predict("...", about="two timers")
+predict("two-timers-due")
 
 # %%
 both = record(blink_and_beep, {BLINK: 1.0, BEEP: 2.0}, seconds=60, blink_period_s=1.0, beep_period_s=2.0)
 print(len(arrivals(both, BLINK)), "blinks and", len(arrivals(both, BEEP)), "beeps")
-recall("a", about="two timers")
+reveal(
+    "two-timers-due",
+    blinks=len(arrivals(both, BLINK)),
+    beeps=len(arrivals(both, BEEP)),
+)
 
 # %%
 ten_seconds = {name: [t for t in arrivals(both, name) if t < 10.5] for name in (BLINK, BEEP)}
@@ -288,19 +318,27 @@ show(
 # whichever timer is due next, calls its callback, and sleeps again. When two are due at once, one callback runs after
 # the other. As long as each is done quickly, nobody notices.
 
-# %% [markdown]
+# %% [markdown] prediction="the-long-beep"
 # ### Experiment 3: a callback that takes its time
 #
 # What if one is *not* done quickly? The node blinks every 0.2 s. Every 2 s it beeps, and this beep takes 1.1 s. In
-# that time five blinks fall due. What becomes of them?
+# that time five blinks are due. What becomes of them?
 #
-# - **a** Nothing is lost: they come in a burst when the beep is over.
+# - **a** They all come in a burst when the beep is over.
+#   when `blinks_per_beep >= 9 and shortest_gap_s < 0.02`
+#   ✗ A timer does not count what it missed, so there is nothing to catch up on.
 # - **b** They come on time: a timer can interrupt the beep.
-# - **c** They all come, each of them late.
+#   when `blinks_per_beep >= 9 and shortest_gap_s >= 0.02 and longest_gap_s < 0.5`
+#   ✗ The executor calls one callback after the other in this thread. It cannot interrupt one that is running.
+# - **c** They all come, but from now on each of them is late.
+#   when `blinks_per_beep >= 9 and shortest_gap_s >= 0.02 and longest_gap_s >= 0.5`
+#   ✗ That is what a loop that sleeps would do. A timer returns to its plan.
 # - **d** One comes late, the others never come.
+#   when `blinks_per_beep < 9`
+#   ✓ When the beep is over, the blink timer is due, and it ticks once. The ticks that it missed are dropped.
 
 # %%
-predict("...", about="the long beep")
+predict("the-long-beep")
 
 # %% [markdown]
 # This one runs on the wall clock, for eight real seconds, because the beep takes real time.
@@ -323,7 +361,12 @@ print("blinks due from one beep to the next:", round(2.0 / 0.2))
 print("blinks that came, as a rule:         ", median(came))
 gaps = [b - a for a, b in pairwise(blinks)]
 print("any two of them at once, as in a burst:", any(gap < 0.02 for gap in gaps))
-recall("d", about="the long beep")
+reveal(
+    "the-long-beep",
+    blinks_per_beep=median(came),
+    shortest_gap_s=min(gaps),
+    longest_gap_s=max(gaps),
+)
 
 # %% [markdown]
 # Five blinks were due while the robot beeped, and four of them never came. When the beep is over, the blink timer sees
@@ -482,27 +525,27 @@ else:
 # ✗ 600 rounds of 0.1 s, yes, if the work took no time.
 #
 # </details>
-# <details><summary>b) At most 500</summary>
-#
-# ✓ One round takes 0.12 s at least, and 60 / 0.12 is 500. `sleep` may take a little longer than asked, never less.
-#
-# </details>
-# <details><summary>c) 600, but the last ones come in a hurry</summary>
+# <details><summary>b) 600, but the last ones come in a hurry</summary>
 #
 # ✗ The loop has no plan that it could hurry after. It only knows how long to sleep.
+#
+# </details>
+# <details><summary>c) At most 500</summary>
+#
+# ✓ One round takes 0.12 s at least, and 60 / 0.12 is 500. `sleep` may take a little longer than asked, never less.
 #
 # </details>
 #
 # **3. A timer ticks every 0.1 s. One of its callbacks takes 0.35 s this once. What follows?**
 #
-# <details><summary>a) Three ticks in a row, to catch up</summary>
-#
-# ✗ There is no catching up. You saw it with the long beep.
-#
-# </details>
-# <details><summary>b) One late tick, then the old plan again</summary>
+# <details><summary>a) One late tick, then the old plan again</summary>
 #
 # ✓ The plan stays where it was. The ticks in between are gone.
+#
+# </details>
+# <details><summary>b) Three ticks in a row, to catch up</summary>
+#
+# ✗ There is no catching up. You saw it with the long beep.
 #
 # </details>
 # <details><summary>c) From now on every tick is 0.25 s late</summary>
@@ -513,14 +556,14 @@ else:
 #
 # **4. You wrote `self.create_timer(1.0, self.beat)` and kept nothing of it. What happens to the timer?**
 #
-# <details><summary>a) It ticks as long as the node lives</summary>
-#
-# ✓ The node keeps it. Your node still has to be spun, of course.
-#
-# </details>
-# <details><summary>b) The garbage collector takes it sooner or later</summary>
+# <details><summary>a) The garbage collector takes it sooner or later</summary>
 #
 # ✗ You asked the collector yourself in this lesson, and the timer ticked on.
+#
+# </details>
+# <details><summary>b) It ticks as long as the node lives</summary>
+#
+# ✓ The node keeps it. Your node still has to be spun, of course.
 #
 # </details>
 # <details><summary>c) It ticks once, because nobody can reach it any more</summary>

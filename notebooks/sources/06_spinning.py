@@ -42,7 +42,7 @@ print("moved while somebody did:", list(arms.angles) != at_first)
 # You were the engine of this robot. In a real program `rclpy.spin` turns the crank for you. This lesson is about what
 # happens in one turn.
 
-# %% [markdown]
+# %% [markdown] prediction="five-words"
 # ## Predict
 #
 # A robot listens on `/robot/words`. Somebody says five words. They have arrived, and wait in the robot's queue. Then
@@ -54,15 +54,23 @@ print("moved while somebody did:", list(arms.angles) != at_first)
 #
 # How many words has the robot heard, that is, how often has its callback run?
 #
-# - **a** 5: one spin handles all that has come.
-# - **b** As many as fit into half a second.
-# - **c** 1.
+# - **a** 1.
+#   when `heard == 1`
+#   ✓ One call of `spin_once` runs one callback, and each word has a callback of its own. Four words go on waiting.
+# - **b** 5: one spin handles all that has come.
+#   when `heard == 5`
+#   ✗ `spin_once` runs one callback and returns. Each word that waits needs a call of its own.
+# - **c** As many as fit into half a second.
+#   when `1 < heard < 5`
+#   ✗ The timeout is no time to work in. It is the longest time that the call waits when nothing is ready.
 # - **d** 0: the callback ran by itself when each word came, so nothing is left to do.
+#   when `heard == 0`
+#   ✗ Words arrive by themselves, but the callback runs in your thread, and only while that thread spins.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="five words")
+predict("five-words")
 
 # %% [markdown]
 # ## Run it
@@ -113,11 +121,9 @@ print("heard after more than a second:", robot.done)
 # nobody to spin. Now one turn of the crank, and then four more.
 
 # %% id="one-is-not-all"
-from workbook.lesson import recall
-
 rclpy.spin_once(robot, timeout_sec=0.5)
 print("after one spin_once:", robot.done)
-recall("c", about="five words")
+reveal("five-words", heard=len(robot.done))
 
 # %%
 for turn in range(4):
@@ -236,25 +242,30 @@ def try_out(code, interrupt_at=None):
 
 _ = try_out('print("I am", node.get_name())')
 
-# %% [markdown]
+# %% [markdown] prediction="no-timeout"
 # ### Experiment 1: no timeout
 #
 # `node` has no timer and no subscription. What does `rclpy.spin_once(node)` do, without a `timeout_sec`?
 #
 # - **a** It sees that nothing is ready, and comes back at once.
-# - **b** It waits for a second, the default timeout, and comes back.
-# - **c** It does not come back.
+#   ✗ That is what it does with `timeout_sec=0`. Without the argument it waits for something to do.
+# - **b** It does not come back.
+#   when `not came_back`
+#   ✓ Without a timeout it waits until something is ready. This node has nothing that ever will be.
+# - **c** It waits for a second, the default timeout, and comes back.
+#   when `came_back`
+#   ✗ There is no default of one second. `timeout_sec=None` is the default, and means: wait without a limit.
 
 # %%
-predict("...", about="no timeout")
+predict("no-timeout")
 
 # %% id="no-timeout"
-_ = try_out("""
+seen = try_out("""
 print("before", flush=True)
 rclpy.spin_once(node)
 print("after", flush=True)
 """)
-recall("c", about="no timeout")
+reveal("no-timeout", came_back="after" in seen.log)
 
 # %% [markdown]
 # "once" means *one callback*, not *one look*. Without a timeout it waits for that callback as long as it takes. Here
@@ -273,19 +284,25 @@ print("after", flush=True)
 # %% [markdown]
 # In a notebook, in a test, in every program that has something else to do: **always give `timeout_sec`**.
 
-# %% [markdown]
+# %% [markdown] prediction="timeout-zero"
 # ### Experiment 2: the other end of the knob
 #
 # If waiting is dangerous, why wait at all? With `timeout_sec=0` the call only looks, and comes back at once. Three
 # loops serve the same 10 Hz timer until it has ticked twenty times, with timeouts of 0, 0.01 and 0.1 s. What do you
 # expect of the first?
 #
-# - **a** It has its twenty ticks before the others, for it looks more often.
+# - **a** It takes as long, and keeps a processor busy all the time.
+#   when `soonest_s > 1.9 and times_as_many_calls > 5`
+#   ✓ The ticks come when they are due, so it takes as long. In between, the loop never sleeps.
 # - **b** It takes as long, and hardly more work: looking costs nothing.
-# - **c** It takes as long, and keeps a processor busy all the time.
+#   when `soonest_s > 1.9 and times_as_many_calls <= 5`
+#   ✗ Each call asks the middleware what is ready. One call is cheap, many thousands a second are not.
+# - **c** It has its twenty ticks before the others, for it looks more often.
+#   when `soonest_s <= 1.9`
+#   ✗ The timer decides when a tick is due. To ask more often does not bring it forward.
 
 # %%
-predict("...", about="timeout 0")
+predict("timeout-zero")
 
 # %%
 METER = """
@@ -320,14 +337,14 @@ soonest = min(took_s for _, took_s, _ in meters.values())
 print("nobody had twenty ticks before two seconds were over:", soonest > 1.9)
 rounds = {timeout_s: turn_count for timeout_s, (turn_count, _, _) in meters.items()}
 print("timeout 0 went round more than 5 times as often as 0.1 s:", rounds[0] > 5 * rounds[0.1])
-recall("c", about="timeout 0")
+reveal("timeout-zero", soonest_s=soonest, times_as_many_calls=rounds[0] / rounds[0.1])
 
 # %% [markdown]
 # This is called a **busy loop**. On a robot with a battery it is a heater. And a longer timeout makes nothing slower: a
 # callback that becomes ready ends the wait at once, as you saw in the stepper. A timeout is how long you can stand
 # *nothing* to happen. It is no period.
 
-# %% [markdown]
+# %% [markdown] prediction="after-spin"
 # ### Experiment 3: what comes after `spin`
 #
 # The robot shall park its arm at the end:
@@ -340,11 +357,18 @@ recall("c", about="timeout 0")
 # When is the arm parked?
 #
 # - **a** At once: `spin` starts the node in the background, and the program goes on.
+#   when `parked_by_itself`
+#   ✗ `spin` runs in this thread, and returns only when the context is shut down. There is no background.
 # - **b** When somebody presses Ctrl-C.
+#   when `parked_after_ctrl_c and not parked_by_itself`
+#   ✗ Ctrl-C does end `spin`, but with the exception `KeyboardInterrupt`. The line after it is skipped.
 # - **c** Never.
+#   when `not parked_after_ctrl_c and not parked_by_itself`
+#   ✓ Without Ctrl-C, `spin` does not return. With it, an exception leaves `spin` and skips the next line. A `finally`
+#   would run.
 
 # %%
-predict("...", about="after spin")
+predict("after-spin")
 
 # %% id="after-spin"
 PARK = """
@@ -358,11 +382,15 @@ print("arm parked", flush=True)
 """
 
 print("nobody presses Ctrl-C:")
-_ = try_out(PARK)
+alone = try_out(PARK)
 print("\nCtrl-C after the first tick:")
 seen = try_out(PARK, interrupt_at="tick")
 print("\nthe arm was parked:", "arm parked" in seen.log)
-recall("c", about="after spin")
+reveal(
+    "after-spin",
+    parked_by_itself="arm parked" in alone.log,
+    parked_after_ctrl_c="arm parked" in seen.log,
+)
 
 # %% [markdown]
 # `spin` does not come back while ROS is up. And on Ctrl-C it does not come back either: it is *left*, by a
@@ -647,14 +675,14 @@ else:
 #
 # **2. A loop calls `spin_once(node, timeout_sec=0.5)`. A message arrives while it waits. When is it handled?**
 #
-# <details><summary>a) At the end of the half second</summary>
-#
-# ✗ That would be polling. The timeout ends the wait only if nothing comes.
-#
-# </details>
-# <details><summary>b) At once</summary>
+# <details><summary>a) At once</summary>
 #
 # ✓ The message ends the wait. The timeout says how long the loop can stand silence.
+#
+# </details>
+# <details><summary>b) At the end of the half second</summary>
+#
+# ✗ That would be polling. The timeout ends the wait only if nothing comes.
 #
 # </details>
 # <details><summary>c) It is lost, since the call was waiting for something else</summary>

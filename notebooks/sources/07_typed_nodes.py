@@ -68,19 +68,29 @@ class Vitals(Node):
         print(word.dta)  # 7 a field misspelled
 '''
 
-# %% [markdown]
+# %% [markdown] prediction="seven-mistakes"
 # All functions have hints. mypy is asked to be strict. rclpy and the messages are as ROS installs them. How many of the
 # seven does it find?
 #
-# - **a** All of them. That is what hints are for.
-# - **b** The two misspelled names, 5 and 7. The rest shows only when it runs.
-# - **c** Three: those where rclpy itself is used wrongly.
+# - **a** Three: those where rclpy itself is used wrongly.
+#   when `mistakes_found == 3`
+#   ✓ rclpy has hints, so mypy finds 1, 2 and 5. The other four depend on what the messages are, and that it does not
+#   know.
+# - **b** All of them. That is what hints are for.
+#   when `mistakes_found == 7`
+#   ✗ mypy can check only what it knows. The message packages bring no types that it may use, so it accepts all that
+#   you do with a message.
+# - **c** The two misspelled names, 5 and 7. The rest shows only when it runs.
+#   when `mistakes_found == 2`
+#   ✗ 5 is a method of rclpy, and mypy finds it. 7 is a field of a message, and of messages mypy knows nothing.
 # - **d** None. Python does not look at hints.
+#   when `mistakes_found == 0`
+#   ✗ Python does not look at hints while a program runs. mypy does, and it reads the hints of rclpy as well.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="seven mistakes")
+predict("seven-mistakes")
 
 # %% [markdown]
 # ## Run it
@@ -157,8 +167,6 @@ stock = run_program(SEVEN_TIMES, seconds=30)
 print(stock.log)
 
 # %%
-from workbook.lesson import recall
-
 MISTAKES = {
     number: line
     for line, text in enumerate(VITALS.splitlines(), start=1)
@@ -173,7 +181,7 @@ def found(report):
 
 
 print("found by mypy, as ROS is installed:", sorted(found(as_installed)))
-recall("c", about="seven mistakes")
+reveal("seven-mistakes", mistakes_found=len(found(as_installed)))
 
 # %% [markdown]
 # ## Look inside
@@ -359,18 +367,29 @@ for name, module in SHAPES.items():
     lines = len(Path(module.__file__).read_text().splitlines())
     print(f"{name:8} {lines} lines of text, {len(arrivals(recording, '/robot/battery'))} messages in a minute")
 
-# %% [markdown]
+# %% [markdown] prediction="three-shapes"
 # On the bus nobody can tell them apart. For mypy they differ. We plant the same mistake in each, `create_timer("2 s",
 # ...)`, and take out all hints of the form `-> None`. mypy runs as it is, not strict. In how many of the three does it
 # find the mistake?
 #
 # - **a** in all three: the call is wrong in each
-# - **b** only in the script
-# - **c** in the class and the closure, because there is more structure
-# - **d** in none: there are no hints any more
+#   when `script > 0 and closure > 0 and in_class > 0`
+#   ✗ The call is wrong in each. But mypy does not look into functions without hints, and two of the three calls are
+#   in one.
+# - **b** in the class and the closure, because there is more structure
+#   when `script == 0 and closure > 0 and in_class > 0`
+#   ✗ It is the other way round: there, the call is inside a function without hints, and mypy skips it.
+# - **c** in none: there are no hints any more
+#   when `script == 0 and closure == 0 and in_class == 0`
+#   ✗ Hints of your own are gone, but those of rclpy are still there. Code outside of functions is checked against
+#   them.
+# - **d** only in the script
+#   when `script > 0 and closure == 0 and in_class == 0`
+#   ✓ In the script the call stands outside of any function, and mypy always reads that. It skips functions without
+#   hints.
 
 # %%
-predict("...", about="three shapes")
+predict("three-shapes")
 
 # %%
 def spoiled(module, hints):
@@ -379,11 +398,17 @@ def spoiled(module, hints):
     return text if hints else text.replace(" -> None", "")
 
 
+without_hints = {}
 for name, module in SHAPES.items():
-    without = len(check_types(spoiled(module, hints=False), stubs=False, strict=False))
+    without_hints[name] = without = len(check_types(spoiled(module, hints=False), stubs=False, strict=False))
     with_hints = len(check_types(spoiled(module, hints=True), stubs=False, strict=False))
     print(f"{name:8} mistakes found without '-> None': {without}, with it: {with_hints}")
-recall("b", about="three shapes")
+reveal(
+    "three-shapes",
+    script=without_hints["script"],
+    closure=without_hints["closure"],
+    in_class=without_hints["class"],
+)
 
 # %% [markdown]
 # mypy does not look into a function without hints. It supposes that you do not want it to, yet. Code at the top of a
@@ -400,18 +425,25 @@ for line in strict.lines:
 # test. In a class everything has a name and a type, and a second robot is a second object. That is why the nodes of
 # this course, and most that you will meet, are classes.
 
-# %% [markdown]
+# %% [markdown] prediction="a-whole-number"
 # ### Experiment 2: a whole number
 #
 # The battery is full. Somebody writes `Float32(data=100)`. mypy reads it with stubs, and then the line runs in stock
 # ROS. What happens?
 #
 # - **a** mypy objects: 100 is an int, and the field is a float.
-# - **b** mypy says nothing, and 100.0 arrives.
-# - **c** mypy says nothing, and 0.0 arrives.
+#   when `complaints > 0`
+#   ✗ In Python's type system an int is welcome wherever a float is. mypy keeps to that.
+# - **b** mypy says nothing, and 0.0 arrives.
+#   when `complaints == 0 and arrived == '0.0'`
+#   ✓ mypy lets an int pass for a float, and without field checks nobody else looks. This build sends 0.0, another one
+#   can abort.
+# - **c** mypy says nothing, and 100.0 arrives.
+#   when `complaints == 0 and arrived == '100.0'`
+#   ✗ mypy is content, but the C code below the message is not: it expects a Python float, and gets an int.
 
 # %%
-predict("...", about="a whole number")
+predict("a-whole-number")
 
 # %% id="whole-number"
 LEVEL = '''\
@@ -444,9 +476,10 @@ rclpy.shutdown()
 '''
 
 whole = LEVEL.format(value="level", given="100")
-print(check_types(whole))
-print(run_program(whole, seconds=20).log)
-recall("c", about="a whole number")
+report, end = check_types(whole), run_program(whole, seconds=20)
+print(report)
+print(end.log)
+reveal("a-whole-number", complaints=len(report), arrived=end.log.split()[-1])
 
 # %% [markdown]
 # For mypy an int is a float: wherever a `float` is asked for, it lets an `int` pass, because Python can count with both.
@@ -458,18 +491,22 @@ print("float(level):    ", run_program(LEVEL.format(value="float(level)", given=
 with_checks = "import os\nos.environ['ROS_PYTHON_CHECK_FIELDS'] = '1'\n" + whole
 print("and field checks:", run_program(with_checks, seconds=20).log.strip().splitlines()[-1])
 
-# %% [markdown]
+# %% [markdown] prediction="one-of-two-words"
 # ### Experiment 3: one of two words
 #
 # A status is `operational` or `error`. For `word: str` every text is fine. `Literal["operational", "error"]` is the type
 # of these two words alone. Somebody calls `send_status("operatoinal")`. We check and run both versions.
 #
-# - **a** `str`: nobody objects. `Literal`: mypy objects, and at run time the word is sent all the same.
-# - **b** `str`: nobody objects. `Literal`: mypy objects, and at run time there is an error.
-# - **c** mypy finds the misspelled word in both: it is no English word.
+# - **a** `str`: nobody objects. `Literal`: mypy objects, and at run time there is an error.
+#   ✗ mypy objects, but at run time there is no error. Python keeps hints and does not check them.
+# - **b** mypy finds the misspelled word in both: it is no English word.
+#   ✗ mypy knows no English. For the hint `str`, every text is right.
+# - **c** `str`: nobody objects. `Literal`: mypy objects, and at run time the word is sent all the same.
+#   ✓ `Literal` is for mypy, and there the word does not fit. When the program runs, Python does not compare it with
+#   the hint.
 
 # %%
-predict("...", about="one of two words")
+predict("one-of-two-words")
 
 # %%
 WORDS = '''\
@@ -487,7 +524,7 @@ for hint in ("str", 'Literal["operational", "error"]'):
     print(hint)
     print(check_types(program))
     print(run_program(program, seconds=20).log)
-recall("a", about="one of two words")
+reveal("one-of-two-words")
 
 # %% [markdown]
 # The narrower the type, the more mistakes have no room in it. `str` is wide, `object` and `Any` are the whole ocean.
@@ -682,14 +719,14 @@ else:
 #
 # **1. mypy has nothing against `Float32().dta`, with ROS as it is installed. Why?**
 #
-# <details><summary>a) A field is looked up at run time, so no tool can know it</summary>
-#
-# ✗ It can, as soon as somebody tells it the fields. The stubs of this course do.
-#
-# </details>
-# <details><summary>b) The package has no hints that mypy may trust, so the message is Any</summary>
+# <details><summary>a) The package has no hints that mypy may trust, so the message is Any</summary>
 #
 # ✓ Neither stubs nor `py.typed`. And `Any` has every attribute that you can think of.
+#
+# </details>
+# <details><summary>b) A field is looked up at run time, so no tool can know it</summary>
+#
+# ✗ It can, as soon as somebody tells it the fields. The stubs of this course do.
 #
 # </details>
 # <details><summary>c) mypy checks only code that has been run once</summary>
@@ -705,14 +742,14 @@ else:
 # ✗ It would, with `-> None`. Or with `--strict`, which reads all functions.
 #
 # </details>
-# <details><summary>b) Nothing: it does not look into a function without hints</summary>
-#
-# ✓ You saw it with the closure and the class. `-> None` is enough to change that.
-#
-# </details>
-# <details><summary>c) That `send` is unknown</summary>
+# <details><summary>b) That `send` is unknown</summary>
 #
 # ✗ It does not even read the line.
+#
+# </details>
+# <details><summary>c) Nothing: it does not look into a function without hints</summary>
+#
+# ✓ You saw it with the closure and the class. `-> None` is enough to change that.
 #
 # </details>
 #
@@ -736,14 +773,14 @@ else:
 #
 # **4. What makes an object a `Sends[Float32]`?**
 #
-# <details><summary>a) Its class inherits from Sends</summary>
-#
-# ✗ That would do, but no publisher of rclpy does so, and they fit all the same.
-#
-# </details>
-# <details><summary>b) It has a method publish that takes a Float32</summary>
+# <details><summary>a) It has a method publish that takes a Float32</summary>
 #
 # ✓ A Protocol describes. Whatever fits the description will do, also a small class that you write for a test.
+#
+# </details>
+# <details><summary>b) Its class inherits from Sends</summary>
+#
+# ✗ That would do, but no publisher of rclpy does so, and they fit all the same.
 #
 # </details>
 # <details><summary>c) make_publisher marks it at run time</summary>
@@ -759,14 +796,14 @@ else:
 # ✗ With stubs mypy knows the fields.
 #
 # </details>
-# <details><summary>b) The battery topic says 0.0, because an int was put into a float field</summary>
-#
-# ✓ mypy lets an int pass for a float. `float(level)` at the border, and a test that looks at what arrives, catch it.
-#
-# </details>
-# <details><summary>c) `create_timer` gets its two arguments swapped</summary>
+# <details><summary>b) `create_timer` gets its two arguments swapped</summary>
 #
 # ✗ rclpy's own functions have hints, and mypy knew this one even without stubs.
+#
+# </details>
+# <details><summary>c) The battery topic says 0.0, because an int was put into a float field</summary>
+#
+# ✓ mypy lets an int pass for a float. `float(level)` at the border, and a test that looks at what arrives, catch it.
 #
 # </details>
 

@@ -35,7 +35,7 @@ stop()
 # Compare the two rows of dots. One topic is busier than the other. Why that is so, and what can go wrong with it, is
 # this lesson.
 
-# %% [markdown]
+# %% [markdown] prediction="status-and-battery"
 # ## Predict
 #
 # Two lines of the node give it its rhythm:
@@ -48,14 +48,22 @@ stop()
 # One node, one thread, two timers. We listen for one minute. What arrives?
 #
 # - **a** 60 times status, 120 times battery: 1.0 and 2.0 are frequencies.
-# - **b** 60 times status, 30 times battery: 1.0 and 2.0 are seconds.
-# - **c** 30 times each: one thread can only keep one pace, the slower one.
-# - **d** 20 times each: the timers take turns, 1 s and then 2 s.
+#   when `battery > 100`
+#   ✗ The first argument of `create_timer` is a period. The larger it is, the fewer messages come.
+# - **b** 30 times each: one thread can only keep one pace, the slower one.
+#   when `status < 40 and 25 <= battery <= 35`
+#   ✗ One thread can serve several timers, each at its own pace, as long as the callbacks are short.
+# - **c** 20 times each: the timers take turns, 1 s and then 2 s.
+#   when `status < 25 and battery < 25`
+#   ✗ The timers do not wait for each other. Each one is due by its own period.
+# - **d** 60 times status, 30 times battery: 1.0 and 2.0 are seconds.
+#   when `50 < status < 70 and 25 <= battery <= 35`
+#   ✓ A minute has room for sixty periods of 1.0 s and for thirty of 2.0 s.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="two timers")
+predict("status-and-battery")
 
 # %% [markdown]
 # ## Run it
@@ -79,8 +87,6 @@ show(timeline.timeline(minute, periods=PERIODS), timeline.describe(minute, PERIO
 from itertools import pairwise
 from statistics import median
 
-from workbook.lesson import recall
-
 
 def pace(recording, topic):
     """The usual time between two messages, in s of robot time."""
@@ -91,7 +97,11 @@ def pace(recording, topic):
 for topic in (STATUS, BATTERY):
     seconds = pace(minute, topic)
     print(f"{topic:<15} every {seconds:.1f} s, so {60 / seconds:.0f} in a minute")
-recall("b", about="two timers")
+reveal(
+    "status-and-battery",
+    status=len(arrivals(minute, STATUS)),
+    battery=len(arrivals(minute, BATTERY)),
+)
 
 # %% [markdown]
 # ## Look inside
@@ -234,16 +244,23 @@ rclpy.init()
 rclpy.spin(HumanoidStatusPublisher(battery_level=10.0))
 """)
 
-# %% [markdown]
+# %% [markdown] prediction="the-empty-battery"
 # We record two minutes of robot time. What happens on `/robot/battery` once the battery is empty?
 #
 # - **a** The level goes on falling: −0.3, −0.6, ...
-# - **b** The messages stop: an empty robot cannot talk.
-# - **c** The messages go on and say 0.0.
+#   when `lowest < 0`
+#   ✗ `max(0.0, ...)` in `publish_battery` keeps the level from going below zero.
+# - **b** The messages go on and say 0.0.
+#   when `lowest == 0 and messages_when_empty > 10`
+#   ✓ The timer goes on, and `max(0.0, ...)` keeps the level at zero. So each message says 0.0.
+# - **c** The messages stop: an empty robot cannot talk.
+#   when `lowest == 0 and messages_when_empty <= 10`
+#   ✗ The battery is a number in a program here. Nothing stops the timer when it is empty.
 # - **d** The node raises an error and ends.
+#   ✗ 0.0 is a level like any other. Nothing in the callback fails on it.
 
 # %%
-predict("...", about="the empty battery")
+predict("the-empty-battery")
 
 # %%
 evening = record("evening.py", PERIODS, seconds=120)
@@ -255,7 +272,7 @@ print("more than ten messages since then:", len(empty) > 10)
 print("every one of them says:", *set(empty))
 print(f"still one every {pace(evening, BATTERY):.1f} s")
 print("status:", " → ".join(dict.fromkeys(words)))
-recall("c", about="the empty battery")
+reveal("the-empty-battery", lowest=min(levels), messages_when_empty=len(empty))
 
 # %%
 from workbook.pictures import figure
@@ -286,19 +303,25 @@ show(picture, "the dashboard at the end: lamp on error, battery at 0.0 %")
 # knows nothing: is the battery empty, has the program crashed, or is the network down? So a status node keeps talking
 # for as long as it can.
 
-# %% [markdown]
+# %% [markdown] prediction="nobody-listens"
 # ### Experiment 2: who is listening?
 #
 # The node publishes into a topic, not to a person. We make one here, in the notebook, and nobody listens. What does
 # `publish()` do then?
 #
 # - **a** It waits until somebody listens.
+#   ✗ `publish` hands the message to the middleware and returns. It does not wait for anybody.
 # - **b** It raises an error.
+#   ✗ A topic without a listener is no error in ROS. Listeners may come and go.
 # - **c** It returns at once, and the message is gone.
+#   when `kept == 0`
+#   ✓ An ordinary publisher keeps nothing for those who come later.
 # - **d** It returns at once, and the message is kept for whoever comes later.
+#   when `kept > 0`
+#   ✗ A publisher can be told to do that, with another QoS (lesson 13). By default it does not.
 
 # %%
-predict("...", about="nobody listens")
+predict("nobody-listens")
 
 # %%
 humanoid = fresh(HumanoidStatusPublisher)
@@ -307,7 +330,7 @@ for _ in range(3):
 print("listeners:", humanoid.status_publisher.get_subscription_count())
 
 # %% [markdown]
-# It came back each time, without an error. So it is **c** or **d**. A listener that comes late will tell.
+# It came back each time, without an error. Are the messages kept? A listener that comes late will tell.
 
 # %%
 import rclpy
@@ -319,12 +342,13 @@ listener = fresh(lambda: rclpy.create_node("late_listener"))
 listener.create_subscription(String, STATUS, lambda message: heard.append(message.data), 10)
 spin_for(listener, seconds=10, until=lambda: humanoid.status_publisher.get_subscription_count() == 1)
 spin_for(listener, seconds=0.5)
-print("heard of the three messages:", len(heard))
+kept = len(heard)
+print("heard of the three messages:", kept)
 
 humanoid.publish_status()
 spin_for(listener, seconds=10, until=lambda: heard)
 print("heard after one more:", len(heard))
-recall("c", about="nobody listens")
+reveal("nobody-listens", kept=kept)
 
 # %% [markdown]
 # The `10` in `create_publisher(..., 10)` is no mailbox for latecomers. It is the length of the queue for those who are
@@ -364,18 +388,24 @@ stop()
 listener.destroy_node()
 humanoid.destroy_node()
 
-# %% [markdown]
+# %% [markdown] prediction="whole-percents"
 # ### Experiment 3: whole percents
 #
 # A colleague finds `99.71 %` ugly and writes `Float32(data=round(self.battery_level))`. In Python, `round(99.4)` is the
 # whole number 99. What arrives on the topic?
 #
-# - **a** 99.0, because 99 is a number like any other.
+# - **a** 0.0.
+#   when `arrived_for_99 == '0.0'`
+#   ✓ The code below reads the int as if it were a float. In this build that gives 0.0, another one can abort the
+#   program.
 # - **b** Nothing, because `publish()` raises an error.
-# - **c** 0.0.
+#   ✗ With field checks on, it does. As ROS comes, they are off.
+# - **c** 99.0, because 99 is a number like any other.
+#   when `arrived_for_99 == '99.0'`
+#   ✗ For Python it is. But the field takes a float, and 99 is an int. ROS does not convert one into the other.
 
 # %%
-predict("...", about="whole percents")
+predict("whole-percents")
 
 # %% [markdown]
 # The program below runs as ROS comes out of the box. It sends itself one message after the other.
@@ -410,7 +440,7 @@ for level in (99.5, 99, round(99.4), True, "99", float(99)):
     print(f"main: sent {level!r:<6} arrived {heard[-1]}")
 """, seconds=20)
 print(said(outcome))
-recall("c", about="whole percents")
+reveal("whole-percents", arrived_for_99=said(outcome).splitlines()[1].split()[-1])
 
 # %% [markdown]
 # No error, no warning, just zero. A `float32` field wants a Python `float`, and stock ROS does not check. The type hint
@@ -422,7 +452,7 @@ recall("c", about="whole percents")
 # %% tags=["raises-exception"]
 Float32(data=99)
 
-# %% [markdown]
+# %% [markdown] prediction="the-exception"
 # ## When it goes wrong
 #
 # ### The deaf node
@@ -432,11 +462,17 @@ Float32(data=99)
 # last, and divides by zero the second time.
 #
 # - **a** The program ends with a traceback and an exit code that is not 0.
+#   when `exit_code != 0`
+#   ✗ The exception ends the thread that spins, not the program. The main thread goes on and ends with 0.
 # - **b** The estimate is missing, the status goes on: each timer minds its own business.
+#   when `in_the_last_second > 0`
+#   ✗ Both timers are called by one thread, and the exception has ended it.
 # - **c** All timers stop, the program lives on, and from outside it looks well.
+#   when `exit_code == 0 and in_the_last_second == 0`
+#   ✓ The thread that spins is gone, so nobody calls a timer any more. The node is still on the graph.
 
 # %%
-predict("...", about="the exception")
+predict("the-exception")
 
 # %% [markdown]
 # It runs behind a watchdog: `run_program` ends it when it takes too long.
@@ -482,7 +518,11 @@ rclpy.try_shutdown()
 outcome = run_program(DEAF, seconds=20)
 print(said(outcome))
 print("exit code", outcome.exit)
-recall("c", about="the exception")
+reveal(
+    "the-exception",
+    exit_code=outcome.exit,
+    in_the_last_second=int(said(outcome).splitlines()[0].split()[-1]),
+)
 
 # %% [markdown]
 # Read that again. The exception has killed the *thread*, not the program. The node is still on the graph, so
@@ -522,7 +562,7 @@ await run(fresh(Forecaster), seconds=10)
 # - If it must be a thread, look at `thread.is_alive()` from time to time, and act on it.
 # - Somebody else should watch too: a monitor that raises an alarm when no status has come for 3 s. Silence is a symptom.
 
-# %% [markdown]
+# %% [markdown] prediction="the-endings"
 # ### Ctrl-C, and the crash that is none
 #
 # An operator stops the program with Ctrl-C. What should happen: it ends, without a traceback, with exit code 0. That code
@@ -530,9 +570,16 @@ await run(fresh(Forecaster), seconds=10)
 #
 # Three endings of the same program follow. `COMMON` is what you will meet in many examples. Which of them end with 0?
 #
-# - **a** All three: Ctrl-C is no error.
-# - **b** `COMMON` and `CLEAN`: both catch `KeyboardInterrupt`.
-# - **c** Only `CLEAN`.
+# - **a** `COMMON` and `CLEAN`: both catch `KeyboardInterrupt`.
+#   when `no_care != 0 and common == 0 and clean == 0`
+#   ✗ Both catch it. But in `COMMON`, `rclpy.shutdown()` then raises, because Ctrl-C has shut the context down
+#   already.
+# - **b** Only `CLEAN`.
+#   when `no_care != 0 and common != 0 and clean == 0`
+#   ✓ It catches the exceptions of `spin`, and `try_shutdown` does not mind that the context is down already.
+# - **c** All three: Ctrl-C is no error.
+#   when `no_care == 0 and common == 0 and clean == 0`
+#   ✗ Without care, the `KeyboardInterrupt` ends the program with a traceback. The exit code is not 0.
 
 # %%
 BEGIN = """
@@ -563,18 +610,25 @@ except (KeyboardInterrupt, ExternalShutdownException):
 finally:
     rclpy.try_shutdown()
 """
-predict("...", about="the endings")
+predict("the-endings")
 
 # %% [markdown]
 # The next cell starts each program, waits for its first status, and sends it what Ctrl-C sends.
 
 # %%
+exits = {}
 for name, ending in {"NO_CARE": NO_CARE, "COMMON": COMMON, "CLEAN": CLEAN}.items():
     outcome = run_program(BEGIN + ending, seconds=15, interrupt_at="Status:")
+    exits[name] = outcome.exit
     last_line = outcome.log.strip().splitlines()[-1].split(", at ")[0]
     last_line = last_line if "Traceback" in outcome.log else "no traceback"
     print(f"{name:<8} exit code {outcome.exit:>3}   {last_line}")
-recall("c", about="the endings")
+reveal(
+    "the-endings",
+    no_care=exits["NO_CARE"],
+    common=exits["COMMON"],
+    clean=exits["CLEAN"],
+)
 
 # %% [markdown]
 # - `NO_CARE`: `KeyboardInterrupt` runs through to the end, with a traceback. 130 is how a shell says "ended by Ctrl-C".
@@ -720,14 +774,14 @@ print("exit code", outcome.exit)
 #
 # **3. A node is on the graph, its last status was "operational", and nothing has come for a minute. What is likely?**
 #
-# <details><summary>a) Nothing, no news is good news</summary>
-#
-# ✗ A status topic with a rate is a heartbeat. When it stops, something is wrong.
-#
-# </details>
-# <details><summary>b) An exception has ended the thread that spins</summary>
+# <details><summary>a) An exception has ended the thread that spins</summary>
 #
 # ✓ The node object lives on, so the graph still shows it, but nothing calls its timers any more.
+#
+# </details>
+# <details><summary>b) Nothing, no news is good news</summary>
+#
+# ✗ A status topic with a rate is a heartbeat. When it stops, something is wrong.
 #
 # </details>
 # <details><summary>c) All its listeners have gone, so it has paused</summary>
@@ -738,14 +792,14 @@ print("exit code", outcome.exit)
 #
 # **4. Why does `rclpy.shutdown()` in `finally` fail after Ctrl-C?**
 #
-# <details><summary>a) The context has been shut down already, by Ctrl-C itself</summary>
-#
-# ✓ rclpy does it when the signal comes. `try_shutdown()` does not mind.
-#
-# </details>
-# <details><summary>b) destroy_node() has shut the context down</summary>
+# <details><summary>a) destroy_node() has shut the context down</summary>
 #
 # ✗ `destroy_node()` takes one node off the graph. The context stays up.
+#
+# </details>
+# <details><summary>b) The context has been shut down already, by Ctrl-C itself</summary>
+#
+# ✓ rclpy does it when the signal comes. `try_shutdown()` does not mind.
 #
 # </details>
 # <details><summary>c) `finally` is not executed after an exception</summary>

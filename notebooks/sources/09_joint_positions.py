@@ -40,7 +40,7 @@ topic_info("/robot/joint_positions")
 # %%
 stop()
 
-# %% [markdown]
+# %% [markdown] prediction="the-slow-drawing"
 # ## Predict
 #
 # The battery of lesson 08 is published at 0.5 Hz, one message every 2 s. Suppose we publish the joint angles of the
@@ -49,14 +49,21 @@ stop()
 # How wrong is that drawing at worst? The elbow swings by about 1 rad (57°) from one end to the other.
 #
 # - **a** Hardly at all: the last message is nearly true.
+#   when `share_of_the_swing < 0.05`
+#   ✗ The last message was true when it was sent. Up to two seconds later the elbow is somewhere else.
 # - **b** By about a tenth of the swing.
-# - **c** By nearly the whole swing.
-# - **d** It is not wrong: DDS fills in the values between two messages.
+#   when `0.05 <= share_of_the_swing < 0.5`
+#   ✗ In two seconds the elbow has time for a whole swing and more, so the error can be much larger than that.
+# - **c** It is not wrong: DDS fills in the values between two messages.
+#   ✗ DDS carries messages. It does not know what the numbers mean, and it never makes up new ones.
+# - **d** By nearly the whole swing.
+#   when `share_of_the_swing >= 0.5`
+#   ✓ The elbow goes from one end to the other in less time than passes between two messages.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="the slow drawing")
+predict("the-slow-drawing")
 
 # %% [markdown]
 # ## Run it
@@ -115,9 +122,7 @@ show(fig, "the elbow swings quickly while the last known angle changes only ever
 # Look at your prediction again.
 
 # %%
-from workbook.lesson import recall
-
-recall("c", about="the slow drawing")
+reveal("the-slow-drawing", share_of_the_swing=float(worst / swing))
 
 # %% [markdown]
 # A message is a snapshot. Between two snapshots a subscriber knows nothing: DDS delivers, it does not guess. The elbow
@@ -146,19 +151,25 @@ print("left elbow kept:", message.data[ELBOW])
 # The two numbers differ in the eighth digit: a Python `float` has 64 bits and the field has 32. For an angle that is
 # less than a hair's breadth. Only never compare such values with `==`.
 
-# %% [markdown]
+# %% [markdown] prediction="ten-hertz"
 # ## Change it
 #
 # ### Experiment 1: joints faster than the battery?
 #
 # Now the joint publisher sends at 10 Hz. The worst error of the last known elbow angle will be:
 #
-# - **a** the same, because the motion is the same
+# - **a** less than a third
+#   when `share_of_the_error < 1 / 3`
+#   ✓ The last message is at most 0.1 s old, in place of 2 s. In that time the elbow moves only a little.
 # - **b** about half
-# - **c** less than a third
+#   when `1 / 3 <= share_of_the_error <= 0.8`
+#   ✗ Twenty times as many messages come as before. The error shrinks by much more than half.
+# - **c** the same, because the motion is the same
+#   when `share_of_the_error > 0.8`
+#   ✗ The motion is the same, but the error grows with the time since the last message, and that is shorter now.
 
 # %%
-predict("...", about="10 Hz")
+predict("ten-hertz")
 
 # %%
 fast = record(joint_position_publisher, {TOPIC: 0.1}, seconds=14, period_s=0.1)
@@ -166,14 +177,14 @@ worst_of_fast = np.abs(last_known(fast) - truth).max()
 
 print("the worst error at 10 Hz, compared with that at 0.5 Hz:")
 print("less than a third" if worst_of_fast < worst / 3 else "a third or more")
-recall("c", about="10 Hz")
+reveal("ten-hertz", share_of_the_error=float(worst_of_fast / worst))
 
 # %% [markdown]
 # So the answer to the first question of the exercise is measured, not felt: joints change by radians in a second, the
 # battery by a fraction of a percent. The joints deserve the faster topic. The exercise asks for 0.5 Hz all the same,
 # because there the angles are simulated and nobody steers by them.
 
-# %% [markdown]
+# %% [markdown] prediction="the-hand-tracker"
 # ### Experiment 2: a subscriber that uses the angles
 #
 # How high is the left hand? From shoulder and elbow angle and the lengths of upper arm and forearm one can compute it.
@@ -182,12 +193,18 @@ recall("c", about="10 Hz")
 # It spins in this notebook while the waving robot runs in its own process. In five seconds, with 20 messages per
 # second, how many heights will it publish?
 #
-# - **a** about 100: one for each message that arrives
-# - **b** about 5: one per second
+# - **a** about 5: one per second
+#   when `20 > heights > 0`
+#   ✗ Nothing here happens once a second. The messages set the pace, and they come 20 times a second.
+# - **b** about 100: one for each message that arrives
+#   when `heights >= 90`
+#   ✓ The callback runs once for each message, and it publishes one height each time. 20 a second for 5 s are 100.
 # - **c** none: it has no timer
+#   when `heights == 0`
+#   ✗ It needs no timer. A message that arrives makes the callback run, and the callback publishes.
 
 # %%
-predict("...", about="the hand tracker")
+predict("the-hand-tracker")
 
 # %%
 import math
@@ -229,7 +246,7 @@ stop()
 
 print("a hundred heights:", len(tracker.heights) >= 100)
 print("always above the shoulder:", min(tracker.heights) > 0)
-recall("a", about="the hand tracker")
+reveal("the-hand-tracker", heights=len(tracker.heights))
 
 # %%
 fig, axes = figure(7.2, 2.4)
@@ -242,7 +259,7 @@ show(fig, "the height of the waving hand, computed from the joint angles, goes u
 # clock. This is how most of a robot works. A node takes one topic, makes something more useful of it, and publishes
 # that.
 
-# %% [markdown]
+# %% [markdown] prediction="a-hundred-hertz"
 # ### Experiment 3: 100 Hz instead of 0.5 Hz
 #
 # What does it cost to be generous? We run the publisher at three rates, each for four real seconds in a process of
@@ -251,11 +268,18 @@ show(fig, "the height of the waving hand, computed from the joint angles, goes u
 # At 100 Hz there are 200 times as many messages as at 0.5 Hz. The processor time of the program will be:
 #
 # - **a** about 200 times as much
-# - **b** more, but far less than 200 times as much
-# - **c** the same
+#   when `times_as_much >= 200`
+#   ✗ Most of what a program costs at 0.5 Hz is not its messages but its start, which is there only once.
+# - **b** the same
+#   when `times_as_much <= 1`
+#   ✗ To fill a message, serialize it and send it is work, and 100 Hz does it 200 times as often.
+# - **c** more, but far less than 200 times as much
+#   when `1 < times_as_much < 200`
+#   ✓ Each message costs a little. But the start of the program costs the same at any rate, and at 0.5 Hz it is nearly
+#   all.
 
 # %%
-predict("...", about="100 Hz")
+predict("a-hundred-hertz")
 
 # %%
 from rclpy.serialization import serialize_message
@@ -277,7 +301,7 @@ print(f"what one more message costs: {each_ms:.1f} ms")
 # %%
 print("100 Hz costs more than 0.5 Hz:", used[100.0] > used[0.5])
 print("but less than 200 times as much:", used[100.0] < 200 * used[0.5])
-recall("b", about="100 Hz")
+reveal("a-hundred-hertz", times_as_much=used[100.0] / used[0.5])
 
 # %%
 fig, axes = figure(5.2, 2.4)
@@ -453,14 +477,14 @@ else:
 #
 # **3. You want 0.5 Hz and write `create_timer(0.5, self.publish_joints)`. What arrives?**
 #
-# <details><summary>a) One message every 2 s</summary>
-#
-# ✗ That would be `create_timer(2.0, …)`: the argument is a period in seconds.
-#
-# </details>
-# <details><summary>b) Two messages every second</summary>
+# <details><summary>a) Two messages every second</summary>
 #
 # ✓ A period of 0.5 s is 2 Hz, four times too fast.
+#
+# </details>
+# <details><summary>b) One message every 2 s</summary>
+#
+# ✗ That would be `create_timer(2.0, …)`: the argument is a period in seconds.
 #
 # </details>
 # <details><summary>c) An error, because Hz was meant</summary>
@@ -471,14 +495,14 @@ else:
 #
 # **4. The angles come from NumPy as `float32`, and you write `Float32MultiArray(data=angles)`. What do subscribers get?**
 #
-# <details><summary>a) The right values</summary>
-#
-# ✓ An array field converts what it is given, element by element. (A single Float32 field is another story: lesson 03.)
-#
-# </details>
-# <details><summary>b) Zeros</summary>
+# <details><summary>a) Zeros</summary>
 #
 # ✗ That happens to `Float32(data=np.float32(1.5))` with field checks off, not to an array.
+#
+# </details>
+# <details><summary>b) The right values</summary>
+#
+# ✓ An array field converts what it is given, element by element. (A single Float32 field is another story: lesson 03.)
 #
 # </details>
 # <details><summary>c) Nothing, the message is refused</summary>

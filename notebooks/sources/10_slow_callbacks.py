@@ -24,7 +24,7 @@ stop()
 # %% [markdown]
 # Nobody told the arm to stop. It stops because the robot thinks. By the end of this lesson it will do both.
 
-# %% [markdown]
+# %% [markdown] prediction="the-heartbeat"
 # ## Predict
 #
 # This is the heart of that robot, with a thought every 1.1 s:
@@ -48,15 +48,25 @@ stop()
 #
 # In five seconds, 50 heartbeats are due. How many arrive?
 #
-# - **a** All 50, on time: timers run in the background.
-# - **b** All 50: those that were due during a thought come in a burst when it is over.
-# - **c** Fewer than half. The others never come.
+# - **a** Fewer than half. The others never come.
+#   when `arrived < due / 2 and last_beat_s > 3`
+#   ✓ A thought takes 1.0 s of every 1.1 s. Only in between is the thread free for a beat, and missed ticks are
+#   dropped.
+# - **b** All 50, on time: timers run in the background.
+#   when `arrived >= due / 2 and longest_silence_s < 0.5`
+#   ✗ Nothing in this node runs in the background. `spin` calls one callback after the other in one thread.
+# - **c** All 50: those that were due during a thought come in a burst when it is over.
+#   when `arrived >= due / 2 and longest_silence_s >= 0.5`
+#   ✗ A timer does not catch up. It ticks once when it is late, and drops the rest.
 # - **d** None, after the first thought has begun.
+#   when `arrived < due / 2 and last_beat_s <= 3`
+#   ✗ The thought ends after a second. Then the thread is free until the next one begins, and the heart beats in
+#   between.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="the heartbeat")
+predict("the-heartbeat")
 
 # %% [markdown]
 # ## Run it
@@ -87,15 +97,19 @@ print("heartbeats that came:", len(beats))
 # %% id="flat-line"
 from itertools import pairwise
 
-from workbook.lesson import recall
-
 silences = [b - a for a, b in pairwise(beats)]
 print("fewer than half of the heartbeats came:", len(beats) < DUE / 2)
 print(
     "silences of 0.9 s and more:",
     "several" if sum(silence > 0.9 for silence in silences) >= 2 else "hardly any",
 )
-recall("c", about="the heartbeat")
+reveal(
+    "the-heartbeat",
+    arrived=len(beats),
+    due=DUE,
+    longest_silence_s=max(silences),
+    last_beat_s=beats[-1],
+)
 
 # %% [markdown]
 # ## Look inside
@@ -138,7 +152,7 @@ print("bursts, three heartbeats or more within 0.05 s:", bursts)
 # work is long, whatever you do: planning a path, asking a neural network, waiting for a gripper. The rest of this
 # lesson is about where to put it.
 
-# %% [markdown]
+# %% [markdown] prediction="four-threads"
 # ## Change it
 #
 # ### Experiment 1: more threads
@@ -154,18 +168,25 @@ print("bursts, three heartbeats or more within 0.05 s:", bursts)
 # The node stays as it is. How many of the 50 heartbeats arrive now?
 #
 # - **a** Nearly all of them: one thread thinks, three are free.
+#   when `arrived >= 0.8 * due`
+#   ✗ Threads are free, but both callbacks are in one group, the default one. It lets in one callback at a time.
 # - **b** Twice as many as before.
+#   when `due / 2 <= arrived < 0.8 * due`
+#   ✗ The number of threads changes nothing here. Both timers are in a group that excludes them from each other.
 # - **c** As few as before.
+#   when `arrived < due / 2`
+#   ✓ All callbacks of a node share one mutually exclusive group unless you say otherwise. Three threads have nothing
+#   to do.
 
 # %%
-predict("...", about="four threads")
+predict("four-threads")
 
 # %% id="more-threads"
 counted = {"1 thread": len(beats)}
 counted["4 threads"] = len(arrivals(watch(threads=4), HEARTBEAT))
 
 print("with four threads, fewer than half came:", counted["4 threads"] < DUE / 2)
-recall("c", about="four threads")
+reveal("four-threads", arrived=counted["4 threads"], due=DUE)
 
 # %% [markdown]
 # Four threads, and three of them idle. Why?
@@ -176,7 +197,7 @@ recall("c", about="four threads")
 #
 # You have to *say* which callbacks may meet.
 
-# %% [markdown]
+# %% [markdown] prediction="own-group"
 # ### Experiment 2: a group of its own
 #
 # ```python
@@ -189,12 +210,18 @@ recall("c", about="four threads")
 #
 # Now `beat` is in the default group, and `think` is alone in another one. Which program keeps its heartbeat?
 #
-# - **a** With this line, any: one thread is enough, since the groups are separate.
-# - **b** Only the one with this line **and** several threads.
-# - **c** None: thinking still takes a second.
+# - **a** Only the one with this line **and** several threads.
+#   when `one_thread < 0.6 * due and four_threads >= 0.6 * due`
+#   ✓ The group permits both at the same time, and a second thread makes it happen. It takes both.
+# - **b** None: thinking still takes a second.
+#   when `one_thread < 0.6 * due and four_threads < 0.6 * due`
+#   ✗ The thought does take a second, but with a group of its own and a second thread it no longer holds up the beat.
+# - **c** With this line, any: one thread is enough, since the groups are separate.
+#   when `one_thread >= 0.6 * due`
+#   ✗ A group is a permission, not a thread. With one thread, the beat still waits for the thought.
 
 # %%
-predict("...", about="own group")
+predict("own-group")
 
 # %%
 MOST = 0.6 * DUE  # on a calm machine it is nearly all of them
@@ -207,7 +234,12 @@ for name, count in counted.items():
         f"{name + ':':<22}",
         "most of them" if count >= MOST else "fewer than half" if count < DUE / 2 else count,
     )
-recall("b", about="own group")
+reveal(
+    "own-group",
+    one_thread=counted["1 thread, own group"],
+    four_threads=counted["4 threads, own group"],
+    due=DUE,
+)
 
 # %%
 from workbook.pictures.figures import figure
@@ -292,15 +324,21 @@ def spin_with(executor, node, seconds):
     executor.shutdown()
 
 
-# %% [markdown]
+# %% [markdown] prediction="the-steps"
 # In two seconds `on_step` is called about 400 times. With four threads and a reentrant group, what will `steps` be?
 #
 # - **a** The number of calls: Python has a lock of its own, the GIL, so nothing can go wrong.
+#   when `0.9 * calls <= steps <= calls`
+#   ✗ The GIL lets one thread run at a time, but it may change threads between reading `steps` and writing it.
 # - **b** Much less than the number of calls.
+#   when `steps < 0.9 * calls`
+#   ✓ Two threads read the same number, both add one, and both write the same result. One step is lost.
 # - **c** More than the number of calls.
+#   when `steps > calls`
+#   ✗ Each call adds one at most. Steps can be lost, but none can be invented.
 
 # %%
-predict("...", about="the steps")
+predict("the-steps")
 
 # %%
 lively = fresh(StepCounter, "lively_counter", ReentrantCallbackGroup())
@@ -316,7 +354,7 @@ print(f"mutually exclusive: {len(orderly.called)} calls, {orderly.steps} steps")
 # %% id="race"
 print("reentrant: steps were lost:", lively.steps < 0.9 * len(lively.called))
 print("mutually exclusive: steps were lost:", orderly.steps < len(orderly.called))
-recall("b", about="the steps")
+reveal("the-steps", steps=lively.steps, calls=len(lively.called))
 
 # %% [markdown]
 # Both feet read 41, both add one, both write 42. One step is lost. This is a **race**: the result depends on who comes
@@ -568,14 +606,14 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 #
 # **1. The slow callback has just ended. What does the timer do now?**
 #
-# <details><summary>a) Ten ticks at once</summary>
-#
-# ✗ You counted: no burst. A timer does not keep a list of what it owes.
-#
-# </details>
-# <details><summary>b) One late tick, then the usual rhythm</summary>
+# <details><summary>a) One late tick, then the usual rhythm</summary>
 #
 # ✓ Yes. The others are dropped.
+#
+# </details>
+# <details><summary>b) Ten ticks at once</summary>
+#
+# ✗ You counted: no burst. A timer does not keep a list of what it owes.
 #
 # </details>
 # <details><summary>c) Nothing: the timer has given up</summary>
@@ -586,9 +624,9 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 #
 # **2. Instead of `rclpy.spin` you use a MultiThreadedExecutor with eight threads. What changes for the callbacks?**
 #
-# <details><summary>a) Nothing: they still run one at a time</summary>
+# <details><summary>a) Timers run at once, subscriptions do not</summary>
 #
-# ✓ They are all in the default group, which is mutually exclusive.
+# ✗ Groups do not care about the kind of callback.
 #
 # </details>
 # <details><summary>b) They run at once, up to eight of them</summary>
@@ -596,9 +634,9 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 # ✗ They would need permission: groups of their own, or a reentrant one.
 #
 # </details>
-# <details><summary>c) Timers run at once, subscriptions do not</summary>
+# <details><summary>c) Nothing: they still run one at a time</summary>
 #
-# ✗ Groups do not care about the kind of callback.
+# ✓ They are all in the default group, which is mutually exclusive.
 #
 # </details>
 #
@@ -609,14 +647,14 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 # ✗ One at a time, but it may change between the reading and the writing.
 #
 # </details>
-# <details><summary>b) Yes, because both groups are mutually exclusive</summary>
-#
-# ✗ Each group excludes its own members. The two callbacks are not in the same one.
-#
-# </details>
-# <details><summary>c) No: put both into one group, or guard the line with a lock</summary>
+# <details><summary>b) No: put both into one group, or guard the line with a lock</summary>
 #
 # ✓ Either will do. The group is simpler if the callbacks are short.
+#
+# </details>
+# <details><summary>c) Yes, because both groups are mutually exclusive</summary>
+#
+# ✗ Each group excludes its own members. The two callbacks are not in the same one.
 #
 # </details>
 #
@@ -628,14 +666,14 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 # not get faster, and the beats tremble.
 #
 # </details>
-# <details><summary>b) Into a node in a process of its own</summary>
-#
-# ✓ Another process has another GIL, and may crash without taking the heart along.
-#
-# </details>
-# <details><summary>c) Into the heartbeat's callback, so that they cannot disturb each other</summary>
+# <details><summary>b) Into the heartbeat's callback, so that they cannot disturb each other</summary>
 #
 # ✗ Then each beat waits for a picture.
+#
+# </details>
+# <details><summary>c) Into a node in a process of its own</summary>
+#
+# ✓ Another process has another GIL, and may crash without taking the heart along.
 #
 # </details>
 

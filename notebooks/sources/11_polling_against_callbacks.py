@@ -27,7 +27,7 @@ graph_picture("/robot/touch")
 # %%
 stop()
 
-# %% [markdown]
+# %% [markdown] prediction="the-touches"
 # ## Predict
 #
 # When people first hear of callbacks, many ask: why not simply a loop? Here are both monitors in short:
@@ -50,14 +50,20 @@ stop()
 # The hand closes around things: there are pauses, and then several touches in one moment. 120 touches in about five
 # seconds. In that time A looks about 100 times. How many of the 120 touches does A report?
 #
-# - **a** About 100: one with each look.
-# - **b** All 120, some of them a little late.
-# - **c** Fewer than half.
+# - **a** Fewer than half.
+#   when `reported < sent / 2`
+#   ✓ The touches come in bunches, and of each bunch the loop sees only the last touch. The others are overwritten.
+# - **b** About 100: one with each look.
+#   when `sent / 2 <= reported < sent`
+#   ✗ The loop does look about 100 times. But most looks fall into a pause and find nothing new.
+# - **c** All 120, some of them a little late.
+#   when `reported == sent`
+#   ✗ `monitor.last` has room for one touch. Of several that come between two looks, only the last one is left.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="the touches")
+predict("the-touches")
 
 # %% [markdown]
 # ## Run it
@@ -126,11 +132,9 @@ for name in ("polling", "callback"):
     print(f"{name:<9}{len(reports):>4} reported, typically {median(first.late(reports)):.1f} ms late")
 
 # %% id="missed"
-from workbook.lesson import recall
-
 print("by callback, all in order:", [number for number, _ in first.callback] == list(range(1, TOUCHES + 1)))
 print("by polling, fewer than half:", len(first.polling) < TOUCHES / 2)
-recall("c", about="the touches")
+reveal("the-touches", reported=len(first.polling), sent=TOUCHES)
 
 # %% [markdown]
 # ## Look inside
@@ -196,7 +200,7 @@ print("callbacks are at least four times as quick:", by_callback < by_polling / 
 # callback it waits for nobody. The executor sleeps *in the operating system*, which wakes it when a message arrives.
 # That is the bell.
 
-# %% [markdown]
+# %% [markdown] prediction="looking-more-often"
 # ## Change it
 #
 # ### Experiment 1: look more often
@@ -204,11 +208,18 @@ print("callbacks are at least four times as quick:", by_callback < by_polling / 
 # The obvious remedy: sleep for 5 ms in place of 50. What follows?
 #
 # - **a** Quick now, and nothing is missed any more.
+#   when `times_as_late < 0.5 and reported >= sent * 2 / 3`
+#   ✗ It is quicker. But the touches of a bunch still overwrite each other before the next look.
 # - **b** Quick now, but most touches are missed all the same.
+#   when `times_as_late < 0.5 and reported < sent * 2 / 3`
+#   ✓ Less time passes until the next look. But there is still room for one touch only, and a bunch is over within a
+#   moment.
 # - **c** As slow as before, but nothing is missed.
+#   when `times_as_late >= 0.5`
+#   ✗ A touch waits until the loop looks again. With a shorter sleep that is sooner.
 
 # %%
-predict("...", about="looking more often")
+predict("looking-more-often")
 
 # %%
 often = await match(poll_s=0.005)
@@ -221,24 +232,37 @@ def added_by_polling(of):
 
 print("polling adds less than half of what it added before:", added_by_polling(often) < added_by_polling(first) / 2)
 print("fewer than two thirds seen:", len(often.polling) < TOUCHES * 2 / 3)
-recall("b", about="looking more often")
+reveal(
+    "looking-more-often",
+    times_as_late=added_by_polling(often) / added_by_polling(first),
+    reported=len(often.polling),
+    sent=TOUCHES,
+)
 
 # %% [markdown]
 # Ten times as many looks, and hardly any touch more. The five touches of a bunch lie less than a millisecond apart. No
 # sleep is short enough for that, as long as there is room for one touch only.
 
-# %% [markdown]
+# %% [markdown] prediction="no-sleep"
 # ### Experiment 2: do not sleep at all
 #
 # Then leave the sleep away! `while rclpy.ok(): monitor.look()`, as fast as the processor can. Compared with the callback,
 # this is
 #
 # - **a** quicker, since it looks a million times a second, and that costs a whole processor;
-# - **b** slower, *and* it costs a whole processor;
-# - **c** the same: a loop that finds nothing does no work.
+#   when `not is_later and times_the_processor_time > 10`
+#   ✗ It does cost a whole processor. But the loop holds Python's lock, the GIL, and the thread that receives has to
+#   wait for it.
+# - **b** the same: a loop that finds nothing does no work.
+#   when `times_the_processor_time <= 10`
+#   ✗ To look is work as well, and this loop looks without a pause. Only a thread that sleeps costs nothing.
+# - **c** slower, *and* it costs a whole processor;
+#   when `is_later and times_the_processor_time > 10`
+#   ✓ The loop never rests, and keeps Python's lock, the GIL, from the thread that receives. So the touch comes in
+#   later.
 
 # %%
-predict("...", about="no sleep")
+predict("no-sleep")
 
 # %%
 from workbook.lesson import processor_seconds
@@ -266,7 +290,11 @@ print(
     "without a sleep, it needs at least ten times the processor time:",
     used["polling without a sleep"] > 10 * used["by callback"],
 )
-recall("b", about="no sleep")
+reveal(
+    "no-sleep",
+    is_later=slower,
+    times_the_processor_time=used["polling without a sleep"] / used["by callback"],
+)
 
 # %% [markdown]
 # It looks without a pause, and is *slower* than the callback, which sleeps until it is woken. Why? The loop holds
@@ -275,24 +303,34 @@ recall("b", about="no sleep")
 #
 # And the processor that it burns is missing elsewhere. On a battery robot it is missing as minutes of walking.
 
-# %% [markdown]
+# %% [markdown] prediction="keep-them-all"
 # ### Experiment 3: keep them all
 #
 # A better remedy: not `monitor.last = …`, but a queue, which a look empties. We go back to a sleep of 50 ms. Now polling
 # is
 #
-# - **a** as good as the callback;
-# - **b** complete, but late;
+# - **a** complete, but late;
+#   when `is_complete and late_ms >= 10`
+#   ✓ The queue keeps every touch. The loop finds them with its next look, up to 50 ms later.
+# - **b** as good as the callback;
+#   when `is_complete and late_ms < 10`
+#   ✗ Nothing is missed any more. But each touch still waits in the queue until the loop wakes up.
 # - **c** quick, but not complete.
+#   when `not is_complete`
+#   ✗ The queue has room for all touches that come between two looks. The delay comes from the sleep.
 
 # %%
-predict("...", about="a queue")
+predict("keep-them-all")
 
 # %%
 patient = await match(poll_s=0.05, keep_all=True)
 print("all reported:", sorted(number for number, _ in patient.polling) == list(range(1, TOUCHES + 1)))
 print("typically late by 10 ms or more:", median(patient.late(patient.polling)) >= 10)
-recall("b", about="a queue")
+reveal(
+    "keep-them-all",
+    is_complete=sorted(number for number, _ in patient.polling) == list(range(1, TOUCHES + 1)),
+    late_ms=median(patient.late(patient.polling)),
+)
 
 # %% [markdown]
 # Nothing is lost any more. But now you have built by hand what the subscription has anyway: it *is* a queue, and the
@@ -486,14 +524,14 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 #
 # **1. A loop sleeps for 0.2 s between two looks. How late does it notice an event, on average?**
 #
-# <details><summary>a) 0.2 s</summary>
-#
-# ✗ That is the worst case: the event came just after a look.
-#
-# </details>
-# <details><summary>b) About 0.1 s</summary>
+# <details><summary>a) About 0.1 s</summary>
 #
 # ✓ Anything from nothing to 0.2 s, so half of it on average. If it notices it at all.
+#
+# </details>
+# <details><summary>b) 0.2 s</summary>
+#
+# ✗ That is the worst case: the event came just after a look.
 #
 # </details>
 # <details><summary>c) It depends on how often events come</summary>
@@ -504,9 +542,9 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 #
 # **2. A callback stores `self.last`, a loop looks at it every millisecond. Can it miss a message?**
 #
-# <details><summary>a) Yes, if two come within one sleep</summary>
+# <details><summary>a) No, ROS keeps messages until they are read</summary>
 #
-# ✓ Room for one is room for one. You saw it with 5 ms.
+# ✗ Up to the moment at which your callback has run. Then the message is yours, and you overwrote it.
 #
 # </details>
 # <details><summary>b) No, a millisecond is shorter than any pause between messages</summary>
@@ -514,9 +552,9 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 # ✗ Messages that were published together arrive within a fraction of that.
 #
 # </details>
-# <details><summary>c) No, ROS keeps messages until they are read</summary>
+# <details><summary>c) Yes, if two come within one sleep</summary>
 #
-# ✗ Up to the moment at which your callback has run. Then the message is yours, and you overwrote it.
+# ✓ Room for one is room for one. You saw it with 5 ms.
 #
 # </details>
 #
@@ -540,14 +578,14 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 #
 # **4. Where is it right to keep only the last value and look at it with a timer?**
 #
-# <details><summary>a) The stop button</summary>
-#
-# ✗ An event. It must act at once, and each time.
-#
-# </details>
-# <details><summary>b) The distance for a controller that steers five times a second</summary>
+# <details><summary>a) The distance for a controller that steers five times a second</summary>
 #
 # ✓ A state: the newest is all it needs, at its own pace.
+#
+# </details>
+# <details><summary>b) The stop button</summary>
+#
+# ✗ An event. It must act at once, and each time.
 #
 # </details>
 # <details><summary>c) Parcels that shall be counted</summary>

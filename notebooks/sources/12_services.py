@@ -65,7 +65,7 @@ stop()
 # A server may say no. That is what `success` and `message` are for, in this service type. The package `std_srvs` has
 # three: `Empty` (do it), `Trigger` (do it and tell me how it went), `SetBool` (on or off).
 
-# %% [markdown]
+# %% [markdown] prediction="call-in-a-callback"
 # ## Predict
 #
 # So far the notebook asked. On a robot a node asks, in one of its callbacks. Here is one that does two things: ten
@@ -93,15 +93,23 @@ stop()
 #
 # The server is there, healthy, and answers in a millisecond. What happens in the first two seconds?
 #
-# - **a** About twenty beats and four answers.
-# - **b** Four answers; the heart misses a beat now and then, while `call` waits.
-# - **c** One question. Then no answer, no beat, no error. Nothing.
+# - **a** One question. Then no answer, no beat, no error. Nothing.
+#   when `asked <= 1 and answered == 0`
+#   ✓ The callback waits for the response, and the executor waits for the callback. That is a deadlock.
+# - **b** About twenty beats and four answers.
+#   when `answered >= 3 and beats >= 18`
+#   ✗ The response does arrive after a millisecond. But to take it in is work for the executor, and its only thread
+#   waits in `call`.
+# - **c** Four answers; the heart misses a beat now and then, while `call` waits.
+#   when `answered >= 3 and beats < 18`
+#   ✗ It is more than a delay. The thread that would have to take in the response is the one that waits for it.
 # - **d** An exception: rclpy forbids `call` in a callback.
+#   ✗ rclpy does not look at where `call` is called from. It waits, and sets no limit to that.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="call in a callback")
+predict("call-in-a-callback")
 
 # %% [markdown]
 # ## Run it
@@ -132,7 +140,6 @@ print("the heart beats on:", max(arrivals(deadlock, HEART), default=0.0) > deadl
 print("what it printed:", repr(deadlock.process.log))
 
 # %%
-from workbook.lesson import recall
 from workbook.pictures.figures import show
 from workbook.pictures.timeline import Row, draw
 
@@ -154,7 +161,12 @@ def question_rows(recording):
 
 rows = [heart_row(deadlock, "heartbeat"), *question_rows(deadlock)]
 show(draw(rows, end=2.2), "a few heartbeats, one question, and then silence on all three lines")
-recall("c", about="call in a callback")
+reveal(
+    "call-in-a-callback",
+    asked=len(arrivals(deadlock, ASKED)),
+    answered=len(arrivals(deadlock, ANSWERED)),
+    beats=len(arrivals(deadlock, HEART)),
+)
 
 # %% [markdown]
 # The node is not dead. It waits, and it will wait until somebody pulls the plug. This is a **deadlock**: two parties, and
@@ -303,7 +315,7 @@ show(
 # want to know that it did: a service. If the answer takes more than a second or so ("walk to the door"), neither
 # is right. That is an *action*, with progress and the right to cancel.
 
-# %% [markdown]
+# %% [markdown] prediction="other-groups"
 # ## Change it
 #
 # ### Experiment 1: other groups, other threads
@@ -318,24 +330,41 @@ show(
 # In which of them do answers come?
 #
 # - **a** In all three: none of them uses the default group for the answer.
-# - **b** In the second and the third.
-# - **c** Only in the second: it has threads and a group.
-# - **d** Only in the first.
+#   when `case_1 and case_2 and case_3`
+#   ✗ The group is not all that it takes. In the first case the only thread waits in `call`, and nobody takes in the
+#   response.
+# - **b** Only in the second: it has threads and a group.
+#   when `not case_1 and case_2 and not case_3`
+#   ✗ The third case has one thread, but `await` lends it while it waits, and the reentrant group lets the response
+#   in.
+# - **c** Only in the first.
+#   when `case_1 and not case_2 and not case_3`
+#   ✗ In the first case the group is free, but the only thread waits in `call`.
+# - **d** In the second and the third.
+#   when `not case_1 and case_2 and case_3`
+#   ✓ `call` keeps a thread, so it needs a second one and a free group. `await` lends its thread, so a free group is
+#   enough.
 
 # %%
-predict("...", about="other groups")
+predict("other-groups")
 
 # %%
 OTHERS = [("call", "own", 1), ("call", "reentrant", 4), ("await", "reentrant", 1)]  # turn these knobs
 
-for case, seen in zip(OTHERS, try_all(OTHERS), strict=True):
+others = try_all(OTHERS)
+for case, seen in zip(OTHERS, others, strict=True):
     print(f"{case[0]:<8} {case[1]:<10} threads={case[2]}: answers {answers(seen)}, the heart {heart(seen)}")
-recall("b", about="other groups")
+reveal(
+    "other-groups",
+    case_1=answers(others[0]) == "come",
+    case_2=answers(others[1]) == "come",
+    case_3=answers(others[2]) == "come",
+)
 
 # %% [markdown]
 # `call` needs a second thread, whatever the groups. `await` does not.
 
-# %% [markdown]
+# %% [markdown] prediction="slow-server"
 # ### Experiment 2: a server that takes its time
 #
 # Until now the server answered in a millisecond. Let it take 0.35 s. These three get their answers. But in which of them
@@ -348,12 +377,23 @@ recall("b", about="other groups")
 # Options:
 #
 # - **a** In all three: they all get their answers.
+#   when `case_1 and case_2 and case_3`
+#   ✗ They do get their answers. But in two of them the callback that waits stays in the default group, where the
+#   heart is.
 # - **b** In the first only: it has threads to spare.
-# - **c** In the second and third: neither holds a thread.
-# - **d** In the third only.
+#   when `case_1 and not case_2 and not case_3`
+#   ✗ It has threads to spare, but not the group: the callback that waits in `call` is in the default group, as the
+#   heart is.
+# - **c** In the third only.
+#   when `not case_1 and not case_2 and case_3`
+#   ✓ The callback only asks and returns, so it leaves the group at once. The heart shares the group, and is not held
+#   up.
+# - **d** In the second and third: neither holds a thread.
+#   when `not case_1 and case_2 and case_3`
+#   ✗ `await` lends the thread, but its callback stays in the default group until the response is there.
 
 # %%
-predict("...", about="a slow server")
+predict("slow-server")
 
 # %%
 SLOW = [("call", "own", 4), ("await", "own", 1), ("done_callback", "default", 1)]
@@ -366,7 +406,12 @@ show(
     draw(rows, end=2.2),
     "heartbeats beside a slow server: gaps with call and with await, none with a done callback",
 )
-recall("d", about="a slow server")
+reveal(
+    "slow-server",
+    case_1=heart(slow[0]) == "beats",
+    case_2=heart(slow[1]) == "beats",
+    case_3=heart(slow[2]) == "beats",
+)
 
 # %% [markdown]
 # `call` and `await` get their answer, because the *client* has a group of its own. But the callback that waits is still
@@ -377,18 +422,24 @@ recall("d", about="a slow server")
 # done callback itself is in *no* group. With one thread that does not matter. With several it may meet any other callback,
 # so what they share needs a lock.)
 
-# %% [markdown]
+# %% [markdown] prediction="server-dies"
 # ### Experiment 3: the server dies
 #
 # A server with a loose cable never answers. While our call is open, its process ends. What does the client learn of it?
 #
 # - **a** The future is done, and raises an exception.
-# - **b** The future is done, and its result is `None`.
-# - **c** The future stays open. A new server of that name would answer it.
-# - **d** The future stays open for good, and nobody says anything.
+#   ✗ Nobody tells the client that the server is gone, so nothing puts an exception into the future.
+# - **b** The future stays open for good, and nobody says anything.
+#   when `not old_call_is_done`
+#   ✓ A service has no time-out, and no message says that the server ended. The client has to watch the time itself.
+# - **c** The future is done, and its result is `None`.
+#   ✗ A future is done when the response has come. None has come, so there is no result, not even `None`.
+# - **d** The future stays open. A new server of that name would answer it.
+#   when `old_call_is_done`
+#   ✗ The request went to the old server. A new one has never seen it.
 
 # %%
-predict("...", about="the server dies")
+predict("server-dies")
 
 # %%
 from std_srvs.srv import Trigger
@@ -419,14 +470,15 @@ print("the server is gone; the future is done:", future.done())
 start(self_test_server, pattern="ok")
 print("a new server is there:", asker.self_test.wait_for_service(timeout_sec=10.0))
 spin_for(asker, seconds=1.0)
-print("the old call is answered:", future.done())
+old_call_is_done = future.done()
+print("the old call is answered:", old_call_is_done)
 
 asker.self_test.remove_pending_request(future)
 future = asker.self_test.call_async(Trigger.Request())
 response = await run(asker, until=future, seconds=10)
 print("asked again:", response.message)
 stop()
-recall("d", about="the server dies")
+reveal("server-dies", old_call_is_done=old_call_is_done)
 
 # %% [markdown]
 # A call is a letter, not a telephone line. Nobody tells you that the receiver has moved. `service_is_ready()` says whether
@@ -662,27 +714,27 @@ else:
 # ✗ The answer is in the process after that time, but nobody can take it in: the only thread waits in `call`.
 #
 # </details>
-# <details><summary>b) The node hangs, without an error</summary>
-#
-# ✓ The callback waits for the executor, and the executor for the callback.
-#
-# </details>
-# <details><summary>c) The node hangs, but only until the server is called again</summary>
+# <details><summary>b) The node hangs, but only until the server is called again</summary>
 #
 # ✗ Another request would only be another letter in the same mailbox.
+#
+# </details>
+# <details><summary>c) The node hangs, without an error</summary>
+#
+# ✓ The callback waits for the executor, and the executor for the callback.
 #
 # </details>
 #
 # **2. Now you use a `MultiThreadedExecutor` with eight threads, and change nothing else. Does `call` work?**
 #
-# <details><summary>a) Yes: seven threads are free</summary>
-#
-# ✗ Threads are free, but client and callback share the default group, and that lets in one at a time (case 2).
-#
-# </details>
-# <details><summary>b) No: the client needs another callback group as well</summary>
+# <details><summary>a) No: the client needs another callback group as well</summary>
 #
 # ✓ A thread *and* a group have to be free.
+#
+# </details>
+# <details><summary>b) Yes: seven threads are free</summary>
+#
+# ✗ Threads are free, but client and callback share the default group, and that lets in one at a time (case 2).
 #
 # </details>
 # <details><summary>c) No: call never works inside a callback</summary>
@@ -698,14 +750,14 @@ else:
 # ✗ The future has no exception. It has nothing at all.
 #
 # </details>
-# <details><summary>b) The done callback, with the result None</summary>
-#
-# ✗ Done callbacks are called when the future is done. This one never will be.
-#
-# </details>
-# <details><summary>c) Nothing</summary>
+# <details><summary>b) Nothing</summary>
 #
 # ✓ That is why the one who asks needs a clock: give the call up, report it, go on.
+#
+# </details>
+# <details><summary>c) The done callback, with the result None</summary>
+#
+# ✗ Done callbacks are called when the future is done. This one never will be.
 #
 # </details>
 #
@@ -716,14 +768,14 @@ else:
 # ✗ They flow, many times a second, and several nodes want them: a topic.
 #
 # </details>
-# <details><summary>b) "Set the zero of the left elbow to where it is now"</summary>
-#
-# ✓ It happens once, when somebody wants it, and that one wants to know whether it worked.
-#
-# </details>
-# <details><summary>c) "Walk to the kitchen"</summary>
+# <details><summary>b) "Walk to the kitchen"</summary>
 #
 # ✗ It takes minutes. One wants to see progress and to be able to call it off: an action.
+#
+# </details>
+# <details><summary>c) "Set the zero of the left elbow to where it is now"</summary>
+#
+# ✓ It happens once, when somebody wants it, and that one wants to know whether it worked.
 #
 # </details>
 

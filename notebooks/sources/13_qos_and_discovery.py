@@ -33,7 +33,7 @@ graph_picture()
 # %%
 stop()
 
-# %% [markdown]
+# %% [markdown] prediction="eight-beats"
 # ## Predict
 #
 # The heart of the robot is published like this. A lost beat does no harm, since the next one is near:
@@ -52,15 +52,24 @@ stop()
 # Same topic, same type. The robot sends eight beats. What does the monitor get?
 #
 # - **a** All eight: the topic and the type are right.
+#   when `heard == 8`
+#   ✗ Topic and type are right, but not the reliability. The monitor asks for reliable, and the robot offers less.
 # - **b** Most of them: best effort may lose some.
-# - **c** An exception: the two do not fit.
-# - **d** Nothing, and there is no word about it anywhere.
-# - **e** Nothing, and both sides log a warning.
+#   when `0 < heard < 8`
+#   ✗ Best effort can lose messages between two sides that are matched. These two are not matched at all.
+# - **c** Nothing, and both sides log a warning.
+#   when `heard == 0 and matched == 0`
+#   ✓ `10` requests reliable, and best effort is offered. DDS does not match the two, and rclpy logs a warning on both
+#   sides.
+# - **d** An exception: the two do not fit.
+#   ✗ Neither side gets an exception. Publisher and subscription are made as if all were well.
+# - **e** Nothing, and there is no word about it anywhere.
+#   ✗ Nothing arrives, but there is a word about it: a warning in the log of each side.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="eight beats")
+predict("eight-beats")
 
 # %% [markdown]
 # ## Run it
@@ -98,10 +107,12 @@ print("sent: ", robot.beats)
 print("heard:", len(monitor.heard))
 
 # %%
-from workbook.lesson import recall
-
 print("subscriptions that the robot counts:", robot.beat_publisher.get_subscription_count())
-recall("e", about="eight beats")
+reveal(
+    "eight-beats",
+    heard=len(monitor.heard),
+    matched=robot.beat_publisher.get_subscription_count(),
+)
 
 # %% [markdown]
 # ## Look inside
@@ -257,7 +268,7 @@ print("pairs that got the old word: ", sum("old" in messages for messages in hea
 #
 # And one cell stands out. The old word came through only where *both* sides are reliable *and* transient local.
 
-# %% [markdown]
+# %% [markdown] prediction="late-dashboard"
 # ## Change it
 #
 # ### Experiment 1: the late dashboard
@@ -266,13 +277,23 @@ print("pairs that got the old word: ", sum("old" in messages for messages in hea
 # transient local with `depth=1`. When that is long over, two dashboards open. The *plain* one subscribes with
 # `10`. The *latched* one asks for transient local, with `depth=10`. What do they know of the robot?
 #
-# - **a** Both know `operational`: it is the last thing that was said.
-# - **b** Neither knows anything: nobody has said anything since they opened.
-# - **c** The plain one knows nothing, the latched one `operational`.
+# - **a** The plain one knows nothing, the latched one `operational`.
+#   when `plain_knows == 0 and latched_knows == 1`
+#   ✓ Only the latched one asks for what was said before. With `depth=1` the publisher keeps one message, the last
+#   one.
+# - **b** Both know `operational`: it is the last thing that was said.
+#   when `plain_knows == 1 and latched_knows == 1`
+#   ✗ A volatile subscription gets only what is said after the match. Nothing was said after that.
+# - **c** Neither knows anything: nobody has said anything since they opened.
+#   when `plain_knows == 0 and latched_knows == 0`
+#   ✗ The publisher is transient local: it keeps its last message for subscriptions that ask for it.
 # - **d** The plain one knows nothing, the latched one all three.
+#   when `plain_knows == 0 and latched_knows == 3`
+#   ✗ The depth of the publisher decides how much is kept, and that is 1. The depth of the subscription does not
+#   matter here.
 
 # %%
-predict("...", about="the late dashboard")
+predict("late-dashboard")
 
 # %% id="late-dashboard"
 from lesson_nodes import early_speaker
@@ -299,7 +320,7 @@ await run(plain, latched, seconds=10, until=lambda: latched.known)
 await run(plain, latched, seconds=0.5)
 print("plain:  ", plain.known)
 print("latched:", latched.known)
-recall("c", about="the late dashboard")
+reveal("late-dashboard", plain_knows=len(plain.known), latched_knows=len(latched.known))
 
 # %% [markdown]
 # The *publisher* keeps its last messages, as many as its depth, and hands them to each subscription that comes and asks
@@ -320,7 +341,7 @@ stop()
 # For a *state* (status, map, robot description) depth 1 is right: only the last one is true. For a *stream* (camera,
 # heartbeat) leave it volatile: nobody wants a heartbeat of last Tuesday.
 
-# %% [markdown]
+# %% [markdown] prediction="first-words"
 # ### Experiment 2: the first words
 #
 # A program starts, makes a publisher, and in the next line says `hello`, `here`, `I am`. Then it waits until it has
@@ -328,11 +349,15 @@ stop()
 # six such programs, one after another. How many of the eighteen words arrive?
 #
 # - **a** All 18: reliable means that nothing is lost.
-# - **b** None: the listener is not yet known when the words are said.
-# - **c** Nobody can say. Sometimes none, sometimes many, in every run another number.
+#   ✗ Reliable counts from the match on. What was said before the two had found each other is said to nobody.
+# - **b** Nobody can say. Sometimes none, sometimes many, in every run another number.
+#   ✓ `publish` does not wait for a listener. Whether the match comes before a word depends on the machine and the
+#   moment.
+# - **c** None: the listener is not yet known when the words are said.
+#   ✗ Discovery takes a while, but it runs beside your program. On a busy machine it can be faster than the next line.
 
 # %%
-predict("...", about="the first words")
+predict("first-words")
 
 # %%
 import subprocess
@@ -381,7 +406,7 @@ print(len(ears.heard), "of 18 words arrived")
 
 # %%
 print("all newcomers found the listener in the end:", all(ms >= 0 for ms in found_ms))
-recall("c", about="the first words")
+reveal("first-words")
 
 # %% [markdown]
 # Run the two cells above a few times. Where this was written, between none and two thirds of the words arrived while
@@ -457,7 +482,7 @@ print("the slowest took more than twice as long as the fastest:", max(found_ms) 
 # wait for the next call. So a `time.sleep(1.0)` before the first message is right in one run and wrong in the next. Wait
 # for the match, not for a time.
 
-# %% [markdown]
+# %% [markdown] prediction="the-silence"
 # ### Experiment 3: when somebody falls silent
 #
 # A subscription calls you when something comes. Who calls you when nothing comes? The third line of the table does: the
@@ -471,12 +496,22 @@ print("the slowest took more than twice as long as the fastest:", max(found_ms) 
 # The heart beats for 2 s, and then it is silent for two and a half seconds. How often is `on_missed` called?
 #
 # - **a** Never: no message, no callback.
+#   when `missed == 0`
+#   ✗ There is no message, but there is an event: DDS counts the time since the last message and reports when it is
+#   over.
 # - **b** Once, one second after the last beat.
-# - **c** Again and again, once in each second of silence.
-# - **d** Four times a second, once for each beat that is missing.
+#   when `missed == 1`
+#   ✗ After a missed deadline, DDS starts to count anew, and reports again when the next period is over.
+# - **c** Four times a second, once for each beat that is missing.
+#   when `missed >= 9`
+#   ✗ Beats are due four times a second, but the watcher has not asked for that. Its deadline is 1.0 s.
+# - **d** Again and again, once in each second of silence.
+#   when `1 < missed < 9`
+#   ✓ The deadline that counts is the one that the watcher requested, 1.0 s. It is missed once in each second of
+#   silence.
 
 # %%
-predict("...", about="the silence")
+predict("the-silence")
 
 # %%
 import time
@@ -515,7 +550,7 @@ await run(
     robot, watcher, seconds=20, until=lambda: watcher.missed and watcher.beats[-1] > watcher.missed[-1] + 1
 )
 print("the deadline was missed more than once in one silence:", len(watcher.missed) > 1)
-recall("c", about="the silence")
+reveal("the-silence", missed=len(watcher.missed))
 
 # %%
 from workbook.pictures.timeline import strip
@@ -756,14 +791,14 @@ stop()
 #
 # **1. A camera publishes with best effort. Your node subscribes with `10` and hears nothing. What do you change?**
 #
-# <details><summary>a) The depth: 10 is too small for pictures</summary>
-#
-# ✗ The depth is your own queue. It is not compared with anything.
-#
-# </details>
-# <details><summary>b) The reliability of your subscription, to best effort</summary>
+# <details><summary>a) The reliability of your subscription, to best effort</summary>
 #
 # ✓ Yes. `10` requests reliable, and that is more than is offered. `qos_profile_sensor_data` is made for this.
+#
+# </details>
+# <details><summary>b) The depth: 10 is too small for pictures</summary>
+#
+# ✗ The depth is your own queue. It is not compared with anything.
 #
 # </details>
 # <details><summary>c) The durability of your subscription, to transient local</summary>
@@ -797,28 +832,28 @@ stop()
 # ✗ At those who are matched. At this moment nobody is.
 #
 # </details>
-# <details><summary>b) Perhaps: it depends on whether the match came before the message</summary>
+# <details><summary>b) Yes, if the program sleeps for a second before it ends</summary>
+#
+# ✗ After the message it is too late to wait: a volatile publisher has forgotten it.
+#
+# </details>
+# <details><summary>c) Perhaps: it depends on whether the match came before the message</summary>
 #
 # ✓ And that depends on the machine and on its mood. Wait for the match, then publish, then wait until it has arrived:
 # `publisher.wait_for_all_acked(Duration(seconds=1))`.
 #
 # </details>
-# <details><summary>c) Yes, if the program sleeps for a second before it ends</summary>
-#
-# ✗ After the message it is too late to wait: a volatile publisher has forgotten it.
-#
-# </details>
 #
 # **4. You request a deadline of 2 s, and the robot is still switched off. When is `on_missed` called first?**
 #
-# <details><summary>a) 2 s after the subscription was made</summary>
-#
-# ✗ The time counts from a message. There has not been one.
-#
-# </details>
-# <details><summary>b) Not until something was heard, and then 2 s passed without a message</summary>
+# <details><summary>a) Not until something was heard, and then 2 s passed without a message</summary>
 #
 # ✓ A robot that never spoke needs a look of your own: a timer, and a line that says `unknown`.
+#
+# </details>
+# <details><summary>b) 2 s after the subscription was made</summary>
+#
+# ✗ The time counts from a message. There has not been one.
 #
 # </details>
 # <details><summary>c) As soon as the robot is switched on</summary>

@@ -44,6 +44,7 @@ def work(course: Path) -> Path:
     return course / "work"
 
 
+ROOT = Path(__file__).resolve().parents[2]
 LESSON = "notebooks/05_timers.ipynb"
 EXERCISE = "exercises/09_joint_positions.ipynb"
 
@@ -56,6 +57,41 @@ def test_the_first_start_copies_lessons_and_exercises(course: Path, work: Path) 
     assert not (work / "notebooks" / "sources").exists()
     assert work_folder.first_lesson(course) == "notebooks/00_start_here.ipynb"
     assert update_work_folder(course, work).lines() == []
+
+
+def test_the_copy_holds_no_outputs_and_the_committed_notebook_keeps_them(course: Path, work: Path) -> None:
+    committed = notebook("timer()", "print(1)", output="tick", count=7)
+    (course / LESSON).write_text(committed)
+    update_work_folder(course, work)
+    copy = json.loads((work / LESSON).read_text())
+    assert [(cell["outputs"], cell["execution_count"]) for cell in copy["cells"]] == [([], None)] * 2
+    assert [cell["source"] for cell in copy["cells"]] == [["timer()"], ["print(1)"]]
+    assert (course / LESSON).read_text() == committed
+    assert fingerprint(work / LESSON) == fingerprint(course / LESSON)
+    reset(course, work, "joint_positions")
+    assert update_work_folder(course, work).lines() == []
+
+
+def test_a_copy_of_an_older_version_that_was_never_run_loses_its_outputs(course: Path, work: Path) -> None:
+    update_work_folder(course, work)
+    committed = notebook("timer()", output="tick", count=1)
+    (course / LESSON).write_text(committed)
+    (work / LESSON).write_text(committed)
+    update_work_folder(course, work)
+    assert "tick" not in (work / LESSON).read_text()
+    own = notebook("timer()", output="tock", count=3)
+    (work / LESSON).write_text(own)
+    update_work_folder(course, work)
+    assert (work / LESSON).read_text() == own
+
+
+def test_no_lesson_of_the_course_arrives_with_outputs(tmp_path: Path) -> None:
+    update_work_folder(ROOT, tmp_path)
+    for path in work_folder.lessons(tmp_path):
+        cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+        assert all(not cell.get("outputs") and not cell.get("execution_count") for cell in cells), path.name
+    committed = json.loads((ROOT / "notebooks" / "05_timers.ipynb").read_text(encoding="utf-8"))["cells"]
+    assert any(cell.get("outputs") for cell in committed)
 
 
 def test_a_new_lesson_comes_and_a_deleted_one_comes_back(course: Path, work: Path) -> None:

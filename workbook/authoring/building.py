@@ -12,6 +12,7 @@ from workbook.authoring.lesson import read_lesson
 from workbook.authoring.lesson_links import write_links
 from workbook.authoring.lesson_lists import note_run_times
 from workbook.authoring.pages import write_pages
+from workbook.authoring.predictions import write_sealed
 from workbook.authoring.running import run
 from workbook.authoring.tree import AuthoringError, Tree
 from workbook.exercise.museum import BrokenMuseum
@@ -88,7 +89,9 @@ def _fits(stem: str, name: str) -> bool:
 def build_lesson(tree: Tree, stem: str, *, again: bool = False) -> str:
     """Build one lesson and run it if its text, or a lesson node that it uses, has changed."""
     target = tree.notebooks / f"{stem}.ipynb"
-    wanted = document.as_notebook(read_lesson(tree, stem))
+    read = read_lesson(tree, stem)
+    wanted = document.as_notebook(read)
+    write_sealed(tree, stem, read.predictions)
     if not again and is_current(target, wanted):
         return f"as it was  {tree.name(target)}"
     if not again and carry_outputs(target, wanted):

@@ -12,10 +12,12 @@ from workbook.authoring.exercise_rules import (
 )
 from workbook.authoring.lesson import read_lesson
 from workbook.authoring.lesson_links import link_violations
+from workbook.authoring.letters import letter_violations
 from workbook.authoring.mutants.staleness import lost_mutants
 from workbook.authoring.output_rules import compared_enough, outputs_in_order
 from workbook.authoring.pages import check_pages
 from workbook.authoring.placement import misplaced
+from workbook.authoring.predictions import foreign_sealed, prediction_violations, sealed_violations
 from workbook.authoring.requirements import stale_exceptions, table_violations
 from workbook.authoring.staleness import dead_links, stale
 from workbook.authoring.template import shape_violations
@@ -32,6 +34,8 @@ def check(tree: Tree) -> list[Violation]:
         found += check_exercise(tree, stem)
     found += stale_exceptions(tree)
     found += check_pages(tree)
+    found += foreign_sealed(tree)
+    found += letter_violations(tree)
     found += lost_mutants(tree)
     return found
 
@@ -49,6 +53,7 @@ def check_lesson(tree: Tree, stem: str) -> Iterator[Violation]:
     for line, words in (
         *shape_violations(wanted.cells, int(stem[:2]), has_exercise=has_exercise),
         *link_violations(tree, stem, path.read_text(encoding="utf-8")),
+        *prediction_violations(wanted),
         *compared_enough(wanted),
         *dead_links(tree, tree.notebooks, wanted),
     ):
@@ -58,6 +63,7 @@ def check_lesson(tree: Tree, stem: str) -> Iterator[Violation]:
 
 def _built_lesson(tree: Tree, stem: str, wanted: document.Document) -> Iterator[Violation]:
     target = tree.notebooks / f"{stem}.ipynb"
+    yield from sealed_violations(tree, stem, wanted)
     yield from stale(tree, target, wanted)
     if target.is_file():
         try:

@@ -12,6 +12,7 @@ import nbformat
 from workbook.authoring import building
 from workbook.authoring.running import CELL_TIMEOUT_S
 from workbook.authoring.tree import AuthoringError, Tree
+from workbook.lesson.sealed_predictions import FOLDER
 
 NBVAL = ("--nbval", "--nbval-current-env", f"--nbval-cell-timeout={CELL_TIMEOUT_S}")
 
@@ -44,6 +45,7 @@ def compare(tree: Tree, names: Iterable[str] = (), *, jobs: int = 1, extra: Sequ
         for plugin in plugins:
             command += ["-p", plugin]
         environment = {k: v for k, v in os.environ.items() if not k.startswith("PYTEST_")}
+        environment[FOLDER] = str(tree.sealed)
         environment["IPYTHONDIR"] = str(top / "ipython")
         environment["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = (
             "1"  # what else is installed takes a third of the start

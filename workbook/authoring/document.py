@@ -10,6 +10,7 @@ from typing import Any, Literal
 import nbformat
 
 from workbook.lab.jupyter_files import kernel_spec
+from workbook.lesson.prediction import Prediction
 
 KERNEL = {"display_name": kernel_spec("python")["display_name"], "language": "python", "name": "python3"}
 LANGUAGE = {
@@ -42,10 +43,14 @@ class Cell:
 
 @dataclass(frozen=True)
 class Document:
-    """All that the text of a notebook determines. `workbook` is our part of the notebook's metadata."""
+    """All that the text of a notebook determines. `workbook` is our part of the notebook's metadata.
+
+    `predictions` is what the text tells of them and the notebook does not.
+    """
 
     cells: tuple[Cell, ...]
     workbook: dict[str, Any] = field(default_factory=dict)
+    predictions: tuple[Prediction, ...] = ()
 
 
 def heading_of(cell: Cell) -> str | None:

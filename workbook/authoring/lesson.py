@@ -9,7 +9,10 @@ from typing import Any
 import jupytext
 
 from workbook.authoring.document import Cell, Document, with_ids
+from workbook.authoring.predictions import read_prediction
 from workbook.authoring.tree import AuthoringError, Tree
+from workbook.lesson.prediction import Prediction
+from workbook.lesson.sealed_predictions import seal
 
 FORMAT = "1"
 """Changes when the builder gives other outputs for the same text: then every lesson is run again."""
@@ -27,29 +30,40 @@ def read_lesson(tree: Tree, stem: str) -> Document:
     text = path.read_text(encoding="utf-8")
     shown = tree.name(path)
     cells = []
+    predictions: list[Prediction] = []
     lines = [place for place, line in enumerate(text.splitlines(), start=1) if line.startswith("# %%")]
     for number, read in enumerate(jupytext.reads(text, fmt="py:percent").cells, start=1):
         metadata = dict(read.metadata)
         metadata.pop("lines_to_next_cell", None)
         identifier = str(metadata.pop("id", ""))
         tags = metadata.pop("tags", [])
+        asked = metadata.pop("prediction", None)
         where = f"{shown}, cell {number} ({_first_line(read.source)})"
         if read.cell_type not in ("markdown", "code"):
             raise AuthoringError(f"{where}: a lesson has markdown and code cells, not {read.cell_type} cells")
         if metadata:
-            raise AuthoringError(f"{where}: only id and tags may be set, not {', '.join(sorted(metadata))}")
+            raise AuthoringError(
+                f"{where}: only id, tags and prediction may be set, not {', '.join(sorted(metadata))}"
+            )
         unknown = [tag for tag in tags if tag not in TAGS]
         if unknown:
             raise AuthoringError(f"{where}: unknown tag {unknown[0]!r}; lessons use {' and '.join(TAGS)}")
         if not read.source.strip():
             raise AuthoringError(f"{where}: this cell is empty")
         line = lines[number - 1] if number <= len(lines) else 0
-        cells.append(Cell(read.cell_type, read.source, identifier, tuple(tags), line))
+        source = read.source
+        if asked is not None:
+            try:
+                source, prediction = read_prediction(str(asked), source)
+            except ValueError as error:
+                raise AuthoringError(f"{where}: {error}") from error
+            predictions.append(prediction)
+        cells.append(Cell(read.cell_type, source, identifier, tuple(tags), line))
     try:
         named = with_ids(cells)
     except ValueError as error:
         raise AuthoringError(f"{shown}: {error}") from error
-    return Document(named, _metadata(tree, stem, text, named))
+    return Document(named, _metadata(tree, stem, text, named, predictions), tuple(predictions))
 
 
 def inputs(tree: Tree, text: str) -> tuple[Path, ...]:
@@ -66,20 +80,24 @@ def inputs(tree: Tree, text: str) -> tuple[Path, ...]:
     return tuple(sorted(found))
 
 
-def source_sha256(tree: Tree, text: str, cells: Sequence[Cell]) -> str:
-    """One hash over all that a lesson runs: its code and the lesson nodes. Words between the code are not in it."""
+def source_sha256(tree: Tree, text: str, cells: Sequence[Cell], predictions: Sequence[Prediction]) -> str:
+    """One hash over all that a lesson runs or reveals: code, lesson nodes, predictions. Other words are not in it."""
     code = "\n".join(f"{cell.id}\n{cell.source}" for cell in cells if cell.kind == "code")
     total = hashlib.sha256(f"{FORMAT}\n{code}".encode())
     for path in inputs(tree, text):
         total.update(f"\n{tree.name(path)}\n{path.read_text(encoding='utf-8')}".encode())
+    if predictions:
+        total.update(f"\n{seal(predictions)}".encode())
     return total.hexdigest()
 
 
-def _metadata(tree: Tree, stem: str, text: str, cells: Sequence[Cell]) -> dict[str, Any]:
+def _metadata(
+    tree: Tree, stem: str, text: str, cells: Sequence[Cell], predictions: Sequence[Prediction]
+) -> dict[str, Any]:
     return {
         "lesson": stem,
         "made_from": f"notebooks/sources/{stem}.py",
-        "source_sha256": source_sha256(tree, text, cells),
+        "source_sha256": source_sha256(tree, text, cells, predictions),
     }
 
 

@@ -12,6 +12,8 @@ from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernel
 
 from workbook.authoring.outputs import normalize, texts
 from workbook.authoring.tree import AuthoringError, Tree
+from workbook.lesson.predictions import UNATTENDED
+from workbook.lesson.sealed_predictions import FOLDER
 
 CELL_TIMEOUT_S = 60
 _ANSI = re.compile(r"\x1b\[[0-9;]*m")
@@ -35,6 +37,7 @@ def run(tree: Tree, stem: str, notebook: nbformat.NotebookNode) -> None:
             resources={"metadata": {"path": str(folder)}},
         )
         environment = {k: v for k, v in os.environ.items() if k != "PYTEST_CURRENT_TEST"}
+        environment |= {UNATTENDED: "1", FOLDER: str(tree.sealed)}
         environment["IPYTHONDIR"] = str(Path(scratch) / "ipython")  # no settings of the author's own
         try:
             client.execute(env=environment)

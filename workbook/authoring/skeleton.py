@@ -92,6 +92,7 @@ def _words(tree: Tree, stem: str) -> dict[str, str]:
         "STEM": stem,
         "NUMBER": stem[:2],
         "SLUG": slug,
+        "SLUG_AS_NAME": slug.replace("_", "-"),
         "TITLE": slug.replace("_", " ").capitalize(),
         "EXERCISE_LINK": f", then [the exercise](../exercises/{own[0]}.ipynb)" if own else "",
     }

@@ -17,7 +17,7 @@ OFFICIAL = "https://docs.ros.org/"
 GOOD_ANSWER = "What a good answer contains"
 
 _PREDICT = re.compile(r"^\s*predict\(\s*(?P<quote>['\"])(?P<choice>.*?)(?P=quote)", re.MULTILINE)
-_RECALL = re.compile(r"^\s*(?:recall|.*\bpredicted)\(", re.MULTILINE)
+_RECALL = re.compile(r"^\s*(?:recall|reveal|.*\bpredicted)\(", re.MULTILINE)
 _OPTION = re.compile(r"^- \*\*[a-e]\*\* \S", re.MULTILINE)
 _QUESTION = re.compile(r"^\*\*(?P<number>\d)\. .+\*\*\s*$", re.MULTILINE)
 _DETAILS = re.compile(r"<details>\s*<summary>(?P<summary>.*?)</summary>(?P<body>.*?)</details>", re.DOTALL)
@@ -71,7 +71,7 @@ def shape_violations(cells: Sequence[Cell], number: int, *, has_exercise: bool) 
         for rule in rules:
             yield from ((section.line, f"{shown}: {words}") for words in rule(section))
     if not any(cell.kind == "code" and _RECALL.search(cell.source) for cell in cells):
-        yield 0, "no cell shows a prediction again beside what happened: recall('b')"
+        yield 0, "no cell shows what a prediction came to: reveal('late-joiner')"
     for cell in cells:
         if cell.kind == "code" and _SETUP.search(cell.source):
             yield (
@@ -135,7 +135,7 @@ def _predicts(section: Section) -> Iterator[str]:
     if len(_OPTION.findall(section.markdown)) < 3:
         yield "needs at least three options to choose from, as lines '- **a** It waits.'"
     if not any(_PREDICT.search(cell.source) for cell in section.code):
-        yield "needs a code cell in which the student types predict('b')"
+        yield "needs a code cell in which the student chooses, predict('late-joiner')"
 
 
 def _runs(section: Section) -> Iterator[str]:
@@ -170,7 +170,7 @@ def _experiments(section: Section) -> Iterator[str]:
         code = [cell for cell in cells if cell.kind == "code"]
         guess = next((place for place, cell in enumerate(code) if _PREDICT.search(cell.source)), None)
         if guess is None:
-            yield f"the experiment {title!r} needs a prediction of its own, predict('b')"
+            yield f"the experiment {title!r} needs a prediction of its own, predict('late-joiner')"
         elif guess == len(code) - 1:
             yield f"the experiment {title!r} needs a code cell after the prediction that runs it"
 

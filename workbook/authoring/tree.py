@@ -36,6 +36,11 @@ class Tree:
         return self.sources / "museum"
 
     @property
+    def sealed(self) -> Path:
+        """Folder of what predictions reveal after the run, one encoded file per lesson that has predictions."""
+        return self.root / "workbook" / "lesson" / "sealed"
+
+    @property
     def exercises(self) -> Path:
         """Folder of the built exercise notebooks, which hold the starter."""
         return self.root / "exercises"

@@ -32,6 +32,8 @@ LAB_SETTINGS = {
         "defaultViewers": {"markdown": "Markdown Preview"},
     },
     "@jupyterlab/extensionmanager-extension:plugin": {"enabled": False},
+    # A notebook that is opened again shows the buttons of its predictions, not "Error displaying widget".
+    "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True},
     # JupyterLab 4.6 would take "contentVisibility": a third less work for the browser, and once an empty page.
     "@jupyterlab/notebook-extension:tracker": {"windowingMode": "defer"},
 }

@@ -1,4 +1,7 @@
-"""The student's own copy of the lessons in `work/`: new ones are added, changed ones are never overwritten."""
+"""The student's own copy of the lessons in `work/`: new ones are added, changed ones are never overwritten.
+
+It comes without outputs, which would tell what the student is to predict. The committed notebooks keep theirs.
+"""
 
 import hashlib
 import json
@@ -85,7 +88,8 @@ def update_work_folder(root: Path, work: Path) -> WorkFolderUpdate:
             _copy(source, own)
             report.added.append(name)
         elif (present := fingerprint(own)) == new:
-            pass
+            if own.read_bytes() == source.read_bytes():  # put there by a version that copied outputs as well
+                _copy(source, own)
         elif present in marks:
             keep_backup(work, own)
             _copy(source, own)
@@ -131,8 +135,21 @@ def keep_backup(work: Path, path: Path) -> Path:
     return kept
 
 
+def without_outputs(text: str) -> str:
+    """The text of a notebook file without what running it has left; the same text where nothing was left."""
+    try:
+        notebook = json.loads(text)
+        ran = [one for one in notebook["cells"] if one.get("outputs") or one.get("execution_count")]
+    except (ValueError, KeyError, TypeError, AttributeError):
+        return text
+    for cell in ran:
+        cell |= {"outputs": [], "execution_count": None}
+    return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n" if ran else text
+
+
 def _copy(source: Path, target: Path) -> None:
-    _write(target, source.read_text(encoding="utf-8"))
+    text = source.read_text(encoding="utf-8")
+    _write(target, without_outputs(text) if source.suffix == ".ipynb" else text)
 
 
 def _write(target: Path, text: str) -> None:

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from workbook.lesson.doctor_report import doctor
     from workbook.lesson.graphs import graph_picture
-    from workbook.lesson.predictions import predict, predicted, recall
+    from workbook.lesson.older_predictions import predicted, recall
+    from workbook.lesson.predictions import predict, reveal
     from workbook.lesson.programs import arrivals, processor_seconds, record, run_program, start, stop, values
     from workbook.lesson.type_reports import check_types, stub_of
     from workbook.lesson.views import robot, watch_robot, watch_status
@@ -26,9 +27,10 @@ _HOME = {
     "init": "workbook.ros.session",
     "predict": "workbook.lesson.predictions",
     "processor_seconds": "workbook.lesson.programs",
-    "predicted": "workbook.lesson.predictions",
-    "recall": "workbook.lesson.predictions",
+    "predicted": "workbook.lesson.older_predictions",
+    "recall": "workbook.lesson.older_predictions",
     "record": "workbook.lesson.programs",
+    "reveal": "workbook.lesson.predictions",
     "robot": "workbook.lesson.views",
     "run": "workbook.ros.session",
     "run_program": "workbook.lesson.programs",
@@ -53,6 +55,7 @@ __all__ = [
     "processor_seconds",
     "recall",
     "record",
+    "reveal",
     "robot",
     "run",
     "run_program",

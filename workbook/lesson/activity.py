@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from workbook.exercise.source import STEM
-from workbook.lesson.progress import changed_progress
+from workbook.lesson.progress import changed_progress, load_progress
 
 _noted_cells: set[str] = set()
 
@@ -31,6 +31,28 @@ def note_prediction(about: str, choice: str) -> None:
             progress.predictions[about] = choice
     except OSError:
         pass  # a folder that cannot be written: the lesson goes on without notes
+
+
+def note_outcome_seen(name: str) -> None:
+    """Note that the outcome of a prediction was shown: the choice stays from now on."""
+    stem = lesson_stem()
+    if stem is None:
+        return
+    try:
+        with changed_progress(stem) as progress:
+            if name not in progress.outcomes_seen:
+                progress.outcomes_seen.append(name)
+    except OSError:
+        pass
+
+
+def kept_choice(name: str) -> tuple[str | None, bool]:
+    """The option chosen for a prediction, in this kernel or before, and whether its outcome was shown."""
+    stem = lesson_stem()
+    if stem is None:
+        return None, False
+    progress = load_progress(stem)
+    return progress.predictions.get(name), name in progress.outcomes_seen
 
 
 def note_cell(result: Any) -> None:

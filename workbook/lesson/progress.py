@@ -18,7 +18,8 @@ TRIES_BEFORE_SOLUTION = 5
 class LessonProgress:
     """One lesson and its exercise. `cells`: ids of the lesson's code cells that were run. `predictions`: by experiment.
 
-    The rest is the exercise: judged tries, hints shown, whether it ever got full marks, and the most points.
+    `outcomes_seen`: predictions that can no longer be changed. The rest is the exercise: judged tries, hints shown,
+    whether it ever got full marks, and the most points.
     """
 
     tries: int = 0
@@ -27,6 +28,7 @@ class LessonProgress:
     best: float = 0.0
     cells: list[str] = field(default_factory=list)
     predictions: dict[str, str] = field(default_factory=dict)
+    outcomes_seen: list[str] = field(default_factory=list)
 
     @property
     def may_see_solution(self) -> bool:

@@ -1,0 +1,58 @@
+"""How often each letter is the right one: whoever guesses the same letter throughout must not do well."""
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+
+from workbook.authoring.lesson import read_lesson
+from workbook.authoring.tree import AuthoringError, Tree
+from workbook.authoring.violations import Violation
+
+LARGEST_SHARE_IN_COURSE = 0.4
+LARGEST_SHARE_IN_LESSON = 0.6
+FEWEST_IN_COURSE, FEWEST_IN_LESSON = 20, 4
+"""Of fewer letters, a share says nothing."""
+_RIGHT = re.compile(r"<summary>(?P<letter>[a-z])\) [^\n]*</summary>\s*✓")
+
+
+def prediction_letters(tree: Tree) -> dict[str, list[str]]:
+    """The usual letters of the predictions of each lesson, in order; lessons that cannot be read are left out."""
+    found = {}
+    for stem in tree.lesson_stems():
+        try:
+            found[stem] = [one.usual for one in read_lesson(tree, stem).predictions]
+        except AuthoringError:
+            continue
+    return found
+
+
+def question_letters(tree: Tree) -> dict[str, list[str]]:
+    """The right letters of the questions under "Check yourself" of each lesson, in order."""
+    found = {}
+    for stem in tree.lesson_stems():
+        lines = (tree.sources / f"{stem}.py").read_text(encoding="utf-8").splitlines()
+        text = "\n".join(line.removeprefix("#").removeprefix(" ") for line in lines)
+        found[stem] = [match["letter"] for match in _RIGHT.finditer(text)]
+    return found
+
+
+def letter_violations(tree: Tree) -> Iterator[Violation]:
+    """Letters that are right too often, in a lesson or in the whole course."""
+    for what, by_lesson in (
+        ("predictions", prediction_letters(tree)),
+        ("questions", question_letters(tree)),
+    ):
+        for stem, letters in by_lesson.items():
+            if len(letters) >= FEWEST_IN_LESSON:
+                words = _too_often(what, letters, LARGEST_SHARE_IN_LESSON)
+                yield from (Violation(tree.name(tree.sources / f"{stem}.py"), one) for one in words)
+        everywhere = [letter for letters in by_lesson.values() for letter in letters]
+        if len(everywhere) >= FEWEST_IN_COURSE:
+            words = _too_often(what, everywhere, LARGEST_SHARE_IN_COURSE)
+            yield from (Violation(tree.name(tree.sources), f"in the course, {one}") for one in words)
+
+
+def _too_often(what: str, letters: Sequence[str], largest: float) -> Iterator[str]:
+    for letter, times in Counter(letters).items():
+        if times > largest * len(letters):
+            yield f"{letter} is right in {times} of {len(letters)} {what}; {largest:.0%} is the most"

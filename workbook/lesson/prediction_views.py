@@ -1,0 +1,171 @@
+"""What a reader sees of a prediction: buttons to choose with, and after the run each option with its reason."""
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+from IPython.display import display
+
+from workbook.lesson.prediction import Prediction
+from workbook.pictures.palette import AMBER, BLUE, GREEN
+from workbook.templating import render
+
+WIDGET = "application/vnd.jupyter.widget-view+json"
+
+
+class Noted(NamedTuple):
+    """What came of a choice: the letter that counts now, if any, and words for the student."""
+
+    letter: str | None
+    words: str
+
+
+Choose = Callable[[Prediction, str], Noted]
+
+
+def show_buttons(prediction: Prediction, question: str, chosen: str | None, choose: Choose) -> None:
+    """A button per option; a front end without widgets shows the question as text."""
+    try:
+        widget = _buttons(prediction, question, chosen, choose)
+        data = {WIDGET: widget._repr_mimebundle_()[WIDGET], "text/plain": question}
+    except Exception:  # widgets are missing, or do not work here: the text does everything they do
+        print(question)
+        return
+    display(data, raw=True)
+
+
+def _buttons(prediction: Prediction, question: str, chosen: str | None, choose: Choose) -> Any:
+    from ipywidgets import HTML, Button, Layout, VBox
+
+    buttons: dict[str, Button] = {}
+    status = HTML()
+
+    def mark(letter: str | None, words: str) -> None:
+        for own, button in buttons.items():
+            sign = "●" if own == letter else "○"
+            button.description = f"{sign} {own}) {plain(prediction.option(own).text)}"
+            (button.add_class if own == letter else button.remove_class)("workbook-chosen")
+        status.value = render("lesson/buttons_style", words=words)
+
+    def pressed(letter: str) -> Callable[[object], None]:
+        def press(_: object) -> None:
+            mark(*choose(prediction, letter))
+
+        return press
+
+    for option in prediction.options:
+        button = Button(layout=Layout(width="auto", height="auto", align_self="flex-start"))
+        button.on_click(pressed(option.letter))
+        buttons[option.letter] = button
+    mark(chosen, question if chosen is None else f"Your prediction: {chosen}.")
+    box = VBox([*buttons.values(), status])
+    box.add_class("workbook-prediction")
+    return box
+
+
+class Waiting:
+    """Stands where the outcome will be, while the reader has not chosen yet."""
+
+    def __init__(self, letters: str) -> None:
+        self.letters = letters
+
+    def __repr__(self) -> str:
+        return f"Your prediction comes first: choose {self.letters} above. Then the outcome is shown here."
+
+    def shown(self) -> Any:
+        """Show it, and return the handle of its place."""
+        return display(self, display_id=True)
+
+
+class PredictionOutcome:
+    """The choice, what happened in this run, and why, for every option."""
+
+    def __init__(
+        self, prediction: Prediction, happened: str | None, mine: str | None, measured: Mapping[str, object]
+    ) -> None:
+        self.prediction = prediction
+        self.happened = happened
+        self.mine = mine
+        self.measured = measured
+
+    @property
+    def headline(self) -> str:
+        """What happened and what was predicted, in a sentence or two."""
+        usual = self.prediction.usual
+        if self.happened is None:
+            told = ", ".join(f"{name} = {_rounded(value)}" for name, value in self.measured.items())
+            said = f"This run fits none of the options ({told}). As a rule it is {usual}."
+        elif self.happened != usual:
+            said = (
+                f"This time the run came out otherwise than usual: {self.happened}. As a rule it is {usual}."
+            )
+        else:
+            said = f"The outcome is {usual}."
+        if self.mine is None:
+            return said
+        right = self.mine == (self.happened or usual)
+        return f"You predicted {self.mine}. {said}" + (" Well predicted." if right else "")
+
+    def rows(self) -> list[dict[str, Any]]:
+        """One entry per option: its sign, text, reason, and the marks beside it."""
+        happened = self.happened or self.prediction.usual
+        rows = []
+        for option in self.prediction.options:
+            marks = []
+            if option.letter == self.mine:
+                marks.append("your prediction")
+            if option.letter == self.happened:
+                marks.append("what happened")
+            elif option.letter == self.prediction.usual:
+                marks.append("what happens as a rule")
+            sign = "✓" if option.letter == happened else "✗"
+            rows.append(
+                {
+                    "sign": sign,
+                    "letter": option.letter,
+                    "text": pieces(option.text),
+                    "why": pieces(option.why),
+                    "marks": marks,
+                }
+            )
+        return rows
+
+    def __repr__(self) -> str:
+        lines = [self.headline]
+        for row in self.rows():
+            text, why = ("".join(part for part, _ in row[key]) for key in ("text", "why"))
+            marks = "".join(f" ({mark})" for mark in row["marks"])
+            lines += [f"  {row['sign']} {row['letter']}  {text}{marks}", f"       {why}"]
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        unusual = self.happened != self.prediction.usual
+        right = self.mine in (None, self.happened)
+        color = AMBER if unusual else GREEN if right else BLUE
+        return render("lesson/outcome", color=color, headline=self.headline, rows=self.rows())
+
+    def shown(self) -> None:
+        """Show it below the cell that runs."""
+        display(self)
+
+    def shown_at(self, place: Any) -> None:
+        """Show it where `Waiting` stood."""
+        place.update(self)
+
+
+def pieces(text: str) -> list[tuple[str, bool]]:
+    """Text with `code` in backticks, as pieces and whether each is code. Other marks of Markdown go."""
+    parts = text.split("`")
+    return [
+        (part if place % 2 else part.replace("**", ""), bool(place % 2))
+        for place, part in enumerate(parts)
+        if part
+    ]
+
+
+def plain(text: str) -> str:
+    """The text without marks of Markdown."""
+    return "".join(part for part, _ in pieces(text))
+
+
+def _rounded(value: object) -> str:
+    return f"{value:.3g}" if isinstance(value, float) else str(value)

@@ -1,0 +1,53 @@
+"""What predictions reveal after the run, kept in `sealed/` so that nobody reads it by chance before.
+
+One file per lesson, written by `make notebooks` from the text of the lesson. It is encoded, not encrypted.
+"""
+
+import base64
+import json
+import os
+import textwrap
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+
+from workbook.lesson.prediction import Option, Prediction
+
+FOLDER = "WORKBOOK_SEALED"
+"""Environment variable: another folder of sealed files, for a course that is not the one installed."""
+SUFFIX = ".txt"
+_FIRST_LINE = "Written by `make notebooks`. It tells what the predictions of this lesson come to."
+
+
+def seal(predictions: Sequence[Prediction]) -> str:
+    """The predictions of a lesson as the text of its sealed file, always the same for the same predictions."""
+    data = json.dumps([asdict(one) for one in predictions], sort_keys=True)
+    return "\n".join([_FIRST_LINE, *textwrap.wrap(base64.b64encode(data.encode()).decode(), 100), ""])
+
+
+def unseal(text: str) -> tuple[Prediction, ...]:
+    """The predictions in a sealed file. Raises ValueError when it holds something else."""
+    try:
+        data = json.loads(base64.b64decode("".join(text.split("\n")[1:]), validate=True))
+        return tuple(
+            Prediction(one["name"], tuple(Option(**option) for option in one["options"]), one["usual"])
+            for one in data
+        )
+    except (KeyError, TypeError) as error:
+        raise ValueError(f"holds no predictions: {error}") from error
+
+
+def sealed_folder() -> Path:
+    """Where the sealed files of this course are."""
+    return Path(os.environ.get(FOLDER) or Path(__file__).with_name("sealed"))
+
+
+def all_predictions() -> dict[str, Prediction]:
+    """Every prediction of the course, by name. A damaged file counts as empty."""
+    found: dict[str, Prediction] = {}
+    for path in sorted(sealed_folder().glob(f"[0-9]*{SUFFIX}")):
+        try:
+            found |= {one.name: one for one in unseal(path.read_text(encoding="utf-8"))}
+        except (OSError, ValueError):
+            continue
+    return found
