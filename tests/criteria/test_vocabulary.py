@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import pytest
@@ -133,6 +134,41 @@ def test_the_judges_own_domain_is_no_stranger() -> None:
     assert "domain" not in verdict.saw
 
 
+def beside(seen: TopicRecording, **broken: Any) -> Recording:
+    return recorded(replace(seen, **broken))
+
+
+@pytest.mark.parametrize("word", [see.rate, see.counts, partial(see.length, wanted=1)])
+def test_messages_that_nobody_can_read_are_heeded_beside_right_ones(word: Callable[..., Verdict]) -> None:
+    right = on_topic(BATTERY.name, FLOAT, EVEN, [[0.5]] * len(EVEN))
+    assert word(recorded(right), BATTERY).ok
+    garbled = word(beside(right, undecodable=2, broken_at=3.0), BATTERY)
+    refuses(garbled, "7 readable messages", "2 came", "could not be decoded", "the first at 3.0 s")
+    assert garbled.cause == "all-kept.undecodable"
+    large = word(beside(right, not_kept=1, too_large=1, broken_at=3.0), BATTERY)
+    refuses(large, "7 readable messages", "1 came", "larger than 4 MB", "the first at 3.0 s")
+    assert large.cause == "all-kept.too-large"
+
+
+def test_more_messages_than_are_kept_are_heeded_once_those_are_right() -> None:
+    right = on_topic(BATTERY.name, FLOAT, EVEN, [[0.5]] * len(EVEN))
+    full_at = EVEN[-1] + BATTERY.period
+    full = beside(right, not_kept=9, full_at=full_at, room=4_000_000)
+    for verdict in (see.rate(full, BATTERY), see.length(full, BATTERY, 1)):
+        refuses(verdict, "4 MB", f"{len(EVEN)} messages", "not looked at")
+        assert verdict.cause == "all-kept.too-much"
+    refuses(see.length(full, BATTERY, 2), "1 value")
+    fast = on_topic(BATTERY.name, FLOAT, every(0.01, 200))
+    too_fast = see.rate(beside(fast, not_kept=9, full_at=2.01), BATTERY)
+    assert too_fast.cause == "rate.too-fast", (
+        "until then it came far too often; what came later, nobody knows"
+    )
+    nothing = see.no_message(
+        beside(on_topic(BATTERY.name, FLOAT), not_kept=1, full_at=0.5, room=100), BATTERY
+    )
+    assert nothing is not None and nothing.cause == "all-kept.too-much"
+
+
 def test_alive_at_end() -> None:
     accepts(see.alive_at_end(battery(EVEN)), "8.0 s")
     refuses(
@@ -175,7 +211,9 @@ def test_exits_cleanly() -> None:
     by_signal = replace(LIVING, exit=None, signal="SIGINT")
     refuses(see.exits_cleanly(silent(by_signal)), "signal SIGINT after Ctrl-C", "KeyboardInterrupt")
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=TRACEBACK))), "line 7", "NameError")
-    accepts(see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=OVERTAKEN))), "no fault of the program")
+    refuses(
+        see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=OVERTAKEN))), "overtaken", "started again"
+    )
     interrupted = (
         'Traceback (most recent call last):\n  File "/answers/answer.py", line 7\nKeyboardInterrupt\n\n'
     )

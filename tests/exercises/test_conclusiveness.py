@@ -14,10 +14,12 @@ from workbook.authoring.tree import Tree
 from workbook.authoring.wrong_answers import read_wrong_answer
 from workbook.criteria.runner import CriterionResult, run_criteria
 from workbook.exercise.answers import Answer
-from workbook.exercise.conclusiveness import reason_inconclusive
+from workbook.exercise.conclusiveness import END_OVERTAKEN, reason_inconclusive
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement
 from workbook.exercise.judging import Judge
+from workbook.feedback.text import as_text
+from workbook.grading.retries import until_sure
 from workbook.inside.proc import run_queue_s
 from workbook.recording.recording import ProcessRecord, PublisherSeen, Recording, TopicRecording
 from workbook.ros.domains import lease_domain
@@ -264,6 +266,46 @@ except KeyboardInterrupt:
 
 def test_a_live_crash_at_ctrl_c_leaves_a_doubt() -> None:
     assert "crashed while Ctrl-C ended it" in judge_on_the_wall_clock(CRASHES_AT_CTRL_C).doubt
+
+
+# The first start of it meets the race of rclpy: the context goes down between the question and the shutdown. So that it
+# is up until then, rclpy does not handle Ctrl-C in that start; Python does.
+OVERTAKEN_ONCE = """
+import linecache, os, sys
+from rclpy.signals import SignalHandlerOptions
+
+def overtake(frame, event, argument):
+    name = frame.f_code.co_filename
+    if not name.endswith("rclpy/context.py"):
+        return None
+    if event == "line" and linecache.getline(name, frame.f_lineno).strip() == "self.__context.shutdown()":
+        sys.settrace(None)
+        frame.f_locals["self"].handle.shutdown()
+    return overtake
+
+HANDLED = SignalHandlerOptions.ALL
+if not os.path.exists({marker!r}):
+    HANDLED = SignalHandlerOptions.NO
+    open({marker!r}, "w").close()
+    sys.settrace(overtake)
+"""
+
+
+def test_a_right_answer_whose_end_rclpy_has_spoiled_once_gets_full_marks(tmp_path: Path) -> None:
+    exercise = load_exercise("01_the_context", ROOT)
+    marker = tmp_path / "met"
+    suppresses = (ROOT / "tests/right_answers/01_the_context/suppresses.py").read_text(encoding="utf-8")
+    assert suppresses.count("    rclpy.init()\n") == 1
+    changed = suppresses.replace("rclpy.init()", "rclpy.init(signal_handler_options=HANDLED)")
+    first, _, rest = changed.partition("ROUND_S = 0.5\n")
+    answer = Answer(f"{first}{OVERTAKEN_ONCE.format(marker=str(marker))}\nROUND_S = 0.5\n{rest}")
+    provisional: list[Judgement] = []
+    with Observer() as observer:
+        judgement = until_sure(lambda: Judge(observer).judge(exercise, answer), provisional.append)
+    [spoiled] = provisional
+    assert "overtaken" in spoiled.doubt
+    assert [one.cause for one in spoiled.criteria if one.status == "failed"] == [END_OVERTAKEN]
+    assert judgement.full_marks and not judgement.doubt, as_text(judgement)
 
 
 @pytest.mark.parametrize(

@@ -401,7 +401,7 @@ def test_an_answer_that_kills_its_judge_twice_is_no_zero_and_stops_nobody(tmp_pa
     killer = f"{CLIMB}os.kill(judge(), signal.SIGKILL)\n"
     jobs = [Job("killer", STEM, Answer(killer)), Job("next", STEM, Answer(UNREADABLE))]
     found = {job.key: judgement for job, judgement in judge_all(jobs, 1)}
-    assert (found["killer"].status, found["killer"].score) == ("infra_error", None)
+    assert (found["killer"].status, found["killer"].score) == ("ungradable", None)
     assert found["next"].status == "graded"
 
 

@@ -11,6 +11,7 @@ import pytest
 
 from workbook.cli.main import main
 from workbook.exercise.answers import Answer
+from workbook.exercise.conclusiveness import END_OVERTAKEN
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement, judge_recording, judgement_as_provisional
 from workbook.exercise.serialization import judgement_from_json, judgement_to_json
@@ -82,6 +83,53 @@ def test_a_run_that_is_stopped_before_the_second_try_leaves_the_answer_to_the_ne
 
     assert list(judge_until_sure([Job("one", STEM, Answer("x = 1\n"))], judge)) == []
     assert rounds == 2
+
+
+EXCUSED = replace(
+    DOUBTFUL,
+    criteria=(
+        replace(DOUBTFUL.criteria[-1], status="failed", points=0.0, cause=END_OVERTAKEN),
+        *DOUBTFUL.criteria[:-1],
+    ),
+)
+
+
+@pytest.mark.parametrize(
+    ("judged", "how_many", "counts"),
+    [
+        ((EXCUSED, GOOD), 2, 1),
+        ((EXCUSED, EXCUSED, GOOD), 3, 2),
+        ((EXCUSED, POOR), 2, 1),
+        ((EXCUSED, DOUBTFUL), 2, 1),
+        ((DOUBTFUL, EXCUSED), 2, 0),
+        ((EXCUSED, EXCUSED, EXCUSED), 3, 2),
+    ],
+)
+def test_an_end_that_rclpy_may_have_spoiled_is_watched_up_to_three_times(
+    judged: tuple[Judgement, ...], how_many: int, counts: int
+) -> None:
+    """An answer can print what rclpy prints, so it is not forgiven; what it shows at every end is no doubt any more."""
+    rounds = 0
+
+    def judge(jobs: Sequence[Job[str]]) -> Iterator[tuple[Job[str], Judgement]]:
+        nonlocal rounds
+        rounds += 1
+        for job in jobs:
+            yield job, judged[rounds - 1]
+
+    [(_, tries)] = judge_until_sure([Job("one", STEM, Answer("x = 1\n"))], judge)
+    assert len(tries) == rounds == how_many
+    assert counting(tries) is tries[counts]
+    always = how_many == 3 and judged[-1] is EXCUSED
+    assert tries[-1].doubt == ("" if always else judged[-1].doubt)
+    assert tries[-1].score == judged[-1].score
+
+
+def test_a_student_who_checks_gets_three_tries_for_such_an_end() -> None:
+    tries, told = [EXCUSED, EXCUSED, EXCUSED, GOOD], list[Judgement]()
+    assert until_sure(lambda: tries.pop(0), told.append) == replace(EXCUSED, doubt="")
+    assert tries == [GOOD]
+    assert told == 2 * [judgement_as_provisional(EXCUSED)]
 
 
 # --- the books ------------------------------------------------------------------------------------------------------
@@ -156,7 +204,7 @@ def test_each_answer_has_one_line_with_both_tries_and_both_recordings(graded: tu
 
 def test_the_instructor_is_told_how_many_and_by_name_who_differs(graded: tuple[Path, str]) -> None:
     out, told = graded
-    assert "3 answers were tried twice, because the first try was inconclusive; 2 differ." in told
+    assert "3 answers were tried again, because the first try was inconclusive; 2 differ." in told
     assert "joint_positions_ada: Tried twice: 8 points, then 10 points. The better one counts." in told
     assert "joint_positions_mia: Tried twice: 8 points, then not judged." in told
     assert "joint_positions_bob: Tried" not in told
@@ -171,7 +219,7 @@ def test_the_instructor_is_told_how_many_and_by_name_who_differs(graded: tuple[P
     assert DOUBT in rows["bob"]["remark"]
     assert rows["eve"]["remark"] == ""
     page = (out / "pages" / "class.html").read_text()
-    section = page.split("<h2>Tried twice</h2>")[1].split("</table>")[0]
+    section = page.split("<h2>Tried again</h2>")[1].split("</table>")[0]
     assert section.count("<b>differ</b>") == 2
     assert section.index("_ada") < section.index("_bob")
 

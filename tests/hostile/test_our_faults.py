@@ -12,14 +12,19 @@ import pytest
 
 from tests.programs.support import CLIMB
 from workbook.exercise.answers import Answer
+from workbook.exercise.definition import Exercise, load_exercise
+from workbook.exercise.judgement import Judgement
 from workbook.grading import pool
 from workbook.grading.judges import Job
 from workbook.grading.local import judge_all
-from workbook.grading.pool import Slot
+from workbook.grading.pool import Slot, SlotBroken
 from workbook.isolation.bubblewrap import NoSandbox
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
+PATIENCE_S = 120.0
+KILLER = f"{CLIMB}os.kill(judge(), signal.SIGKILL)\n"
+HOLDER = f"{CLIMB}os.kill(judge(), signal.SIGSTOP)\n"
 BROKEN = """
 from workbook.criteria import Recording, Verdict, criterion, passed
 
@@ -75,12 +80,70 @@ def test_criteria_that_crash_are_our_fault_and_stop_nobody(tmp_path: Path) -> No
 
 def test_a_slot_that_dies_again_and_again_is_named_with_its_answer() -> None:
     """Whatever ends a slot: here the answer does it, which it can do only where it is not sandboxed."""
-    killer = f"{CLIMB}os.kill(judge(), signal.SIGKILL)\n"
-    jobs = [Job("killer", STEM, Answer(killer)), Job("next", STEM, Answer("robot = = 1\n"))]
+    jobs = [Job("killer", STEM, Answer(KILLER)), Job("next", STEM, Answer("robot = = 1\n"))]
     found = {job.key: judgement for job, judgement in judge_all(jobs, 1)}
-    assert (found["killer"].status, found["killer"].score) == ("infra_error", None)
-    assert "2 times with this answer" in (found["killer"].reason or "")
+    assert (found["killer"].status, found["killer"].score) == ("ungradable", None)
+    reason = found["killer"].reason or ""
+    assert reason.startswith("stopped_judge: the slot ended with code -9, 2 times with this answer")
     assert found["next"].status == "graded"
+
+
+def test_an_answer_that_keeps_the_judge_from_coming_to_an_end_is_ungradable(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    class Impatient(Slot):
+        def judge(self, stem: str, answer: Answer, **options: Any) -> Judgement:
+            monkeypatch.setattr(pool, "ANSWER_DEADLINE_S", 5.0 if answer.text == HOLDER else PATIENCE_S)
+            return super().judge(stem, answer, **options)
+
+    monkeypatch.setattr(pool, "Slot", Impatient)
+    slot, judgement = pool.judge_with_retry(None, Job("holder", STEM, Answer(HOLDER)), thorough=False)
+    assert (judgement.status, judgement.score) == ("ungradable", None)
+    assert "stopped_judge: the slot did not answer in time, 2 times" in (judgement.reason or "")
+    assert slot is not None and slot.is_running, "the slot that has judged a right answer goes on"
+    slot.close()
+
+
+def test_where_no_right_answer_can_be_judged_either_the_fault_is_ours(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    judged: list[str] = []
+
+    class Broken(Slot):
+        def judge(self, stem: str, answer: Answer, **_: Any) -> Judgement:
+            judged.append(answer.text)
+            raise SlotBroken("the slot did not answer in time")
+
+    monkeypatch.setattr(pool, "Slot", Broken)
+    slot, judgement = pool.judge_with_retry(None, Job("any", STEM, Answer("x = 1\n")), thorough=True)
+    assert slot is None
+    assert (judgement.status, judgement.score) == ("infra_error", None)
+    assert judged == ["x = 1\n", "x = 1\n", load_exercise(STEM, ROOT).source.solution_code]
+
+    def no_solution(_: str) -> Exercise:
+        raise FileNotFoundError("the instructor has it")
+
+    monkeypatch.setattr(pool, "load_exercise", no_solution)
+    _, judgement = pool.judge_with_retry(None, Job("any", STEM, Answer("x = 1\n")), thorough=True)
+    assert judgement.status == "infra_error"
+
+
+def test_an_answer_that_stops_the_judge_is_not_run_again_by_the_next_command(tmp_path: Path) -> None:
+    answers, out = tmp_path / "class", tmp_path / "out"
+    answers.mkdir()
+    (answers / "killer.py").write_text(KILLER)
+    command = [
+        *(sys.executable, "-m", "workbook.cli.main", "grade", answers, "--exercise", STEM, "--out", out),
+        *("--slots", "1", "--isolation", "limits"),
+    ]
+    for _ in range(2):
+        done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+        assert done.returncode == 0, done.stdout + done.stderr
+        assert "1 ungradable" in done.stdout
+    [line] = (out / "results.jsonl").read_text(encoding="utf-8").splitlines()
+    result = json.loads(line)
+    assert (result["status"], result["score"], result["attempt"]) == ("ungradable", None, 1)
+    assert result["reason"].startswith("stopped_judge")
 
 
 def test_a_slot_that_cannot_be_started_is_no_zero_and_ends_the_run(monkeypatch: pytest.MonkeyPatch) -> None:

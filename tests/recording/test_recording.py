@@ -1,11 +1,14 @@
 """A recording survives being stored, whatever was in the messages; what is damaged is refused."""
 
+import array
 import copy
+import hashlib
 import json
 import math
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -240,18 +243,30 @@ def test_messages_become_plain_data() -> None:
 
 @pytest.mark.parametrize("count", [values.LONGEST_ARRAY, values.LONGEST_ARRAY + 1, 100_000])
 def test_long_arrays_and_texts_are_cut_and_say_how_long_they_were(count: int) -> None:
-    longest = values.LONGEST_ARRAY
-    for data in (
-        values.plain(Float64MultiArray(data=[0.5] * count))["data"],
-        values.plain(UInt8MultiArray(data=bytes(count)))["data"],
-        values.plain(ByteMultiArray(data=[b"\x01"] * count))["data"],
-        values.plain(String(data="x" * count))["data"],
+    floats = array.array("d", [0.5] * count)
+    for data, first, whole in (
+        (values.plain(Float64MultiArray(data=floats)), values.FIRST_OF_ARRAY, floats.tobytes()),
+        (values.plain(UInt8MultiArray(data=bytes(count))), values.FIRST_OF_ARRAY, bytes(count)),
+        (values.plain(ByteMultiArray(data=[b"\x01"] * count)), values.FIRST_OF_ARRAY, None),
+        (values.plain(String(data="ü" * count)), values.LONGEST_TEXT, b"\xc3\xbc" * count),
     ):
-        if count <= longest:
-            assert len(data) == count
-        else:
-            assert data["length"] == count
-            assert len(data["first"]) == longest
+        kept = data["data"]
+        if count <= values.LONGEST_ARRAY:
+            assert len(kept) == count
+            continue
+        assert kept["length"] == count
+        assert len(kept["first"]) == first
+        assert kept.get("sha256") == (None if whole is None else hashlib.sha256(whole).hexdigest())
+        assert values.bytes_kept(data) <= 8 * first + 200
+
+
+def test_a_long_array_of_numpy_is_cut_alike() -> None:
+    table = np.arange(10_000, dtype=np.float32).reshape(100, 100)
+    kept = values.plain(table)
+    assert kept["length"] == 10_000
+    assert kept["first"] == list(map(float, range(values.FIRST_OF_ARRAY)))
+    assert kept["sha256"] == hashlib.sha256(table.tobytes()).hexdigest()
+    assert values.plain(table[:2]) == list(map(float, range(200)))
 
 
 @pytest.mark.parametrize(

@@ -135,15 +135,15 @@ def conclude_repetition(found: "Sequence[Unsteady]", answers: int, times: int) -
 
 
 def _about_tries(results: "Sequence[Result]") -> list[str]:
-    """How many answers were tried twice, and by name those whose tries differ."""
+    """How many answers were tried again, and by name those whose tries differ."""
     twice = [result for result in results if result.tries]
     if not twice:
         return []
     differ = [result for result in twice if result.tries_differ]
     what = "answer was" if len(twice) == 1 else "answers were"
     lines = [
-        f"{len(twice)} {what} tried twice, because the first try was inconclusive; {len(differ)} differ. "
-        "Both tries are kept."
+        f"{len(twice)} {what} tried again, because the first try was inconclusive; {len(differ)} differ. "
+        "All tries are kept."
     ]
     return lines + [f"  {printable(one.student)}: {printable(one.tried_twice())}" for one in differ]
 

@@ -6,7 +6,7 @@ from types import ModuleType
 from typing import Any
 
 from workbook.criteria.verdict import Verdict
-from workbook.recording.plan import Plan
+from workbook.recording.plan import BYTES_PER_TOPIC, Plan
 from workbook.recording.recording import Recording
 from workbook.recording.script import NOTHING_SAID, Part, Script
 from workbook.recording.type_names import type_name
@@ -84,6 +84,7 @@ class Watching:
     wall_seconds: float | None = None
     to_the_end: bool = False
     script: Script = NOTHING_SAID
+    bytes_per_topic: int = BYTES_PER_TOPIC
 
 
 def watching(
@@ -92,6 +93,7 @@ def watching(
     wall_seconds: float | None = None,
     to_the_end: bool = False,
     script: Sequence[Part] = (),
+    bytes_per_topic: int = BYTES_PER_TOPIC,
 ) -> Watching:
     """Declare how to watch, once per criteria file.
 
@@ -99,8 +101,10 @@ def watching(
     watch on the wall clock, instead of four of the longest period. `to_the_end`: the program is sent Ctrl-C (SIGINT)
     before it is judged, so that criteria see how it ends, and which of its nodes stay on the graph. `script`: the
     messages, services and calls that the judge sends to the program meanwhile, made with `says`, `serves` and `calls`.
+    `bytes_per_topic`: how many bytes of messages are kept of each topic, those of the judge not counted. Of a field
+    with more than 4096 elements only the beginning, the size and the SHA-256 are kept, and hardly more is counted.
     """
-    return Watching(robot_seconds, wall_seconds, to_the_end, Script(tuple(script)))
+    return Watching(robot_seconds, wall_seconds, to_the_end, Script(tuple(script)), bytes_per_topic)
 
 
 def watching_in(module: ModuleType) -> Watching:
@@ -131,4 +135,5 @@ def plan_for(topics: Iterable[Topic], how: Watching) -> Plan:
         how.script,
         how.to_the_end,
         tuple(one.name for one in declared if one.hz is not None),
+        how.bytes_per_topic,
     )

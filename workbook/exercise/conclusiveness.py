@@ -24,6 +24,8 @@ STEAL_SHARE = 0.15
 """Share of the watch that the host of a virtual machine steals from a processor, in pieces of whatever length."""
 FEW_ODD_GAPS = 2
 """A message that comes late once makes one gap too long and the next too short."""
+END_OVERTAKEN = "exits-cleanly.overtaken"
+"""Cause of points that are lost to an end that rclpy may have spoiled."""
 WITH_THE_NEXT = 1.25
 """Periods after which a message that was lost at first has come: with the next one, which may be late itself."""
 
@@ -47,6 +49,7 @@ def reason_inconclusive(
         _node_never_discovered(recording)
         or _publisher_never_matched(recording, plan)
         or crashed_on_interrupt(recording)
+        or _end_overtaken(lost)
         or _node_seen_after_exit(recording)
         or _clocks_contradict(lost, on_robot_time)
         or _judge_was_delayed(lost, recording, plan)
@@ -91,6 +94,13 @@ def crashed_on_interrupt(recording: Recording) -> str:
         return (
             "the program crashed while Ctrl-C ended it, which happens now and then by a fault of rclpy's own"
         )
+    return ""
+
+
+def _end_overtaken(lost: Sequence[CriterionResult]) -> str:
+    """What an overtaken end looks like is text that any program can print: see `shutdown_overtaken`."""
+    if any(result.cause == END_OVERTAKEN for result in lost):
+        return "it looks as if rclpy's own handling of Ctrl-C had overtaken the program's shutdown"
     return ""
 
 

@@ -8,7 +8,7 @@ from workbook.criteria.runner import CriterionError, CriterionResult, run_criter
 from workbook.exercise.definition import Exercise
 from workbook.recording.recording import Recording
 
-JudgementStatus = Literal["graded", "infra_error"]
+JudgementStatus = Literal["graded", "ungradable", "infra_error"]
 
 
 @dataclass(frozen=True)

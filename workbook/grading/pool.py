@@ -13,19 +13,26 @@ from pathlib import Path
 from typing import Any
 
 from workbook.exercise.answers import Answer
-from workbook.exercise.definition import OWN_CRITERIA
+from workbook.exercise.definition import OWN_CRITERIA, load_exercise
 from workbook.exercise.judgement import Judgement, Report
 from workbook.exercise.serialization import judgement_from_json
 from workbook.grading.judges import Job, Key
 from workbook.grading.turns import turn
 from workbook.inside.orphans import StillThere
+from workbook.inside.proc import command_line, process_tree, resident_bytes
 from workbook.isolation.tiers import Isolation, lease_for, slot_command
 from workbook.isolation.user_ids import NoIds
 from workbook.programs.ending import kill_programs_of
 from workbook.ros.environment import child_environment
 
 ANSWER_DEADLINE_S = 120.0
+SLOT_MODULE = ("-m", "workbook.grading.slot")
+SLOT_BYTES = 1_000_000_000
+"""Memory that a slot may take itself, without the program that it judges. Measured: 130 MB with all that it keeps."""
 TRIES = 2
+STOPPED_JUDGE = "stopped_judge"
+"""How the reason begins why an answer is ungradable that breaks the slots that judge it, where others do not."""
+LOOK = "Look at it yourself: it is not run again as long as it stays the same"
 
 
 class SlotBroken(RuntimeError):
@@ -57,7 +64,7 @@ class Slot:
     def __init__(
         self, isolation: Isolation = "limits", own_criteria: Path | None = None, *, port: int | None = None
     ) -> None:
-        command = [sys.executable, "-m", "workbook.grading.slot", isolation]
+        command = [sys.executable, *SLOT_MODULE, isolation]
         try:
             self._ids = lease_for(isolation)
         except NoIds as error:
@@ -75,6 +82,7 @@ class Slot:
             start_new_session=True,
         )
         self._buffer = b""
+        self._judge_pid: int | None = None
 
     def problem(self, timeout_s: float) -> str | None:
         """Why its tier does not isolate here; None when it does. Only before the first job, of a slot that tries it.
@@ -97,6 +105,8 @@ class Slot:
             if left <= 0:
                 raise SlotBroken("the slot did not answer in time")
             if not select.select([descriptor], [], [], min(left, 1.0))[0]:
+                if self._own_bytes() > SLOT_BYTES:
+                    raise SlotBroken("the slot took too much memory")
                 continue
             chunk = os.read(descriptor, 1 << 20)
             if not chunk:
@@ -108,6 +118,15 @@ class Slot:
         if "broken" in message:
             raise SlotBroken(message["broken"])
         return message
+
+    def _own_bytes(self) -> int:
+        """The memory of the process that judges, which the tier may have put into a sandbox of its own."""
+        if self._judge_pid is None:
+            begins = b"\0".join(map(os.fsencode, (sys.executable, *SLOT_MODULE)))
+            for pid in process_tree(self._process.pid):
+                if self._judge_pid is None and command_line(pid).startswith(begins):
+                    self._judge_pid = pid
+        return 0 if self._judge_pid is None else resident_bytes(self._judge_pid)
 
     def judge(
         self,
@@ -230,8 +249,13 @@ def judge_with_retry(
     own_criteria: Path | None = None,
     report: Report | None = None,
 ) -> tuple[Slot | None, Judgement]:
-    """Judge a job, replacing a slot that breaks, at most twice; then the fault is ours: `infra_error` and no slot."""
+    """Judge a job, replacing a slot that breaks, at most twice.
+
+    If both slots break at this answer, and a new one judges a right answer, the answer is to blame: it is `ungradable`,
+    for the reason `STOPPED_JUDGE`. Else the fault is ours: `infra_error` and no slot.
+    """
     reason = ""
+<<<<<<< HEAD
     with turn(isolation):
         for _ in range(TRIES):
             try:
@@ -248,5 +272,46 @@ def judge_with_retry(
                 if slot is not None:
                     slot.kill()
                 slot = None
+=======
+    stopped = 0
+    for _ in range(TRIES):
+        at_work = False
+        try:
+            if slot is not None and not slot.is_running:
+                slot.close()
+                slot = None
+            slot = slot or standby.take(isolation, own_criteria)
+            at_work = True
+            judgement = slot.judge(
+                job.stem, job.answer, thorough=thorough, second_start=job.second_start, report=report
+            )
+            return slot, judgement
+        except Exception as error:  # whatever it is, the answer must not get lost
+            reason = str(error) or type(error).__name__
+            stopped += at_work and isinstance(error, SlotBroken)
+            if slot is not None:
+                slot.kill()
+            slot = None
+    if stopped == TRIES:
+        slot = _slot_that_judges(job.stem, isolation, own_criteria)
+        if slot is not None:
+            told = f"{STOPPED_JUDGE}: {reason}, {TRIES} times with this answer, and then judged a right one. {LOOK}"
+            return slot, Judgement(job.stem, job.answer.sha256, "ungradable", told, (), None)
+>>>>>>> h-packets
     reason += f", {TRIES} times with this answer. Run the command again; if it stays so, look at this answer yourself"
     return None, Judgement(job.stem, job.answer.sha256, "infra_error", reason, (), None)
+
+
+def _slot_that_judges(stem: str, isolation: Isolation, own_criteria: Path | None) -> Slot | None:
+    """A new slot that has just judged the reference answer of an exercise; None where that fails, or there is none."""
+    slot: Slot | None = None
+    try:
+        right = load_exercise(stem).source.solution_code
+        slot = Slot(isolation, own_criteria)
+        if slot.judge(stem, Answer(right), thorough=False).status == "graded":
+            return slot
+    except Exception:  # whatever it is, nothing is proved against the answer then
+        pass
+    if slot is not None:
+        slot.kill()
+    return None

@@ -123,7 +123,7 @@ class Result:
 
     @property
     def tries_differ(self) -> bool:
-        """Whether the answer was tried twice and did not get the same both times."""
+        """Whether the answer was tried more than once and did not always get the same."""
         return len({_told(one) for one in self.tries}) > 1
 
     def changed_by_hand(self) -> str:
@@ -131,16 +131,15 @@ class Result:
         return " ".join(one.told() for one in self.by_hand)
 
     def tried_twice(self) -> str:
-        """What both tries gave, as a sentence; empty for an answer that was judged once."""
+        """What all tries gave, as a sentence; empty for an answer that was judged once."""
         if len(self.tries) < 2:
             return ""
-        told = [_told(one) for one in self.tries]
-        kept = " The better one counts." if told[0] != told[1] else ""
+        often, best = ("twice", "better") if len(self.tries) == 2 else (f"{len(self.tries)} times", "best")
+        told = ", then ".join(map(_told, self.tries))
+        kept = f" The {best} one counts." if self.tries_differ else ""
         doubt = self.tries[0].doubt
         second = " So was the second." if self.tries[1].doubt else ""
-        return (
-            f"Tried twice: {told[0]}, then {told[1]}.{kept} The first try was inconclusive ({doubt}).{second}"
-        )
+        return f"Tried {often}: {told}.{kept} The first try was inconclusive ({doubt}).{second}"
 
 
 def _told(one: Try) -> str:

@@ -1,8 +1,10 @@
-"""A second try for answers whose judgement is inconclusive. Both tries are kept, and nobody loses by it."""
+"""A second try for answers whose judgement is inconclusive. All tries are kept, and nobody loses by it."""
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from typing import TypeVar
 
+from workbook.exercise.conclusiveness import END_OVERTAKEN
 from workbook.exercise.judgement import Judgement, Report, judgement_as_provisional
 from workbook.grading.judges import Job
 
@@ -17,20 +19,22 @@ def judge_until_sure(
 ) -> Iterator[tuple[Job[Key], tuple[Judgement, ...]]]:
     """Judge all; yields each answer with its tries as soon as it is done.
 
-    An answer whose judgement is inconclusive is tried once more after all others, when the machine is calmer. If the
-    run is stopped before its second try, it is not yielded: the next run judges it anew.
+    An answer whose judgement is inconclusive is tried once more after all others, when the machine is calmer, and a
+    third time if both ends looked as if rclpy had spoiled them. If the run is stopped before its last try, it is not
+    yielded: the next run judges it anew.
     """
-    firsts: list[tuple[Job[Key], Judgement]] = []
-    for job, judgement in judge(jobs):
-        if judgement.doubt:
-            firsts.append((job, judgement))
-        else:
-            yield job, (judgement,)
-    if not firsts:
-        return
-    first_of = {id(job): first for job, first in firsts}
-    for job, second in judge([job for job, _ in firsts]):
-        yield job, (first_of[id(job)], second)
+    waiting = list(jobs)
+    before: dict[int, tuple[Judgement, ...]] = {}
+    while waiting:
+        again: list[tuple[Job[Key], tuple[Judgement, ...]]] = []
+        for job, judgement in judge(waiting):
+            tries = _with_last(before.get(id(job), ()), judgement)
+            if judgement.doubt and (len(tries) == 1 or _is_excused_so_far(tries)):
+                again.append((job, tries))
+            else:
+                yield job, tries
+        waiting = [job for job, _ in again]
+        before = {id(job): tries for job, tries in again}
 
 
 def until_sure(judge: Callable[[], Judgement], report: Report) -> Judgement:
@@ -38,11 +42,28 @@ def until_sure(judge: Callable[[], Judgement], report: Report) -> Judgement:
 
     `report` gets each doubtful one that is tried again, as provisional.
     """
-    tries = [judge()]
+    tries = _with_last((), judge())
     while tries[-1].doubt and len(tries) < MOST_TRIES:
         report(judgement_as_provisional(tries[-1]))
-        tries.append(judge())
+        tries = _with_last(tries, judge())
     return counting(tries)
+
+
+def _with_last(before: tuple[Judgement, ...], judgement: Judgement) -> tuple[Judgement, ...]:
+    """The tries, with one more. That every end of an answer looks spoiled by rclpy is no chance: it leaves no doubt."""
+    tries = (*before, judgement)
+    if len(tries) >= MOST_TRIES and all(map(_has_excuse, tries)):
+        return (*before, replace(judgement, doubt=""))
+    return tries
+
+
+def _is_excused_so_far(tries: Sequence[Judgement]) -> bool:
+    return len(tries) < MOST_TRIES and all(map(_has_excuse, tries))
+
+
+def _has_excuse(judgement: Judgement) -> bool:
+    """Whether the end of a program looked as if rclpy itself had spoiled it, and this took points away."""
+    return any(result.cause == END_OVERTAKEN for result in judgement.criteria)
 
 
 def counting(tries: Sequence[Judgement]) -> Judgement:

@@ -70,6 +70,14 @@ def process_tree(pid: int) -> list[int]:
     return [*tree]
 
 
+def command_line(pid: int) -> bytes:
+    """What a process was started with, each part ended by a zero byte; empty when it has ended."""
+    try:
+        return read(f"/proc/{pid}/cmdline")
+    except OSError:
+        return b""
+
+
 def environment(pid: int) -> list[bytes]:
     """The variables that a process was started with; none when it has ended, or is not ours to read."""
     try:

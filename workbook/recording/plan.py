@@ -11,6 +11,8 @@ PERIODS_PER_BLOCK = 4.5
 WALL_PERIODS = 4.0
 WALL_EXTRA_S = 0.5
 LEAST_WALL_WATCH_S = 4.0
+BYTES_PER_TOPIC = 1_000_000
+"""How much is kept of a topic, where an exercise says nothing else. A joint array of twelve angles takes 80 bytes."""
 
 
 @dataclass(frozen=True)
@@ -23,6 +25,7 @@ class Plan:
     `script`: what the judge sends meanwhile. A program that only listens is then seen by its node.
     `to_the_end`: whether the watch also looks for nodes that stay on the graph after the program. A participant that
     vanishes without a DDS dispose is then remembered for much longer than a dispose takes on the busiest machine.
+    `bytes_per_topic`: how many bytes of messages are kept of each topic.
     """
 
     topics: tuple[str, ...]
@@ -33,6 +36,7 @@ class Plan:
     script: Script = NOTHING_SAID
     to_the_end: bool = False
     paced: tuple[str, ...] = ()
+    bytes_per_topic: int = BYTES_PER_TOPIC
 
     @property
     def node_suffices(self) -> bool:

@@ -68,7 +68,13 @@ class SubscriberSeen:
 
 @dataclass(frozen=True)
 class TopicRecording:
-    """Everything about one topic; `window` is the robot time from its match to the end of the watch."""
+    """Everything about one topic; `window` is the robot time from its match to the end of the watch.
+
+    `undecodable`: messages whose bytes are none of its type. `not_kept`: messages that came and are not here;
+    `too_large` of them were larger than a message may be. `broken_at`: when (s of robot time) the first came that was
+    undecodable or too large. `full_at`: when the room for this topic was used up; None if it never was. `room`: how
+    many bytes that is; None where there were too many messages.
+    """
 
     name: str
     publishers: tuple[PublisherSeen, ...] = field(default=(), metadata=ALWAYS_STORED)
@@ -77,6 +83,10 @@ class TopicRecording:
     window: tuple[float, float] | None = field(default=None, metadata=ALWAYS_STORED)
     undecodable: int = field(default=0, metadata=ALWAYS_STORED)
     not_kept: int = field(default=0, metadata=ALWAYS_STORED)
+    too_large: int = 0
+    broken_at: float | None = None
+    full_at: float | None = None
+    room: int | None = None
     ignores_unknown_fields: ClassVar[bool] = True
 
     @property

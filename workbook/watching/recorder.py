@@ -2,12 +2,13 @@
 
 import time
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from rclpy.node import Node, NodeNameNonExistentError
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 
+from workbook.recording.plan import BYTES_PER_TOPIC
 from workbook.recording.recording import (
     NodeSeen,
     PublisherSeen,
@@ -16,6 +17,7 @@ from workbook.recording.recording import (
     TopicRecording,
 )
 from workbook.watching.graph_names import NO_NAME, PREFIX_BYTES, is_name, own_prefix, told
+from workbook.watching.room import Room
 from workbook.watching.values import known_class
 from workbook.watching.watched_topic import (
     NODE_UNKNOWN,
@@ -29,7 +31,9 @@ from workbook.watching.watched_topic import (
 INFRASTRUCTURE = ("/rosout", "/parameter_events", "/clock")
 KEPT_PER_TOPIC = 20_000
 TOPICS_WATCHED = 64
-LARGEST_MESSAGE_BYTES = 4_000_000
+TAKEN_AT_ONCE = 2_000
+"""So many messages of a topic are taken before others are looked after: whoever publishes faster than they can be taken
+must not stop the watch."""
 PARAMETER_SERVICES = ("rcl_interfaces/srv/", "type_description_interfaces/srv/")
 CLOCK_WAS_SET_S = 0.5
 LOOKS_PER_LISTING = 5
@@ -45,6 +49,9 @@ class Recorder:
     left out, however others call themselves. Names that are none are left out, too, and cost no other topic: where one
     of them keeps the topics from being listed, the `judged` ones are still looked at. These are recorded even when a
     program publishes more topics than are watched otherwise.
+
+    Of each judged topic so many messages and `bytes_per_topic` are kept, and as much of all others together. What we
+    publish ourselves is not counted: `own_bytes` says how much that is, by topic.
     """
 
     def __init__(
@@ -53,8 +60,13 @@ class Recorder:
         started_at: float,
         robot_time: Callable[[float], float],
         judged: tuple[str, ...] = (),
+        bytes_per_topic: int = BYTES_PER_TOPIC,
+        own_bytes: Mapping[str, int] | None = None,
     ) -> None:
         self._judged = judged
+        self._bytes_per_topic = bytes_per_topic
+        self._own_bytes = own_bytes or {}
+        self._room_of_others = Room(bytes_per_topic, KEPT_PER_TOPIC)
         self._node = node
         self._started_at = started_at
         self._robot_time = robot_time
@@ -136,7 +148,7 @@ class Recorder:
         if watched is None:
             if len(self._topics) >= TOPICS_WATCHED and topic not in self._judged:
                 return False
-            watched = self._topics.setdefault(topic, WatchedTopic(topic))
+            watched = self._topics.setdefault(topic, WatchedTopic(topic, self._room_for(topic)))
         if not self._is_worth_a_look(watched):
             return False
         new = self._update_publishers(watched)
@@ -147,6 +159,11 @@ class Recorder:
                 watched.matched_at = self._robot_now()
                 new = True
         return new
+
+    def _room_for(self, topic: str) -> Room:
+        if topic not in self._judged and topic not in self._own_bytes:
+            return self._room_of_others
+        return Room(self._bytes_per_topic + self._own_bytes.get(topic, 0), KEPT_PER_TOPIC)
 
     def _is_worth_a_look(self, watched: WatchedTopic) -> bool:
         """Whether its endpoints must be listed, which is dear: where their number or our knowledge says so.
@@ -231,7 +248,7 @@ class Recorder:
             return
 
     def take(self) -> None:
-        """Keep every message that has arrived since the last call."""
+        """Keep the messages that have arrived since the last call."""
         offset = time.time() - time.monotonic()
         if abs(offset - self._epoch_offset) > CLOCK_WAS_SET_S:  # messages carry the time of day
             self._epoch_offset = offset
@@ -239,7 +256,7 @@ class Recorder:
             if watched.subscription is None:
                 continue
             with watched.subscription.handle:
-                while True:
+                for _ in range(TAKEN_AT_ONCE):
                     taken = watched.subscription.handle.take_message(watched.subscription.msg_type, True)
                     if taken is None:
                         break
@@ -251,15 +268,11 @@ class Recorder:
         """Drop what has arrived so far: it came before the watch began."""
         self.take()
         for watched in self._topics.values():
-            watched.raw.clear()
-            watched.not_kept = 0
+            watched.forget()
 
     def _keep(self, watched: WatchedTopic, raw: bytes, moment: float, sent: float) -> None:
-        if len(watched.raw) >= KEPT_PER_TOPIC or len(raw) > LARGEST_MESSAGE_BYTES:
-            watched.not_kept += 1
-            return
         wall = moment - self._started_at
-        watched.raw.append((self._robot_time(moment), wall, sent - self._started_at, raw))
+        watched.keep(self._robot_time(moment), wall, sent - self._started_at, raw)
 
     def matched(self, topic: str) -> bool:
         """Whether the recorder's own subscription to `topic` is connected to a publisher."""
@@ -269,7 +282,12 @@ class Recorder:
     def times(self, topic: str) -> list[float]:
         """When messages of `topic` came, up to the last `take` (s of robot time)."""
         watched = self._topics.get(topic)
-        return [] if watched is None else [t for t, *_ in watched.raw]
+        return [] if watched is None else [one.t for one in watched.came]
+
+    def matched_at(self, topic: str) -> float | None:
+        """Since when (s of robot time) `topic` has been recorded; None if it never was."""
+        watched = self._topics.get(topic)
+        return None if watched is None else watched.matched_at
 
     def has_unmatched_publisher(self, topic: str) -> bool:
         """Whether somebody publishes `topic`, and the recorder's own subscription is not connected yet."""

@@ -110,5 +110,12 @@ def open_session(
     session.process = process
     session.quiescence = Quiescence(process.pid)
     session.began = session.speaker.started_at = process.started_at
-    session.recorder = Recorder(node, process.started_at, session.robot_time, judged=plan.topics)
+    session.recorder = Recorder(
+        node,
+        process.started_at,
+        session.robot_time,
+        judged=plan.topics,
+        bytes_per_topic=plan.bytes_per_topic,
+        own_bytes=session.speaker.bytes_by_topic(),
+    )
     return session

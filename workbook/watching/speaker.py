@@ -9,6 +9,7 @@ from typing import Any
 from rclpy.duration import Duration
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.serialization import serialize_message
 
 from workbook.recording.recording import CallSeen, Said
 from workbook.recording.script import BEFORE_START, Calls, Line, Says, Script, Serves
@@ -75,6 +76,7 @@ class Speaker:
 
     def __init__(self, node: Node, script: Script, robot_time: Callable[[float], float]) -> None:
         self._robot_time = robot_time
+        self._script = script
         self.started_at = time.monotonic()
         self._said: list[Said] = []
         self._calls: list[CallSeen] = []
@@ -98,6 +100,16 @@ class Speaker:
             if isinstance(part, Calls)
         ]
         self._say(BEFORE_START)
+
+    def bytes_by_topic(self) -> dict[str, int]:
+        """How many bytes of messages the script publishes in all, by topic."""
+        sizes: dict[str, int] = {}
+        for part in self._script.parts:
+            if isinstance(part, Says):
+                kind = message_class(part.type)
+                said = sum(len(serialize_message(fill(kind(), line.value))) for line in part.lines)
+                sizes[part.topic] = sizes.get(part.topic, 0) + said
+        return sizes
 
     def ready(self) -> bool:
         """Whether the program listens to all that awaits it, and offers all services that are called."""

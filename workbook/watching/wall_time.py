@@ -52,7 +52,6 @@ def left_to_watch(session: Session) -> float:
     For the wall clock. If lines of the script were late, the watch lasts that much longer.
     """
     now = session.robot_time(time.monotonic())
-    topics = session.recorder.topics(now)
-    windows = [topics[name].window for name in session.plan.topics if name in topics]
-    latest = max((window[0] for window in windows if window is not None), default=0.0)
+    since = map(session.recorder.matched_at, session.plan.topics)
+    latest = max((moment for moment in since if moment is not None), default=0.0)
     return max(latest, session.speaker.late_s) + session.plan.wall_s - now

@@ -1,15 +1,34 @@
 """One topic while it is being recorded, and what of it goes into the recording."""
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from rclpy.duration import Infinite
 from rclpy.serialization import deserialize_message
 
 from workbook.recording.recording import Arrival, PublisherSeen, SubscriberSeen, TopicRecording
-from workbook.watching.values import known_class, plain
+from workbook.watching.room import Room
+from workbook.watching.values import bytes_kept, known_class, plain
 
 NODE_UNKNOWN = "_NODE_NAME_UNKNOWN_"
+LARGEST_MESSAGE_BYTES = 4_000_000
+MOST_NOTED = 2_000
+"""So many messages that are not kept are counted, with the moments at which they came."""
+LARGE_MESSAGE_BYTES = 16_000
+"""A larger message is decoded at once, so that only what is kept of it takes memory."""
+LARGE_COSTS = 1 / 50
+"""Share of its size that a large message takes of the room for its topic, besides what is kept of it: reading it takes
+time."""
+
+
+class Came(NamedTuple):
+    """A message as it came: in robot time, wall time, when it was sent (s), and its bytes or, if large, its value."""
+
+    t: float
+    wall: float
+    sent: float
+    raw: bytes
+    value: Any = None
 
 
 @dataclass
@@ -17,16 +36,59 @@ class WatchedTopic:
     """One topic while it is being recorded."""
 
     name: str
+    room: Room
     publishers: dict[bytes, PublisherSeen] = field(default_factory=dict)
     subscribers: dict[bytes, SubscriberSeen] = field(default_factory=dict)
-    raw: list[tuple[float, float, float, bytes]] = field(default_factory=list)
+    came: list[Came] = field(default_factory=list)
+    undecodable: list[float] = field(default_factory=list)
+    too_large: list[float] = field(default_factory=list)
+    without_room: list[float] = field(default_factory=list)
     subscription: Any = None
     subscribed_type: str | None = None
     best_effort: bool = False
     matched_at: float | None = None
-    not_kept: int = 0
     endpoints: tuple[int, int] = (0, 0)
     looks: int = 0
+
+    def keep(self, t: float, wall: float, sent: float, raw: bytes) -> None:
+        """Keep a message, or when it came, if it is broken or there is no room for it. `t`: robot time (s)."""
+        if len(raw) > LARGEST_MESSAGE_BYTES:
+            self._note(self.too_large, t)
+        elif len(raw) <= LARGE_MESSAGE_BYTES:
+            if self._has_room(len(raw), t):
+                self.came.append(Came(t, wall, sent, raw))
+        elif self._has_room(round(LARGE_COSTS * len(raw)), t):
+            value = self.decoded(raw)
+            if value is None:
+                self._note(self.undecodable, t)
+            elif self._has_room(bytes_kept(value), t, messages=0):
+                self.came.append(Came(t, wall, sent, b"", value))
+
+    def _has_room(self, size: int, t: float, messages: int = 1) -> bool:
+        """Take so much of the room. What comes once it is used up is not kept, however small."""
+        if self.room.take(size, messages):
+            return True
+        self._note(self.without_room, t)
+        return False
+
+    @staticmethod
+    def _note(moments: list[float], t: float) -> None:
+        if len(moments) < MOST_NOTED:
+            moments.append(t)
+
+    def decoded(self, raw: bytes) -> Any | None:
+        """A message as plain data; None if the bytes are none of the type of this topic."""
+        message_type = None if self.subscribed_type is None else known_class(self.subscribed_type)
+        try:
+            return plain(deserialize_message(raw, message_type))
+        except Exception:  # bytes that are not trusted: whatever goes wrong, they are no message
+            return None
+
+    def forget(self) -> None:
+        """Drop what has come so far."""
+        for moments in (self.came, self.undecodable, self.too_large, self.without_room):
+            moments.clear()
+        self.room.clear()
 
     def is_known(self) -> bool:
         """Whether all that can be known of its endpoints is known."""
@@ -54,23 +116,28 @@ def deadline_of(info: Any) -> float | None:
 def finished(watched: WatchedTopic, end: float) -> TopicRecording:
     """The recording of a topic with its messages decoded; its window closes at robot time `end` (s)."""
     arrivals: list[Arrival] = []
-    undecodable = 0
-    message_type = None if watched.subscribed_type is None else known_class(watched.subscribed_type)
-    for t, wall, sent, raw in watched.raw:
-        if t > end:
+    undecodable = [t for t in watched.undecodable if t <= end]
+    too_large = [t for t in watched.too_large if t <= end]
+    without_room = [t for t in watched.without_room if t <= end]
+    for one in watched.came:
+        if one.t > end:
             break
-        try:
-            value = plain(deserialize_message(raw, message_type))
-        except Exception:  # bytes that are not trusted: whatever goes wrong, they are no message
-            undecodable += 1
-            continue
-        arrivals.append(Arrival(round(t, 6), round(wall, 4), value, round(sent, 6)))
+        value = one.value if one.value is not None else watched.decoded(one.raw)
+        if value is None:
+            undecodable.append(one.t)
+        else:
+            arrivals.append(Arrival(round(one.t, 6), round(one.wall, 4), value, round(one.sent, 6)))
+    broken_at = min((*undecodable, *too_large), default=None)
     return TopicRecording(
         name=watched.name,
         publishers=tuple(watched.publishers.values()),
         subscribers=tuple(watched.subscribers.values()),
         arrivals=tuple(arrivals),
         window=None if watched.matched_at is None else (watched.matched_at, end),
-        undecodable=undecodable,
-        not_kept=watched.not_kept,
+        undecodable=len(undecodable),
+        not_kept=len(too_large) + len(without_room),
+        too_large=len(too_large),
+        broken_at=None if broken_at is None else round(broken_at, 6),
+        full_at=round(without_room[0], 6) if without_room else None,
+        room=watched.room.most_bytes if without_room and watched.room.is_short_of_bytes else None,
     )

@@ -10,7 +10,7 @@ from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.estimators import PAIR_FRACTION
 from workbook.criteria.vocabulary.phrasing import count, listing
 from workbook.criteria.vocabulary.silences import program_ended
-from workbook.criteria.vocabulary.topics import if_messages
+from workbook.criteria.vocabulary.topics import if_all_kept, if_messages
 from workbook.criteria.vocabulary.values import elements, length_of, values
 from workbook.recording.recording import Recording
 
@@ -19,7 +19,7 @@ MOSTLY = 0.75
 """Share of the messages that differ from the one before as much as they must."""
 
 
-@if_messages
+@if_all_kept
 def length(recording: Recording, topic: Topic, wanted: int, what: str = "value") -> Verdict:
     """Every message carries an array of exactly `wanted` elements."""
     lengths = [length_of(value) for value in values(recording, topic)]

@@ -107,6 +107,7 @@ def shutdown_overtaken(log: str) -> bool:
     `rclpy.try_shutdown()` checks whether the context is up, and then shuts it down. A spin checks whether it is up, and
     then waits. The thread of rclpy that handles Ctrl-C may shut it down in between; then a correct program ends with a
     traceback and exit code 1. Measured: `try_shutdown` 4 of about 550 ends on two processors with work for ten.
+    Any program can print this text, so it is a reason to look again (`conclusiveness`), and never one to forgive.
     Sources: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py (Context.try_shutdown),
     https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/executors.py (Executor._wait_for_ready_callbacks).
     """
@@ -117,7 +118,7 @@ def shutdown_overtaken(log: str) -> bool:
 def ended_in_order(exit_code: int | None, end_log: str) -> bool:
     """Whether a program ended with exit code 0 and no traceback, apart from rclpy's own shutdown errors.
 
-    See `shutdown_overtaken` and `without_executors_end`.
+    For programs that are trusted: see `shutdown_overtaken` and `without_executors_end`.
     """
     if exit_code == 1:
         return shutdown_overtaken(end_log)

@@ -10,7 +10,7 @@ from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.estimators import Pace, pace
 from workbook.criteria.vocabulary.phrasing import count, hertz, number, seconds
 from workbook.criteria.vocabulary.silences import gone_silent, program_ended
-from workbook.criteria.vocabulary.topics import if_messages, window_of
+from workbook.criteria.vocabulary.topics import if_all_kept, if_messages, window_of
 from workbook.recording.recording import Recording
 
 RATE_TOLERANCE = 0.2
@@ -39,7 +39,7 @@ def topic_pace(recording: Recording, topic: Topic) -> Pace:
 
 
 @_of_pace
-@if_messages
+@if_all_kept
 def rate(recording: Recording, topic: Topic) -> Verdict:
     """Messages come at the topic's rate: mean within 20 %, no silence longer than one and a half periods."""
     assert topic.hz is not None
@@ -64,7 +64,8 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
 def _watched(recording: Recording, topic: Topic) -> tuple[float, float]:
     """Begin and end (s) of the watch over a topic; of a program that ended by itself, until its very last message.
 
-    Robot time may run on for some seconds until such an end is noticed. That it ended is judged, but not here.
+    Robot time may run on for some seconds until such an end is noticed. That it ended is judged, but not here. Where
+    more came than is kept, the watch ends with the first message that was not.
     """
     start, end = window_of(recording, recording.topic(topic.name))
     if recording.process.ended_by == "itself":
@@ -72,7 +73,8 @@ def _watched(recording: Recording, topic: Topic) -> tuple[float, float]:
             (one.t for name in recording.wanted for one in recording.topic(name).arrivals), default=end
         )
         end = min(end, last)
-    return start, max(start, end)
+    full_at = recording.topic(topic.name).full_at
+    return start, max(start, end if full_at is None else min(end, full_at))
 
 
 def _tolerated(topic: Topic) -> tuple[float, float]:
@@ -162,7 +164,7 @@ def _too_few(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
 
 
 @_of_pace
-@if_messages
+@if_all_kept
 def counts(recording: Recording, topic: Topic) -> Verdict:
     """Exactly as many messages arrive as periods fit in the window; one more or less may fall on its edge."""
     assert topic.hz is not None

@@ -128,7 +128,7 @@ def no_message(recording: Recording, topic: Topic) -> Verdict | None:
             "The bytes on the wire are no message of this type.",
             "Publish message objects, not raw bytes.",
         )
-    if seen.not_kept:
+    if seen.not_kept and seen.full_at is None:
         return failed(
             "no-message.too-large",
             f"{count(seen.not_kept, 'message')} on {topic.name} came, larger than 4 MB",
@@ -136,7 +136,7 @@ def no_message(recording: Recording, topic: Topic) -> Verdict | None:
             "A list that grows with every message, or far too many values.",
             "Print the length of what you publish; begin a new list for every message.",
         )
-    return _silent(recording, topic)
+    return _more_than_is_kept(recording, topic) or _silent(recording, topic)
 
 
 def _silent(recording: Recording, topic: Topic) -> Verdict:
@@ -166,6 +166,68 @@ def if_messages(
         return no_message(recording, topic) or word(recording, topic, *args, **kwargs)
 
     return judge
+
+
+def if_all_kept(
+    word: Callable[Concatenate[Recording, Topic, P], Verdict],
+) -> Callable[Concatenate[Recording, Topic, P], Verdict]:
+    """Decorates a function that judges each message of a topic, of which some must have arrived.
+
+    Messages that nobody can read count as well: beside right ones they are a failure. So is it where more came than is
+    kept, unless what is kept fails by itself.
+    """
+
+    @wraps(word)
+    def judge(recording: Recording, topic: Topic, /, *args: P.args, **kwargs: P.kwargs) -> Verdict:
+        broken = no_message(recording, topic) or _some_are_broken(recording, topic)
+        if broken is not None:
+            return broken
+        verdict = word(recording, topic, *args, **kwargs)
+        return (_more_than_is_kept(recording, topic) if verdict.ok else None) or verdict
+
+    return judge
+
+
+def _some_are_broken(recording: Recording, topic: Topic) -> Verdict | None:
+    seen = recording.topic(topic.name)
+    since = "" if seen.broken_at is None else f", the first at {seconds(seen.broken_at)}"
+    right = count(len(seen.arrivals), "readable message")
+    expected = f"{topic.short_type} messages that can be read, and no others"
+    if seen.undecodable:
+        return failed(
+            "all-kept.undecodable",
+            f"beside {right} on {topic.name}, {seen.undecodable} came that could not be decoded{since}",
+            expected,
+            "The bytes on the wire are no message of this type.",
+            "Publish message objects only, not raw bytes.",
+        )
+    if seen.too_large:
+        return failed(
+            "all-kept.too-large",
+            f"beside {right} on {topic.name}, {seen.too_large} came that are larger than 4 MB{since}",
+            expected,
+            "A list that grows with every message, or far too many values.",
+            "Print the length of what you publish; begin a new list for every message.",
+        )
+    return None
+
+
+def _more_than_is_kept(recording: Recording, topic: Topic) -> Verdict | None:
+    seen = recording.topic(topic.name)
+    if seen.full_at is None:
+        return None
+    start, _ = window_of(recording, seen)
+    lasted = seconds(max(0.0, seen.full_at - start))
+    kept = count(len(seen.arrivals), "message")
+    room = kept if seen.room is None else f"{seen.room / 1e6:g} MB"
+    return failed(
+        "all-kept.too-much",
+        f"what came on {topic.name} was more than the judge keeps of a topic ({room}) after {lasted} and {kept}; the "
+        "rest was not looked at",
+        f"at most {room} on {topic.name}",
+        "Messages are far larger, or far more, than the task asks for: a list that grows, or a loop that publishes.",
+        "Print the length of what you publish, and how often you publish it.",
+    )
 
 
 def needs_messages(topic: Topic) -> Callable[[Judgement], Judgement]:

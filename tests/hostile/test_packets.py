@@ -1,0 +1,100 @@
+"""Packets of an answer's own publisher that keep DDS, and so the judge, at work for ever: GAP and HEARTBEAT over 2^61
+messages. All of them go to the loopback of the private network that the slot has for itself."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from workbook.exercise.answers import Answer
+from workbook.exercise.definition import load_exercise
+from workbook.exercise.judgement import Judgement
+from workbook.grading import pool
+from workbook.grading.judges import Job
+from workbook.grading.pool import Slot, SlotBroken, judge_with_retry
+from workbook.isolation.bubblewrap import sandbox_problem
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.slow]
+ROOT = Path(__file__).resolve().parents[2]
+STEM = "09_joint_positions"
+PATIENCE_S = 120.0
+SPEAKS_FOR_DDS = """
+import socket
+import struct
+import threading
+import time
+
+import rclpy.node
+
+_create = rclpy.node.Node.create_publisher
+
+
+def create_publisher(self, kind, name, *arguments, **options):
+    publisher = _create(self, kind, name, *arguments, **options)
+    if name.endswith("joint_positions"):
+        threading.Thread(target=send, args=(self, publisher), daemon=True).start()
+    return publisher
+
+
+def send(node, publisher):
+    while publisher.get_subscription_count() == 0:
+        time.sleep(0.05)
+    [info] = node.get_publishers_info_by_topic("/robot/joint_positions")
+    gid = bytes(info.endpoint_gid)
+    to_all, first, last = bytes(4) + gid[12:16], (0, 2), (1 << 29, 0)
+    gap = to_all + struct.pack("<iIiII", *first, *last, 0)
+    heartbeat = to_all + struct.pack("<iIiIi", *last, *last, 1000)
+    kind, body = {"gap": (8, gap), "heartbeat": (7, heartbeat)}["@@KIND@@"]
+    packet = b"RTPS\\x02\\x03\\x01\\x0f" + gid[:12] + bytes((kind, 1)) + struct.pack("<H", len(body)) + body
+    out = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    while True:
+        lines = open("/proc/net/udp").readlines()[1:]
+        for port in {int(line.split()[1].rsplit(":", 1)[1], 16) for line in lines}:
+            if 7400 <= port < 33000:
+                try:
+                    out.sendto(packet, ("127.0.0.1", port))
+                except OSError:
+                    pass
+        time.sleep(0.2)
+
+
+rclpy.node.Node.create_publisher = create_publisher
+"""
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _needs_a_sandbox() -> None:
+    problem = sandbox_problem()
+    if problem is not None:
+        pytest.skip(f"programs cannot be sandboxed: {problem}")
+
+
+@pytest.mark.parametrize("kind", ["gap", "heartbeat"])
+def test_packets_over_all_messages_that_there_can_be_stop_no_grader(
+    kind: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Impatient(Slot):
+        def judge(self, stem: str, answer: Answer, **options: Any) -> Judgement:
+            monkeypatch.setattr(pool, "ANSWER_DEADLINE_S", 30.0 if answer is hostile else PATIENCE_S)
+            return super().judge(stem, answer, **options)
+
+    monkeypatch.setattr(pool, "Slot", Impatient)
+    solution = load_exercise(STEM, ROOT).source.solution_code
+    hostile = Answer(SPEAKS_FOR_DDS.replace("@@KIND@@", kind) + solution)
+    slot, judgement = judge_with_retry(None, Job(kind, STEM, hostile), thorough=False, isolation="sandbox")
+    assert slot is not None
+    slot.close()
+    assert judgement.status in ("graded", "ungradable"), judgement.reason
+    assert judgement.score is None or judgement.score < 10.0
+    if judgement.status == "ungradable":
+        assert (judgement.reason or "").startswith("stopped_judge: ")
+
+
+def test_a_slot_is_given_up_once_it_takes_too_much_memory(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Counted is what judges, wherever the tier has put it, and not the program that is judged."""
+    waits = Answer("import threading\nthreading.Event().wait(60)\n")
+    with Slot("sandbox") as slot:
+        monkeypatch.setattr(pool, "SLOT_BYTES", 1)
+        with pytest.raises(SlotBroken, match="too much memory"):
+            slot.judge(STEM, waits, thorough=False)
+        slot.kill()
