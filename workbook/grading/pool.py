@@ -254,25 +254,19 @@ def judge_with_retry(
     If both slots break at this answer, and a new one judges a right answer, the answer is to blame: it is `ungradable`,
     for the reason `STOPPED_JUDGE`. Else the fault is ours: `infra_error` and no slot.
     """
-    reason = ""
-<<<<<<< HEAD
     with turn(isolation):
-        for _ in range(TRIES):
-            try:
-                if slot is not None and not slot.is_running:
-                    slot.close()
-                    slot = None
-                slot = slot or standby.take(isolation, own_criteria)
-                judgement = slot.judge(
-                    job.stem, job.answer, thorough=thorough, second_start=job.second_start, report=report
-                )
-                return slot, judgement
-            except Exception as error:  # whatever it is, the answer must not get lost
-                reason = str(error) or type(error).__name__
-                if slot is not None:
-                    slot.kill()
-                slot = None
-=======
+        return _judge_with_retry(slot, job, thorough, isolation, own_criteria, report)
+
+
+def _judge_with_retry(
+    slot: Slot | None,
+    job: Job[Key],
+    thorough: bool,
+    isolation: Isolation,
+    own_criteria: Path | None,
+    report: Report | None,
+) -> tuple[Slot | None, Judgement]:
+    reason = ""
     stopped = 0
     for _ in range(TRIES):
         at_work = False
@@ -297,7 +291,6 @@ def judge_with_retry(
         if slot is not None:
             told = f"{STOPPED_JUDGE}: {reason}, {TRIES} times with this answer, and then judged a right one. {LOOK}"
             return slot, Judgement(job.stem, job.answer.sha256, "ungradable", told, (), None)
->>>>>>> h-packets
     reason += f", {TRIES} times with this answer. Run the command again; if it stays so, look at this answer yourself"
     return None, Judgement(job.stem, job.answer.sha256, "infra_error", reason, (), None)
 
