@@ -19,7 +19,7 @@
 # # Exercise 14 · Twelve steady joints
 #
 # The humanoid stands still, and its hands tremble. The motors are fine. The encoders in the joints are noisy, and the
-# controller answers every bit of noise. Put a filter between the two. But a filter looks back, so it is always a
+# controller answers every bit of noise. Put a filter between the two. But a filter looks back, so it is usually a
 # little late, and a robot that learns too late where its joints are falls over. You need both: less noise, and not
 # much delay.
 #
@@ -47,8 +47,9 @@
 # | survives NaN | each angle is a finite number, within 0.1 rad of the joint |
 # | notices a restart | after a restart, each of the first 8 answers is within 0.1 rad of the joint |
 #
-# The noise has a standard deviation of 0.02 rad and never exceeds 0.05 rad. Now and then an encoder gives NaN: one, several or all of them, in up
-# to three messages in a row, but never in the first message after a start, and only while the joints stand still.
+# The noise has a standard deviation of 0.02 rad and never exceeds 0.05 rad. Now and then an encoder gives NaN: one,
+# several or all of them, in up to three messages in a row, but never in the first message after a start, and only
+# while the joints stand still.
 #
 # **The restart.** The stamp says how long the board of the encoders had been switched on when it measured. When somebody
 # switches it off and on again, its stamps begin again near zero, so a stamp is *before* the last one. Meanwhile the
@@ -214,5 +215,7 @@ if __name__ == "__main__":
 #   Twelve calls in the place of one: fine for twelve, not for ten thousand.
 # - **A new message instead of the one that came.** `JointState(header=message.header, name=message.name,
 #   position=...)` does not change what you were given. Here nobody else has it, so changing it does no harm.
+# - **A straight line through the last 19 messages** (Savitzky–Golay, `savgol_coeffs(19, 1, pos=18, use="dot")`), and its
+#   end. It is not behind at all while the joints move evenly. The price: it overshoots when they stop or turn around.
 # - **A Kalman filter** knows how noisy the encoder is and how the joint can move, and so needs less delay for the same
 #   noise. Worth it when there is a model of the movement.

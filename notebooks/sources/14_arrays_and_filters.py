@@ -263,7 +263,7 @@ show(fig, "noisy dots around a slow wave; both filtered curves are smooth, and l
 
 # %% [markdown]
 # Both curves are calmer than the dots, and both lie to the right of the dashed line: they are **late**. This is no
-# fault of the code. A filter looks back, so its result is about the past.
+# fault of the code. Each result is made of earlier measurements, so it is about the past.
 
 # %% [markdown]
 # ## Change it
@@ -327,11 +327,11 @@ for words, place, beside in (
 ):
     axes.annotate(words, place, beside, textcoords="offset points")
 axes.set(xlabel="delay (s)", ylabel="noise left (%)", xlim=(0, 0.44), ylim=(0, 80))
-axes.set_title("Less noise costs delay, whichever filter")
+axes.set_title("Less noise costs delay, with both filters")
 show(fig, "noise against delay: both filters fall from little delay to little noise")
 
 # %% [markdown]
-# There is no filter in the lower left corner. **Choose by what the robot can afford.** A balance controller cannot use
+# Neither filter gets into the lower left corner. **Choose by what the robot can afford.** A balance controller cannot use
 # an angle that is 0.3 s old. A display can.
 
 # %% [markdown]
@@ -605,10 +605,12 @@ else:
 # - `np.asarray` looks at the memory of the message, `np.array` copies it; write only into copies.
 # - For twelve values take what reads best; for a million, nothing that touches them one by one.
 # - A filter in a callback needs a memory that outlives the callback, begun at the first measurement.
-# - An average of N leaves 1/√N of the noise and is (N − 1)/2 messages late; every filter trades noise for delay.
+# - An average of N leaves 1/√N of the noise and is (N − 1)/2 messages late; Butterworth pays a similar price.
 # - `filtfilt` is not late because it looks ahead: it is for recordings.
 #
-# **Next:** the exercise
+# **Before:** [13 · QoS and discovery](13_qos_and_discovery.ipynb)
+#
+# **Next:** you have reached the last lesson that there is at the moment.
 #
 # **More:** [SciPy: signal processing](https://docs.scipy.org/doc/scipy/tutorial/signal.html) and
 # [about interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html).
