@@ -57,7 +57,7 @@
 #
 # ## What is judged
 #
-# Your program runs as a process of its own. The judge publishes 200 messages: the joints stand, move, stand again, and
+# Your program runs as a process of its own. The judge publishes 160 messages: the joints stand, move, stand again, and
 # the board is restarted once. It knows where the joints really are, and compares.
 #
 # | points | criterion |
@@ -72,7 +72,8 @@
 # | 1 | it notices the restart, and begins anew |
 # | 1 | a NaN does no harm |
 #
-# Noise and delay are measured a second (20 messages) after a start or a change, when a filter has settled. Any filter
+# The last five wait for a filter: an answer that passes on what came is judged by the first four only. Noise and delay
+# are measured a second (20 messages) after a start or a change, when a filter has settled. Any filter
 # will do, and any shape of program: NumPy, SciPy or plain Python, one class or one for each joint.
 #
 # **Not part of it:** velocities, efforts, the frame of the header, lost messages, stamps at irregular distances, and

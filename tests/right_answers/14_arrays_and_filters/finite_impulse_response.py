@@ -31,9 +31,9 @@ class Filter(Node):
         self.memory: Memory | None = None
         self.before = -1.0
         self.pub = self.create_publisher(JointState, "/robot/joint_states", 10)
-        self.sub = self.create_subscription(JointState, "/encoders/joint_states", self.handle, 10)
+        self.sub = self.create_subscription(JointState, "/encoders/joint_states", self.on_message, 10)
 
-    def handle(self, message: JointState) -> None:
+    def on_message(self, message: JointState) -> None:
         angles = np.frombuffer(message.position)
         stamp = message.header.stamp
         seconds = stamp.sec + stamp.nanosec * 1e-9

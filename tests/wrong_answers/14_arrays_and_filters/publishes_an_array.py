@@ -1,6 +1,6 @@
 # Publishes the angles alone, as an array without names.
 # loses: output_topic
-# skips: answers_come, labels_kept, every_one_answered, noise_reduced, delay_bounded, begins_near, restart_noticed, survives_nan
+# skips: answers_come, labels_kept, every_one_answered, filters, noise_reduced, delay_bounded, begins_near, restart_noticed, survives_nan
 # cause: publishes.other-type
 # replaces: from sensor_msgs.msg import JointState
 from sensor_msgs.msg import JointState
