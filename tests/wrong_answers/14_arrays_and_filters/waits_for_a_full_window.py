@@ -1,6 +1,6 @@
 # No answers until the window is full.
 # on: right/moving_average.py
-# loses: every_one_answered
+# loses: every_one_answered, begins_near, restart_noticed
 # cause: every-one-answered.missing
 # replaces: self.window.extend([angles] * WINDOW)
 self.window.clear()
