@@ -914,7 +914,7 @@ stop()
 #
 # **Before:** [12 · Services](12_services.ipynb)
 #
-# **Next:** you have reached the last lesson that there is at the moment.
+# **Next:** [14 · Arrays and filters](14_arrays_and_filters.ipynb)
 #
 # **More:** [About quality of service settings](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html),
 # with all policies, and [About discovery](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Discovery.html).

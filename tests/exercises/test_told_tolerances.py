@@ -103,6 +103,30 @@ def test_13_tells_when_the_line_and_the_alarm_must_come() -> None:
     assert f"no silence over {applied['LONGEST_GAP_S']:g} s" in told
 
 
+def test_14_tells_how_much_noise_and_delay_is_left_and_how_near_an_angle_must_be() -> None:
+    applied, told = constants("14_arrays_and_filters"), task("14_arrays_and_filters")
+    assert f"at most {share(applied['MOST_NOISE'])} of the noise is left" in told
+    assert f"at no single joint more than {share(applied['MOST_NOISE_OF_ONE'])}" in told
+    assert f"the angles are at most {applied['LONGEST_DELAY_S']:g} s behind" in told
+    starting = f"each of the first {applied['STARTING']} answers is within {applied['NEAR_RAD']:g} rad"
+    assert told.count(f"{starting} of the joint") == 2
+    assert f"each angle is a finite number, within {applied['NEAR_RAD']:g} rad of the joint" in told
+    assert f"typically within {applied['TYPICALLY_S']:g} s" in told
+    assert round(10 * applied["SHARE_AT_ONCE"]) == 9
+    assert f"nine of ten within {applied['AT_ONCE_S']:g} s" in told
+
+
+def test_14_tells_what_the_encoders_say() -> None:
+    applied, told = constants("14_arrays_and_filters"), task("14_arrays_and_filters")
+    noise, largest = f"{applied['NOISE_RAD']:g} rad", f"{applied['LARGEST_NOISE_RAD']:g} rad"
+    assert f"standard deviation of {noise} and never exceeds {largest}" in told
+    assert f"{1 / applied['PERIOD_S']:.0f} messages a second: names" in told
+    assert f"publishes {len(applied['SAMPLES'])} messages" in told
+    assert f"a second ({applied['SETTLED']} messages) after a start or a change" in told
+    stands_again = range(applied["STANDS"] + applied["MOVES"], applied["RESTART"])
+    assert all(place in stands_again for place in applied["NAN_AT"])
+
+
 def test_02_tells_how_far_a_rate_may_be_off() -> None:
     told = task("02_nodes")
     assert f"A rate may be {RATE_TOLERANCE:.0%}".replace("%", " %") in told

@@ -1,0 +1,11 @@
+# No answers until the window is full.
+# on: right/moving_average.py
+# loses: every_one_answered, begins_near, restart_noticed
+# cause: every-one-answered.missing
+# replaces: self.window.extend([angles] * WINDOW)
+self.window.clear()
+self.window.append(angles)
+
+# replaces: self.out.publish(answer)
+if len(self.window) == WINDOW:
+    self.out.publish(answer)
