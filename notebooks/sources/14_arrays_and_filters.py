@@ -26,7 +26,7 @@ stop()
 # The node publishes a `JointState` twenty times a second. Its field `name` holds twelve names, and `position` holds
 # twelve angles in radians. In a callback you want to compute with these angles, so you make an array of them.
 
-# %% [markdown]
+# %% [markdown] prediction="array-of-a-message"
 # ## Predict
 #
 # ```python
@@ -39,13 +39,18 @@ stop()
 # What does the last line print?
 #
 # - **a** `0.1`: the array is a copy.
+#   when `first < 1.0`
+#   ✗ `np.array` would copy. `np.asarray` takes the memory that is there, if it can.
 # - **b** Nothing: NumPy raises an error, because messages are read-only.
+#   ✗ Fields of a message can be written to, by their name and through an array that shares their memory.
 # - **c** `9.0`: array and message share their memory.
+#   when `first > 1.0`
+#   ✓ The array looks at the memory of the message. What is written into one stands in the other.
 
 # %%
-from workbook.lesson import predict
+from workbook.lesson import predict, reveal
 
-predict("...", about="writing into the array")
+predict("array-of-a-message")
 
 # %% [markdown]
 # ## Run it
@@ -53,8 +58,6 @@ predict("...", about="writing into the array")
 # %% id="view-or-copy"
 import numpy as np
 from sensor_msgs.msg import JointState
-
-from workbook.lesson import recall
 
 message = JointState(position=[0.1, 0.2, 0.3])
 angles = np.asarray(message.position)
@@ -64,7 +67,7 @@ print("after a write through np.asarray:", message.position[0])
 copied = np.array(message.position)
 copied[1] = 9.0
 print("after a write through np.array:  ", message.position[1])
-recall("c", about="writing into the array")
+reveal("array-of-a-message", first=message.position[0])
 
 # %% [markdown]
 # ## Look inside
@@ -265,7 +268,7 @@ show(fig, "noisy dots around a slow wave; both filtered curves are smooth, and l
 # Both curves are calmer than the dots, and both lie to the right of the dashed line: they are **late**. This is no
 # fault of the code. Each result is made of earlier measurements, so it is about the past.
 
-# %% [markdown]
+# %% [markdown] prediction="longer-average"
 # ## Change it
 #
 # ### Experiment 1: a longer average
@@ -276,11 +279,17 @@ show(fig, "noisy dots around a slow wave; both filtered curves are smooth, and l
 # We go from an average of 4 messages to one of 16. What happens?
 #
 # - **a** Half of the noise, and five times the delay.
+#   when `noise_ratio > 0.4 and delay_ratio > 4.5`
+#   ✓ Four times as many messages leave half of the noise. The delay grows from 1.5 to 7.5 messages.
 # - **b** A quarter of the noise, and four times the delay.
+#   when `noise_ratio < 0.4 and delay_ratio > 3.0 and delay_ratio < 4.5`
+#   ✗ Noise goes down with the square root of the number of messages, and the root of 4 is 2.
 # - **c** A quarter of the noise, and the same delay: computing a mean takes no time.
+#   when `noise_ratio < 0.4 and delay_ratio < 3.0`
+#   ✗ The delay does not come from computing. A mean of old and new values is about the time in their middle.
 
 # %%
-predict("...", about="an average of 16")
+predict("longer-average")
 
 # %% id="noise-and-delay"
 noise = np.random.default_rng(14).normal(size=4000)
@@ -300,7 +309,8 @@ for length in (4, 16):
     print(f"average of {length:>2}: {delay(MovingAverage(length)):.1f} messages behind")
 quieter = noise_left(MovingAverage(16)) / noise_left(MovingAverage(4))
 print(f"16 in place of 4 leaves {quieter:.1f} times the noise")
-recall("a", about="an average of 16")
+longer = delay(MovingAverage(16)) / delay(MovingAverage(4))
+reveal("longer-average", noise_ratio=float(quieter), delay_ratio=longer)
 
 # %% [markdown]
 # The noise of independent measurements averages out slowly: N of them leave 1/√N. The delay grows with N itself: an
@@ -334,7 +344,7 @@ show(fig, "noise against delay: both filters fall from little delay to little no
 # Neither filter gets into the lower left corner. **Choose by what the robot can afford.** A balance controller cannot use
 # an angle that is 0.3 s old. A display can.
 
-# %% [markdown]
+# %% [markdown] prediction="message-fifty-again"
 # ### Experiment 2: a filter without delay
 #
 # SciPy also has `sosfiltfilt`. It runs the Butterworth filter forward and then backward, so the two delays cancel.
@@ -342,11 +352,16 @@ show(fig, "noise against delay: both filters fall from little delay to little no
 # 100 messages, and ask for message 50 again.
 #
 # - **a** Message 50 gets the same result, because it has not changed.
+#   when `difference < 1e-12`
+#   ✗ That holds for a filter that looks back only, such as `sosfilt`. The way back begins at the newest message.
 # - **b** Message 50 gets another result, because it depends on messages that come later.
+#   when `difference >= 1e-12`
+#   ✓ On its way back the filter begins with the newest message, so each new one changes what came before.
 # - **c** It fails: `sosfiltfilt` needs all messages of the robot's life.
+#   ✗ It takes any stretch of messages that is long enough, and filters that.
 
 # %%
-predict("...", about="forward and backward")
+predict("message-fifty-again")
 
 # %% id="looks-ahead"
 from scipy.signal import sosfiltfilt
@@ -369,7 +384,7 @@ for one in (forward, forward_and_back):
     early, late = one(measured[:60])[50], one(measured)[50]
     same = abs(early - late) < 1e-12
     print(f"{one.__name__}: the same result for message 50: {same}")
-recall("b", about="forward and backward")
+reveal("message-fifty-again", difference=float(abs(early - late)))
 
 # %% id="looks-ahead-on-a-ramp"
 ramp = np.arange(200.0)
@@ -378,8 +393,9 @@ for one in (forward, forward_and_back):
     print(f"{one.__name__}: {abs(behind):.1f} messages behind on a ramp")
 
 # %% [markdown]
-# `sosfiltfilt`, and its older sister `filtfilt`, are not late because they **look ahead**. In a callback the future is not there yet. Use
-# them for recordings: to draw a clean curve, or to compare your live filter with the best that was possible.
+# `sosfiltfilt`, and its older sister `filtfilt`, are not late because they **look ahead**. In a callback the future is
+# not there yet. Use them for recordings: to draw a clean curve, or to compare your live filter with the best that was
+# possible.
 
 # %% [markdown]
 # ## When it goes wrong

@@ -19,7 +19,7 @@ from workbook import cli
 from workbook.cli.parsing import CommandParser, show_what_is_below
 
 GROUPS = (
-    ("Lessons and exercises", ("lab", "check", "hint", "progress", "reset")),
+    ("Lessons and exercises", ("lab", "check", "hint", "progress", "restore", "reset")),
     ("The robot of the open notebook", ("node", "topic", "graph")),
     ("This machine", ("doctor", "completion")),
     ("For instructors and authors", ("grade", "package", "new")),
