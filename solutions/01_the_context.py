@@ -9,7 +9,8 @@
 #   - initialize ROS once and keep a node running until it is told to end
 #   - clean up after Ctrl-C, although the context is already shut down
 #   - end a program with exit code 0 and without a traceback
-#   - remove your node from the graph, so that no ghost of it stays out_of_scope:
+#   - remove your node from the graph, so that no ghost of it stays
+# out_of_scope:
 #   - SIGTERM and other signals than that of Ctrl-C (this rclpy loses some of them)
 #   - topics, and what the guard does on its rounds
 #   - a last message on a topic, which needs other signal handlers

@@ -8,10 +8,12 @@
 # objectives:
 #   - put a node into a namespace
 #   - run one class twice under two names, without editing it
-#   - see on the graph which nodes are there and which should not be out_of_scope:
+#   - see on the graph which nodes are there and which should not be
+# out_of_scope:
 #   - what is in the pictures, and real cameras
 #   - launch files, and remapping single topics
-#   - how spin and executors work (lesson 06); the program does this for you ---
+#   - how spin and executors work (lesson 06); the program does this for you
+# ---
 # %% [markdown]
 # # Exercise 02 · An eye in the back of the head
 #

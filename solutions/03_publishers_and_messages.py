@@ -8,7 +8,8 @@
 # objectives:
 #   - create a publisher, fill a message and publish it
 #   - send any number so that it arrives as that number
-#   - refuse what is not a number with an error, instead of sending 0.0 out_of_scope:
+#   - refuse what is not a number with an error, instead of sending 0.0
+# out_of_scope:
 #   - timers and rates; other code calls your method
 #   - whether a charge makes sense (below 0 or above 100 %); only numbers from 0 to 100 are tried
 #   - bools, texts and arrays of NumPy, and bytes

@@ -9,7 +9,8 @@
 #   - subscribe to a topic with the right name, type and depth
 #   - write a callback that decides what happens to each message
 #   - pass messages on in the order in which they came
-#   - react once, and only once, to an impossible value out_of_scope:
+#   - react once, and only once, to an impossible value
+# out_of_scope:
 #   - timers and rates; the node acts only when a message comes
 #   - guessing what a bad reading should have been
 #   - how the program ends (lesson 01 judges that)
@@ -101,7 +102,7 @@ class BatteryMonitor(Node):
         # [solution]
         if EMPTY <= message.data <= FULL:
             self.battery_publisher.publish(message)
-        else:  # also for nan: no comparison with nan is true
+        else:  # also when it is nan: no comparison with nan is true
             self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
         # [starter]
         # | # TODO 3: is message.data a charge from 0 to 100 %? Publish it, or else publish an alarm

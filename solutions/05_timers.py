@@ -8,7 +8,8 @@
 # objectives:
 #   - let a timer do repeated work, instead of a loop that sleeps
 #   - turn a frequency in hertz into a period in seconds
-#   - run three rates in one node, without disturbing each other out_of_scope:
+#   - run three rates in one node, without disturbing each other
+# out_of_scope:
 #   - real sensors; all values are simulated and only their rates are judged
 #   - slow callbacks (lesson 10)
 #   - how the program ends (lesson 01 judges that) and how the code is written

@@ -1,4 +1,10 @@
-# --- exercise: 06_spinning title: Spin for a given time minutes: 25 difficulty: 3 kind: function clock: wall
+# ---
+# exercise: 06_spinning
+# title: Spin for a given time
+# minutes: 25
+# difficulty: 3
+# kind: function
+# clock: wall
 # objectives:
 #   - run the callbacks of a node for a given time, then return
 #   - give every wait the right timeout
@@ -90,10 +96,13 @@ def pump(node: Node, seconds: float) -> None:
 # from workbook.pictures.figures import show
 # from workbook.pictures.timeline import strip
 #
-# %start init() watcher = fresh(PumpWatcher)  # asks for pump(robot, 2.0), and sends ten words after a second await
-# run(watcher, seconds=4.0) print("pump(robot, 2.0) took", "too long" if watcher.took is None else f"{watcher.took:.2f}
-# s") picture = strip(watcher.rows, periods={"heartbeats": 0.1}, end=3.0, noun="marks") show(picture, "begin and end of
-# the call, the heartbeats of the robot, and the words that it handled")
+# %start
+# init()
+# watcher = fresh(PumpWatcher)  # asks for pump(robot, 2.0), and sends ten words after a second
+# await run(watcher, seconds=4.0)
+# print("pump(robot, 2.0) took", "too long" if watcher.took is None else f"{watcher.took:.2f} s")
+# picture = strip(watcher.rows, periods={"heartbeats": 0.1}, end=3.0, noun="marks")
+# show(picture, "begin and end of the call, the heartbeats of the robot, and the words that it handled")
 # %% [hint]
 # The starter waits for one callback and then returns. What would you do by hand? Look at the clock, let the robot do
 # one thing, look at the clock again. That is a loop. Two questions decide whether it is a good one: what ends it, and

@@ -9,11 +9,13 @@
 #   - annotate a node so that mypy --strict reports nothing
 #   - give a publisher a type, so that a wrong message is an error before the robot runs
 #   - name the allowed words with Literal
-#   - check at run time what hints cannot check out_of_scope:
+#   - check at run time what hints cannot check
+# out_of_scope:
 #   - how the program ends on Ctrl-C (lesson 01 judges that)
 #   - subscriptions, services and parameters
 #   - True, nan and the numbers of NumPy (exercise 03 judges those)
-#   - other type checkers; pyright reports the same mistakes in other words ---
+#   - other type checkers; pyright reports the same mistakes in other words
+# ---
 # %% [markdown]
 # # Exercise 07 · A report that cannot be misused
 #

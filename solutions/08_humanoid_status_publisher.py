@@ -75,7 +75,7 @@ BATTERY_PERIOD_S = 2.0  # 0.5 Hz: one message every two seconds
 # [starter]
 # | BATTERY_PERIOD_S = 0.5  # 0.5 Hz
 # [end]
-DRAIN_PERCENT = (7.0, 10.0)  # an old battery: empty within half a minute
+DRAIN_PERCENT = (7.0, 10.0)  # a worn battery: empty within half a minute
 
 
 class HumanoidStatusPublisher(Node):
@@ -121,7 +121,7 @@ def main(args: list[str] | None = None) -> None:
     try:
         rclpy.spin(humanoid)
     except (KeyboardInterrupt, ExternalShutdownException):
-        pass  # Ctrl-C or SIGTERM: not an error
+        pass  # somebody ended the program: that is no error
     finally:
         rclpy.try_shutdown()  # Ctrl-C may have shut the context down already
     # [starter]

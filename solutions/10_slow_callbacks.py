@@ -8,7 +8,8 @@
 # objectives:
 #   - run slow work where it holds up nothing else
 #   - let two callbacks of one node run at the same time, and only those two
-#   - keep results right when several requests come at once out_of_scope:
+#   - keep results right when several requests come at once
+# out_of_scope:
 #   - a faster planner; do not change it
 #   - services and actions, which are made for requests (lesson 12)
 #   - what happens after the watch, how the program ends, and how the code is written

@@ -1,8 +1,15 @@
-# --- exercise: 11_polling_against_callbacks title: A monitor that does not poll minutes: 20 difficulty: 2 kind: program
-# clock: wall objectives:
+# ---
+# exercise: 11_polling_against_callbacks
+# title: A monitor that does not poll
+# minutes: 20
+# difficulty: 2
+# kind: program
+# clock: wall
+# objectives:
 #   - recognize polling in a program that almost works
 #   - let a callback act on each message when it comes
-#   - let spin do the waiting out_of_scope:
+#   - let spin do the waiting
+# out_of_scope:
 #   - what happens after a touch was reported
 #   - messages that are lost between programs (lesson 13)
 #   - how the program ends, and how the code is written

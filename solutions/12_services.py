@@ -1,8 +1,15 @@
-# --- exercise: 12_services title: A self-test every second minutes: 25 difficulty: 3 kind: program clock: wall
+# ---
+# exercise: 12_services
+# title: A self-test every second
+# minutes: 25
+# difficulty: 3
+# kind: program
+# clock: wall
 # objectives:
 #   - call a service from a timer without holding up the node
 #   - report each answer when it comes, and once
-#   - give up a call that is not answered, and continue with the next out_of_scope:
+#   - give up a call that is not answered, and continue with the next
+# out_of_scope:
 #   - offering a service; another program offers the self-test
 #   - waiting until the service is there; it already is
 #   - how the program ends (lesson 01 judges that) and how the code is written
@@ -178,9 +185,12 @@ if __name__ == "__main__":
 # The two methods, with gaps:
 #
 # ```python
-# def ask(self) -> None: if self.open_call is not None:  # called a second ago, and still open
-# self.self_test.___(self.open_call) self.health_publisher.publish(String(data=___)) self.open_call =
-# self.self_test.___(Trigger.Request()) self.open_call.___(self.on_answer)
+# def ask(self) -> None:
+#     if self.open_call is not None:  # called a second ago, and still open
+#         self.self_test.___(self.open_call)
+#         self.health_publisher.publish(String(data=___))
+#     self.open_call = self.self_test.___(Trigger.Request())
+#     self.open_call.___(self.on_answer)
 #
 # def on_answer(self, future) -> None:
 #     self.open_call = ___

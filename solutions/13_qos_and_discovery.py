@@ -9,7 +9,8 @@
 #   - request the right QoS for each topic
 #   - receive the last status at once, although it was published before the program started
 #   - notice a silence, which calls no callback
-#   - keep the last message for subscriptions that come even later out_of_scope:
+#   - keep the last message for subscriptions that come even later
+# out_of_scope:
 #   - what the robot should do after an alarm
 #   - liveliness and lifespan, and settings of one DDS implementation
 #   - how the program ends on Ctrl-C (lesson 01 judges that)
@@ -160,8 +161,10 @@ if __name__ == "__main__":
 # from workbook.lesson import start, stop
 # from workbook.ros import topic_echo
 #
-# start(heartbeat, beats_for_s=5.0, silent_for_s=4.0)  # a robot whose heartbeat stops now and then %start for message
-# in topic_echo("/dashboard/line", count=8, timeout=8.0).messages:  # try /dashboard/alarm, too print(message.data)
+# start(heartbeat, beats_for_s=5.0, silent_for_s=4.0)  # a robot whose heartbeat stops now and then
+# %start
+# for message in topic_echo("/dashboard/line", count=8, timeout=8.0).messages:  # try /dashboard/alarm, too
+#     print(message.data)
 # stop(heartbeat)
 # %% [hint]
 # There are two topics with two offers, so you need two QoS profiles. Look at the table *What there is*. For each row:

@@ -25,9 +25,7 @@ def front_node(recording: Recording) -> Verdict:
 
 @criterion(points=2, title="/robot/rear_camera is on the graph, once", needs=[program_runs])
 def rear_node(recording: Recording) -> Verdict:
-    how = (
-        "Write CameraDriver(namespace='/robot', cli_args=['--ros-args', '-r', '__node:=rear_camera'])."
-    )
+    how = "Write CameraDriver(namespace='/robot', cli_args=['--ros-args', '-r', '__node:=rear_camera'])."
     return see.on_the_graph(recording, REAR, beside=[FRONT], how=f"{how} Then return both cameras.")
 
 

@@ -553,7 +553,8 @@ def why_not_finite_sent(
         return fail("refusal.negative-infinity", "Your check finds inf, but not -inf.")
     if str(call.argument).startswith("np.") and {"nan", "inf", "-inf"} <= set(refused_ones):
         return fail(
-            "refusal.numpy-not-finite", "Your check covers Python's floats only, but NumPy has nan and inf, too."
+            "refusal.numpy-not-finite",
+            "Your check covers Python's floats only, but NumPy has nan and inf, too.",
         )
     return fail(
         "refusal.not-finite-sent",

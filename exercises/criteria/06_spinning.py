@@ -310,7 +310,9 @@ def easy_on_the_processor(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=1, title="After it has come back, no callback runs, and the node is as it was", needs=[returns])
+@criterion(
+    points=1, title="After it has come back, no callback runs, and the node is as it was", needs=[returns]
+)
 def nothing_left_running(recording: Recording) -> Verdict:
     beats = done_in(recording, HEARTBEAT.name, BETWEEN)
     if len(beats) >= A_FEW_BEATS:
@@ -337,8 +339,9 @@ def nothing_left_running(recording: Recording) -> Verdict:
         )
     changed = see.driver_reports(recording, CHANGED)
     return (
-        why_changed(changed) if changed else see.passed("between the calls no callback ran, and the node is as it "
-            "was")
+        why_changed(changed)
+        if changed
+        else see.passed("between the calls no callback ran, and the node is as it was")
     )
 
 

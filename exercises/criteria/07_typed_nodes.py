@@ -128,7 +128,7 @@ def wrong_message_found(recording: Recording) -> Verdict:
         WRONG_MESSAGE,
         cause="wrong-message-found.publisher-takes-any",
         because="To mypy this attribute is Any, or rclpy's own Publisher, which does not know its message type. "
-                "Both accept every message.",
+        "Both accept every message.",
         try_this="Annotate the attributes with a Protocol that has a publish method for one type: "
         "self.battery_publisher: Sends[Float32] = ...",
     )

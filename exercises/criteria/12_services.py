@@ -140,7 +140,9 @@ def health_topic(recording: Recording) -> Verdict:
     return see.one_of(recording, HEALTH, {*WORDS.values(), NO_ANSWER})
 
 
-@criterion(points=2, title="Each answer is reported: right, in time and once", needs=[calls_arrive, health_topic])
+@criterion(
+    points=2, title="Each answer is reported: right, in time and once", needs=[calls_arrive, health_topic]
+)
 def results_told(recording: Recording) -> Verdict:
     fitting = told_answers(recording)
     if fitting is None:

@@ -70,7 +70,9 @@ def script_passages(path: Path) -> Iterator[Passage]:
 def museum_passages(path: Path) -> Iterator[Passage]:
     """The passages of a museum's file: what goes wrong, and the terms."""
     text = path.read_text(encoding="utf-8")
-    for entry in (one for several in tomllib.loads(text).values() if isinstance(several, list) for one in several):
+    for entry in (
+        one for several in tomllib.loads(text).values() if isinstance(several, list) for one in several
+    ):
         for field, value in entry.items():
             if isinstance(value, str) and field not in ("cell", "shows"):
                 at = text.find(value[:30])

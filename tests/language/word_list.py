@@ -24,7 +24,9 @@ RULES = {
     "listener's depth": Rule("the subscription's queue depth", r"depth of the listener|listener's depth"),
     "doors": Rule("UDP ports, or what happens there", r"doors?|front door|through the door"),
     "notebook's bus": Rule("ROS domain", r"bus of (?:this|the) notebook|notebook's bus"),
-    "pictures of callbacks": Rule("callback, executor, wait set, ready", r"postman|postmen|bells?|pumps?|pumped|pumping"),
+    "pictures of callbacks": Rule(
+        "callback, executor, wait set, ready", r"postman|postmen|bells?|pumps?|pumped|pumping"
+    ),
     "strangers": Rule("untrusted program, untrusted code", r"strangers?(?:'s?)?"),
     "cage": Rule("sandbox, isolation tier, confinement", r"cages?|fences?|fenced|shut in|shuts? programs in"),
     "pack bytes": Rule("serialize, marshal", r"pack(?:s|ed)? bytes"),
@@ -38,7 +40,9 @@ RULES = {
     "whoever": Rule("name who does it", r"whoever|whomever|whosoever"),
     "somebody": Rule("name who does it; 'someone' if nobody can be named", r"somebody|somebody's"),
     "without a word": Rule("silently; or say that nothing is printed", r"without a (?:loud )?word"),
-    "told": Rule("log, print, report, say", r"(?:is|are|was|were|be|been) told (?!to\b|apart\b)(?:of|once|by|again)"),
+    "told": Rule(
+        "log, print, report, say", r"(?:is|are|was|were|be|been) told (?!to\b|apart\b)(?:of|once|by|again)"
+    ),
     "fell due": Rule("is due, expires", r"f[ae]ll(?:s|en)? due"),
     "grain of salt": Rule("one caveat", r"grains? of salt"),
     "voice": Rule("publishing", r"tak(?:es?|en|ing) its voice"),
@@ -48,14 +52,18 @@ RULES = {
     "has to do with": Rule("write out what", r"is no business of"),
     "for ever": Rule("forever", r"for ever"),
     "one after the other": Rule("one after another", r"the one who called|he who"),
-    "British -our": Rule("color, behavior, neighbor, favor", r"(?:colou?r(?<=our)|behaviour|neighbour|favour|honour|labour|rumour|armour|harbour)\w*"),
+    "British -our": Rule(
+        "color, behavior, neighbor, favor",
+        r"(?:colou?r(?<=our)|behaviour|neighbour|favour|honour|labour|rumour|armour|harbour)\w*",
+    ),
     "British -ise": Rule(
         "practice, organize, recognize",
         r"(?:practis|organis|recognis|initialis|serialis|normalis|realis|summaris|optimis|visualis|synchronis|emphasis(?=e))(?:es?|ed|ing|ation)\w*",
     ),
     "British -re": Rule("meter, center, liter", r"(?:kilo|centi|milli)?(?:metre|centre|litre|fibre)s?"),
     "British doubling": Rule(
-        "canceled, labeled, modeled, traveled", r"(?:cancell|labell|modell|travell|signall|channell)(?:ed|ing|er|ers)"
+        "canceled, labeled, modeled, traveled",
+        r"(?:cancell|labell|modell|travell|signall|channell)(?:ed|ing|er|ers)",
     ),
     "British words": Rule(
         "gray, license, program, while, toward",

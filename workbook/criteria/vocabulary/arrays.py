@@ -47,8 +47,10 @@ def length(recording: Recording, topic: Topic, wanted: int, what: str = "value")
             "length.other-list",
             "The list is not built from the joints, or it grows with every message.",
         )
-    return fail("length.one-off", "One element too many or too few is easily made, for example by counting from 0 "
-        "or from 1.")
+    return fail(
+        "length.one-off",
+        "One element too many or too few is easily made, for example by counting from 0 or from 1.",
+    )
 
 
 @if_messages

@@ -70,7 +70,9 @@ def _not_there(found: Mapping[str, NodeSeen], wanted: str, beside: Collection[st
             )
     near = difflib.get_close_matches(wanted, others, 1, 0.6)
     if near:
-        return fail("on-the-graph.misspelled", f"{near[0]} is close, but ROS compares names letter by letter.")
+        return fail(
+            "on-the-graph.misspelled", f"{near[0]} is close, but ROS compares names letter by letter."
+        )
     return fail("on-the-graph.other-name", "The node has another name, or was never created.")
 
 

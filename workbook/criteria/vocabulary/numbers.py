@@ -62,7 +62,9 @@ def given_floats(recording: Recording, topic: Topic) -> Verdict:
 
 def _zeros(recording: Recording, saw: str) -> Verdict:
     expected = "the number that your program means, in every message"
-    try_this = "Give the field a float: float(level), or 100.0 instead of 100. Do not use int() or round() before."
+    try_this = (
+        "Give the field a float: float(level), or 100.0 instead of 100. Do not use int() or round() before."
+    )
     if said_by_field_checks(recording) == "":
         return failed(
             "really-arrives.zero",
@@ -115,9 +117,7 @@ def within(
         return failed(cause, saw, f"values from {span}", because, try_this)
 
     if math.isclose(high, math.pi) and abs(bad.value) <= 2 * math.pi:
-        return fail(
-            "within.not-wrapped", "The angle keeps growing: it is neither limited nor wrapped at π."
-        )
+        return fail("within.not-wrapped", "The angle keeps growing: it is neither limited nor wrapped at π.")
     if math.isclose(high, math.pi) and abs(bad.value) <= 360.0:
         return fail(
             "within.degrees",
@@ -125,8 +125,9 @@ def within(
             f"{limit}; math.radians() turns degrees into radians.",
         )
     if math.isinf(bad.value):
-        return fail("within.infinite", "The value is infinite: a division by zero, or a number too large for 32 "
-            "bits.")
+        return fail(
+            "within.infinite", "The value is infinite: a division by zero, or a number too large for 32 bits."
+        )
     return fail("within.not-limited", "The simulated value is not limited.")
 
 

@@ -90,7 +90,9 @@ def _no_client(recording: Recording, service: str, short: str, expected: str) ->
 
 
 def _never_called(recording: Recording, service: str, expected: str) -> Verdict:
-    blamed = failed_by_error(recording, f"the client for {service} exists, but never sends a request", expected)
+    blamed = failed_by_error(
+        recording, f"the client for {service} exists, but never sends a request", expected
+    )
     return blamed or failed(
         "calls-service.never-called",
         f"the client for {service} is there, but no call arrived",

@@ -36,7 +36,9 @@ def one_of(recording: Recording, topic: Topic, allowed: Collection[str]) -> Verd
             try_this,
             recheck_fields=True,
         )
-    return failed("one-of.other-text", saw, words, "Other programs compare this text letter by letter.", try_this)
+    return failed(
+        "one-of.other-text", saw, words, "Other programs compare this text letter by letter.", try_this
+    )
 
 
 @if_messages
