@@ -85,7 +85,7 @@ def test_a_wrong_answer_then_the_right_one(
     assert written.read_text(encoding="utf-8").strip() == wrong.strip()
     page.run(check)
     expect(card).to_have_count(1)
-    expect(card).to_contain_text("First to mend: The joint positions come at 0.5 Hz")
+    expect(card).to_contain_text("Fix first: The joint positions come at 0.5 Hz")
     expect(card).not_to_contain_text("Provisional", timeout=CELL_MS)
     expect(headline_of(card)).to_contain_text("8 of 10 points.")
     check_picture(card)
@@ -98,7 +98,7 @@ def test_a_wrong_answer_then_the_right_one(
     assert written.read_text(encoding="utf-8").strip() == exercise.source.solution_code.strip()
     page.run(check)
     expect(headline_of(card)).to_contain_text(FULL_MARKS, timeout=CELL_MS)
-    expect(card).not_to_contain_text("First to mend")
+    expect(card).not_to_contain_text("Fix first")
     expect(card).to_contain_text(f"Hand in this file: answers/{STEM}.py")
     expect(card).to_contain_text("real seconds had passed", timeout=CELL_MS)
     for theme in in_both_themes(page):
@@ -145,7 +145,7 @@ def visible_criteria(exercise: Exercise) -> list[CriterionResult]:
 def says_everything(card: Locator, exercise: Exercise) -> None:
     """Headline, advice, and sign, word, points and title of each criterion can be read."""
     expect(card).to_contain_text("8 of 10 points.")
-    expect(card).to_contain_text("First to mend: The joint positions come at 0.5 Hz")
+    expect(card).to_contain_text("Fix first: The joint positions come at 0.5 Hz")
     expect(card).to_contain_text("Likely reason")
     rows = card.locator("table").last.locator("tbody tr")
     results = visible_criteria(exercise)

@@ -96,14 +96,13 @@ def _your_program(source: ExerciseSource) -> str:
 
 
 _WATCH = (
-    "## Watch it run\n\n"
-    "`%start` runs your program as a process of its own, on the bus of this notebook. `%stop` ends it."
+    "## Watch it run\n\n`%start` runs your program as its own process, on the ROS domain of this notebook. "
+    "`%stop` ends it."
 )
-_CHECK = "## Check it\n\nAs often as you like. It shows what your program did, and the first thing to mend."
+_CHECK = "## Check it\n\nAs often as you like. It shows what your program did, and the first thing to fix."
 _HINTS = "## Stuck?\n\nThree hints, one at a time: run the cell again for the next."
 _SOLUTION = (
-    "## The solution\n\n"
-    "Opens once your program passes, or after some honest tries. It comes with other good ways, weighed."
+    "## The solution\n\nOpens after your program passes, or after some tries. It also shows other good ways."
 )
 
 
