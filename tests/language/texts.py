@@ -13,13 +13,12 @@ TASKS = ("solutions/*.py",)
 LESSONS = ("notebooks/sources/*.py",)
 MUSEUM = ("notebooks/sources/museum/*.toml", "notebooks/sources/planned.toml")
 CODE = ("exercises/criteria/*.py", "exercises/drivers/*.py", "workbook/**/*.py")
-TEMPLATES = ("workbook/**/templates/*.html", "workbook/**/skeletons/**/*.py")
 NOT_READ = ("workbook/typings/", "workbook/authoring/skeletons/")
 
 FEWEST_WORDS = 3
 """A string of the code with fewer words is a name, a key or a label."""
-CODE_WORD = "code"
-"""Stands in a passage for a piece of code: one word."""
+CODE_WORD = "Code"
+"""Stands in a passage for a piece of code: one word, which may begin a sentence."""
 VALUE_WORD = "5"
 """Stands in a passage for a value that is put in."""
 
@@ -152,8 +151,8 @@ def _cell(path: str, begin: int, lines: list[str], reads: str) -> Iterator[Passa
 
 
 def _passage(path: str, line: int, text: str) -> Iterator[Passage]:
-    text = _without_code(text)
     text = re.sub(r"!?\[([^\]]*)\]\([^)\s]*\)", r"\1", text)  # a link is its words
+    text = _without_code(text)
     text = re.sub(r"<[^>]+>|\*\*|(?<!\w)[*_](?=\w)|(?<=\w)[*_](?!\w)", "", text)
     text = re.sub(r"^(#+|[->]|\d+\.) +", "", text.strip())
     if re.search("[A-Za-z]", text):

@@ -1,4 +1,4 @@
-"""What the course writes, and what it does not: one rule for each row of the style's word list, and for its spelling."""
+"""The word list of the course's style: words to replace, and what to write instead."""
 
 import re
 from dataclasses import dataclass
