@@ -6,42 +6,42 @@
 # kind: program
 # clock: wall
 # objectives:
-#   - start ROS once and keep a node at work until it is told to end
-#   - clean up after Ctrl-C, although the context is down by then
+#   - initialize ROS once and keep a node running until it is told to end
+#   - clean up after Ctrl-C, although the context is already shut down
 #   - end a program with exit code 0 and without a traceback
-#   - leave the graph in order, with no ghost of your node on it
+#   - remove your node from the graph, so that no ghost of it stays
 # out_of_scope:
-#   - SIGTERM and other signals than the one of Ctrl-C (this rclpy loses some of them)
+#   - SIGTERM and other signals than that of Ctrl-C (this rclpy loses some of them)
 #   - topics, and what the guard does on its rounds
 #   - a last message on a topic, which needs other signal handlers
 # ---
 # %% [markdown]
 # # Exercise 01 · A guard that goes home well
 #
-# The night guard of the museum is done, but for its `main()`. At six in the morning somebody presses Ctrl-C. Last week
-# the robot then froze in the middle of a step, both arms in the air, and a crash report was on the screen of the
-# day shift. And on Tuesday the graph still showed a guard that was long gone. Write a `main()` after which
-# everybody sleeps well.
+# The night guard of the museum is finished, except for its `main()`. At six in the morning the day shift presses
+# Ctrl-C. Last week the robot then froze in the middle of a step, with both arms in the air, and its screen showed a
+# crash report. On Tuesday the graph still showed a guard that had ended long before. Write a `main()` that ends the
+# night properly.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
 # [01](../notebooks/01_the_context.ipynb).
 #
 # ## What to build
 #
-# | when | what is wanted |
+# | when | what happens |
 # |---|---|
-# | at the start | one node, `/night_guard`, is on the graph, and no other |
-# | all night | it walks its rounds and logs each of them, for as long as nobody stops it |
-# | on Ctrl-C | `park()` is called, which says `arms parked` |
+# | at the start | one node, `/night_guard`, is on the graph, and no other node |
+# | all night | it walks its rounds and logs each of them, until it is stopped |
+# | on Ctrl-C | `park()` is called, which logs `arms parked` |
 # | then | the program ends by itself: exit code 0, no traceback, no node left |
 #
-# The class `NightGuard` is there. `park()` needs no ROS; it may be called at any time. Do not call it before the night
-# is over: a guard with folded arms is no guard.
+# The class `NightGuard` is given. `park()` needs no ROS, so you may call it after the context is shut down. Do not call
+# it before the night is over: a guard with folded arms cannot guard anything.
 #
 # ## What is judged
 #
-# Your program runs as a process of its own for some 4 s, in which 4 lines in its log are enough. Then it gets the signal
-# that Ctrl-C sends.
+# Your program runs as its own process for about 4 s. In this time, 4 lines in its log are enough. Then it gets the
+# signal that Ctrl-C sends.
 #
 # | points | criterion |
 # |---:|---|
@@ -78,7 +78,7 @@ class NightGuard(Node):
         self.get_logger().info(f"round {self.rounds}: all quiet")
 
     def park(self) -> None:
-        """Fold the arms, so that the motors may lose their power. Needs no ROS."""
+        """Fold the arms, so that the motors can be switched off. Needs no ROS."""
         print("arms parked", flush=True)
 
 
@@ -106,19 +106,19 @@ def main(args: list[str] | None = None) -> None:
 if __name__ == "__main__":
     main()
 # %% [hint]
-# Run the starter with `%start`, then `%stop`, and read what it prints from the bottom up. Which line of `main()` was the
-# last one that Python reached? A line that must run in any case needs a place that Python visits in any case.
+# Run the starter with `%start`, then `%stop`, and read what it prints from the bottom up. Which line of `main()` did
+# Python reach last? A line that must always run needs a place that Python always reaches.
 #
-# [The chapter on errors of the Python tutorial](https://docs.python.org/3/tutorial/errors.html#defining-clean-up-actions)
-# has that place.
+# The Python tutorial shows that place in [its chapter on
+# errors](https://docs.python.org/3/tutorial/errors.html#defining-clean-up-actions).
 # %% [hint]
 # - `rclpy.spin(guard)` does not return on Ctrl-C. It raises `KeyboardInterrupt`. On SIGTERM it raises
-#   `ExternalShutdownException`, from `rclpy.executors`. One `except` takes both: `except (A, B):`. (Where another thread
-#   shuts the context down, it may also simply return.)
-# - What stands in `finally` runs after the `except`, and also when another error comes.
-# - On Ctrl-C rclpy shuts the context down by itself, at about the moment at which the exception arrives.
-#   `rclpy.shutdown()` would raise then; `rclpy.try_shutdown()` does not.
-# - Let `main()` come to its end. `os._exit()` and a second Ctrl-C leave a ghost of the node on the graph.
+#   `ExternalShutdownException`, from `rclpy.executors`. One `except` catches both: `except (A, B):`. (If another thread
+#   shuts the context down, `rclpy.spin` may also simply return.)
+# - Code in `finally` runs after the `except`, and also after any other error.
+# - On Ctrl-C rclpy shuts the context down by itself, at about the same time as the exception is raised. After that,
+#   `rclpy.shutdown()` would raise an error; `rclpy.try_shutdown()` does not.
+# - Let `main()` return. `os._exit()` and a second Ctrl-C leave a ghost of the node on the graph.
 # %% [hint]
 # ```python
 # rclpy.init(args=args)
@@ -135,15 +135,15 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **`if rclpy.ok(): rclpy.shutdown()`** instead of `rclpy.try_shutdown()`. It says more plainly what is meant. Between
-#   the question and the call something else may shut the context down, and on Ctrl-C a thread of rclpy's is about to.
-#   `try_shutdown()` has the same gap inside; either falls into it very rarely.
-# - **`contextlib.suppress(KeyboardInterrupt, ExternalShutdownException)`** around the spin. Shorter by two lines, and good if
-#   there is nothing to do in the `except`. The cleaning up then simply follows, so other errors skip it.
-# - **Parking in `destroy_node`.** Override it in the class, park there and call `super().destroy_node()`. Whoever uses
-#   your class cannot forget it. But then nobody who reads `main()` sees that arms will move.
-# - **`SignalHandlerOptions.NO`.** The context stays up after Ctrl-C, so the guard could still publish "parked". Needed
-#   when the last deed needs ROS. Then something, such as this timer, must wake up the spin, and SIGTERM ends the program
-#   on the spot.
-# - **Only `except KeyboardInterrupt`.** Full marks here. On SIGTERM the program would end with a traceback, after its
-#   arms were parked. The second exception costs half a line.
+# - **`if rclpy.ok(): rclpy.shutdown()`** instead of `rclpy.try_shutdown()`. This shows more clearly what is meant.
+#   Something else may shut the context down between the check and the call, and on Ctrl-C a thread of rclpy does just
+#   that. `try_shutdown()` has the same gap inside. In both, it very rarely matters.
+# - **`contextlib.suppress(KeyboardInterrupt, ExternalShutdownException)`** around the spin. This is two lines shorter,
+#   and good if there is nothing to do in the `except`. The clean-up code then simply follows, so other errors skip it.
+# - **Parking in `destroy_node`.** Override it in the class, park there and call `super().destroy_node()`. A user of
+#   your class cannot forget it. But a reader of `main()` no longer sees that the arms will move.
+# - **`SignalHandlerOptions.NO`.** The context stays up after Ctrl-C, so the guard could still publish "parked". You
+#   need this when the last action uses ROS. Then something, such as this timer, must wake up the spin, and SIGTERM ends
+#   the program at once.
+# - **Only `except KeyboardInterrupt`.** Full marks here. But on SIGTERM the program would end with a traceback, after
+#   its arms were parked. Catching the second exception takes only half a line.

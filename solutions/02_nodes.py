@@ -6,21 +6,21 @@
 # kind: program
 # clock: simulated
 # objectives:
-#   - give a node its place in a namespace
+#   - put a node into a namespace
 #   - run one class twice under two names, without editing it
-#   - tell from the outside, by the graph, who is there and who should not be
+#   - see on the graph which nodes are there and which should not be
 # out_of_scope:
 #   - what is in the pictures, and real cameras
 #   - launch files, and remapping single topics
-#   - how spin and executors work (lesson 06), which the program does for you
+#   - how spin and executors work (lesson 06); the program does this for you
 # ---
 # %% [markdown]
 # # Exercise 02 · An eye in the back of the head
 #
-# Your humanoid looks ahead. People keep walking up from behind and frighten it, or it frightens them. So it gets a second
-# camera, in the back of its head. It is of the same make, and the manufacturer's driver calls itself `camera`, always.
-# You may not edit it: the next update would wipe out your change. Yet the two must not be twins, and they belong to
-# this robot, not to the whole building.
+# Your humanoid looks ahead. People walk up from behind and frighten it, or it frightens them. So it gets a second
+# camera, in the back of its head. It is the same model, and the manufacturer's driver always calls its node `camera`.
+# You may not edit the driver: the next update would overwrite your change. But the two nodes must not have duplicate
+# names, and their names must show that they belong to this robot.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
 # [02](../notebooks/02_nodes.ipynb).
@@ -34,13 +34,13 @@
 # | `/robot/camera` | `/robot/camera/frame` | `/robot/faults` |
 # | `/robot/rear_camera` | `/robot/rear_camera/frame` | `/robot/faults` |
 #
-# All these names follow from the two names of the nodes, because the driver uses private and relative names. Both cameras
-# report on one topic, so each report begins with the name of its camera: `rear_camera: none`. Change
-# `make_cameras`. The class stays as it is, and `main` need not change either.
+# All these names follow from the names of the two nodes, because the driver uses private and relative names. Both
+# cameras report on one topic, so each report begins with the name of its camera: `rear_camera: none`. Change
+# `make_cameras`. Do not change the class; `main` needs no change either.
 #
 # ## What is judged
 #
-# Your program runs as a process of its own. Another process looks at the graph and listens. A rate may be 20 % higher or
+# Your program runs as its own process. Another process reads the graph and the topics. A rate may be 20 % higher or
 # lower than asked, and no gap may be longer than 1.5 periods.
 #
 # | points | criterion |
@@ -50,7 +50,7 @@
 # | 1 | pictures of the front camera come at 2 Hz |
 # | 2 | pictures of the rear camera come at 2 Hz |
 # | 1 | both report on `/robot/faults`, each once a second |
-# | 2 | nobody else is there: no twin, no third node, none outside of `/robot` |
+# | 2 | no other node is there: no duplicate, no third node, none outside of `/robot` |
 # | 1 | the program is still running at the end of the watch |
 #
 # **Not part of it:** what is in the pictures, launch files, and how your program ends.
@@ -124,16 +124,16 @@ if __name__ == "__main__":
 #
 # node_list()
 # %% [hint]
-# Two questions, one after the other. Where does a node get its folder from? And how do you give a node another name if
-# you cannot get at the line in which its name is written? Lesson 02 does both in its third experiment. Look at your work
-# with `node_list()` after `%start`.
+# There are two questions. Where does a node get its namespace from? And how do you give a node another name if you
+# cannot change the line with its name? Lesson 02 does both in its third experiment. Check your work with `node_list()`
+# after `%start`.
 # %% [hint]
-# - `CameraDriver(...)` hands all that you give it by name on to `Node`. `Node` knows `namespace=` and `cli_args=`.
-# - `cli_args` is what you would type in a terminal, as a list of words. It begins with `"--ros-args"`, then `"-r"` and the
-#   rule, each a word of its own.
-# - The rule for the name of a node is `__node:=new_name`, with two underscores, `:=` and no spaces. The new name has no slash;
-#   the folder is the namespace.
-# - Whatever you make must be in the list that you return, or nobody lets it work.
+# - `CameraDriver(...)` passes all its keyword arguments to `Node`. `Node` knows `namespace=` and `cli_args=`.
+# - `cli_args` is what you would type in a terminal, as a list of words: first `"--ros-args"`, then `"-r"`, then the
+#   rule.
+# - The rule for the name of a node is `__node:=new_name`, with two underscores, `:=` and no spaces. The new name has no
+#   slash; the folder is set by the namespace.
+# - Return every node that you create in the list; otherwise nothing spins it.
 #
 # [Passing arguments to nodes](https://docs.ros.org/en/jazzy/How-To-Guides/Node-arguments.html)
 # %% [hint]
@@ -145,14 +145,14 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **Remap the folder as well:** `cli_args=["--ros-args", "-r", "__ns:=/robot", "-r", "__node:=rear_camera"]`. Handy when a class takes
-#   `cli_args` but no namespace. Here `namespace=` is shorter.
-# - **The namespace for the whole program:** `rclpy.init(args=["--ros-args", "-r", "__ns:=/robot"])`, or the same in the terminal or the
-#   launch file. Best on a real robot, because the code then does not know how the robot is called. But words given
-#   to `init` replace those of the command line; put `sys.argv` in front of them.
-# - **Two processes, one camera each.** The usual way in ROS: start the driver twice, each time with its own
-#   `--ros-args`. If one crashes, the other one goes on. It costs one more process, some 60 MB each.
-# - **A context per camera,** each with its own arguments. For classes that take nothing but a context.
-# - **A subclass that calls `super().__init__(...)` with other settings.** Fine, and it has a name that can be explained.
-#   It cannot change the word "camera" either, so it needs `cli_args` all the same.
-# - **Copy the class and edit the copy.** It works until the next update. Then one eye is a version behind.
+# - **Remap the folder as well:** `cli_args=["--ros-args", "-r", "__ns:=/robot", "-r", "__node:=rear_camera"]`. This is
+#   useful when a class takes `cli_args` but no namespace. Here `namespace=` is shorter.
+# - **The namespace for the whole program:** `rclpy.init(args=["--ros-args", "-r", "__ns:=/robot"])`, or the same in the
+#   terminal or the launch file. This is best on a real robot, because the code then does not contain the robot's name.
+#   But arguments given to `init` replace those of the command line; put `sys.argv` before them.
+# - **Two processes, one camera each.** This is the usual way in ROS: start the driver twice, each time with its own
+#   `--ros-args`. If one crashes, the other continues. It costs one more process, about 60 MB each.
+# - **A context per camera,** each with its own arguments. This is for classes that take only a context.
+# - **A subclass that calls `super().__init__(...)` with other settings.** This is fine, and the subclass can have a
+#   clear name. But it cannot change the word "camera" either, so it still needs `cli_args`.
+# - **Copy the class and edit the copy.** This works until the next update. Then one camera uses an old version.

@@ -8,9 +8,9 @@
 # objectives:
 #   - create a publisher, fill a message and publish it
 #   - send any number so that it arrives as that number
-#   - refuse what is no number with an error, instead of sending 0.0
+#   - refuse what is not a number with an error, instead of sending 0.0
 # out_of_scope:
-#   - timers and rates; somebody else calls your method
+#   - timers and rates; other code calls your method
 #   - whether a charge makes sense (below 0 or above 100 %); only numbers from 0 to 100 are tried
 #   - bools, texts and arrays of NumPy, and bytes
 #   - how the program starts and ends
@@ -18,11 +18,12 @@
 # %% [markdown]
 # # Exercise 03 · A battery report that never lies
 #
-# Last night the guide robot drove home in the middle of a tour. Its log said 64 % charge, its battery topic said 0.0.
-# The charge came from a new driver, as an `int`, and the node put it into a float field. In the morning it happened
-# again: the cable was loose, the driver said `None`, and out went 0.0. An empty battery and a bug looked the same.
+# Last night the guide robot drove home in the middle of a tour. Its log said 64 % charge, but its battery topic said
+# 0.0. The charge came from a new driver as an `int`, and the node put it into a float field. In the morning it happened
+# again: the cable was loose, the driver returned `None`, and the node sent 0.0. An empty battery and a bug looked the
+# same. (With the Ubuntu packages of ROS, the node may crash instead of sending 0.0.)
 #
-# Write the node once more, so that `/robot/battery` carries only what somebody really measured.
+# Write the node again, so that `/robot/battery` carries only values that were really measured.
 #
 # **About 25 minutes · difficulty 2 of 5 · 10 points.** You need lesson
 # [03](../notebooks/03_publishers_and_messages.ipynb).
@@ -31,44 +32,45 @@
 #
 # | what | how |
 # |---|---|
-# | class | `BatteryPublisher`, a `Node` that is made without arguments |
+# | class | `BatteryPublisher`, a `Node` that is created without arguments |
 # | topic | `/robot/battery`, type `Float32` of `std_msgs.msg` |
 # | method | `publish_level(level)`: sends one message, before it returns, with the charge in percent |
 #
-# `level` is whatever the driver delivers:
+# `level` is what the driver returns:
 #
 # | given | for example | your method |
 # |---|---|---|
 # | a float | `87.25`, `0.1`, and `0.0` for an empty battery | sends it |
 # | another number, of Python's or NumPy's types | `64`, `np.float32(12.5)`, `np.float64(33.25)`, `np.int64(7)` | sends that number as a float |
-# | no number | `None`, `'full'`, `[50.0]` | raises an error and sends nothing |
-# | what only looks like one | `True`, and `'50'`: texts stay texts | raises an error and sends nothing |
+# | not a number | `None`, `'full'`, `[50.0]` | raises an error and sends nothing |
+# | what only looks like a number | `True`, and `'50'`, which is a text | raises an error and sends nothing |
 # | no measurement | `nan`, `inf`, `-inf`, also in one of NumPy's types | raises an error and sends nothing |
 #
-# Each call counts, whatever came before it: a number that was sent already is sent again, and after an error the next
-# number goes out as usual.
+# Each call is independent of earlier calls: send a number again even if it was sent before, and after an error send the
+# next number as usual.
 #
-# Which error you raise is up to you. `TypeError` for a wrong type and `ValueError` for a wrong value are usual.
+# You choose which error to raise. `TypeError` for a wrong type and `ValueError` for a wrong value are usual.
 #
 # ## What is judged
 #
-# Your file is imported by a driver, which makes one `BatteryPublisher` and calls `publish_level` with 35 values, one
-# after the other: some of those above, others of the same kinds, and some more than once. It notes whether the call came
-# back or raised an error. We listen to the topic, and compare. As on any robot out of the box, ROS checks no field.
+# A driver imports your file, creates one `BatteryPublisher` and calls `publish_level` with 35 values, one after
+# another: some of those above, others of the same kinds, and some more than once. It notes whether each call returned
+# or raised an error. The judge compares this with the messages on the topic. Field checks are off, as they are by
+# default in ROS.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/battery` carries `Float32` |
 # | 2 | floats arrive within 0.00001, each of them once |
-# | 1 | a `0.0` that is meant arrives |
-# | 2 | other numbers arrive as their number, within 0.00001 |
+# | 1 | a `0.0` that was really given arrives |
+# | 2 | other numbers arrive as the same number, within 0.00001 |
 # | 1 | `None`, words, a list and a tuple are refused with an error |
 # | 1 | bools and texts such as `'50'` are refused with an error |
 # | 1 | `nan`, `inf` and `-inf` are refused with an error |
-# | 1 | no `0.0` on the wire that nobody meant |
+# | 1 | no `0.0` is sent by mistake |
 #
-# **Not part of it:** timers, charges below 0 or above 100, NumPy's bools, texts and arrays, bytes, and how a program starts
-# and ends. There is no `main()`: somebody else makes your node, and spins it.
+# **Not part of it:** timers, charges below 0 or above 100, NumPy's bools, texts and arrays, bytes, and how a program
+# starts and ends. There is no `main()`: other code creates and spins your node.
 # %% [answer]
 """A node that reports the charge of the battery, and nothing but the charge."""
 
@@ -110,7 +112,7 @@ class BatteryPublisher(Node):
             raise ValueError(f"a charge is a finite number, not {level}")
         self.battery_publisher.publish(Float32(data=float(level)))
         # [starter]
-        # | # TODO 2: raise an error if level is no number, no finite one, or a bool
+        # | # TODO 2: raise an error if level is not a number, not finite, or a bool
         # | # TODO 3: make a Float32 message that holds level as a Python float, and publish it
         # [end]
 # %% [live]
@@ -128,23 +130,25 @@ class BatteryPublisher(Node):
 #     print("Not all of the calls came back.")
 # print(desk.table())
 # %% [hint]
-# Write the shortest method that could work: make a `Float32`, publish it. Then start it and look at the table. Which
-# lines say something else than you gave? Those are two problems, not one:
+# Write the shortest method that could work: make a `Float32`, publish it. Then start it and look at the table. In which
+# rows does another value arrive than you gave? You will see two different problems:
 #
-# - a **number** of another type than `float` is lost on its way,
-# - **no number** at all is sent as if it were one.
+# - a **number** of a type other than `float` arrives as 0.0,
+# - a value that is **not a number** is sent as if it were one.
 #
-# The first wants a conversion, the second a question that you ask *before* the conversion.
+# The first problem needs a conversion, the second a check *before* the conversion.
 #
 # Field types and their Python types: [About interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html)
 # %% [hint]
 # - `float(64)`, `float(np.float32(12.5))` and `float(np.int64(7))` are Python floats with the right value.
-# - But `float(True)` is 1.0, `float("50")` is 50.0 and `float("nan")` is nan. So `float()` alone is no test.
-# - `numbers.Real` of the standard library stands for "a real number of whatever type", NumPy's included:
-#   `isinstance(level, Real)`. A text, a list and `None` are none. Alas, a `bool` is one: ask for it first.
+# - But `float(True)` is 1.0, `float("50")` is 50.0 and `float("nan")` is nan. So `float()` alone does not check
+#   anything.
+# - `numbers.Real` in the standard library means "a real number of any type", including NumPy's:
+#   `isinstance(level, Real)`. It is False for a text, a list and `None`. But it is True for a `bool`, so check for
+#   `bool` first.
 # - `math.isfinite(level)` is False for nan and inf.
-# - An error is made with `raise TypeError("...")`. Do not catch it in your method: it is meant for the one who called.
-# - `if not level` is no test for a missing value. It is also true for `0.0`.
+# - Raise an error with `raise TypeError("...")`. Do not catch it in your method: it is meant for the caller.
+# - `if not level` is not a test for a missing value. It is also true for `0.0`.
 #
 # What a node and its publishers offer: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
 # %% [hint]
@@ -167,17 +171,17 @@ class BatteryPublisher(Node):
 # %% [alternatives]
 # ## Other good ways
 #
-# - **Name the types that you take.** `isinstance(level, (int, float, np.integer, np.floating))` says in one line what is
-#   welcome, and needs NumPy. `numbers.Real` needs nothing and takes fractions as well. The bool has to be refused by
-#   hand in both.
-# - **`functools.singledispatchmethod`.** One method per type, and one for all the rest that raises. Pleasant when types
-#   are really treated differently. Here all of them are treated alike.
-# - **Ask for forgiveness.** `charge = float(level)` in a `try`, and only `str` and `bool` refused by hand. Shorter, but
-#   you list what you do not want, and will forget something: `float()` reads bytes, too.
-# - **`Float32(data=float(level), check_fields=True)`.** Field checks for this one message, wherever the program runs. They
-#   catch a wrong type and a number too large for 32 bits. They do not mind nan, and after `float()` nothing else is left
-#   to find.
-# - **`ROS_PYTHON_CHECK_FIELDS=1` for the whole robot.** Good as a second net, and cheap. As the only net it refuses honest
-#   ints, and it is gone on a robot where nobody set it, or where Python runs with `-O`.
-# - **Send `nan` for "not known".** `sensor_msgs/msg/BatteryState` does so, and says it in its definition. Without such a
-#   rule a listener that asks `level < 20` gets False, and believes that all is well.
+# - **Name the types that you take.** `isinstance(level, (int, float, np.integer, np.floating))` shows in one line what
+#   is accepted, but needs NumPy. `numbers.Real` needs no import of NumPy and accepts fractions as well. In both cases
+#   you must refuse a bool yourself.
+# - **`functools.singledispatchmethod`.** You write one method per type, and one for everything else, which raises. This
+#   is useful when types are treated differently. Here all of them are treated the same.
+# - **Ask for forgiveness.** Write `charge = float(level)` in a `try`, and refuse only `str` and `bool` yourself. This
+#   is shorter, but you list what you do not want, and will forget something: `float()` reads bytes, too.
+# - **`Float32(data=float(level), check_fields=True)`.** This turns on field checks for one message, wherever the
+#   program runs. They catch a wrong type and a number too large for 32 bits. They accept nan, and after `float()` they
+#   have nothing left to find.
+# - **`ROS_PYTHON_CHECK_FIELDS=1` for the whole robot.** This is a good and cheap second check. As the only check it
+#   refuses valid ints. It does nothing on a robot where it is not set, or where Python runs with `-O`.
+# - **Send `nan` for "not known".** `sensor_msgs/msg/BatteryState` does this, and its definition says so. Without such a
+#   rule, a subscriber that tests `level < 20` gets False, and believes that all is well.

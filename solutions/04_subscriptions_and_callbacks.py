@@ -7,65 +7,65 @@
 # clock: simulated
 # objectives:
 #   - subscribe to a topic with the right name, type and depth
-#   - write a callback that decides what becomes of each message
+#   - write a callback that decides what happens to each message
 #   - pass messages on in the order in which they came
-#   - react once, and only once, to what cannot be
+#   - react once, and only once, to an impossible value
 # out_of_scope:
-#   - timers and rates; the node does something only when a message comes
+#   - timers and rates; the node acts only when a message comes
 #   - guessing what a bad reading should have been
 #   - how the program ends (lesson 01 judges that)
 # ---
 # %% [markdown]
 # # Exercise 04 · A monitor for the battery
 #
-# The guide robot has a new battery sensor, and a bad cable. Mostly the charge comes through. Now and then the cable
-# shakes, and the sensor says something that no battery can say. Last week the robot believed it and lay down in the
-# middle of the hall. Replacing the cable takes until spring. So you write a monitor: it listens to the sensor, passes
-# on what can be, and raises an alarm at what cannot. The rest of the robot then listens to the monitor. A second robot
-# works in the same hall, with the same kind of sensor. It is none of your business.
+# The guide robot has a new battery sensor, and a bad cable. Most readings are right. But sometimes the cable shakes,
+# and the sensor publishes a charge that no battery can have. Last week the robot believed it and lay down in the middle
+# of the hall. The cable cannot be replaced until spring. So you write a monitor: it subscribes to the sensor, passes on
+# possible readings, and raises an alarm for impossible ones. The rest of the robot then subscribes to the monitor. A
+# second robot works in the same hall, with the same kind of sensor. Your monitor must ignore it.
 #
 # **About 25 minutes · difficulty 2 of 5 · 10 points.** You need lesson
 # [04](../notebooks/04_subscriptions_and_callbacks.ipynb).
 #
 # ## What to build
 #
-# One program that is spun until somebody ends it.
+# One program that spins until it is stopped.
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
-# | `/robot/battery` | `Float32` | listens | charge in percent, about ten times a second, sometimes four at the same moment |
-# | `/monitor/battery` | `Float32` | speaks | each good reading: the same number, at once (within 0.5 s), in the same order |
-# | `/monitor/alarm` | `String` | speaks | one text for each bad reading, with its value in it, such as `bad reading: -3.0`; one decimal is enough |
+# | `/robot/battery` | `Float32` | subscribes | charge in percent, about ten times a second, sometimes four at the same moment |
+# | `/monitor/battery` | `Float32` | publishes | each good reading: the same number, at once (within 0.5 s), in the same order |
+# | `/monitor/alarm` | `String` | publishes | one text for each bad reading, with its value in it, such as `bad reading: -3.0`; one decimal is enough |
 #
 # | a reading is | when | your node |
 # |---|---|---|
-# | good | it is from 0 to 100 %, both included, whatever came before it | passes it on, raises no alarm |
+# | good | it is from 0 to 100 %, both included, no matter what came before it | passes it on, raises no alarm |
 # | bad | it is anything else: below 0, above 100 (`inf`, too), or not a number (`nan`) | does not pass it on, raises one alarm |
 #
 # The message types are those of `std_msgs.msg`.
 #
 # ## What is judged
 #
-# Your program runs as a process of its own. The judge publishes about fifty readings on `/robot/battery`, good and bad
-# ones, and a few on `/other_robot/battery`. Then it compares what your program published with what it said.
+# Your program runs as its own process. The judge publishes about fifty readings on `/robot/battery`, good and bad ones,
+# and a few on `/other_robot/battery`. Then it compares what your program published with these readings.
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | it listens to `/robot/battery`, with the type `Float32` |
+# | 1 | it subscribes to `/robot/battery`, with the type `Float32` |
 # | 1 | `/monitor/battery` carries `Float32` |
 # | 2 | all good readings are passed on, at once, in the right order |
-# | 1 | no bad reading is passed on, and nothing in its place |
+# | 1 | no bad reading is passed on, and nothing is sent in its place |
 # | 1 | `/monitor/alarm` carries `String` |
 # | 2 | one alarm for each bad reading, with its value |
 # | 1 | no alarm for good readings |
-# | 1 | it is silent about `/other_robot/battery` |
+# | 1 | it ignores `/other_robot/battery` |
 #
-# Any shape of program will do: a class, a function as a callback, two nodes, another executor. On a busy machine one
+# The program may have any form: a class, a function as a callback, two nodes, another executor. On a busy machine one
 # good reading in ten may come later than 0.5 s.
 #
 # **Not part of it:** rates, how fast an alarm comes, repairing bad readings, and how your program ends on Ctrl-C.
 # %% [answer]
-"""Listens to the battery sensor, passes on what can be, and raises an alarm at what cannot."""
+"""Subscribes to the battery sensor, passes on good readings, and raises an alarm for bad ones."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -76,7 +76,7 @@ EMPTY, FULL = 0.0, 100.0
 
 
 class BatteryMonitor(Node):
-    """Stands between the battery sensor and all who want to know the charge.
+    """Checks each reading between the battery sensor and the rest of the robot.
 
     Subscriptions:
         /robot/battery (std_msgs/Float32): charge in percent, as the sensor says it.
@@ -98,7 +98,7 @@ class BatteryMonitor(Node):
         # [end]
 
     def on_battery(self, message: Float32) -> None:
-        """Pass the reading on if it can be, and raise an alarm if it cannot."""
+        """Pass the reading on if it is good, and raise an alarm if it is bad."""
         # [solution]
         if EMPTY <= message.data <= FULL:
             self.battery_publisher.publish(message)
@@ -134,19 +134,19 @@ if __name__ == "__main__":
 # await run(desk, seconds=8, until=lambda: desk.done)
 # print(desk.table())
 # %% [hint]
-# Begin with the ears. Make the subscription, and let the callback do nothing but
-# `self.get_logger().info(str(message.data))`. Start it, look at what comes, and what of it can be a charge. Then think
-# about two questions, each for one message alone: is it good? Where does it go?
+# Begin with the subscription. Let its callback only call `self.get_logger().info(str(message.data))`. Start the program
+# and look at what comes. Which values can be a charge? Then answer two questions, for one message at a time: is it
+# good? Where does it go?
 #
-# What a topic is, and who hears whom: [About topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html)
+# What a topic is, and how nodes use it: [About topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html)
 # %% [hint]
-# - Three lines in `__init__`: two times `self.create_publisher(type, topic, depth)`, once
-#   `self.create_subscription(type, topic, self.on_battery, depth)`. Hand over the method without parentheses. Make the
-#   publishers here and not in the callback: others need a moment to find them.
-# - In the callback, publish at once. It is called once for each message, in the right order; you need no list, no loop
-#   and no timer.
-# - Try `float("nan") < 0`, `float("nan") > 100` and `float("nan") == float("nan")` in a cell. Which question about a
-#   reading has an answer that is right for `nan`, too?
+# - You need three lines in `__init__`: `self.create_publisher(type, topic, depth)` twice, and
+#   `self.create_subscription(type, topic, self.on_battery, depth)` once. Pass the method without parentheses. Create
+#   the publishers here and not in the callback: subscriptions need a moment to find them.
+# - In the callback, publish at once. The callback is called once for each message, in the right order, so you need no
+#   list, no loop and no timer.
+# - Try `float("nan") < 0`, `float("nan") > 100` and `float("nan") == float("nan")` in a cell. Which condition gives the
+#   right result for `nan`, too?
 #
 # What a node offers: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
 # %% [hint]
@@ -169,18 +169,19 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **Publish the message that came, or a new one.** `publish(message)` passes on the very message: no copy, and no
-#   field can be forgotten. `publish(Float32(data=message.data))` says more plainly what goes out, and stays right when
-#   the two types part ways one day.
-# - **Ask what is bad.** `math.isnan(x) or x < 0.0 or x > 100.0` is right as well. But each kind of bad has to be
-#   thought of. Asking what is good covers those that nobody thought of, too.
-# - **Early return.** `if not good: alarm; return` keeps the usual case at the left margin. Pleasant as soon as there
-#   is more than one kind of alarm.
-# - **Two nodes**, one that passes on and one that warns, each with a subscription of its own. Each can then be
-#   replaced or restarted alone. The price: the rule of what is good stands in two places, so put it into one function.
+# - **Publish the message that came, or a new one.** `publish(message)` passes on the same message: no copy, and no
+#   field can be forgotten. `publish(Float32(data=message.data))` shows more clearly what is sent, and stays right if
+#   the two types differ one day.
+# - **Ask what is bad.** `math.isnan(x) or x < 0.0 or x > 100.0` is right as well. But you must think of every kind of
+#   bad reading. A test for good readings also covers the kinds that you did not think of.
+# - **Early return.** `if not good: alarm; return` keeps the usual case at the left margin. This is useful as soon as
+#   there is more than one kind of alarm.
+# - **Two nodes**, one that passes on and one that warns, each with a subscription of its own. Each can then be replaced
+#   or restarted alone. But the rule for good readings is needed in two places, so put it into one function.
 # - **A callback with two arguments**, `on_battery(self, message, info)`, if the alarm should say when the reading was
-#   sent. For this task it is one argument more than needed.
-# - **Collect in the callback, publish in a timer.** It works if nothing is forgotten in between, but what comes late
-#   is of little use, and the order is now your affair. Right only where others must not be flooded.
-# - **The type of the future.** `sensor_msgs/BatteryState` has fields for charge, voltage, current and for whether a
-#   battery is there at all. `Float32` says none of that; it is fine for learning.
+#   sent. This task does not need the second argument.
+# - **Collect in the callback, publish in a timer.** This works if no reading is lost in between. But late readings are
+#   of little use, and you must keep the order yourself. Do this only when subscribers must not receive too many
+#   messages.
+# - **The type of the future.** `sensor_msgs/BatteryState` has fields for charge, voltage, current and whether a battery
+#   is present. `Float32` has none of these; it is fine for learning.

@@ -6,21 +6,21 @@
 # kind: program
 # clock: simulated
 # objectives:
-#   - let a timer do work that repeats, instead of a loop that sleeps
+#   - let a timer do repeated work, instead of a loop that sleeps
 #   - turn a frequency in hertz into a period in seconds
-#   - run three rates in one node, so that none disturbs the others
+#   - run three rates in one node, without disturbing each other
 # out_of_scope:
-#   - real sensors; all values are simulated and only their rhythm is judged
-#   - callbacks that take long, which lesson 10 gives a place of their own
+#   - real sensors; all values are simulated and only their rates are judged
+#   - slow callbacks (lesson 10)
 #   - how the program ends (lesson 01 judges that) and how the code is written
 # ---
 # %% [markdown]
 # # Exercise 05 · Three rhythms in one robot
 #
-# Your humanoid leaves the workshop for its first walk. On a screen far away somebody wants to know three
-# things. Is it alive? One heartbeat a second is plenty. Is there charge left? A battery is slow, so every two
-# seconds will do. Is it about to fall? A fall is over in a second, so the tilt of its body has to come five
-# times a second. Three rhythms, one node.
+# Your humanoid leaves the workshop for its first walk. An operator far away wants to know three things. Is it alive?
+# One heartbeat a second is enough. Is there charge left? A battery changes slowly, so every two seconds is enough. Is
+# it about to fall? A fall is over in a second, so the tilt of its body must come five times a second. Three rates, one
+# node.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
 # [05](../notebooks/05_timers.ipynb).
@@ -33,16 +33,16 @@
 # | `/robot/battery` | `Float32` | 0.5 Hz | charge in percent |
 # | `/robot/tilt` | `Float32` | 5 Hz | how far the body leans, in rad |
 #
-# The message types are those of `std_msgs.msg`. The heartbeat is there already. Battery and tilt are yours,
-# and so are their values: any floats will do, but floats they must be. (An `int` arrives as 0.0.) What counts is the
-# rhythm.
+# The message types are those of `std_msgs.msg`. The heartbeat is given. You add battery and tilt, and you choose their
+# values: any floats, but they must be floats. (An `int` arrives as 0.0, or crashes the node with the Ubuntu packages of
+# ROS.) Only the rates are judged.
 #
 # ## What is judged
 #
-# Your program runs as a process of its own for one minute of robot time, which is over in a few seconds, and
-# every message is counted. One more or one less may fall on the edge of the minute. *Evenly* means: one period from one
-# message to the next, on average within 4 %, and never more than one and a half periods. Programs that do not follow
-# robot time are counted in the same way, for at least 8.5 real seconds; there a tenth of a period is allowed.
+# Your program runs as its own process for one minute of robot time, which takes a few real seconds. Every message is
+# counted. One more or one less at the edge of the minute is fine. *Evenly* means: one period from one message to the
+# next, on average within 4 %, and never more than one and a half periods. Programs that do not follow robot time are
+# counted in the same way, for at least 8.5 real seconds; for them a tenth of a period is allowed.
 #
 # | points | criterion |
 # |---:|---|
@@ -54,7 +54,7 @@
 # | 2 | 300 tilt values in the minute, evenly |
 # | 1 | the program is still running at the end of the watch |
 #
-# Any shape of program will do: three timers, one timer that counts, several nodes, another executor.
+# The program may have any form: three timers, one timer that counts, several nodes, another executor.
 #
 # **Not part of it:** real sensors, slow callbacks, other topics, and how your program ends on Ctrl-C.
 # %% [answer]
@@ -136,17 +136,17 @@ def main(args: list[str] | None = None) -> None:
 if __name__ == "__main__":
     main()
 # %% [hint]
-# The heartbeat already does all you need: a publisher, a timer, and a method that publishes. Look at these
-# three, then ask for each new topic: what is different? Mind the unit. The task gives messages per second, and
-# a timer wants to know how many seconds lie between two of them.
+# The heartbeat already has everything you need: a publisher, a timer, and a method that publishes. Look at these three.
+# What is different for each new topic? Mind the unit: the task gives messages per second, but a timer needs the seconds
+# between two messages.
 #
 # Nodes, topics and the rest: [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html)
 # %% [hint]
 # - The period is 1 divided by the frequency: `1 / 0.5` for the battery, `1 / 5` for the tilt. The slow one gets
 #   the large number.
-# - `self.create_timer(period, self.publish_battery)`: pass the method without `()`. With `()` you would call it
-#   at once, and hand over what it returns.
-# - Each timer stands on its own. You can create as many as you like, one line each.
+# - `self.create_timer(period, self.publish_battery)`: pass the method without `()`. With `()` you would call it at
+#   once, and pass what it returns.
+# - Timers are independent. You can create as many as you like, one line each.
 # - `Float32(data=0.0)`: a float, not an int. `Float32(data=100)` would arrive as 0.0.
 #
 # What a node offers: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
@@ -169,14 +169,14 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **One timer that counts.** A single 5 Hz timer publishes the tilt each time, the heartbeat every 5th time and
-#   the battery every 10th. All three are sure to come in step. But the rates hang together now: a heartbeat at
-#   0.7 Hz would mean rewriting it.
-# - **Write `1 / 5` instead of `0.2`.** `TILT_HZ = 5.0` and `create_timer(1.0 / TILT_HZ, ...)` says in the code
-#   what the task says in words. Good when others will turn that knob.
-# - **Keep the timer.** `self.tilt_timer = self.create_timer(...)` is not needed to keep it alive: the node does
-#   that. It is useful when you want to `cancel()` or `reset()` it later.
-# - **Three nodes, one rhythm each.** Right when the parts have different jobs or may fail apart. For three lines of
-#   work it is more scaffolding than house.
-# - **A loop with `sleep`.** It works for one rhythm, and drifts. With three you would do the book-keeping yourself:
-#   which is next, and when? That is the timer's job.
+# - **One timer that counts.** A single 5 Hz timer publishes the tilt each time, the heartbeat every 5th time and the
+#   battery every 10th. All three then always keep in step. But the rates now depend on each other: for a heartbeat at
+#   0.7 Hz you would have to rewrite it.
+# - **Write `1 / 5` instead of `0.2`.** `TILT_HZ = 5.0` and `create_timer(1.0 / TILT_HZ, ...)` shows in the code what
+#   the task says in words. This is good when other people will change the rate.
+# - **Keep the timer.** `self.tilt_timer = self.create_timer(...)` is not needed to keep the timer: the node keeps it.
+#   It is useful when you want to `cancel()` or `reset()` it later.
+# - **Three nodes, one rate each.** This is right when the parts have different jobs or may fail separately. For three
+#   lines of work it is too much.
+# - **A loop with `sleep`.** This works for one rate, but drifts. With three rates you must compute yourself what is
+#   next, and when. That is the timer's job.

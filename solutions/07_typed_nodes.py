@@ -6,44 +6,44 @@
 # kind: static
 # clock: simulated
 # objectives:
-#   - annotate a node so that mypy --strict has nothing to say
+#   - annotate a node so that mypy --strict reports nothing
 #   - give a publisher a type, so that a wrong message is an error before the robot runs
 #   - name the allowed words with Literal
-#   - guard at run time what hints cannot guard
+#   - check at run time what hints cannot check
 # out_of_scope:
 #   - how the program ends on Ctrl-C (lesson 01 judges that)
 #   - subscriptions, services and parameters
 #   - True, nan and the numbers of NumPy (exercise 03 judges those)
-#   - other type checkers; what is said here holds for pyright as well, in other words
+#   - other type checkers; pyright reports the same mistakes in other words
 # ---
 # %% [markdown]
 # # Exercise 07 · A report that cannot be misused
 #
-# The node below reports battery and status of your humanoid, and it works. From next week on two other teams will call
-# it: charging calls `send_battery`, the planner calls `send_status`. They have never met you, and they write their code
-# on the train. In a trial last night one of them sent `"full"`, and the dashboard showed 0 %. Make a node of it that
-# cannot be misused without a loud word: from mypy, while they type, and from the node itself, when they do not use mypy.
+# The node below reports battery and status of your humanoid, and it works. From next week, two other teams will call
+# it: charging calls `send_battery`, the planner calls `send_status`. They do not know you or your code. In a trial last
+# night one of them sent `"full"`, and the dashboard showed 0 %. Change the node so that it rejects misuse loudly: mypy
+# reports it while they type, and the node itself raises an error when they do not use mypy.
 #
 # **About 30 minutes · difficulty 3 of 5 · 10 points.** You need lesson [07](../notebooks/07_typed_nodes.ipynb).
 #
 # ## What to build
 #
-# Names stay as they are; other code uses them.
+# Keep all names; other code uses them.
 #
-# | in `RobotReport` | takes | does |
+# | in `RobotReport` | accepts | does |
 # |---|---|---|
 # | `battery_publisher` | has `publish`, for a `Float32` and nothing else | sends on `/robot/battery` |
 # | `status_publisher` | has `publish`, for a `String` and nothing else | sends on `/robot/status` |
 # | `send_battery(level)` | a number, such as `55.25`, `42` or `0.0` | sends it as a float; anything else raises an error and sends nothing |
 # | `send_status(word)` | `"operational"` or `"error"`, letter by letter | sends it; anything else raises an error and sends nothing |
 #
-# The node goes on reporting by itself: the battery at 1 Hz, the status at 0.5 Hz, 20 % more or less, and without a silence
-# of more than one and a half periods.
+# The node still reports by itself: the battery at 1 Hz, the status at 0.5 Hz, 20 % more or less, and never silent for
+# more than one and a half periods.
 #
 # ## What is judged
 #
-# mypy reads your program, strictly and with the stubs of this course, and then code that uses your node rightly and
-# wrongly. After that your node runs, and is used rightly and wrongly again.
+# mypy checks your program, in strict mode and with the stubs of this course. Then it checks code that uses your node
+# rightly and wrongly. After that your node runs, and is used rightly and wrongly again.
 #
 # | points | criterion |
 # |---:|---|
@@ -51,14 +51,14 @@
 # | 2 | mypy --strict finds nothing in your program |
 # | 2 | mypy objects to a message of the wrong type |
 # | 1 | mypy objects to a value of the wrong type and to any other word |
-# | 1 | every number arrives as that number, `42` and `0.0` too |
+# | 1 | every number arrives as that number, also `42` and `0.0` |
 # | 2 | at run time a wrong value or message raises an error, and nothing is sent |
-# | 1 | at run time a word that is not agreed raises an error, and is not sent |
+# | 1 | at run time any other word raises an error, and is not sent |
 #
-# `# type: ignore` is not heeded, and `Any` may not be written: neither makes the node safer.
+# The judge ignores `# type: ignore`, and you may not write `Any`: neither makes the node safer.
 #
-# **Not part of it:** the end on Ctrl-C, subscriptions, services, parameters. What becomes of `True`, `nan` and the numbers
-# of NumPy is up to you; exercise 03 was about those.
+# **Not part of it:** the end on Ctrl-C, subscriptions, services, parameters. You decide what happens to `True`, `nan`
+# and NumPy's numbers; exercise 03 was about those.
 # %% [answer]
 """Reports battery and status of a humanoid. Others send through it, too, and cannot get the types wrong unnoticed."""
 
@@ -96,7 +96,7 @@ def make_publisher(node: Node, kind: type[Message], topic: str, depth: int = 10)
 
 # [starter]
 # |
-# | # TODO 2: a Protocol with a publish method for one type of message, and a function that makes such a publisher
+# | # TODO 2: a Protocol with a publish method for one type of message, and a function that creates such a publisher
 # | # TODO 3: a type for the two words of the status
 # |
 # |
@@ -147,7 +147,7 @@ class RobotReport(Node):
             raise ValueError(f"a status is one of {get_args(Status)}, not {word!r}")
         self.status_publisher.publish(String(data=word))
     # [starter]
-    # | # TODO 4: hints for every function, and for what others use
+    # | # TODO 4: hints for every function, and for the attributes that others use
     # | def __init__(self):
     # |     super().__init__("robot_report")
     # |     self.level = 100.0
@@ -167,12 +167,12 @@ class RobotReport(Node):
     # |
     # | def send_battery(self, level):
     # |     """Send a charge in percent."""
-    # |     # TODO 5: what is no number raises a TypeError, and nothing is sent; a whole number is sent as a float
+    # |     # TODO 5: raise a TypeError for what is not a number, and send nothing; send a whole number as a float
     # |     self.battery_publisher.publish(Float32(data=level))
     # |
     # | def send_status(self, word):
     # |     """Send one of the two agreed words."""
-    # |     # TODO 6: another word raises a ValueError, and nothing is sent
+    # |     # TODO 6: raise a ValueError for any other word, and send nothing
     # |     self.status_publisher.publish(String(data=word))
     # [end]
 
@@ -200,23 +200,22 @@ if __name__ == "__main__":
 # %start
 # check_types("07_typed_nodes")
 # %% [hint]
-# Take one net after the other.
+# There are three checks. Take one after another.
 #
-# - **mypy on your own program.** The cell under *Watch it run* shows all that it says. Without hints it does not even
-#   look: begin with `-> None`.
-# - **mypy on the others' programs.** They use four names of your node. What does mypy know of each of them?
+# - **mypy on your own program.** The cell under *Watch it run* shows all its messages. It does not check functions
+#   without hints, so begin with `-> None`.
+# - **mypy on the others' programs.** They use four names of your node. What does mypy know about each of them?
 #   `reveal_type(self.battery_publisher)` in your program tells you.
-# - **Run time.** What does `send_battery("full")` do, if nobody runs mypy? And `send_battery(42)`?
+# - **Run time.** What does `send_battery("full")` do when mypy is not used? And `send_battery(42)`?
 #
 # What mypy understands: [typing, in the documentation of Python](https://docs.python.org/3/library/typing.html)
 # %% [hint]
-# - A publisher of rclpy takes every message, as far as mypy can see. So do not say that your attribute is a `Publisher`.
-#   Say what you need of it: something with `publish` for one type. That is a `Protocol` with a type variable, as in the
-#   lesson.
-# - A function with `kind: type[Message]` that returns `Sends[Message]` ties the two together.
-# - Two words and no other: `Literal["operational", "error"]`. `get_args` gives you the words at run time.
-# - `float` as a hint lets `42` pass, and the message sends 0.0 for it. `float("87.5")` lets a text pass. So ask first
-#   (`isinstance`), and convert then.
+# - To mypy, a publisher of rclpy accepts every message. So do not annotate your attribute as a `Publisher`. Describe
+#   what you need: something with `publish` for one type. That is a `Protocol` with a type variable, as in the lesson.
+# - A function with `kind: type[Message]` that returns `Sends[Message]` connects the two types.
+# - For two words and no other, use `Literal["operational", "error"]`. `get_args` returns the words at run time.
+# - The hint `float` accepts `42`, but the message then sends 0.0. `float("87.5")` accepts a text. So check first
+#   (`isinstance`), then convert.
 #
 # Nodes, publishers and messages: [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html)
 # %% [hint]
@@ -245,14 +244,16 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **Annotate the attribute and spare the function.** `self.battery_publisher: Sends[Float32] =
-#   self.create_publisher(Float32, ...)`. Shorter, but the type stands there twice, and mypy does not notice when the two
-#   differ: `create_publisher` takes any class.
-# - **A class of your own around the publisher,** `class TypedPublisher(Generic[Message])`, which checks at run time what
-#   it is given. More code, and it can do more: convert, count, limit. Right when every node of a project shares it.
+# - **Annotate the attribute, without the function.**
+#   `self.battery_publisher: Sends[Float32] = self.create_publisher(Float32, ...)`. This is shorter, but the type is
+#   written twice, and mypy does not notice when the two differ: `create_publisher` accepts any class.
+# - **A class of your own around the publisher,** `class TypedPublisher(Generic[Message])`, which checks at run time
+#   what it is given. It is more code, but can do more: convert, count, limit. It is right when every node of a project
+#   uses it.
 # - **Check in one place.** `Float32(data=level, check_fields=True)` lets the message itself refuse a text, and an int
-#   as well; so convert first. The error is an AssertionError, and it is gone under `python -O`. Your own `raise` stays.
-# - **An Enum for the words,** `class Status(StrEnum)`. It brings the words along at run time. Callers then have to write
-#   `Status.ERROR`; a plain `"error"` is an error to mypy. Here the others write plain words.
-# - **Newer Python, newer ROS.** From Python 3.12 on one writes `class Sends[M](Protocol)` and spares the type variables.
-#   In newer ROS `Publisher` is generic itself, and `Publisher[Float32]` does what `Sends[Float32]` does here.
+#   as well, so convert first. The error is an AssertionError, and `python -O` switches the check off. Your own `raise`
+#   stays.
+# - **An Enum for the words,** `class Status(StrEnum)`. The words are then available at run time. Callers must write
+#   `Status.ERROR`; a plain `"error"` is an error to mypy. In this task, callers write plain words.
+# - **Newer Python, newer ROS.** From Python 3.12 on you can write `class Sends[M](Protocol)`, without type variables.
+#   In newer ROS versions `Publisher` itself is generic, and `Publisher[Float32]` does what `Sends[Float32]` does here.

@@ -18,10 +18,10 @@
 # %% [markdown]
 # # Exercise 08 · The humanoid status publisher
 #
-# The night shift has left you a note: *"Somebody tidied up the status publisher yesterday. It starts, it logs, it
-# looks fine. But the dashboard says the battery is at 0 %, although the robot walks about. The battery topic is
-# busier than it should be. And the service manager reports a crash every time we stop it."* Three complaints, three
-# bugs. Mend them. The rest of the program is as it should be.
+# The night shift has left you a note: *"A colleague cleaned up the status publisher yesterday. It starts, it logs, it
+# looks fine. But the dashboard says the battery is at 0 %, although the robot walks around. The battery topic is busier
+# than it should be. And the service manager reports a crash every time we stop it."* Three complaints, three bugs. Fix
+# them. The rest of the program is right.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
 # [08](../notebooks/08_humanoid_status_publisher.ipynb).
@@ -37,8 +37,8 @@
 #
 # ## What is judged
 #
-# Your program runs as a process of its own, for 36 s of robot time. It is judged by what it publishes, and by how it
-# ends when it gets the signal that Ctrl-C sends.
+# Your program runs as its own process, for 36 s of robot time. The judge looks at what it publishes, and how it ends
+# after the signal that Ctrl-C sends.
 #
 # | points | criterion |
 # |---:|---|
@@ -49,14 +49,14 @@
 # | 1 | the program runs until it is told to end |
 # | 3 | Ctrl-C ends it with exit code 0 and no traceback |
 #
-# Run the program below first, as it is: the dashboard shows you two of the complaints, `%check` the third. Whether you
-# change three places or write it anew is up to you.
+# First run the program below as it is: the dashboard shows two of the complaints, `%check` the third. You may change
+# three places or write the program again.
 #
-# The battery of this program is worn: it is empty within half a minute, so that the change of the word is seen as well.
-# The word may change from the last charge above 0 on, and has changed when the battery says 0 for the second time.
+# The battery of this program is old: it is empty within half a minute, so that the judge also sees the word change. The
+# word may change from the last charge above 0 on. It must have changed when the battery reports 0 for the second time.
 #
 # **Not part of it:** new topics, real batteries, other signals than that of Ctrl-C, what you log, and how fast the
-# battery drains. (If yours lasts longer than the watch, nobody sees it empty.)
+# battery drains. (If yours lasts longer than the watch, the judge never sees it empty.)
 # %% [answer]
 """A humanoid robot that reports its state once a second and its battery every two seconds."""
 
@@ -143,23 +143,23 @@ if __name__ == "__main__":
 # %start
 # view = await watch_status(seconds=10)
 # %% [hint]
-# Do not read the code yet. Look at the dashboard, and take one complaint at a time.
+# Do not read the code yet. Look at the dashboard, and work on one complaint at a time.
 #
-# - **0 %.** The log says 92 %, the topic says 0. So the level is right in `self.battery_level` and is lost on its way
-#   into the message. Which single line lies between the two?
-# - **Too busy.** Count the battery messages in ten seconds. How many should it be at 0.5 Hz?
+# - **0 %.** The log says 92 %, the topic says 0. So the level is right in `self.battery_level` but wrong in the
+#   message. Which single line is between the two?
+# - **Too busy.** Count the battery messages in ten seconds. How many should there be at 0.5 Hz?
 # - **The crash.** `%check` shows the last lines of the log after Ctrl-C. Read the very last one first.
 #
 # What a publisher and a timer do, step by step: [Writing a simple publisher and
 # subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)
 # %% [hint]
-# - **0 %.** Ask Python: `type(round(92.4))`. Then look up which Python type a `float32` field wants. (`round` with a
-#   second argument gives another type.)
-# - **Too busy.** `create_timer` takes a *period* in seconds. The comment beside the number names a *frequency*. One is
+# - **0 %.** Ask Python: `type(round(92.4))`. Then look up which Python type a `float32` field needs. (`round` with a
+#   second argument returns another type.)
+# - **Too busy.** `create_timer` takes a *period* in seconds. The comment beside the number gives a *frequency*. One is
 #   1 divided by the other.
-# - **The crash.** On Ctrl-C rclpy shuts the context down by itself. What does the program do with it after that? rclpy
-#   has a second function for it, which does not mind: its name begins with `try_`. And there is a second exception
-#   that may come out of `spin`: `rclpy.executors.ExternalShutdownException`.
+# - **The crash.** On Ctrl-C rclpy shuts the context down by itself. What does the program do with the context after
+#   that? rclpy has a second function, which raises no error then: its name begins with `try_`. And `spin` may raise a
+#   second exception: `rclpy.executors.ExternalShutdownException`.
 #
 # Field types and their Python types: [About interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html)
 # %% [hint]
@@ -182,18 +182,18 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **`float(round(self.battery_level))`.** Whole percents on the wire, and a float all the same. `round(level, 1)`
-#   gives a float, too. Better still: send the number as it is and round where it is *shown*. The one who listens may
-#   want the decimals.
-# - **Test `rclpy.ok()` before `rclpy.shutdown()`.** `if rclpy.ok(): rclpy.shutdown()` does what `try_shutdown()` does,
-#   in more words.
-# - **`destroy_node()` in `finally`.** Not wrong: it may be called after the context is down. It is not needed either,
-#   since the process ends. It matters in a program that goes on without the node.
-# - **No `ExternalShutdownException`.** On Ctrl-C `KeyboardInterrupt` comes out of `spin`, and catching it is enough here.
-#   The other exception comes when something else has shut the context down: a SIGTERM from a service manager, or a
-#   program that was started with Ctrl-C ignored. Catch both and you need not think about who it was.
-# - **`signal_handler_options=SignalHandlerOptions.NO` in `rclpy.init`.** Then rclpy leaves the signals alone, the context
-#   is still up after Ctrl-C, and a plain `rclpy.shutdown()` is right. Useful when the robot has to say good-bye: a last
+# - **`float(round(self.battery_level))`.** This sends whole percents, but as a float. `round(level, 1)` also returns a
+#   float. It is better to send the number unchanged and to round it where it is *displayed*. A subscriber may need the
+#   decimals.
+# - **Test `rclpy.ok()` before `rclpy.shutdown()`.** `if rclpy.ok(): rclpy.shutdown()` does the same as
+#   `try_shutdown()`, with more code.
+# - **`destroy_node()` in `finally`.** This is not wrong: it may be called after the context is shut down. But it is not
+#   needed, because the process ends. It matters in a program that continues without the node.
+# - **No `ExternalShutdownException`.** On Ctrl-C `spin` raises `KeyboardInterrupt`, and catching it is enough here. It
+#   raises the other exception when something else has shut the context down: for example SIGTERM from a service
+#   manager, or when the program was started with Ctrl-C ignored. Catch both, and you need not think about the cause.
+# - **`signal_handler_options=SignalHandlerOptions.NO` in `rclpy.init`.** Then rclpy does not handle signals, the
+#   context is still up after Ctrl-C, and a plain `rclpy.shutdown()` is right. This is useful for a last message:
 #   `/robot/status` can be published only while the context is up.
-# - **`sensor_msgs/msg/BatteryState`.** What a real robot publishes: voltage, current, charge from 0 to 1 and the health
-#   of the cells, with a time stamp. `Float32` does not even say that it means percent.
+# - **`sensor_msgs/msg/BatteryState`.** This is what a real robot publishes: voltage, current, charge from 0 to 1 and
+#   the health of the cells, with a time stamp. `Float32` does not even say that the unit is percent.

@@ -12,16 +12,15 @@
 #   - simulate a sensor whose values move, with angles in radians
 # out_of_scope:
 #   - reading real encoders or commanding motors
-#   - named joints (JointState) and URDF, which are a later lesson
+#   - named joints (JointState) and URDF, which come in a later lesson
 #   - how the program ends (lesson 01 judges that) and how the code is written
 # ---
 # %% [markdown]
 # # Exercise 09 · The joint positions
 #
-# Your humanoid already says how it feels: *operational*, battery at 97 %. Nobody can see what its body is
-# doing. The operator's screen draws a robot with twelve joints, and it stands stiff as a statue, because no
-# node tells it the angles. Give the status publisher a third topic, so that the figure on the screen moves
-# with the robot.
+# Your humanoid already reports how it is: *operational*, battery at 97 %. But no one can see what its body is doing.
+# The operator's screen draws a robot with twelve joints, and it does not move, because no node publishes the angles.
+# Give the status publisher a third topic, so that the figure on the screen moves with the robot.
 #
 # **About 25 minutes · difficulty 2 of 5 · 10 points.** You need lesson
 # [09](../notebooks/09_joint_positions.ipynb), and from
@@ -38,13 +37,13 @@
 # The figure on the screen takes the angles in this order: neck, waist, left shoulder, left elbow, right
 # shoulder, right elbow, left hip, left knee, left ankle, right hip, right knee, right ankle.
 #
-# The message types are those of `std_msgs.msg`. You choose how the simulated joints move: a sine, a random
-# walk, a wave of the hand. Two joints at least must change from message to message. (One message in four may repeat
-# the one before, when a movement turns around.)
+# The message types are those of `std_msgs.msg`. You choose how the simulated joints move: a sine, a random walk, a wave
+# of the hand. At least two joints must change from message to message. (One message in four may repeat the one before,
+# when a movement reverses.)
 #
 # ## What is judged
 #
-# Your program runs as a process of its own for 26 s of robot time, and only what it publishes counts.
+# Your program runs as its own process for 26 s of robot time, and only what it publishes counts.
 #
 # | points | criterion |
 # |---:|---|
@@ -57,8 +56,8 @@
 # | 1 | `/robot/battery` is as it was (0.4 to 0.6 Hz, no gap over 3 s; falling) |
 # | 1 | the program is still running at the end of the watch |
 #
-# All of this takes a program that starts: one that never gets a publisher onto the graph is told why, and
-# the rest waits. Any shape of program will do: one class, several nodes, another executor.
+# First of all, the program must start. If it never creates a publisher, the feedback says why, and the rest is not
+# judged. The program may have any form: one class, several nodes, another executor.
 #
 # **Not part of it:** motors, real encoders, URDF, other topics, which joint stands at which place, the charge at
 # which the battery begins and how fast it drains, and how your program ends on Ctrl-C.
@@ -187,9 +186,9 @@ if __name__ == "__main__":
 # await watch_robot(seconds=8)
 
 # %% [hint]
-# The battery already does everything you need: it has a publisher, a timer and a method that fills a
-# message. Point at these three places in the code, then ask of each: what is different for the joints? Mind
-# the timer. It wants to know how long to wait, and the task says how often.
+# The battery already does everything you need: it has a publisher, a timer and a method that fills a message. Find
+# these three places in the code. What is different for the joints in each? Mind the timer: it needs a waiting time, but
+# the task gives a rate.
 #
 # How topics work: [About topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html)
 # %% [hint]
@@ -213,30 +212,28 @@ if __name__ == "__main__":
 #     self.___.publish(message)
 # ```
 #
-# In `__init__` two lines make it run: one that creates the publisher you use here, one that creates a timer
-# with this method. And the import at the top.
+# In `__init__` two lines make it run: one that creates the publisher you use here, one that creates a timer with this
+# method. You also need the import at the top.
 #
 # The same steps for a String: [Writing a simple publisher and
 # subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)
 # %% [alternatives]
 # ## Other good ways
 #
-# - **One timer instead of three.** A single 1 Hz timer with a counter publishes the status each time,
-#   battery and joints every second time. Fewer parts, and battery and joints are sure to belong together.
-#   But all rates are now tied to one another: joints at 0.7 Hz would mean rewriting it.
-# - **A counter instead of the clock.** `self.step += 1` and `math.sin(0.6 * self.step)` is simpler, and
-#   gives the same numbers in every run, which a test likes. At 100 Hz, though, this robot would move two
-#   hundred times as fast.
-# - **Composition instead of a subclass.** `node = rclpy.create_node("humanoid_status_publisher")`, held by
-#   a class of your own that does not inherit from `Node`. Your attributes can then never collide with those
-#   of `Node`, and the simulation can be tested without ROS. A subclass is what most code that you will read
-#   does.
-# - **NumPy.** `np.sin(...)` computes all joints at once. Turn the array into plain floats with `.tolist()`.
-#   The habit pays: a `np.float32` in a plain `Float32` message is sent as 0.0 without a word.
-# - **`array.array("f", ...)`.** This is what `data` becomes anyway, and what a subscriber gets. For twelve
-#   numbers no difference can be felt, for a million it is more than a hundred times faster than a list.
-# - **`sensor_msgs/msg/JointState`.** What a real robot uses. `Float32MultiArray` does not say which number
-#   is which joint, in what unit, or when it was measured, so both sides must know it by heart. The plain
-#   types of `std_msgs` have been deprecated for that reason since ROS 2 Foxy: fine for learning, not for a
-#   design that is to last. `JointState` has names, positions, velocities and a time stamp. A later lesson
-#   makes the change.
+# - **One timer instead of three.** A single 1 Hz timer with a counter publishes the status each time, battery and
+#   joints every second time. There are fewer parts, and battery and joints always come together. But all rates now
+#   depend on each other: for joints at 0.7 Hz you would have to rewrite it.
+# - **A counter instead of the clock.** `self.step += 1` and `math.sin(0.6 * self.step)` is simpler, and gives the same
+#   numbers in every run, which is good for tests. But at 100 Hz this robot would move two hundred times as fast.
+# - **Composition instead of a subclass.** `node = rclpy.create_node("humanoid_status_publisher")`, held by a class of
+#   your own that does not inherit from `Node`. Your attributes can then never collide with those of `Node`, and the
+#   simulation can be tested without ROS. But most code that you will read uses a subclass.
+# - **NumPy.** `np.sin(...)` computes all joints at once. Turn the array into plain floats with `.tolist()`. This is a
+#   good habit: a `np.float32` in a plain `Float32` message is silently sent as 0.0, or crashes the program with the
+#   Ubuntu packages.
+# - **`array.array("f", ...)`.** `data` becomes this type anyway, and a subscriber gets it. For twelve numbers there is
+#   no noticeable difference; for a million it is more than a hundred times faster than a list.
+# - **`sensor_msgs/msg/JointState`.** This is what a real robot uses. `Float32MultiArray` does not say which number is
+#   which joint, in what unit, or when it was measured, so both sides must agree on it elsewhere. For that reason, the
+#   plain types of `std_msgs` have been deprecated since ROS 2 Foxy: fine for learning, but not for a lasting design.
+#   `JointState` has names, positions, velocities and a time stamp. A later lesson changes to it.

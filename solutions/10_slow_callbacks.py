@@ -6,21 +6,21 @@
 # kind: program
 # clock: wall
 # objectives:
-#   - give slow work a place where it holds up nobody
-#   - let two callbacks of one node run at once, and only those two
-#   - keep a result right although several requests come at once
+#   - run slow work where it holds up nothing else
+#   - let two callbacks of one node run at the same time, and only those two
+#   - keep results right when several requests come at once
 # out_of_scope:
-#   - a faster planner; it stays as it is
+#   - a faster planner; do not change it
 #   - services and actions, which are made for requests (lesson 12)
 #   - what happens after the watch, how the program ends, and how the code is written
 # ---
 # %% [markdown]
 # # Exercise 10 · A heart that beats while the arm is planned
 #
-# Your humanoid serves tea. Before it stretches its arm, a planner works out how far to bend the elbow, and asks the
-# collision checker at every step: 0.8 s for a plan. Meanwhile the safety system listens for a heartbeat, ten times a
-# second. When it hears none for half a second, it cuts the power. You see where this leads: every time somebody asks for
-# tea, the robot goes limp. Give the planner a place where it does not stop the heart.
+# Your humanoid serves tea. Before it stretches its arm, a planner computes how far to bend the elbow, and asks the
+# collision checker at every step. One plan takes 0.8 s. Meanwhile the safety system expects a heartbeat ten times a
+# second. When none comes for half a second, it cuts the power. So every time a guest asks for tea, the robot goes limp.
+# Run the planner where it does not stop the heartbeat.
 #
 # **About 30 minutes · difficulty 3 of 5 · 10 points.** You need lesson
 # [10](../notebooks/10_slow_callbacks.ipynb).
@@ -30,34 +30,35 @@
 # | topic | direction | type | rate | content |
 # |---|---|---|---:|---|
 # | `/robot/heartbeat` | published | `String` | 10 Hz | a sign of life, for example `alive` |
-# | `/robot/plan_request` | received | `Float32` | | how far from the shoulder the hand shall be, in m |
-# | `/robot/plan` | published | `Float32` | | the bend of the elbow for that, in rad |
+# | `/robot/plan_request` | received | `Float32` | | wanted distance from the shoulder to the hand, in m |
+# | `/robot/plan` | published | `Float32` | | the bend of the elbow for this distance, in rad |
 #
-# - Every request is answered by one plan, in the order of the requests. Sometimes four come within half a second. Then
-#   they have to wait their turn, but not be forgotten: there is one collision checker, so only one search runs at a time.
-# - A distance that was requested before is a new request, and is planned anew. For a distance that the arm cannot
+# - Every request is answered by one plan, in the order of the requests. Sometimes four requests come within half a
+#   second. Then they must wait their turn, but none may be lost. There is one collision checker, so only one search
+#   runs at a time.
+# - A distance that was requested before is a new request, and is planned again. For a distance that the arm cannot
 #   reach, the planner finds the straight arm; that is the plan.
-# - `ElbowPlanner` is given. **Leave it as it is.** It waits most of its time, it does not keep the processor busy. And it
-#   can remember only one search: two at once on one planner spoil each other.
-# - Everything else may be changed.
+# - `ElbowPlanner` is given. **Leave it as it is.** It waits most of the time and does not keep the processor busy. It
+#   can hold only one search: two searches at once on one planner overwrite each other.
+# - You may change everything else.
 #
 # ## What is judged
 #
-# Your program runs as a process of its own for nine real seconds. The judge sends seven requests in the first four of
-# them, and watches what comes back. A plan that has not come after nine seconds is missing.
+# Your program runs as its own process for nine real seconds. The judge sends seven requests in the first four seconds,
+# and watches what comes back. A plan that has not come after nine seconds is missing.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/heartbeat` carries `String` |
 # | 2 | 90 % to 110 % of the heartbeats come; typically there are 0.095 to 0.105 s between two (the mean over five) |
 # | 2 | never more than 0.5 s without a heartbeat |
-# | 1 | the program listens to `/robot/plan_request` and publishes `Float32` on `/robot/plan` |
+# | 1 | the program subscribes to `/robot/plan_request` and publishes `Float32` on `/robot/plan` |
 # | 2 | each plan is what `ElbowPlanner` finds, to 0.000001 rad, and comes 0.78 s after its request, or later |
 # | 1 | every request is answered by one plan, in order, one search at a time |
 # | 1 | the program is still running at the end of the watch |
 #
-# **Not part of it:** a faster planner, services, what the text of a heartbeat says, what happens after the nine seconds,
-# and how your program ends on Ctrl-C. `ElbowPlanner` is judged by what it finds and by the time that it takes.
+# **Not part of it:** a faster planner, services, what the text of a heartbeat says, what happens after the nine
+# seconds, and how your program ends on Ctrl-C. `ElbowPlanner` is judged by what it finds and how long it takes.
 # %% [answer]
 """A humanoid that shows its heartbeat, and plans the bend of its elbow when asked."""
 
@@ -150,7 +151,7 @@ class TeaRobot(Node):
         # [solution]
         bend = self.planner.plan(request.data)
         # [starter]
-        # | # TODO: while this callback plans, the heart stands still. Give the planning another place.
+        # | # TODO: while this callback plans, the heartbeat stops. Run the planning elsewhere.
         # | bend = self.planner.plan(request.data)
         # [end]
         self.plan_publisher.publish(Float32(data=bend))
@@ -191,22 +192,22 @@ if __name__ == "__main__":
 #     asking.publish(Float32(data=distance))
 # topic_hz("/robot/heartbeat", seconds=3)
 # %% [hint]
-# Count on your fingers who needs a thread. The heart needs one for a moment, ten times a second. The planner needs one
-# for 0.8 s at a time. How many threads does `rclpy.spin` have? And if there were two: would rclpy be *allowed* to run
-# `beat` while `on_request` runs?
+# Count what needs a thread. The heartbeat needs one for a moment, ten times a second. The planner needs one for 0.8 s
+# at a time. How many threads does `rclpy.spin` have? And if there were two: would rclpy be *allowed* to run `beat`
+# while `on_request` runs?
 #
-# Two things are missing, and one of them alone changes nothing.
+# Two things are missing, and each of them alone changes nothing.
 #
-# Who runs callbacks, and how many at once: [About
+# How callbacks run, and how many at once: [About
 # executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html)
 # %% [hint]
 # There are two good places for slow work. Choose one.
 #
 # - **A callback group.** `create_subscription(..., callback_group=MutuallyExclusiveCallbackGroup())` for the slow
-#   callback, and a `MultiThreadedExecutor(num_threads=2)` that spins. Not a reentrant group: then a second request
-#   would start while the first one is being planned, on the same planner.
+#   callback, and a `MultiThreadedExecutor(num_threads=2)` that spins. Do not use a reentrant group: a second search
+#   would then start on the same planner while the first one still runs.
 # - **A worker.** The callback only puts the distance into a `queue.Queue` and returns. A `threading.Thread` takes one
-#   after the other out of it, plans, and publishes. `publish` may be called from any thread.
+#   distance after another out of it, plans, and publishes. `publish` may be called from any thread.
 #
 # More on groups: [Using callback groups](https://docs.ros.org/en/jazzy/How-To-Guides/Using-callback-groups.html)
 # %% [hint]
@@ -223,23 +224,25 @@ if __name__ == "__main__":
 # executor.spin()
 # ```
 #
-# Two imports go with it: one from `rclpy.callback_groups`, one from `rclpy.executors`.
+# You also need two imports: one from `rclpy.callback_groups`, one from `rclpy.executors`.
 #
 # What a node and its executors offer: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
 # %% [alternatives]
 # ## Other good ways
 #
-# - **A worker thread with a queue.** The callback returns at once, and `rclpy.spin` may stay as it is. The queue can hold
-#   more than the ten requests of the subscription, and you can look at it: how long is it, is the oldest one still
-#   wanted? In return you take care of the thread: its errors, and its end.
+# - **A worker thread with a queue.** The callback returns at once, and `rclpy.spin` may stay as it is. The queue can
+#   hold more than the ten requests of the subscription, and you can check it: how long is it, and is the oldest request
+#   still wanted? But you must take care of the thread: its errors, and its end.
 # - **`ThreadPoolExecutor(max_workers=1)`.** The same in one line: `self.pool.submit(self.work, request.data)`. With one
-#   worker the order is kept. Look at the future that `submit` returns, or errors vanish without a trace.
-# - **One step at a time.** A timer calls `planner.step()` and returns; after the last step it publishes. No threads, no
-#   locks, and one can stop a search half way. It works because a step takes 0.04 s, less than the period of the heart.
-#   Few libraries let you cut their work into steps.
-# - **Two processes.** A node for the heart, another for the planner. Nothing in the planner can stop the heart then: not
-#   even a crash, or Python code that computes without a pause. For the safety of a real robot, this is the way.
-# - **The group for the heartbeat.** It does not matter which of the two gets a group of its own, as long as they are not
-#   in the same one.
-# - **A reentrant group with a lock.** It works, but who gets a lock next is not defined, so the order of the plans is luck.
-#   And each waiting request holds a thread of the executor: with enough of them the heart has none left.
+#   worker the order is kept. Check the future that `submit` returns, or errors are lost silently.
+# - **One step at a time.** A timer calls `planner.step()` and returns; after the last step it publishes. There are no
+#   threads and no locks, and you can stop a search halfway. It works because a step takes 0.04 s, less than the period
+#   of the heartbeat. Few libraries let you split their work into steps.
+# - **Two processes.** Use one node for the heartbeat and another for the planner. Then nothing in the planner can stop
+#   the heartbeat: not even a crash, or Python code that computes without a pause. This is the right way for the safety
+#   of a real robot.
+# - **The group for the heartbeat.** It does not matter which of the two gets its own group, as long as they are not in
+#   the same group.
+# - **A reentrant group with a lock.** This works, but the order in which threads get a lock is not defined, so the
+#   order of the plans is luck. Each waiting request also holds a thread of the executor. With enough of them, none is
+#   left for the heartbeat.

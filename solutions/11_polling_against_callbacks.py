@@ -1,26 +1,26 @@
 # ---
 # exercise: 11_polling_against_callbacks
-# title: A monitor that need not look
+# title: A monitor that does not poll
 # minutes: 20
 # difficulty: 2
 # kind: program
 # clock: wall
 # objectives:
-#   - recognise polling in a program that works, more or less
+#   - recognize polling in a program that almost works
 #   - let a callback act on each message when it comes
-#   - leave the waiting to spin
+#   - let spin do the waiting
 # out_of_scope:
-#   - what happens with a touch after it was reported
-#   - messages that are lost on the way (lesson 13)
+#   - what happens after a touch was reported
+#   - messages that are lost between programs (lesson 13)
 #   - how the program ends, and how the code is written
 # ---
 # %% [markdown]
-# # Exercise 11 · A monitor that need not look
+# # Exercise 11 · A monitor that does not poll
 #
-# The hand of your humanoid has a skin that feels touches and numbers them. A monitor hands each number on to the grip
-# control, which must let go before the egg breaks. But the log shows numbers missing, and the grip control complains that
-# it hears of a touch when the shell is cracked already. You open the program, and find a loop that looks at the last touch
-# five times a second. Turn it into one that is *told*.
+# The hand of your humanoid has a skin that feels touches and numbers them. A monitor passes each number on to the grip
+# control, which must let go before the egg breaks. But the log shows missing numbers, and some touches reach the grip
+# control after the shell has cracked. You open the program, and find a loop that polls: it looks at the last touch five
+# times a second. Change the program so that it does not poll.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
 # [11](../notebooks/11_polling_against_callbacks.ipynb).
@@ -32,27 +32,28 @@
 # | `/robot/touch` | received | `Int32` | the number of a touch, such as 7 |
 # | `/monitor/seen` | published | `Int32` | the same number, for each touch, once, at once |
 #
-# Touches may come alone, or a dozen in one moment, and then none for some seconds. The skin began to count long before
-# your monitor started, leaves out a number now and then, and begins again at 1 when it is switched on again. Report what
-# comes, and nothing else.
+# Touches may come alone, or a dozen at once, and then none for some seconds. The skin began to count long before your
+# monitor started. It sometimes skips a number, and starts again at 1 when it is switched on again. Report what comes,
+# and nothing else.
 #
 # ## What is judged
 #
-# Your program runs as a process of its own for nine seconds. The judge sends 60 touches and notes what comes back, and
+# Your program runs as its own process for nine seconds. The judge sends 60 touches and records what comes back, and
 # when. For three seconds it sends none.
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | it listens to `/robot/touch` and reports on `/monitor/seen`, both `Int32` |
+# | 1 | it subscribes to `/robot/touch` and reports on `/monitor/seen`, both `Int32` |
 # | 3 | no touch is missed |
-# | 2 | none is reported twice, and all in order |
+# | 2 | no touch is reported twice, and all are reported in order |
 # | 2 | of the touches that come alone, three in four are reported within 10 ms; of those that come together, half within 200 ms |
-# | 1 | while no touch comes, the program takes less than 5 % of a processor |
+# | 1 | while no touch comes, the program uses less than 5 % of a processor |
 # | 1 | the program is still running at the end of the watch |
 #
 # **Not part of it:** what the grip control does, lost messages, longer pauses than three seconds, and how your program
-# ends on Ctrl-C. A report that goes out before anybody listens, when your program starts, is not seen. Nor does the judge
-# see whether a loop looks a hundred times a second or a callback is called; polling is what you should do away with.
+# ends on Ctrl-C. When your program starts, the judge does not see a report that is published before its subscription is
+# connected. It also cannot see whether a loop polls a hundred times a second or a callback is called, but you should
+# remove the polling.
 # %% [answer]
 """A monitor that reports each touch of the hand."""
 
@@ -96,7 +97,7 @@ class TouchMonitor(Node):
         self.seen_publisher.publish(Int32(data=touch.data))
     # [starter]
     # | def on_touch(self, touch: Int32) -> None:
-    # |     """Keep the touch until somebody looks."""
+    # |     """Keep the touch until the loop looks at it."""
     # |     self.last = touch.data
     # |
     # | def look(self) -> None:
@@ -127,13 +128,13 @@ def main(args: list[str] | None = None) -> None:
 # |
 # |
 # | def main(args: list[str] | None = None) -> None:
-# |     """Look again and again until Ctrl-C or a request to end, then leave with exit code 0."""
+# |     """Poll until Ctrl-C or a request to end, then leave with exit code 0."""
 # |     rclpy.init(args=args)
 # |     monitor = TouchMonitor()
 # |     receiving = threading.Thread(target=receive, args=(monitor,))
 # |     receiving.start()
 # |     try:
-# |         while rclpy.ok():  # TODO: nobody should have to look
+# |         while rclpy.ok():  # TODO: do not poll
 # |             monitor.look()
 # |             time.sleep(0.2)
 # |     except KeyboardInterrupt:
@@ -164,20 +165,21 @@ if __name__ == "__main__":
 # await run(hand, seconds=1)
 # print("touches 1 to 10, seen:", seen)
 # %% [hint]
-# Follow one touch through the program. It arrives, and `on_touch` is called, at once, for each touch. So far all is well.
-# What does `on_touch` do with it? Who reports it, and when? Everything that goes wrong here goes wrong between these two.
+# Follow one touch through the program. It arrives, and `on_touch` is called at once, for each touch. So far all is
+# well. What does `on_touch` do with it? Which function reports it, and when? Everything that goes wrong goes wrong
+# between these two.
 #
 # What a subscription does when a message comes: [About
 # topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html)
 # %% [hint]
 # - `on_touch` gets the message. It can publish: `self.seen_publisher.publish(...)` works in any callback.
-# - When it does, `last`, `reported` and `look` have nothing left to do. Neither has the loop in `main`.
-# - Without the loop, the main thread is free to do what the other thread does. Then you need no other thread.
+# - Then you no longer need `last`, `reported` and `look`, or the loop in `main`.
+# - Without the loop, the main thread can do what the other thread does. Then you need only one thread.
 # - Keep the depth of 100: a dozen touches may wait at the same time.
 #
 # What a node offers: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
 # %% [hint]
-# What is left of the program, with gaps:
+# The rest of the program, with gaps:
 #
 # ```python
 #     def on_touch(self, touch: Int32) -> None:
@@ -199,13 +201,15 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **`self.create_subscription(Int32, "/robot/touch", self.seen_publisher.publish, 100)`.** The message is handed on as it
-#   is, without a method in between. Short, and right as long as nothing has to be done with it.
+# - **`self.create_subscription(Int32, "/robot/touch", self.seen_publisher.publish, 100)`.** The message is passed on
+#   unchanged, without a method in between. This is short, and right as long as nothing has to be done with the message.
 # - **A queue and a worker thread.** `on_touch` puts the number into a `queue.Queue`, and a thread that waits in `get()`
-#   reports it. `get()` is a bell, too: it sleeps until something is there. Right when reporting takes long (lesson 10);
-#   for one `publish` it is a detour.
-# - **A loop around `spin_once(timeout_sec=1.0)`.** It waits inside, and so it is quick and costs nothing. `rclpy.spin` is the
-#   same loop.
-# - **A condition variable.** The loop of the starter can be saved: let it wait in `condition.wait()` in place of `sleep`,
-#   and let the callback notify it. With a list of all touches it misses nothing. Much to get right for little gain.
-# - **A faster loop.** Quicker, and dearer; but it still misses what comes together. No sleep is short enough.
+#   reports it. `get()` does not poll either: it sleeps until something is there. This is right when reporting takes
+#   long (lesson 10). For one `publish` it is not needed.
+# - **A loop around `spin_once(timeout_sec=1.0)`.** `spin_once` waits inside, so this is quick and uses no processor
+#   time. `rclpy.spin` is the same loop.
+# - **A condition variable.** You can keep the loop of the starter: let it wait in `condition.wait()` instead of
+#   `sleep`, and let the callback notify it. With a list of all touches it misses nothing. But much can go wrong, for
+#   little gain.
+# - **A faster loop.** It is quicker and uses more processor time, but it still misses touches that come together. No
+#   sleep is short enough.

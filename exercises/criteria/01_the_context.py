@@ -33,10 +33,11 @@ def walks_its_rounds(recording: Recording) -> Verdict:
         return see.passed(f"{see.count(len(lines), 'line')} in the log")
     return see.failed(
         "walks-its-rounds.stands-still",
-        f"{see.count(len(lines), 'line')} in the log after {WATCH_S:g} s: the node is there, and hardly does anything",
+        f"{see.count(len(lines), 'line')} in the log after {WATCH_S:g} s: the node is there, but it does almost "
+        "nothing",
         expected,
-        "The rounds are walked by a timer, and a timer works only while something spins its node. A sleep keeps the "
-        "program alive, and does not spin.",
+        "A timer walks the rounds, and a timer works only while its node is spun. A sleep keeps the program "
+        "alive, but it does not spin the node.",
         "Keep the guard at work with rclpy.spin(guard).",
     )
 
@@ -75,16 +76,16 @@ def arms_parked(recording: Recording) -> Verdict:
             "arms-parked.ignores-ctrl-c",
             "the program went on after Ctrl-C, with its arms up, and had to be killed",
             expected,
-            "Ctrl-C is ignored, or KeyboardInterrupt is caught and the program goes on: in a loop, or with something "
-            "that takes long before it parks.",
+            "The program ignores Ctrl-C. Or it catches KeyboardInterrupt and goes on: in a loop, or with slow "
+            "work before it parks.",
             "Put the try around the whole loop, and park first thing in finally.",
         )
     return see.failed_at_the_end(recording, "the arms are still up", expected) or see.failed(
         "arms-parked.never",
         "the program ended after Ctrl-C, and its arms are still up",
         expected,
-        "park() is not called on this way. spin does not return on Ctrl-C, it raises KeyboardInterrupt: the lines "
-        "after it are never reached, and on_shutdown callbacks are not called either.",
+        "Nothing calls park() after Ctrl-C. rclpy.spin() does not return on Ctrl-C: it raises KeyboardInterrupt, "
+        "so the lines after it never run. on_shutdown callbacks are not called either.",
         "Call guard.park() in the finally block of a try around rclpy.spin(guard).",
     )
 
@@ -97,8 +98,8 @@ def ends_cleanly(recording: Recording) -> Verdict:
             "ends-cleanly.goes-on-after-parking",
             "the arms were parked after Ctrl-C, and the program went on and had to be killed",
             "exit code 0 and no traceback after Ctrl-C",
-            "Something does not come to its end when the arms are parked: a loop around it that begins anew, a sleep, "
-            "an input, or a thread that is no daemon.",
+            "Something keeps running after the arms are parked: a loop that starts again, a sleep, an input, or a "
+            "thread that is not a daemon.",
             "Let main() return when it has cleaned up.",
         )
     verdict = see.exits_cleanly(recording)
@@ -108,8 +109,8 @@ def ends_cleanly(recording: Recording) -> Verdict:
         "ends-cleanly.thread-raised",
         "exit code 0 after Ctrl-C, and the traceback of a thread",
         verdict.expected,
-        "A thread was still spinning when Ctrl-C shut the context down. spin raises an exception then, and in that "
-        "thread nobody catches it. Now and then such a program aborts.",
+        "A thread was still spinning when Ctrl-C shut the context down. Then spin raises an exception, and "
+        "nothing in that thread catches it. Such a program sometimes aborts.",
         "Catch ExternalShutdownException in the function of the thread, and join the thread before main() ends.",
     )
 
@@ -123,9 +124,9 @@ def node_gone(recording: Recording) -> Verdict:
         "node-gone.killed",
         verdict.saw,
         verdict.expected,
-        "The program did not end on Ctrl-C and was killed, so nobody took its node off the graph. Others see such a "
-        "ghost for up to 20 s.",
-        "Make it end on Ctrl-C first. Its node goes with it.",
+        "The program did not end on Ctrl-C and was killed, so its node was never removed from the graph. Other "
+        "programs see such a ghost for up to 20 s.",
+        "First make the program end on Ctrl-C. Its node then disappears with it.",
     )
 
 

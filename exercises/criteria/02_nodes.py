@@ -19,15 +19,13 @@ LONGEST_QUOTE = 60  # characters of a report that feedback quotes
 
 @criterion(points=1, title="/robot/camera is on the graph, once", needs=[program_runs])
 def front_node(recording: Recording) -> Verdict:
-    how = "Make it so: CameraDriver(namespace='/robot'). Rename the other camera alone, by its cli_args."
+    how = "Write CameraDriver(namespace='/robot'). Rename only the other camera, with its cli_args."
     return see.on_the_graph(recording, FRONT, beside=[REAR], how=how)
 
 
 @criterion(points=2, title="/robot/rear_camera is on the graph, once", needs=[program_runs])
 def rear_node(recording: Recording) -> Verdict:
-    how = (
-        "Make it so: CameraDriver(namespace='/robot', cli_args=['--ros-args', '-r', '__node:=rear_camera'])."
-    )
+    how = "Write CameraDriver(namespace='/robot', cli_args=['--ros-args', '-r', '__node:=rear_camera'])."
     return see.on_the_graph(recording, REAR, beside=[FRONT], how=f"{how} Then return both cameras.")
 
 
@@ -60,9 +58,9 @@ def nobody_else(recording: Recording) -> Verdict:
     if duplicates:
         return see.failed(
             "nobody-else.duplicate-name",
-            f"twins: {names_or_nobody(duplicates)} is there more than once",
+            f"duplicate node name: {names_or_nobody(duplicates)} is there more than once",
             expected,
-            "Two nodes were made with one name. ROS allows it, and then nobody can tell them apart.",
+            "Two nodes were made with the same name. ROS allows that, but then no one can tell them apart.",
             "Remap one of them: cli_args=['--ros-args', '-r', '__node:=rear_camera'].",
         )
     others = sorted({node.name for node in recording.nodes} - {FRONT, REAR})
@@ -72,7 +70,8 @@ def nobody_else(recording: Recording) -> Verdict:
             "nobody-else.outside-namespace",
             f"{names_or_nobody(outside)}, outside of the namespace /robot",
             expected,
-            "A node without a namespace belongs to the whole building; a second robot would have it, too.",
+            "A node without a namespace does not belong to one robot. A second robot would have a node of the "
+            "same name.",
             "Give every node that you make namespace='/robot', and make only the two cameras.",
         )
     if others:
@@ -80,7 +79,7 @@ def nobody_else(recording: Recording) -> Verdict:
             "nobody-else.extra-node",
             f"{names_or_nobody(others)} as well",
             expected,
-            "One more node was made than the robot has cameras, or one has another name than asked.",
+            "The program makes one node too many, or one node has the wrong name.",
             "Make the two cameras and no other node.",
         )
     return see.passed("nobody else is there")
@@ -103,7 +102,7 @@ def pictures_of(recording: Recording, frames: Topic, camera: str) -> Verdict:
             f"{names_or_nobody(found)} on {frames.name}",
             f"{camera} on {frames.name}, and nobody else",
             "The name of this topic is written out or remapped, so it does not follow the name of the node.",
-            "Leave the driver as it was delivered and rename the node with __node:=; its private topics follow.",
+            "Leave the driver as it was delivered, and rename the node with __node:=. Its private topics follow.",
         )
     if not see.values(recording, frames):
         return why_no_pictures(recording, frames, camera)
@@ -140,7 +139,8 @@ def why_no_pictures(recording: Recording, frames: Topic, camera: str) -> Verdict
             "pictures.never-taken",
             f"{camera} reports faults, but it takes no pictures",
             expected,
-            "The node is spun, so the fault is in the class: nothing calls take_picture, or it does not publish.",
+            "The node is spun, so the fault is in the class: nothing calls take_picture, or take_picture does not "
+            "publish.",
             "Leave the driver as it was delivered.",
         )
     if not any(see.values(recording, one) for one in (FRONT_FRAME, REAR_FRAME, FAULTS)):
@@ -148,15 +148,15 @@ def why_no_pictures(recording: Recording, frames: Topic, camera: str) -> Verdict
             "pictures.nothing-spins",
             f"{camera} is there, but no node of this program does anything",
             expected,
-            "Nothing spins the nodes: there is no spin, or a line above it does not come back.",
-            "Leave main as it was: it adds each camera to one executor, and spins that.",
+            "Nothing spins the nodes: there is no spin, or a line before it never returns.",
+            "Leave main as it was: it adds both cameras to one executor and spins it.",
         )
     return see.failed(
         "pictures.node-not-spun",
         saw,
         expected,
-        "Nobody lets this node work. An executor serves the nodes that were added to it, and rclpy.spin(node) "
-        "that one node and no other.",
+        "Nothing spins this node. An executor serves only the nodes that were added to it, and rclpy.spin(node) "
+        "serves only that one node.",
         "Add both nodes to one executor: return both from make_cameras and leave main as it was.",
     )
 
@@ -218,7 +218,7 @@ def why_no_reports(recording: Recording, camera: str, frames: Topic) -> Verdict:
             "shared-faults.nameless",
             f"{saw}; somebody reports {str(strange[0])[:LONGEST_QUOTE]!r}",
             expected,
-            "The text of the reports was changed. Without the name, nobody knows which camera to repair.",
+            "The text of the reports was changed. Without the name, no one knows which camera to repair.",
             "Leave the driver as it was delivered.",
         )
     if not see.values(recording, frames):
@@ -226,14 +226,15 @@ def why_no_reports(recording: Recording, camera: str, frames: Topic) -> Verdict:
             "shared-faults.camera-idle",
             f"{saw}, and no picture either",
             expected,
-            "This node does not work at all.",
-            "Make its pictures come first. The reports come with them.",
+            "This node does nothing at all.",
+            "First make its pictures come. The reports will then come, too.",
         )
     return see.failed(
         "shared-faults.silent",
         f"{saw}, although its pictures come",
         expected,
-        "The node works, so the fault is in the class: nothing calls report_faults, or it does not publish.",
+        "The node works, so the fault is in the class: nothing calls report_faults, or report_faults does not "
+        "publish.",
         "Leave the driver as it was delivered.",
         about_time=True,
     )
@@ -247,7 +248,7 @@ def why_not_on_the_topic(recording: Recording, found: list[str]) -> Verdict:
     if elsewhere:
         return see.failed(
             "shared-faults.other-name",
-            f"{saw}; somebody reports on {' and '.join(elsewhere)}",
+            f"{saw}; something reports on {' and '.join(elsewhere)}",
             expected,
             "The name of this topic was edited or remapped. As delivered, it follows the namespace of each camera.",
             "Leave the driver as it was delivered, and remap __node only.",

@@ -90,9 +90,9 @@ def floats_arrive(recording: Recording) -> Verdict:
     if before and verdict.ok:
         return see.failed(
             "floats-arrive.uncalled",
-            f"{as_float(before[0])} went out before anybody had called publish_level",
+            f"{as_float(before[0])} went out before publish_level was called",
             "one message for each call with a number, and no other",
-            "Something publishes besides publish_level: __init__, or a timer.",
+            "Something other than publish_level publishes: __init__, or a timer.",
             "Publish once in publish_level, and nowhere else.",
         )
     return verdict
@@ -123,7 +123,7 @@ def not_finite_refused(recording: Recording) -> Verdict:
     return all_refused(recording, NOT_FINITE, "nan, inf and -inf raised an error")
 
 
-@criterion(points=1, title="No 0.0 on the wire that nobody meant", needs=[sends])
+@criterion(points=1, title="No 0.0 is sent by mistake", needs=[sends])
 def no_invented_zero(recording: Recording) -> Verdict:
     made = calls(recording)
     first_meant = min(
@@ -141,8 +141,9 @@ def no_invented_zero(recording: Recording) -> Verdict:
         "no-invented-zero.sent",
         f"0.0 went out for {see.listing(list(dict.fromkeys(invented)))}",
         "0.0 only for a battery that is empty",
-        "A listener cannot tell this zero from a real one. It will stop the robot, or send it home, for nothing.",
-        "Convert numbers with float(level), raise an error for all the rest, and have no 0.0 to fall back on.",
+        "A subscriber cannot tell this zero from a real one. It may stop the robot, or send it home, for no "
+        "reason.",
+        "Convert numbers with float(level), raise an error for everything else, and never use 0.0 as a default.",
     )
 
 
@@ -227,7 +228,7 @@ def cannot_be_called(recording: Recording, trouble: str, expected: str) -> Verdi
         "calls-come-back.name-missing",
         f"{trouble} in your file",
         expected,
-        "It is missing, has another name, or is indented into the wrong place.",
+        "It is missing, has another name, or is indented wrongly.",
         "Keep the names of the starter: class BatteryPublisher, method publish_level(self, level).",
     )
 
@@ -240,23 +241,24 @@ def stopped_short(recording: Recording, latest: str | None, expected: str) -> Ve
             "calls-come-back.program-ended",
             f"the program ended by itself at {where} (exit code {recording.process.exit})",
             expected,
-            "Something ends the whole program, sys.exit() for example. The robot would lose all its nodes at once.",
-            "raise an error instead, and let the one who called decide.",
+            "Something ends the whole program, for example sys.exit(). A robot would lose all the nodes of this "
+            "program at once.",
+            "Raise an error instead, and let the caller decide what to do.",
         )
     if latest is not None:
         return see.failed(
             "calls-come-back.method-waits",
             f"publish_level({latest}) never came back",
             expected,
-            "The method waits for ever: a spin, a loop, or a sleep. To publish, nothing has to spin.",
+            "The method waits forever: in a spin, a loop, or a sleep. Publishing needs no spin.",
             "Let the method publish and return.",
         )
     return see.failed(
         "calls-come-back.import-does-not-end",
-        "your file runs on and on by itself, so nobody comes to call publish_level",
+        "your file keeps running when it is imported, so publish_level was never called",
         expected,
-        "Your file is imported. What stands at its left margin runs at once, and a spin there has no end.",
-        "Leave only the class, or put the rest under `if __name__ == '__main__':`.",
+        "The judge imports your file. Code at the left margin runs at once, and a spin there never ends.",
+        "Keep only the class, or put the rest under `if __name__ == '__main__':`.",
     )
 
 
@@ -277,7 +279,7 @@ def why_not_arrived(call: DriverCall, made: list[DriverCall]) -> Verdict:
             "number.sent-again",
             f"{saw}{more}",
             expected,
-            "Something publishes besides the one message of this call: a second publish(), or a timer.",
+            "Something publishes more than the one message of this call: a second publish(), or a timer.",
             "Publish once in publish_level, and nowhere else.",
         )
     return why_changed(call, made, saw, expected)
@@ -307,9 +309,9 @@ def why_nothing_sent(call: DriverCall, made: list[DriverCall], saw: str, expecte
         if any(arrived(one) for one in later):
             return fail(
                 "number.repeat-dropped",
-                "This number had been sent before, and the method does not send it twice. But it was measured again; a "
-                "listener that hears nothing cannot know that.",
-                "Send each number, whatever was sent before it.",
+                "This number was sent before, and the method does not send it again. But it was measured again, "
+                "and a subscriber that receives nothing cannot know that.",
+                "Send each number, no matter what was sent before.",
             )
     if meant(call) == 0.0:
         return why_zero_dropped(saw, expected)
@@ -317,7 +319,8 @@ def why_nothing_sent(call: DriverCall, made: list[DriverCall], saw: str, expecte
         return why_it_stops(saw, expected, len(went_well))
     return fail(
         "number.not-sent",
-        "publish() was not reached, or its publisher was made only now, and nobody is connected to it yet.",
+        "publish() was not reached. Or the publisher was created in this call, and no subscription is connected "
+        "to it yet.",
         "Create the publisher in __init__, and call its publish() in every call with a number.",
     )
 
@@ -328,9 +331,9 @@ def why_it_stops(saw: str, expected: str, arrived_before: int) -> Verdict:
         "number.stops",
         saw,
         expected,
-        f"From this call on nothing goes out any more: the method remembers the calls before it. Until then "
-        f"{see.count(arrived_before, 'number')} had arrived.",
-        "Treat each call alike, whatever came before it.",
+        "From this call on nothing is sent, so the method remembers earlier calls. Before it, "
+        f"{see.count(arrived_before, 'number')} arrived.",
+        "Treat every call the same, no matter what came before it.",
     )
 
 
@@ -345,7 +348,7 @@ def why_one_behind(saw: str, expected: str) -> Verdict:
         "number.one-behind",
         saw,
         expected,
-        "Each call sends the number of the call before: it is sent before the new one is stored.",
+        "Each call sends the number of the previous call: the message is sent before the new number is stored.",
         "Make the message from the argument of this call.",
     )
 
@@ -357,7 +360,7 @@ def why_zero_dropped(saw: str, expected: str) -> Verdict:
         saw,
         expected,
         "Zero counts as false in Python, so `if level:` skips an empty battery.",
-        "Do not ask whether level is true. Ask whether it is a number.",
+        "Do not test whether level is true. Test whether it is a number.",
     )
 
 
@@ -371,15 +374,16 @@ def why_changed(call: DriverCall, made: list[DriverCall], saw: str, expected: st
     if call.argument in OTHER_NUMBERS and sent == 0.0:
         return fail(
             "number.not-converted",
-            "A float32 field wants a Python float. An int or a np.float32 is sent as 0.0 by this build, without a "
-            "word.",
-            "Convert at the door: Float32(data=float(level)).",
+            "A float32 field needs a Python float. This build sends an int or a np.float32 as 0.0, and reports no "
+            "error. The Ubuntu packages may abort the program instead.",
+            "Convert the number when you make the message: Float32(data=float(level)).",
         )
     if abs(100.0 * sent - number) <= 100.0 * TOLERANCE:
         return fail(
             "number.fraction",
-            "It is divided by 100. The topic carries percent, so a listener takes this for an empty battery.",
-            "Send the number as it came.",
+            "The number is divided by 100. The topic carries percent, so a subscriber would think that the "
+            "battery is empty.",
+            "Send the number as it is.",
         )
     before = [one for one in made if one.number < call.number and one.argument in MEANT]
     if before and sends_what_was_before(before[-1], call):
@@ -387,13 +391,13 @@ def why_changed(call: DriverCall, made: list[DriverCall], saw: str, expected: st
     if any(abs(round(number, digits) - sent) <= TOLERANCE for digits in range(5)) or int(number) == sent:
         return fail(
             "number.rounded",
-            "Decimals are cut off or rounded on the way: by round(), int(), or a type with fewer digits.",
-            "Send the number as it came. Round where it is shown, not where it is sent.",
+            "Decimals are cut off or rounded: by round(), int(), or a type with fewer digits.",
+            "Send the number as it is. Round it where it is displayed, not where it is sent.",
         )
     return fail(
         "number.changed",
-        "The number is changed on its way: scaled, limited, or turned into another type.",
-        "Send the number as it came, in percent.",
+        "The number is changed before it is sent: scaled, limited, or converted to another type.",
+        "Send the number as it is, in percent.",
     )
 
 
@@ -412,26 +416,28 @@ def why_number_raised(call: DriverCall, made: list[DriverCall], saw: str, expect
     if call.error.startswith(MISTAKES):
         return fail(
             "number.mistake",
-            "This error refuses nothing: it is a mistake in your method, a name that Python does not know.",
+            "This error does not come from a check. It is a mistake in your method: a name that Python does not "
+            "know.",
             "Look for the name in the error, and for the line in the log.",
         )
     if went_well_before(call, made):
         return fail(
             "number.refused-later",
-            "Such calls had gone well before. So the method remembers something: an error, a count, or old values.",
-            "Treat each call alike, whatever came before it.",
+            "The same kind of call worked before. So the method remembers something: an error, a count, or old "
+            "values.",
+            "Treat every call the same, no matter what came before it.",
         )
     if meant(call) in (0.0, 1.0):
         return why_zero_raised(made, saw, expected)
     if call.argument in OTHER_NUMBERS:
         return fail(
             "number.refused",
-            "Your test refuses more than it must: this is a number, only not a Python float.",
-            "Ask for a number of any kind (numbers.Real knows NumPy's as well), then send float(level).",
+            "Your check refuses too much: this is a number, although it is not a Python float.",
+            "Accept every kind of number (numbers.Real includes NumPy's), then send float(level).",
         )
     return fail(
         "number.raised",
-        "An error came out of your method, although it was given a number.",
+        "Your method raised an error, although it was given a number.",
         "Read the error: it names what went wrong in your method.",
     )
 
@@ -452,23 +458,23 @@ def why_zero_raised(made: list[DriverCall], saw: str, expected: str) -> Verdict:
             "number.taken-for-bool",
             saw,
             expected,
-            "0 == False and 1 == True in Python, so a comparison with a bool catches these numbers, too.",
-            "Ask for the type, not for the value: isinstance(level, bool).",
+            "In Python, 0 == False and 1 == True, so a comparison with a bool also matches these numbers.",
+            "Check the type, not the value: isinstance(level, bool).",
         )
     if all(call.how != "raised" for call in made if call.argument == "0.0"):
         return see.failed(
             "number.int-refused",
             saw,
             expected,
-            "Your test refuses more than it must: an int is a number, also where it is 0 or 1.",
-            "Ask for a number of any kind (numbers.Real knows NumPy's as well), then send float(level).",
+            "Your check refuses too much: an int is a number, also when it is 0 or 1.",
+            "Accept every kind of number (numbers.Real includes NumPy's), then send float(level).",
         )
     return see.failed(
         "number.zero-taken-for-missing",
         saw,
         expected,
-        "Zero counts as false in Python, so `if not level` takes an empty battery for no value.",
-        "Ask for what you mean, for example `if level is None`.",
+        "Zero counts as false in Python, so `if not level` treats an empty battery as a missing value.",
+        "Test for exactly what you mean, for example `if level is None`.",
     )
 
 
@@ -477,7 +483,7 @@ def why_zero_raised(made: list[DriverCall], saw: str, expected: str) -> Verdict:
 
 def why_not_refused(call: DriverCall, made: list[DriverCall]) -> Verdict:
     """Why a value that is no charge was not refused."""
-    saw, expected = words(call), "an error for the one who called, and nothing on the wire"
+    saw, expected = words(call), "an error raised to the caller, and nothing sent"
 
     def fail(cause: str, because: str, try_this: str) -> Verdict:
         return see.failed(cause, saw, expected, because, try_this)
@@ -486,23 +492,23 @@ def why_not_refused(call: DriverCall, made: list[DriverCall]) -> Verdict:
     if before and call.sent and 0.0 != before[-1] == call.sent[0]:
         return fail(
             "refusal.last-again",
-            "That is the number that was sent last. Whoever listens takes it for measured once more.",
+            "That is the number that was sent last. A subscriber will think that it was measured again.",
             "Send nothing when there is nothing to send.",
         )
     if call.how == "raised" and call.sent:
         return fail(
             "refusal.too-late",
-            "The error comes too late: the message had gone out by then.",
-            "Look at the value first, and publish in the last line of the method.",
+            "The error comes too late: the message was already sent.",
+            "Check the value first, and publish in the last line of the method.",
         )
     if not call.sent and strange(call):
         return why_sent_later(call, saw, expected)
     if not call.sent:
         return fail(
             "refusal.silent",
-            "The value is dropped in silence (return, pass, or only a line in the log). Whoever called believes that "
+            "The value is dropped silently (return, pass, or only a line in the log). The caller believes that "
             "the charge was reported.",
-            "raise TypeError or ValueError, with the value in its text.",
+            "Raise TypeError or ValueError, with the value in its text.",
         )
     refused_ones = {one.argument for one in made if refused(one)}
     if call.argument in NOT_FINITE:
@@ -511,9 +517,9 @@ def why_not_refused(call: DriverCall, made: list[DriverCall]) -> Verdict:
         return why_look_alike_sent(call, refused_ones, saw, expected)
     return fail(
         "refusal.no-number-sent",
-        "A message is sent for something that is no number. This build of ROS sends 0.0 for what is no float, or your "
-        "method makes a number of it.",
-        "raise TypeError if the value is no number, before you make the message.",
+        "A message is sent for something that is not a number. Either this build of ROS sends 0.0 for it, or your "
+        "method turns it into a number.",
+        "Raise TypeError if the value is not a number, before you make the message.",
     )
 
 
@@ -523,7 +529,8 @@ def why_sent_later(call: DriverCall, saw: str, expected: str) -> Verdict:
         "refusal.sent-later",
         f"{saw}; {as_float(strange(call)[0])} went out after it had come back",
         expected,
-        "Something publishes besides publish_level, a timer for example, or later than the call.",
+        "Something other than publish_level publishes, for example a timer, or publish_level publishes after it "
+        "has returned.",
         "Publish once in publish_level, and nowhere else.",
     )
 
@@ -532,7 +539,7 @@ def why_not_finite_sent(
     call: DriverCall, refused_ones: Collection[str | None], saw: str, expected: str
 ) -> Verdict:
     """Why a message went out for nan or inf."""
-    hint = "Ask math.isfinite(level), and raise ValueError if it is not."
+    hint = "Raise ValueError if math.isfinite(level) is False."
 
     def fail(cause: str, because: str) -> Verdict:
         return see.failed(cause, saw, expected, because, hint)
@@ -540,17 +547,18 @@ def why_not_finite_sent(
     if 0.0 <= call.sent[0] <= 100.0:
         return fail(
             "refusal.nan-limited",
-            "A comparison with nan is always False, so min() and max() turn it into one of the limits.",
+            "A comparison with nan is always False, so min() and max() turn nan into one of the limits.",
         )
     if call.argument == "-inf" and "inf" in refused_ones:
-        return fail("refusal.negative-infinity", "Your test finds inf, and infinity has two signs.")
+        return fail("refusal.negative-infinity", "Your check finds inf, but not -inf.")
     if str(call.argument).startswith("np.") and {"nan", "inf", "-inf"} <= set(refused_ones):
         return fail(
-            "refusal.numpy-not-finite", "Your test asks Python's floats only, and NumPy has nan and inf, too."
+            "refusal.numpy-not-finite",
+            "Your check covers Python's floats only, but NumPy has nan and inf, too.",
         )
     return fail(
         "refusal.not-finite-sent",
-        f"{call.argument} is a float, so float() and isinstance() let it pass.",
+        f"{call.argument} is a float, so float() and isinstance() accept it.",
     )
 
 
@@ -558,7 +566,7 @@ def why_look_alike_sent(
     call: DriverCall, refused_ones: Collection[str | None], saw: str, expected: str
 ) -> Verdict:
     """Why a message went out for what only looks like a number."""
-    hint = "Look at the type, before you convert: is it a number, and no bool?"
+    hint = "Check the type before you convert: is it a number, and not a bool?"
 
     def fail(cause: str, because: str) -> Verdict:
         return see.failed(cause, saw, expected, because, hint)
@@ -566,12 +574,13 @@ def why_look_alike_sent(
     if call.argument == "False" and "True" in refused_ones:
         return fail(
             "refusal.false-sent",
-            "Your test knows True, and False is a bool as well. It became an empty battery.",
+            "Your check refuses True, but False is a bool as well. It was sent as an empty battery.",
         )
     if call.sent[0] == 0.0 and call.argument != "False":
         return fail(
             "refusal.look-alike-not-converted",
-            "A float32 field wants a Python float. Anything else is sent as 0.0 by this build, without a word.",
+            "A float32 field needs a Python float. This build sends anything else as 0.0, and reports no error. "
+            "The Ubuntu packages may abort the program instead.",
         )
     if call.argument in BOOLS:
         return fail(
@@ -580,5 +589,6 @@ def why_look_alike_sent(
         )
     return fail(
         "refusal.text-read",
-        "float('50') is 50.0: float() reads texts. Whoever sends a text has a bug that you would hide.",
+        "float('50') is 50.0: float() also reads texts. A caller that sends a text has a bug, and your method "
+        "hides it.",
     )

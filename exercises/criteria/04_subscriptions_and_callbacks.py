@@ -111,7 +111,8 @@ def battery_topic(recording: Recording) -> Verdict:
             "battery-topic.publishes-where-it-listens",
             f"your node publishes {BATTERY_TOPIC}, and nothing on {PASSED_ON.name}",
             verdict.expected,
-            "It publishes where it listens. So it hears itself, answers itself, and so on without end.",
+            "It publishes on the topic that it subscribes to. So it receives its own messages, and each one "
+            "causes another, without end.",
             f"Write the name as {PASSED_ON.name!r}.",
         )
     return verdict
@@ -134,7 +135,7 @@ def in_order(recording: Recording) -> Verdict:
     return why_some_are_missing(recording, answered.lost)
 
 
-@criterion(points=1, title="No bad reading is passed on, and nothing in its place", needs=[passes_on])
+@criterion(points=1, title="No bad reading is passed on, and nothing is sent in its place", needs=[passes_on])
 def bad_kept_back(recording: Recording) -> Verdict:
     answered = passed_on(recording)
     if answered.instead and set(answered.instead) <= LIMITS:
@@ -142,7 +143,7 @@ def bad_kept_back(recording: Recording) -> Verdict:
             "bad-kept-back.clamped",
             f"{shown(answered.instead[0])} on {PASSED_ON.name} in place of a bad reading",
             NO_BAD_ONES,
-            "A bad reading is pulled to the nearest limit. Whoever listens takes it for measured.",
+            "A bad reading is replaced by the nearest limit. A subscriber will think that this value was measured.",
             "Raise the alarm, and publish nothing on this topic.",
         )
     if answered.instead:
@@ -150,12 +151,12 @@ def bad_kept_back(recording: Recording) -> Verdict:
             "bad-kept-back.replaced",
             f"{shown(answered.instead[0])} on {PASSED_ON.name} in place of a bad reading",
             NO_BAD_ONES,
-            "The node makes up a reading. Whoever listens takes it for measured.",
+            "The node makes up a reading. A subscriber will think that it was measured.",
             "Raise the alarm, and publish nothing on this topic.",
         )
     if answered.bad:
         return why_bad_ones_came(answered.bad)
-    return see.passed("nothing came in their place")
+    return see.passed("no bad reading was passed on, and nothing was sent in its place")
 
 
 @criterion(points=1, title="/monitor/alarm carries String", needs=[program_runs])
@@ -180,8 +181,8 @@ def one_alarm(recording: Recording) -> Verdict:
             0.5,
             f"the alarm for the bad reading {shown(BAD[place])} says {quoted(text)}",
             ONE_EACH,
-            "Somebody has to find the fault by this text, and the value is the best clue.",
-            'Put the value in, as it came: String(data=f"bad battery reading: {message.data}").',
+            "This text must help a person to find the fault, and the value is the best clue.",
+            'Put the value into the text, as it came: String(data=f"bad battery reading: {message.data}").',
         )
     if len(found.repeated) > len(found.missed):
         return see.failed(
@@ -203,11 +204,11 @@ def no_false_alarm(recording: Recording) -> Verdict:
     return why_false_alarms(found) if found.false else see.passed("none")
 
 
-@criterion(points=1, title="It is silent about /other_robot/battery", needs=[passes_on])
+@criterion(points=1, title="It ignores /other_robot/battery", needs=[passes_on])
 def own_robot_only(recording: Recording) -> Verdict:
     others, about_them = passed_on(recording).others, alarms(recording).others
     if not others and not about_them:
-        return see.passed(f"{len(OTHERS)} readings of another robot, and not a word")
+        return see.passed(f"{len(OTHERS)} readings of another robot, and none was passed on or reported")
     saw = f"{shown(others[0])} on {PASSED_ON.name}" if others else f"the alarm {quoted(about_them[0])}"
     return see.failed(
         "own-robot-only.hears-others",
@@ -427,7 +428,8 @@ def why_nothing_came(recording: Recording) -> Verdict:
             "in-order.asks-for-old-messages",
             f"{nothing}: your subscription asks for transient local",
             EXPECTED,
-            "It asks for messages from before it was there, and the sensor keeps none. So the two are not connected.",
+            "It asks for messages that were published before it existed, but the sensor keeps none. So the two "
+            "are not connected.",
             "Give create_subscription() a plain depth, such as 10.",
         )
     if made_late(recording, PASSED_ON):
@@ -436,7 +438,7 @@ def why_nothing_came(recording: Recording) -> Verdict:
         "in-order.nothing-passed-on",
         f"{len(READINGS)} readings were sent to {BATTERY_TOPIC}, and nothing came on {PASSED_ON.name}",
         EXPECTED,
-        "Either nobody spins the node, so the callback never runs, or the callback does not publish.",
+        "Either nothing spins the node, so the callback never runs, or the callback does not publish.",
         "Spin the node with rclpy.spin(node), and publish the good readings inside the callback.",
         about_time=True,
     )
@@ -461,7 +463,7 @@ def kept_back_for_its_value(saw: str, lost: set[int]) -> Verdict | None:
             "in-order.limits-kept-back",
             saw,
             EXPECTED,
-            "0 and 100 % are charges, too: an empty battery and a full one. The limits belong to the range.",
+            "0 and 100 % are good readings, too: an empty battery and a full one. The limits belong to the range.",
             "Use <= where you have <: 0.0 <= message.data <= 100.0.",
             about_time=True,
         )
@@ -470,7 +472,7 @@ def kept_back_for_its_value(saw: str, lost: set[int]) -> Verdict | None:
             "in-order.low-kept-back",
             saw,
             EXPECTED,
-            "Only low charges are missing. A low charge is bad news, but it is no bad reading.",
+            "Only low charges are missing. A low charge is bad news, but it is not a bad reading.",
             "Pass on all from 0 to 100 %.",
             about_time=True,
         )
@@ -485,7 +487,8 @@ def kept_back_for_what_came_before(recording: Recording, saw: str, lost: set[int
             "in-order.after-bad-kept-back",
             saw,
             EXPECTED,
-            "What is missing came directly after a bad reading. What is good depends on this reading alone.",
+            "The missing readings came directly after a bad one. Whether a reading is good depends on that "
+            "reading alone.",
             EACH_FOR_ITSELF,
             about_time=True,
         )
@@ -494,8 +497,8 @@ def kept_back_for_what_came_before(recording: Recording, saw: str, lost: set[int
             "in-order.equal-kept-back",
             saw,
             EXPECTED,
-            "What is missing is equal to the reading before it. A charge may stay as it is.",
-            "Pass on each good reading, whatever came before it.",
+            "The missing readings are equal to the ones before them. A charge may stay the same.",
+            "Pass on each good reading, no matter what came before it.",
             about_time=True,
         )
     return jumps_or_stops(saw, lost) or taken_for_bad(recording, saw, lost)
@@ -508,7 +511,8 @@ def jumps_or_stops(saw: str, lost: set[int]) -> Verdict | None:
             "in-order.jumps-kept-back",
             saw,
             EXPECTED,
-            "What is missing comes after a jump. A battery that was changed for a full one jumps, too.",
+            "The missing readings come after a jump. But the charge also jumps when an empty battery is replaced "
+            "by a full one.",
             EACH_FOR_ITSELF,
             about_time=True,
         )
@@ -517,8 +521,8 @@ def jumps_or_stops(saw: str, lost: set[int]) -> Verdict | None:
             "in-order.stops-at-the-bad-one",
             saw,
             EXPECTED,
-            "Nothing comes after the first bad reading: the node ends, or remembers the fault and never forgets it.",
-            "Judge each reading for itself, and return from the callback without an error after the alarm.",
+            "Nothing comes after the first bad reading: the node ends, or it remembers the fault forever.",
+            "Judge each reading on its own, and return from the callback without an error after the alarm.",
             about_time=True,
         )
     return None
@@ -533,14 +537,14 @@ def taken_for_bad(recording: Recording, saw: str, lost: set[int]) -> Verdict | N
             "in-order.taken-for-bad",
             f"{saw}; there is an alarm about {shown(of_them[0])} %",
             EXPECTED,
-            "The node takes good readings for bad ones. Perhaps it compares each with the one before.",
+            "The node treats good readings as bad. Perhaps it compares each one with the one before.",
             EACH_FOR_ITSELF,
             about_time=True,
         )
     return None
 
 
-EACH_FOR_ITSELF = "Judge each reading for itself: is it a charge from 0 to 100 %?"
+EACH_FOR_ITSELF = "Judge each reading on its own: is it a charge from 0 to 100 %?"
 
 
 def all_but(places: set[int]) -> tuple[float, ...]:
@@ -553,10 +557,10 @@ def lost_on_the_way(recording: Recording, saw: str, lost: tuple[int, ...]) -> Ve
     if recording.process.ended_by == "itself" and lost == tuple(range(lost[0], len(GOOD))):
         return see.failed(
             "in-order.ended",
-            f"{saw}. Your program had ended by then",
+            f"{saw}. Your program had already ended",
             EXPECTED,
             "The program ends by itself after a while.",
-            "Spin until somebody ends the program: rclpy.spin(node).",
+            "Spin until the program is stopped: rclpy.spin(node).",
             about_time=True,
         )
     if made_late(recording, PASSED_ON) and lost[0] == 0:
@@ -571,7 +575,7 @@ def lost_at_an_end(saw: str, lost: tuple[int, ...]) -> Verdict | None:
             "in-order.first-one-lost",
             saw,
             EXPECTED,
-            "Only the first reading is missing. The node lets it go, or needs it for something else.",
+            "Only the first reading is missing. The node skips it, or uses it for something else.",
             "Pass on each good reading, the first one, too.",
             about_time=True,
         )
@@ -580,7 +584,7 @@ def lost_at_an_end(saw: str, lost: tuple[int, ...]) -> Verdict | None:
             "in-order.held-back",
             saw,
             EXPECTED,
-            "Only the last reading is missing. The node holds each one until the next one comes.",
+            "Only the last reading is missing. The node keeps each reading until the next one comes.",
             "Publish each one inside the callback, at once.",
             about_time=True,
         )
@@ -594,8 +598,8 @@ def lost_among_others(saw: str, lost: tuple[int, ...]) -> Verdict:
             "in-order.several-at-once-lost",
             saw,
             EXPECTED,
-            "What is missing came directly behind another reading. The queue was too short for them, or the node "
-            "leaves out what comes too soon.",
+            "The missing readings came directly after another one. The queue was too short for them, or the node "
+            "skips what comes too soon.",
             "Give the subscription a depth of 10, and publish in every call of the callback.",
             about_time=True,
         )
@@ -603,9 +607,9 @@ def lost_among_others(saw: str, lost: tuple[int, ...]) -> Verdict:
         "in-order.some-lost",
         saw,
         EXPECTED,
-        "The node was busy or asleep while they came, and the queue was too short; or a timer passes on what came "
-        "last, and what came before that is forgotten.",
-        "Publish inside the callback, at once, keep it short, and give the subscription a depth of 10.",
+        "The node was busy or asleep while they came, and the queue was too short. Or a timer passes on only the "
+        "last reading, and earlier ones are lost.",
+        "Publish inside the callback, at once. Keep the callback short, and give the subscription a depth of 10.",
         about_time=True,
     )
 
@@ -620,16 +624,17 @@ def why_others_came(answered: Answered) -> Verdict:
             "in-order.all-zero",
             f"0 in each of the {len(ours)} messages on {PASSED_ON.name}",
             EXPECTED,
-            "The message is never filled, or is given no Python float: stock ROS sends an int as 0.0, without a word.",
+            "The message is never filled, or its data is not a Python float. This build sends an int as 0.0, and "
+            "reports no error.",
             "Pass on message.data as it is: Float32(data=message.data), or publish the message itself.",
         )
     if strange:
         near = min(GOOD, key=lambda level: abs(level - strange[0]))
         return see.failed(
             "in-order.changed",
-            f"{shown(strange[0])} on {PASSED_ON.name}, which nobody sent; {shown(near)} was sent",
+            f"{shown(strange[0])} on {PASSED_ON.name}, which was never sent; {shown(near)} was sent",
             EXPECTED,
-            "The reading is changed on the way: rounded, averaged, limited or computed from others.",
+            "The reading is changed before it is published: rounded, averaged, limited or computed from others.",
             "Pass on message.data as it is.",
         )
     if twice:
@@ -637,8 +642,8 @@ def why_others_came(answered: Answered) -> Verdict:
             "in-order.repeated",
             f"{shown(twice[0])} came {ours.count(twice[0])} times on {PASSED_ON.name}",
             EXPECTED,
-            "Two subscriptions hear the same topic, or a timer sends the last reading again.",
-            "One subscription, and one publish for each call of the callback.",
+            "Two subscriptions receive the same topic, or a timer sends the last reading again.",
+            "Make one subscription, and publish once in each call of the callback.",
         )
     place = next(n for n, (one, other) in enumerate(zip(ours, GOOD, strict=False)) if one != other)
     return see.failed(
@@ -679,14 +684,15 @@ def why_bad_ones_came(came: tuple[float, ...]) -> Verdict:
             "bad-kept-back.one-limit-missing",
             saw,
             NO_BAD_ONES,
-            "Only one of the two limits is asked for.",
+            "Only one of the two limits is checked.",
             ASK_WHAT_IS_GOOD,
         )
     return see.failed(
         "bad-kept-back.many-passed-on",
         f"{see.listing(list(dict.fromkeys(map(shown, came))))} on {PASSED_ON.name}",
         NO_BAD_ONES,
-        "Several kinds of bad readings are taken for good: a bad one may be below 0, above 100, or no number.",
+        "Several kinds of bad readings are treated as good. A bad reading may be below 0, above 100, or not a "
+        "number.",
         ASK_WHAT_IS_GOOD,
     )
 
@@ -735,8 +741,8 @@ def perhaps_not_called(saw: str) -> Verdict:
         "one-alarm.readings-missing-too",
         saw,
         ONE_EACH,
-        "Good readings are missing, too: perhaps your callback never got the bad one.",
-        "See first that all good readings are passed on.",
+        "Good readings are missing, too. Perhaps your callback never received the bad one.",
+        "First make sure that all good readings are passed on.",
         about_time=True,
     )
 
@@ -758,7 +764,7 @@ def why_alarms_are_missing(recording: Recording, missed: tuple[int, ...]) -> Ver
             saw,
             ONE_EACH,
             "Only the first bad reading raises an alarm: the node remembers that it has raised one.",
-            "Publish an alarm for each bad reading, whatever came before it.",
+            "Publish an alarm for each bad reading, no matter what came before it.",
             about_time=True,
         )
     if set(missed) == BAD_IN_A_ROW:
@@ -767,7 +773,7 @@ def why_alarms_are_missing(recording: Recording, missed: tuple[int, ...]) -> Ver
             saw,
             ONE_EACH,
             "Of several bad readings in a row, only the first raises an alarm.",
-            "Publish an alarm for each bad reading, whatever came before it.",
+            "Publish an alarm for each bad reading, no matter what came before it.",
             about_time=True,
         )
     return why_a_kind_is_missing(saw, readings)
@@ -796,7 +802,7 @@ def why_a_kind_is_missing(saw: str, readings: tuple[float, ...]) -> Verdict:
         "one-alarm.kinds-missed",
         saw,
         ONE_EACH,
-        "Not every kind of bad reading raises an alarm. It may be below 0, above 100, or no number.",
+        "Not every kind of bad reading raises an alarm. A bad reading may be below 0, above 100, or not a number.",
         "Ask whether the reading is good, 0.0 <= message.data <= 100.0, and raise the alarm if it is not.",
         about_time=True,
     )
@@ -813,7 +819,7 @@ def why_false_alarms(found: Alarms) -> Verdict:
             "no-false-alarm.low-charge",
             saw,
             expected,
-            "A low battery is bad news, but it is no bad reading.",
+            "A low battery is bad news, but it is not a bad reading.",
             hint,
         )
     if len(false) > len(GOOD) // 2 and found.before_bad:
@@ -821,7 +827,7 @@ def why_false_alarms(found: Alarms) -> Verdict:
             "no-false-alarm.every-reading",
             saw,
             expected,
-            "Good readings bring texts on this topic, too, before there was any bad one.",
+            "Good readings cause texts on this topic, too, even before the first bad one.",
             "Publish on this topic only when a reading is bad.",
         )
     if len(false) > len(GOOD) // 2:
@@ -829,14 +835,14 @@ def why_false_alarms(found: Alarms) -> Verdict:
             "no-false-alarm.goes-on",
             saw,
             expected,
-            "Once the alarm has been raised, it is raised for what comes after it, too.",
+            "After the first alarm, an alarm is raised for every later reading, too.",
             hint,
         )
     return see.failed(
         "no-false-alarm.good-reading",
         saw,
         expected,
-        "Readings from 0 to 100 % are good, both limits included, whatever came before them.",
+        "Readings from 0 to 100 % are good, both limits included, no matter what came before them.",
         hint,
     )
 
@@ -844,9 +850,9 @@ def why_false_alarms(found: Alarms) -> Verdict:
 # --- what may explain both ----------------------------------------------------------------------------------
 
 MADE_LATE = (
-    "The publisher is made in the callback. It takes a moment until others have found it, and what was published "
-    "before that is gone.",
-    "Make publishers once, in __init__. In the callback, only use them.",
+    "The publisher is created in the callback. Subscriptions need a moment to find it, and what was published "
+    "before that is lost.",
+    "Create publishers once, in __init__. In the callback, only use them.",
 )
 
 
@@ -864,7 +870,7 @@ def ended_with_an_error(recording: Recording, saw: str, expected: str) -> Verdic
         return None
     return see.failed(
         error.cause,
-        f"{saw}. Your program had ended by then: {error.where}{error.error}",
+        f"{saw}. Your program had already ended: {error.where}{error.error}",
         expected,
         error.because,
         error.try_this,

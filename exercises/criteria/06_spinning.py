@@ -88,9 +88,9 @@ def program_runs(recording: Recording) -> Verdict:
     if "missing" in see.driver_reports(recording, PUMP):
         return see.failed(
             "pump.missing",
-            "your file has no function of the name pump",
+            "your file has no function named pump",
             "def pump(node, seconds), at the left margin of the file",
-            "The name is spelled in another way, or the function sits inside of another one.",
+            "The name is spelled differently, or the function is inside another one.",
             "Write def pump(node: Node, seconds: float) -> None: at the left margin.",
         )
     return loaded
@@ -108,9 +108,9 @@ def returns(recording: Recording) -> Verdict:
         "returns.never",
         f"not back {recording.wall_s - call.begin - ASKED_S[BURST]:.1f} s after its time was up",
         f"pump(node, {ASKED_S[BURST]}) comes back",
-        "rclpy.spin and executor.spin know no end: they come back when ROS is shut down. Or the moment that ends "
-        "your loop is never reached: `seconds` are seconds.",
-        "Use rclpy.spin_once(node, timeout_sec=...) in a loop that looks at the clock.",
+        "rclpy.spin and executor.spin return only when ROS is shut down. Or your loop never reaches its end time: "
+        "`seconds` is in seconds.",
+        "Use rclpy.spin_once(node, timeout_sec=...) in a loop that checks the clock.",
         about_time=True,
     )
 
@@ -134,8 +134,8 @@ def returns_in_time(recording: Recording) -> Verdict:
             "in-time.first-time-kept",
             f"the first call took {took[BURST]:.2f} s, and so did the others, which asked for less",
             IN_TIME,
-            "The time of the first call is kept for the others.",
-            "Work out the end anew in each call, from its own seconds.",
+            "The end time of the first call is also used for the others.",
+            "Compute the end time in each call, from its own seconds.",
             about_time=True,
         )
     made = calls(recording)
@@ -147,8 +147,8 @@ def returns_in_time(recording: Recording) -> Verdict:
             f"asked for {ASKED_S[worst]:g} s, back after {took[worst]:.2f} s; in the median of "
             f"{see.count(len(took), 'call')} {typical:.2f} s late",
             IN_TIME,
-            "It works with another time than the one that was asked for: rounded up, or never shorter than some other. "
-            "Or its last wait is longer than what is left of the time.",
+            "It uses a different time from the one that was asked for: rounded up, or never below some minimum. "
+            "Or its last wait is longer than the time that is left.",
             TIME_THAT_IS_LEFT,
             about_time=True,
         )
@@ -158,7 +158,7 @@ def returns_in_time(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=2, title="Every word of a burst is handled while it pumps", needs=[program_runs])
+@criterion(points=2, title="Every word of a burst is handled during the call", needs=[program_runs])
 def words_handled(recording: Recording) -> Verdict:
     got = [word for word in done_in(recording, HEARD.name, BURST) if word in BURST_WORDS]
     words = len(BURST_WORDS)
@@ -167,13 +167,13 @@ def words_handled(recording: Recording) -> Verdict:
     if len(got) > words:
         return see.failed(
             "words-handled.more-than-once",
-            f"{len(got)} words handled, and only {words} were said",
+            f"{len(got)} words handled, but only {words} were sent",
             f"each of the {words} words once",
-            "The node has a second subscription now, or its callback is called by hand.",
+            "Your function gave the node a second subscription, or it calls the callback itself.",
             "Leave the node as it is, and let spin_once call the callbacks.",
         )
     saw = f"{len(got)} of {words} words handled during the call"
-    expected = f"all {words} words that came while it pumped"
+    expected = f"all {words} words that came during the call"
     hint = (
         "Call rclpy.spin_once(node, timeout_sec=...) again and again until the time is up, without a sleep."
     )
@@ -182,7 +182,7 @@ def words_handled(recording: Recording) -> Verdict:
             "words-handled.one-a-round",
             saw,
             expected,
-            "One spin_once runs one callback. What else is ready waits for the next spin_once.",
+            "One spin_once runs one callback. Other callbacks that are ready wait for the next spin_once.",
             hint,
             about_time=True,
         )
@@ -190,14 +190,14 @@ def words_handled(recording: Recording) -> Verdict:
         "words-handled.none",
         saw,
         expected,
-        "Nothing lets this node work while time passes. sleep keeps the callbacks waiting, too, and spinning "
-        "another node does not help this one.",
+        "Nothing spins this node while time passes. Callbacks wait during a sleep, and spinning another node does "
+        "not help this one.",
         hint,
         about_time=True,
     )
 
 
-@criterion(points=1, title="The timers go on at their rate meanwhile", needs=[returns])
+@criterion(points=1, title="The timers keep their rate meanwhile", needs=[returns])
 def timers_tick(recording: Recording) -> Verdict:
     asked = ASKED_S[BURST]
     wanted = round(asked / HEARTBEAT_PERIOD_S)
@@ -210,7 +210,7 @@ def timers_tick(recording: Recording) -> Verdict:
             "timers-tick.too-few",
             f"{len(beats)} heartbeats and {len(looks)} looks around in {asked} s",
             expected,
-            "A timer ticks only while somebody spins, and one spin_once runs one callback.",
+            "A timer fires only while the node is spun, and one spin_once runs one callback.",
             "Spin until the time is up, and never sleep in between.",
             about_time=True,
         )
@@ -218,16 +218,17 @@ def timers_tick(recording: Recording) -> Verdict:
     if silence > LONGEST_SILENCE_S + kept_waiting(recording, BURST):
         return see.failed(
             "timers-tick.silence",
-            f"no heartbeat for {silence:.2f} s while it pumped",
+            f"no heartbeat for {silence:.2f} s during the call",
             expected,
-            "For a part of the time nobody spins: it sleeps, or has stopped working and waits for the end.",
+            "For part of the time nothing spins the node: your function sleeps, or it has stopped spinning and "
+            "waits for the end.",
             "Spin until the time is up, and never sleep in between.",
             about_time=True,
         )
     return see.passed(f"{len(beats)} heartbeats in {asked} s, and it looked around")
 
 
-@criterion(points=1, title="A second call does it again", needs=[returns, words_handled])
+@criterion(points=1, title="A second call works, too", needs=[returns, words_handled])
 def again(recording: Recording) -> Verdict:
     lost = not_made(recording, AGAIN)
     if lost is not None:
@@ -238,8 +239,8 @@ def again(recording: Recording) -> Verdict:
             "again.ends-early",
             f"the second call came back after {took:.2f} s",
             f"back after {ASKED_S[AGAIN]} s",
-            "Something of the first call is still there, and ends the second one: a timer, a flag, a future.",
-            "Destroy what you made on the node (node.destroy_timer), and make it anew in each call.",
+            "Something of the first call is still there and ends the second one: a timer, a flag, or a future.",
+            "Destroy what you created on the node (node.destroy_timer), and create it again in each call.",
         )
     late = took is not None and took > ASKED_S[AGAIN] + 2 * LATE_S + kept_waiting(recording, AGAIN)
     first = calls(recording)[BURST].took
@@ -248,8 +249,8 @@ def again(recording: Recording) -> Verdict:
             "again.same-time-as-first",
             f"the first call took {first:.2f} s, and the second one {took:.2f} s as well",
             f"back after {ASKED_S[AGAIN]} s",
-            "The time of the first call is kept for the others.",
-            "Work out the end anew in each call, from its own seconds.",
+            "The end time of the first call is also used for the others.",
+            "Compute the end time in each call, from its own seconds.",
         )
     told = [*done_in(recording, HEARD.name, BURST), *done_in(recording, HEARD.name, AGAIN)]
     got = set(told) & set(WAITING_WORDS)
@@ -260,14 +261,15 @@ def again(recording: Recording) -> Verdict:
         "again.does-nothing",
         f"{len(got)} of {len(WAITING_WORDS)} waiting words and {len(beats)} heartbeats in the second call",
         "words that waited in the queue are handled, and the timers tick again",
-        "The first call has destroyed the node or the executor, shut down ROS, or left a thread behind that "
-        "takes the work.",
-        "Do not destroy or shut down what you did not make. If you made an executor, end it in the same call.",
+        "The first call destroyed the node or the executor, shut down ROS, or left a thread behind that takes the "
+        "callbacks.",
+        "Do not destroy or shut down what you did not create. If you created an executor, shut it down in the "
+        "same call.",
         about_time=True,
     )
 
 
-@criterion(points=1, title="Slow callbacks do not carry it far beyond its time", needs=[returns])
+@criterion(points=1, title="Slow callbacks do not make it much too late", needs=[returns])
 def slow_callbacks(recording: Recording) -> Verdict:
     verdict = in_time(recording, SLOW, extra=JOB_S)
     if not verdict.ok:
@@ -278,14 +280,14 @@ def slow_callbacks(recording: Recording) -> Verdict:
     return see.failed(
         "slow-callbacks.none-begun",
         "none of the slow jobs was begun",
-        "the jobs are begun one after the other, as far as the time reaches",
-        "The queue of /robot/jobs was never looked at.",
+        "the jobs are begun one after another, until the time is up",
+        "Nothing took a message from the queue of /robot/jobs.",
         "Let rclpy.spin_once(node, timeout_sec=...) choose what to run.",
         about_time=True,
     )
 
 
-@criterion(points=1, title="It comes back from a node that has almost nothing to do", needs=[returns])
+@criterion(points=1, title="It comes back in time from a node that has almost nothing to do", needs=[returns])
 def quiet_node(recording: Recording) -> Verdict:
     return in_time(recording, QUIET)
 
@@ -302,13 +304,15 @@ def easy_on_the_processor(recording: Recording) -> Verdict:
         "easy-on-the-processor.never-waits",
         f"{share:.0%} of one processor, most of it for waiting",
         f"less than {PROCESSOR_SHARE:.0%}",
-        "A loop with timeout_sec=0, or a very short one, hardly waits: it asks again and again whether there is work.",
-        "Let spin_once wait, 0.05 s for example, but not longer than is left. It wakes up by itself when a callback is "
-        "ready.",
+        "A loop with timeout_sec=0, or with a very short timeout, hardly waits: it polls for work again and again.",
+        "Let spin_once wait, for example 0.05 s, but no longer than the time that is left. It returns by itself "
+        "when a callback was ready.",
     )
 
 
-@criterion(points=1, title="When it is back, nothing goes on, and the node is as it was", needs=[returns])
+@criterion(
+    points=1, title="After it has come back, no callback runs, and the node is as it was", needs=[returns]
+)
 def nothing_left_running(recording: Recording) -> Verdict:
     beats = done_in(recording, HEARTBEAT.name, BETWEEN)
     if len(beats) >= A_FEW_BEATS:
@@ -316,9 +320,10 @@ def nothing_left_running(recording: Recording) -> Verdict:
             "nothing-left-running.spins-on",
             f"{len(beats)} heartbeats between the calls",
             "no callback runs unless pump is called",
-            "A thread that spins was left behind. It handles callbacks at moments that nobody expects, "
-            "and may abort the process at its end.",
-            "Spin in the thread that called pump. If you need another one: executor.shutdown(), then join().",
+            "A thread that spins was left behind. It runs callbacks at unexpected times, and may abort the "
+            "process when the program ends.",
+            "Spin in the thread that called pump. If you need another thread, end it: executor.shutdown(), then "
+            "join().",
         )
     begun = {number: call for call, number in reports(recording, JOB_BEGUN.name)}
     cut_off = [
@@ -329,12 +334,14 @@ def nothing_left_running(recording: Recording) -> Verdict:
             "nothing-left-running.still-works",
             f"job {cut_off[0]} was begun in a call, and still ran when the call had come back",
             "no callback runs unless pump is called",
-            "Callbacks run in other threads, and pump does not wait until they are done.",
+            "Callbacks run in other threads, and pump does not wait for them to finish.",
             "Run the callbacks in the thread that called pump, as rclpy.spin_once(node, timeout_sec=...) does.",
         )
     changed = see.driver_reports(recording, CHANGED)
     return (
-        why_changed(changed) if changed else see.passed("the node rests between the calls, and is as it was")
+        why_changed(changed)
+        if changed
+        else see.passed("between the calls no callback ran, and the node is as it was")
     )
 
 
@@ -348,22 +355,22 @@ def why_changed(changed: list[str]) -> Verdict:
             "nothing-left-running.left-behind",
             saw,
             expected,
-            "What you create on the node stays there when pump is back. It goes on in the next call.",
-            "Do without it, or destroy it before you come back: node.destroy_timer(timer).",
+            "What you create on the node stays there after pump has returned. It is still active in the next call.",
+            "Avoid it, or destroy it before you return: node.destroy_timer(timer).",
         )
     if first in ("rclpy.init called", "node made"):
         return see.failed(
             "nothing-left-running.not-its-own",
             f"in call {call}: {first}",
             "pump makes no node and does not call rclpy.init",
-            "The bench has done both already.",
+            "The program that calls pump has done both already.",
             "Work with the node that you were handed.",
         )
     return see.failed(
         "nothing-left-running.changed",
         saw,
         expected,
-        "The timers and subscriptions belong to the node. They are not yours to cancel, to start anew or to destroy.",
+        "The timers and subscriptions belong to the node. Do not cancel, restart or destroy them.",
         "Only spin the node: rclpy.spin_once(node, timeout_sec=...).",
     )
 
@@ -478,16 +485,16 @@ def not_made(recording: Recording, number: int) -> Verdict | None:
             "call.never-begun",
             "the call before it never came back",
             expected,
-            "Something waits without an end.",
-            "Give every wait a timeout_sec that is not longer than the time that is left.",
+            "Something waits forever.",
+            "Give every wait a timeout_sec no longer than the time that is left.",
         )
     if call.raised is not None:
         return see.failed(
             "call.raises-later",
             f"call 1 raised nothing, and call {number} raised {call.raised}",
             expected,
-            "The node, its executor or ROS itself was gone when pump was called again.",
-            "Leave the node and the context as you found them: they are not yours to destroy or to shut down.",
+            "The node, its executor or the ROS context no longer existed when pump was called again.",
+            "Leave the node and the context as you found them. Do not destroy the node or shut down the context.",
         )
     return None
 
@@ -501,7 +508,7 @@ def in_time(recording: Recording, number: int, extra: float = 0.0) -> Verdict:
     if call.took is None:
         open_s = recording.wall_s - call.begin
         if open_s < asked + extra + LATE_S:
-            return see.passed("the watch was over before its time was")
+            return see.passed("the judge stopped watching before its time was up")
         return still_open(asked, open_s)
     if call.took < asked - EARLY_S:
         return ended_by_what_was_left(recording, number, call.took) or too_early(number, call.took)
@@ -520,8 +527,8 @@ def ended_by_what_was_left(recording: Recording, number: int, took: float) -> Ve
         "in-time.ended-by-what-was-left",
         f"asked for {ASKED_S[number]:g} s, back after {took:.2f} s; after call {call}: {what}",
         IN_TIME,
-        "What an earlier call has left on the node goes on, and ends this one.",
-        "Destroy what you made on the node before you come back: node.destroy_timer(timer).",
+        "Something that an earlier call left on the node still runs, and it ends this call.",
+        "Destroy what you created on the node before you return: node.destroy_timer(timer).",
     )
 
 
@@ -531,9 +538,9 @@ def too_early(number: int, took: float) -> Verdict:
         "in-time.too-early",
         f"asked for {ASKED_S[number]:g} s, back after {took:.2f} s",
         IN_TIME,
-        "Callbacks were counted, and not time: a callback that is ready ends the wait of spin_once at once. Or the "
-        "time is made shorter: by a factor, a limit, or other units.",
-        "Note time.monotonic() + seconds at the start, and go on until that moment.",
+        "Your function counts callbacks instead of time: spin_once returns as soon as one callback has run. Or it "
+        "shortens the time: by a factor, a limit, or other units.",
+        "Store time.monotonic() + seconds at the start, and continue until that time.",
     )
 
 
@@ -547,8 +554,8 @@ def still_open(asked: float, open_s: float) -> Verdict:
         "in-time.not-back",
         f"not back {open_s - asked:.1f} s after its time was up",
         f"back after {asked} s",
-        "spin_once without a timeout waits until there is something to do, if need be forever. "
-        "And a timeout that begins anew after each callback may add up.",
+        "spin_once without a timeout waits until there is something to do, possibly forever. A timeout that "
+        "starts again after each callback may also add up.",
         TIME_THAT_IS_LEFT,
         about_time=True,
     )
@@ -562,7 +569,7 @@ def too_late(number: int, took: float) -> Verdict:
             "in-time.wait-begins-anew",
             saw,
             expected,
-            "After a callback the wait began anew with its full length.",
+            "After each callback, the wait started again with its full length.",
             TIME_THAT_IS_LEFT,
             about_time=True,
         )
@@ -570,7 +577,7 @@ def too_late(number: int, took: float) -> Verdict:
         "in-time.callbacks-not-counted",
         saw,
         expected,
-        "The time that callbacks take is not counted, or everything is handled before you look at the clock.",
+        "The time that callbacks take is not counted, or everything is handled before you check the clock.",
         TIME_THAT_IS_LEFT,
         about_time=True,
     )

@@ -114,7 +114,7 @@ def clean(recording: Recording) -> Verdict:
     return see.mypy_clean(recording)
 
 
-@criterion(points=0, title="mypy has nothing against right use of your node", needs=[program_runs])
+@criterion(points=0, title="mypy accepts right use of your node", needs=[program_runs])
 def right_use(recording: Recording) -> Verdict:
     return see.mypy_accepts(recording, RIGHT_USE)
 
@@ -127,8 +127,8 @@ def wrong_message_found(recording: Recording) -> Verdict:
         recording,
         WRONG_MESSAGE,
         cause="wrong-message-found.publisher-takes-any",
-        because="To mypy this attribute is rclpy's own Publisher, which does not know its message type, or Any. Both "
-        "take every message.",
+        because="To mypy this attribute is Any, or rclpy's own Publisher, which does not know its message type. "
+        "Both accept every message.",
         try_this="Annotate the attributes with a Protocol that has a publish method for one type: "
         "self.battery_publisher: Sends[Float32] = ...",
     )
@@ -140,8 +140,8 @@ def wrong_value_found(recording: Recording) -> Verdict:
         recording,
         WRONG_VALUE,
         cause="wrong-value-found.hint-too-wide",
-        because="The hint of this argument is wider than what the robot can use, or there is none.",
-        try_this='float for the level; for a word out of two Literal["operational", "error"].',
+        because="The hint of this argument allows more than the robot can use, or there is no hint.",
+        try_this='Write float for the level, and Literal["operational", "error"] for the word.',
     )
 
 
@@ -159,17 +159,17 @@ def numbers_arrive(recording: Recording) -> Verdict:
                 "numbers-arrive.refused",
                 f"{call} raised {found.get(call)}",
                 expected,
-                "A whole number is a number, and mypy lets an int pass where a float is asked for. "
-                "isinstance(level, float) alone is False for it.",
-                "Accept both, isinstance(level, (int, float)), and hand float(level) to the message.",
+                "A whole number is a number, and mypy accepts an int where a float is expected. But "
+                "isinstance(level, float) is False for an int.",
+                "Accept both with isinstance(level, (int, float)), and pass float(level) to the message.",
             )
         if not set(NUMBERS).intersection(arrived):
             return see.failed(
                 "numbers-arrive.not-sent",
                 f"{call} sent nothing that arrived on {BATTERY.name}",
                 expected,
-                "The message went to another topic, or nowhere.",
-                f"Publish it with the publisher of {BATTERY.name!r}.",
+                "The message was sent on another topic, or not at all.",
+                f"Publish it with the publisher for {BATTERY.name!r}.",
             )
         if number not in arrived:
             what = "0.0" if zeros_too_many(recording) else f"nothing that arrived as {number}"
@@ -177,16 +177,16 @@ def numbers_arrive(recording: Recording) -> Verdict:
                 "numbers-arrive.not-converted",
                 f"{call} sent {what}",
                 expected,
-                "mypy lets an int pass where a float is asked for. The message does not: stock ROS sends 0.0 for it, "
-                "without a word.",
-                "Hand float(level) to the message.",
+                "mypy accepts an int where a float is expected. The message does not: this build sends 0.0 for "
+                "it, and reports no error. The Ubuntu packages may abort the program instead.",
+                "Pass float(level) to the message.",
             )
     return see.passed("42 arrived as 42.0, 55.25 as 55.25, 0.0 as 0.0")
 
 
 @criterion(
     points=2,
-    title="At run time, too, a wrong value or message raises, and nothing is sent",
+    title="At run time, too, a wrong value or message raises an error, and nothing is sent",
     needs=[program_runs],
 )
 def refuses_wrong_types(recording: Recording) -> Verdict:
@@ -197,7 +197,7 @@ def refuses_wrong_types(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="At run time, too, a word that is not agreed raises, and is not sent",
+    title="At run time, too, any other word raises an error, and is not sent",
     needs=[program_runs],
 )
 def refuses_wrong_words(recording: Recording) -> Verdict:
@@ -213,8 +213,8 @@ def refuses_wrong_words(recording: Recording) -> Verdict:
         "refuses-wrong-words.accepted",
         raised_nothing(accepted, sent),
         errors_expected(WRONG_WORDS),
-        "A Literal is a hint like any other: it stops nobody at run time, and a word may come from a file or a network "
-        "that mypy has never seen.",
+        "A Literal is a hint like any other: at run time it stops nothing. A word may come from a file or a "
+        "network, which mypy never sees.",
         "Before publishing: if word not in get_args(Status): raise ValueError(...)",
     )
 
@@ -225,8 +225,8 @@ def zero_refused(raised: str | None, expected: str) -> Verdict:
         "numbers-arrive.zero-refused",
         f"{ZERO} raised {raised}",
         expected,
-        "0.0 is a number as well, and an empty battery has it. As a condition it is False, like None.",
-        "Ask whether it is a number: isinstance(level, (int, float)).",
+        "0.0 is a number as well: the charge of an empty battery. In a condition it counts as false, like None.",
+        "Check whether it is a number: isinstance(level, (int, float)).",
     )
 
 
@@ -259,7 +259,7 @@ def never_called() -> Verdict:
     """The driver never came to its calls."""
     return see.failed(
         "driver.never-called",
-        "your node could not be used from outside: the code around it never got its turn",
+        "your node could not be used from outside: the code that calls it never ran",
         "a module that can be imported without starting to spin",
         "The file starts to spin as soon as it is imported, or a callback never returns.",
         'Keep `if __name__ == "__main__":` before main() at the end of the file.',
@@ -301,16 +301,16 @@ def refuses_wrong_numbers(recording: Recording) -> Verdict:
             "refuses-wrong-types.text-read",
             saw,
             expected,
-            "float('87.5') makes a number of a text. It is still a text, and the next one says '87 %': what a caller "
-            "sends by mistake should not pass by luck.",
+            "float('87.5') turns a text into a number. It is still a text, and the next one may be '87 %'. A "
+            "mistake of the caller should not be accepted by luck.",
             hint,
         )
     return see.failed(
         "refuses-wrong-types.value-accepted",
         saw,
         expected,
-        "Hints are for readers; Python does not look at them when it runs. Stock ROS does not look either: "
-        "what is no float is sent as 0.0.",
+        "Hints are for readers; Python ignores them at run time. This build of ROS does not check either: it "
+        "sends anything that is not a float as 0.0.",
         hint,
     )
 
@@ -335,16 +335,16 @@ def refuses_wrong_messages(recording: Recording) -> Verdict:
             "refuses-wrong-types.no-message-accepted",
             raised_nothing(accepted, ""),
             errors_expected(WRONG_MESSAGES),
-            "Your publisher makes a message of what it is given, or drops it. It takes messages of one type "
-            "and nothing else.",
-            "Hand what comes to rclpy's publisher as it is, which refuses it, or raise a TypeError.",
+            "Your publisher turns what it is given into a message, or drops it. It must accept messages of one "
+            "type and nothing else.",
+            "Pass what comes to rclpy's publisher, which refuses it, or raise a TypeError.",
         )
     return see.failed(
         "refuses-wrong-types.message-accepted",
         raised_nothing(accepted, ""),
         errors_expected(WRONG_MESSAGES),
-        "rclpy refuses such a message with a TypeError. Something of yours stands in between and swallows it.",
-        "Let the error pass: the caller has to learn of it.",
+        "rclpy refuses such a message with a TypeError. Your code catches that error.",
+        "Do not catch the error: the caller must see it.",
     )
 
 
@@ -356,8 +356,8 @@ def refused(recording: Recording, calls: tuple[str, ...], sent: str) -> Verdict:
             "refusal.too-late",
             f"{calls[0]} raised {found[calls[0]].split(':')[0]}, but {sent}",
             errors_expected(calls),
-            "The message was on its way already when the error came.",
-            "Look at the value first, and publish when nothing is wrong with it.",
+            "The message had already been sent when the error was raised.",
+            "Check the value first, and publish only when it is right.",
         )
     return see.passed(f"{calls[0]} raises {found[calls[0]]}")
 

@@ -60,8 +60,8 @@ def heartbeat_share(recording: Recording) -> Verdict:
             "heartbeat-share.too-many",
             saw,
             "10 heartbeats a second, no more",
-            "The heart beats from two places, or its period is shorter than 0.1 s. Whoever counts beats to learn "
-            "whether the robot is well is misled.",
+            "Two places publish the heartbeat, or its period is shorter than 0.1 s. A safety system that counts "
+            "heartbeats is misled.",
             "Let one timer of 0.1 s publish the heartbeat, and nothing else.",
         )
     if beats.share < LEAST_SHARE:
@@ -70,7 +70,7 @@ def heartbeat_share(recording: Recording) -> Verdict:
 
 
 @criterion(
-    points=2, title="The heart is never silent for long, not even during a plan", needs=[heartbeat_topic]
+    points=2, title="The heartbeat never stops for long, not even during a plan", needs=[heartbeat_topic]
 )
 @see.needs_messages(HEARTBEAT)
 def heartbeat_gap(recording: Recording) -> Verdict:
@@ -83,9 +83,9 @@ def heartbeat_gap(recording: Recording) -> Verdict:
             "heartbeat-gap.stops",
             f"no heartbeat after {silence.start:.1f} s",
             expected,
-            "The heart has stopped for good: its callback does not publish any more, an exception ended its thread, "
-            "the node has lost its executor, or the program has ended.",
-            "Look into the log: what was the last thing that happened?",
+            "The heartbeat has stopped: its callback no longer publishes, an exception ended its thread, the node "
+            "lost its executor, or the program ended.",
+            "Read the log: what was the last thing that happened?",
             about_time=True,
         )
     where = f"a silence of {silence.seconds:.2f} s, from {silence.start:.1f} s on"
@@ -94,17 +94,17 @@ def heartbeat_gap(recording: Recording) -> Verdict:
             "heartbeat-gap.held-up",
             where,
             expected,
-            "No plan was being made for all of that time. Something else holds up the heart for more than a few beats.",
-            "Let the timer of the heartbeat be served by a thread that does nothing long.",
+            "Planning does not explain all of that time. Something else holds up the heartbeat.",
+            "Let a thread without slow work run the timer of the heartbeat.",
             about_time=True,
         )
     return see.failed(
         "heartbeat-gap.during-a-plan",
         where,
         expected,
-        f"The heart stops while the arm is planned ({PLANNING_S} s for each plan). More threads alone do not help, nor "
-        "does a group of its own alone.",
-        "Both together do: callback_group=MutuallyExclusiveCallbackGroup() for the slow callback, and a "
+        f"The heartbeat stops while a plan is computed ({PLANNING_S} s for each plan). More threads alone do not "
+        "help, and neither does a separate callback group alone.",
+        "You need both: callback_group=MutuallyExclusiveCallbackGroup() for the slow callback, and a "
         "MultiThreadedExecutor(num_threads=2).",
         about_time=True,
     )
@@ -120,7 +120,7 @@ def plan_topic(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=2, title="Each plan is right, and has really been worked out", needs=[plan_topic])
+@criterion(points=2, title="Each plan is right, and was really computed by the planner", needs=[plan_topic])
 def plans_right(recording: Recording) -> Verdict:
     nothing = see.no_message(recording, PLAN)
     if nothing is not None:
@@ -209,9 +209,9 @@ def uneven(recording: Recording) -> Verdict | None:
             "heartbeat-share.uneven",
             saw,
             expected,
-            "More beats in good times do not make up for those that are missing in bad ones. Who listens wants to know "
-            "whether the robot is well now.",
-            "Set the period to 0.1 s, and give the planning a place where it does not stop the heart.",
+            "Extra heartbeats at one time do not make up for missing ones at another. The safety system needs to "
+            "know whether the robot is well now.",
+            "Set the period to 0.1 s, and move the planning to a place where it does not stop the heartbeat.",
         )
     return slower_while_planning(recording, expected) or each_late(saw, expected, typical)
 
@@ -225,8 +225,8 @@ def slower_while_planning(recording: Recording, expected: str) -> Verdict | None
         "heartbeat-share.slower-while-planning",
         f"typically {busy:.2f} s from one heartbeat to the next while a plan is made, {idle:.2f} s otherwise",
         expected,
-        "While the arm is planned, the planning decides when the heart beats, or beats are left out.",
-        "Let one timer of 0.1 s publish each heartbeat, whether a plan is being made or not.",
+        "While a plan is computed, the planning decides when heartbeats are published, or some are left out.",
+        "Let one timer of 0.1 s publish every heartbeat, whether or not a plan is being computed.",
         about_time=True,
     )
 
@@ -238,7 +238,7 @@ def each_late(saw: str, expected: str, typical: float) -> Verdict:
             "heartbeat-share.other-period",
             f"{saw}; one every {typical:.2g} s",
             expected,
-            "The heart beats steadily, and too slowly: its period is longer than 0.1 s.",
+            "The heartbeat is steady but too slow: its period is longer than 0.1 s.",
             "10 Hz is a period of 0.1 s: create_timer(0.1, ...).",
             about_time=True,
         )
@@ -246,9 +246,9 @@ def each_late(saw: str, expected: str, typical: float) -> Verdict:
         "heartbeat-share.each-late",
         saw,
         expected,
-        f"No long silence, but beats come late: typically {typical:.3f} s after the one before. A loop "
-        "that sleeps for the period takes the time of its work on top.",
-        "Let create_timer(0.1, ...) make the rhythm: it keeps a plan.",
+        f"There is no long silence, but heartbeats come late: typically {typical:.3f} s after the one before. A "
+        "loop that sleeps for a full period adds the time of its work.",
+        "Use create_timer(0.1, ...): a timer allows for the time that the work takes.",
         about_time=True,
     )
 
@@ -263,8 +263,8 @@ def why_beats_are_missing(recording: Recording, beats: see.Beats, saw: str) -> V
             "heartbeat-share.stops",
             f"{saw}; none after {beats.silence.start:.1f} s",
             expected,
-            "The heart has stopped for good.",
-            "Look into the log: what was the last thing that happened?",
+            "The heartbeat has stopped.",
+            "Read the log: what was the last thing that happened?",
             about_time=True,
         )
     if not during_plans(recording, beats.silence.start, beats.silence.end):
@@ -272,17 +272,18 @@ def why_beats_are_missing(recording: Recording, beats: see.Beats, saw: str) -> V
             "heartbeat-share.held-up",
             f"{saw}; none for {beats.silence.seconds:.1f} s from {beats.silence.start:.1f} s on",
             expected,
-            "No plan was being made for all of that time. Something else holds up the heart.",
-            "Let the timer of the heartbeat be served by a thread that does nothing long.",
+            "Planning does not explain all of that time. Something else holds up the heartbeat.",
+            "Let a thread without slow work run the timer of the heartbeat.",
             about_time=True,
         )
     return see.failed(
         "heartbeat-share.nobody-serves-the-timer",
         saw,
         expected,
-        "They are missing while plans are made. Most often nobody serves the timer then: the planner has the only "
-        "thread, or it is in the callback group of the heartbeat, and of a group only one callback runs at a time.",
-        "Give the planning a place of its own: a callback group and a second thread, or a queue and a worker.",
+        "They are missing while plans are computed. Usually the planner then has the only thread. Or it is in the "
+        "same callback group as the heartbeat, and only one callback of that group runs at a time.",
+        "Separate the planning from the heartbeat: use a callback group and a second thread, or a queue and a "
+        "worker thread.",
         about_time=True,
     )
 
@@ -373,8 +374,8 @@ def no_plan(nothing: Verdict) -> Verdict:
         "plans-right.none",
         saw,
         expected,
-        "The work was handed over and has never been done, or it has failed in silence: an exception in a "
-        "pool stays in the future that nobody looks at.",
+        "The work was handed over but never done, or it failed silently: an exception in a thread pool stays in "
+        "its future until someone asks for the result.",
         try_this,
     )
 
@@ -388,7 +389,7 @@ def not_yet_found(made: Sequence[Plan]) -> Verdict | None:
             "plans-right.step-by-step",
             f"a bend of {early[0].bend:.4f} rad {early[0].after:.2f} s after the request, and {len(made)} plans in all",
             EACH_RIGHT,
-            "The bend that was found so far is published, while the planner is still searching.",
+            "The bend found so far is published while the planner is still searching.",
             "Publish one plan for a request: what plan() returns when it is finished.",
         )
     if first.of is not None or first.after >= SOONEST_S or told_by_another_measure(made) is not None:
@@ -397,8 +398,9 @@ def not_yet_found(made: Sequence[Plan]) -> Verdict | None:
         "plans-right.not-yet-found",
         f"a bend of {first.bend:.4f} rad {max(0.0, first.after):.2f} s after the first request",
         f"the result of a search of {PLANNING_S} s by ElbowPlanner, as it was given",
-        "What is published was not yet found: the search has been handed over, and its result is read at once.",
-        "Publish a plan where it is finished, not what a shared variable happens to hold.",
+        "The result was published before it was found: the search was handed to another thread, and its result "
+        "was read at once.",
+        "Publish a plan where it is finished, not the current value of a shared variable.",
     )
 
 
@@ -410,7 +412,7 @@ def not_its_own(made: Sequence[Plan]) -> Verdict | None:
             "plans-right.one-behind",
             f"with the second request comes the plan for the first ({metres(DISTANCES[:1])}), and so on",
             EACH_RIGHT,
-            "What is published is the result of the search before.",
+            "The published value is the result of the previous search.",
             "Publish what plan() has just returned.",
         )
     twice, missing = too_many_and_missing(made)
@@ -420,9 +422,10 @@ def not_its_own(made: Sequence[Plan]) -> Verdict | None:
         "plans-right.race",
         f"the plan for {metres(twice)} came too often, and for {metres(missing)} one is missing",
         EACH_RIGHT,
-        "Two searches ran at once on one planner, which can remember only one: the second overwrote the first. "
-        "That is a race.",
-        "Let one search come to its end before the next begins: a mutually exclusive group, one worker, or a lock.",
+        "Two searches ran at once on one planner, which can hold only one: the second overwrote the first. That "
+        "is a race.",
+        "Let one search finish before the next begins: use a mutually exclusive group, one worker thread, or a "
+        "lock.",
     )
 
 
@@ -456,15 +459,15 @@ def fits_no_request(made: Sequence[Plan]) -> Verdict | None:
             "plans-right.degrees",
             saw,
             EACH_RIGHT,
-            "Each is the right bend, in degrees. ROS uses radians.",
-            "Publish what the planner returns: that is in rad.",
+            "Each value is the right bend, but in degrees. ROS uses radians.",
+            "Publish what the planner returns: it is in rad.",
         )
     if measure == "half":
         return see.failed(
             "plans-right.half",
             saw,
             EACH_RIGHT,
-            "Each is half of the right bend.",
+            "Each value is half of the right bend.",
             "Publish what the planner returns, as it is.",
         )
     if measure == "distance":
@@ -479,9 +482,10 @@ def fits_no_request(made: Sequence[Plan]) -> Verdict | None:
         "plans-right.fits-no-request",
         saw,
         EACH_RIGHT,
-        "The planner was asked for something else than the distance of the request, was interrupted by another search, "
-        "or was stopped long before its last step.",
-        "Give the request's data to the planner, take all steps of one search (plan() does), then publish the result.",
+        "The planner was given something other than the requested distance, was interrupted by another search, or "
+        "was stopped long before its last step.",
+        "Give the request's data to the planner, run all steps of one search (plan() does that), then publish the "
+        "result.",
     )
 
 
@@ -498,9 +502,9 @@ def too_soon(made: Sequence[Plan]) -> Verdict | None:
             "plans-right.from-memory",
             f"{saw}, for which the same had been requested before",
             expected,
-            "The plan of the first time was kept, and has not been worked out again. In the meantime the collision "
-            "checker may have found something in the way.",
-            "Let the planner search for every request, also for a distance that it has had before.",
+            "The first plan was stored and used again. Since then, something may have moved into the way of the "
+            "arm.",
+            "Let the planner search for every request, also for a distance that was requested before.",
         )
     if again:
         return None
@@ -508,9 +512,9 @@ def too_soon(made: Sequence[Plan]) -> Verdict | None:
         "plans-right.planner-left-out",
         saw,
         expected,
-        "The planner was changed or left out, or has not taken all of its steps. On the robot its time goes into "
-        "asking the collision checker, and a plan that was not checked may break something.",
-        "Leave ElbowPlanner as it is, let it search to the end, and find it another place to work.",
+        "The planner was changed or skipped, or it did not run all of its steps. On the robot it spends its time "
+        "on the collision checker, and an unchecked plan may break something.",
+        "Leave ElbowPlanner as it is, let it finish each search, and run it in another place.",
     )
 
 
@@ -528,16 +532,16 @@ def inexact(made: Sequence[Plan]) -> Verdict | None:
             "plans-right.formula",
             saw,
             expected,
-            "It is nearer to the exact angle than the planner comes with its twenty steps: it was worked out by a "
-            "formula, or by more steps than those of one search.",
+            "It is closer to the exact angle than the planner gets in its twenty steps. So it was computed by a "
+            "formula, or with more steps than one search has.",
             "Leave ElbowPlanner as it is, and publish what plan() returns.",
         )
     return see.failed(
         "plans-right.inexact",
         saw,
         expected,
-        "It was rounded, or the search was stopped before its last step.",
-        "Take all steps of one search (plan() does), and publish what it returns, as it is.",
+        "The result was rounded, or the search was stopped before its last step.",
+        "Run all steps of one search (plan() does that), and publish what it returns, unchanged.",
     )
 
 
@@ -555,8 +559,8 @@ def not_told_apart(made: Sequence[Plan], expected: str) -> Verdict:
         "all-in-order.not-told-apart",
         f"{see.count(len(made), 'plan')} for {len(DISTANCES)} requests; not each fits a request",
         expected,
-        "As long as plans fit no request, nobody can tell which of them is answered.",
-        "See to it first that each plan is right.",
+        "As long as plans fit no request, it is impossible to tell which request they answer.",
+        "First make sure that each plan is right.",
     )
 
 
@@ -595,7 +599,7 @@ def why_missing(made: Sequence[Plan], missing: list[float], expected: str) -> Ve
             "all-in-order.too-slow",
             f"{len(made)} plans in {WATCH_S:g} s, typically {apart:.1f} s apart",
             f"{expected} within {WATCH_S:g} s; a search takes {PLANNING_S} s",
-            "The planner waits between its steps, or between two searches.",
+            "Your program waits between the steps of a search, or between two searches.",
             "Begin the next step, or the next search, as soon as the one before is finished.",
             about_time=True,
         )
@@ -604,18 +608,18 @@ def why_missing(made: Sequence[Plan], missing: list[float], expected: str) -> Ve
             "all-in-order.stops",
             f"{saw}. Nothing came after the plan number {len(made)}",
             expected,
-            "The planning has stopped: a loop has come to its end, an error has ended its thread, or a flag that "
-            "says that it is busy was not taken back.",
-            "Look into the log, and let the planning wait for the next request for as long as the program runs.",
+            "The planning has stopped: a loop has ended, an error has ended its thread, or a 'busy' flag was "
+            "never reset.",
+            "Read the log. Let the planning wait for the next request for as long as the program runs.",
             about_time=True,
         )
     return refused(missing, saw, expected) or see.failed(
         "all-in-order.missing",
         saw,
         expected,
-        "Requests that came while a plan was being made are lost: refused, overwritten by newer ones, or pushed "
-        "out of a queue that is too short.",
-        "Keep what cannot be done at once: a queue.Queue, or the subscription's own queue with a depth of 10.",
+        "Requests that came while a plan was being computed are lost: refused, overwritten by newer ones, or "
+        "dropped from a queue that is too short.",
+        "Keep requests that must wait: in a queue.Queue, or in the subscription's own queue with a depth of 10.",
     )
 
 
@@ -634,8 +638,9 @@ def refused(missing: list[float], saw: str, expected: str) -> Verdict | None:
             "all-in-order.asked-before",
             saw,
             expected,
-            "It was requested twice, and answered once. A distance that was requested before is a new request.",
-            "Answer each request, whatever was requested before.",
+            "It was requested twice, but answered once. A distance that was requested before is still a new "
+            "request.",
+            "Answer each request, no matter what was requested before.",
         )
     return None
 
@@ -649,8 +654,8 @@ def other_order(made: Sequence[Plan]) -> Verdict | None:
         "all-in-order.other-order",
         f"plans for {metres(order)}, in this order",
         f"the order of the requests: {metres(DISTANCES)}",
-        "The requests that wait are not taken in their order (the newest or the nearest is first), or several searches "
-        "overtake each other.",
+        "Waiting requests are not taken in order (for example the newest or the nearest first), or several "
+        "searches overtake each other.",
         "First in, first out: queue.Queue does that, and so does a mutually exclusive group.",
     )
 
@@ -664,6 +669,7 @@ def side_by_side(made: Sequence[Plan]) -> Verdict | None:
         "all-in-order.side-by-side",
         f"the plan for {close.name} {close.apart:.2f} s after the one before it",
         f"one search at a time, {PLANNING_S} s for each",
-        "Several searches run side by side. There is one collision checker, and requests have to wait their turn.",
+        "Several searches run at the same time. There is only one collision checker, so requests must wait their "
+        "turn.",
         "Let one worker, or one mutually exclusive group, plan for all requests.",
     )

@@ -87,8 +87,8 @@ def once_in_order(recording: Recording) -> Verdict:
             "once-in-order.twice",
             f"{len(twice)} touches reported more than once: {some(twice)}",
             expected,
-            "Two places report: the callback and a loop or timer that is still there, two subscriptions, or a look "
-            "that does not notice that nothing is new.",
+            "Two places report: the callback and a loop or timer that is still there, or two subscriptions. Or a "
+            "loop does not notice that nothing is new.",
             "Keep one place that reports: the callback.",
         )
     early = too_early(recording)
@@ -97,7 +97,7 @@ def once_in_order(recording: Recording) -> Verdict:
             "once-in-order.ahead",
             f"{early} was reported before there was a touch of this number",
             expected,
-            "The report says which touch will come next, not which has come.",
+            "The report names the touch that will come next, not the one that came.",
             "Report message.data in the callback.",
         )
     late = next((b for a, b in pairwise(numbers) if PLACES[b] < PLACES[a]), None)
@@ -106,8 +106,9 @@ def once_in_order(recording: Recording) -> Verdict:
             "once-in-order.other-order",
             f"touch {late} was reported after a later one",
             expected,
-            "The newest is taken first (pop() takes from the end of a list), or several threads report at once.",
-            "Report in the callback, one after the other, in one thread.",
+            "The newest touch is reported first (pop() takes from the end of a list), or several threads report "
+            "at once.",
+            "Report in the callback, one touch after another, in one thread.",
         )
     return see.passed(f"{len(numbers)} reports, in order")
 
@@ -124,7 +125,7 @@ def quick(recording: Recording) -> Verdict:
             "quick.nothing-reported",
             "no report that could be timed",
             expected,
-            "Nothing of what was touched has been reported.",
+            "No touch was reported.",
             "Publish message.data in the callback of the subscription.",
         )
     soon = sum(one <= ALONE_MS for one in alone)
@@ -138,7 +139,7 @@ def quick(recording: Recording) -> Verdict:
             "quick.cannot-keep-up",
             f"of those that came together, half were later than {half:.0f} ms",
             expected,
-            "The touches wait in a queue, and the one who takes them out cannot keep up.",
+            "Touches wait in a queue, and your program takes them out too slowly.",
             REPORT_IN_THE_CALLBACK,
             about_time=True,
         )
@@ -146,7 +147,7 @@ def quick(recording: Recording) -> Verdict:
     return see.passed(f"typically {typical:.1f} ms")
 
 
-@criterion(points=1, title="It leaves the processor alone", needs=[topics])
+@criterion(points=1, title="It hardly uses the processor", needs=[topics])
 def easy_on_processor(recording: Recording) -> Verdict:
     walls = [one.wall for one in see.said(recording, TOUCH)]
     place = MOMENTS.index(QUIET_UNTIL_S)
@@ -154,22 +155,22 @@ def easy_on_processor(recording: Recording) -> Verdict:
     share = see.processor_share(recording, begin, end)
     if share is None or share <= PROCESSOR_SHARE:
         return see.passed("hardly any processor time" if share is None else f"{share:.0%} of a processor")
-    expected = f"less than {PROCESSOR_SHARE:.0%}: while there is no touch, there is nothing to do"
+    expected = f"less than {PROCESSOR_SHARE:.0%}: while no touch comes, there is nothing to do"
     saw = f"{share:.0%} of a processor while no touch came"
     if share < NEVER_WAITS_SHARE:
         return see.failed(
             "easy-on-processor.wakes-too-often",
             saw,
             expected,
-            "It is woken many hundred times a second: by a timer of a very short period, or a loop with a very short "
-            "sleep.",
-            "Do away with what wakes it, and let rclpy.spin(node) wait for the next touch.",
+            "The program wakes up many hundred times a second: by a timer with a very short period, or a loop "
+            "with a very short sleep.",
+            "Remove that timer or loop, and let rclpy.spin(node) wait for the next touch.",
         )
     return see.failed(
         "easy-on-processor.never-waits",
         saw,
         expected,
-        "A loop runs without ever waiting: while True without a sleep, or spin_once with timeout_sec=0.",
+        "A loop never waits: while True without a sleep, or spin_once with timeout_sec=0.",
         "Let rclpy.spin(node) wait. The operating system wakes it when there is something to do.",
     )
 
@@ -246,7 +247,7 @@ def no_report(nothing: Verdict) -> Verdict:
         "none-missed.no-report",
         saw,
         expected,
-        "The callback is never called, or nobody publishes in it.",
+        "The callback is never called, or it does not publish.",
         try_this,
     )
 
@@ -256,26 +257,26 @@ REPORT_IN_THE_CALLBACK = (
 )
 EACH_ONCE = "each number once, in the order of the touches"
 NOT_WHAT_THE_MESSAGE_SAYS = (
-    "A counter of your own, or a start value, is reported in place of what the message says.",
+    "Your program reports its own counter, or a start value, instead of the number in the message.",
     "Report message.data.",
 )
 IN_ONE_BYTE = (
-    "The number is kept in one byte: after 255 it begins again at 0.",
-    "Report message.data, as it is.",
+    "The number is stored in one byte: after 255 it starts again at 0.",
+    "Report message.data unchanged.",
 )
 
 
 def no_such_touch(strange: list[int], numbers: list[int], expected: str) -> Verdict:
     """Numbers were reported that no touch has: those that the skin left out, cut off ones, or others."""
-    saw = f"touch {strange[0]} was reported, and there was no such touch"
+    saw = f"touch {strange[0]} was reported, but there was no such touch"
     left_out = {*range(1, BEFORE_THE_GAP[0]), *range(BEFORE_THE_GAP[-1] + 1, AFTER_THE_GAP[0])}
     if left_out.issuperset(strange) and set(numbers).issuperset(NUMBERS):
         return see.failed(
             "once-in-order.gap-filled",
             f"{saw}; nor for {len(strange) - 1} more",
             expected,
-            "Numbers that were left out are reported as well.",
-            "Report what has come, and nothing else.",
+            "Skipped numbers are reported as well.",
+            "Report the touches that came, and nothing else.",
         )
     if cut_off(numbers):
         return see.failed("once-in-order.cut-off", saw, expected, *IN_ONE_BYTE)
@@ -306,7 +307,7 @@ def why_late(recording: Recording, alone: Sequence[float], saw: str, expected: s
             "quick.collected",
             f"{saw}; reports of touches that came alone went out together",
             expected,
-            "Touches are collected until there are enough of them, or until somebody looks.",
+            "Touches are collected until there are enough of them, or until a loop or timer looks at them.",
             REPORT_IN_THE_CALLBACK,
             about_time=True,
         )
@@ -321,7 +322,7 @@ def why_each_late(alone: Sequence[float], saw: str, expected: str) -> Verdict:
             "quick.held-back",
             saw,
             expected,
-            "Each is late by the same time: something long comes before publish(), such as a sleep, or a timer "
+            "All are late by the same time: something slow runs before publish(), such as a sleep, or a timer "
             "publishes later.",
             REPORT_IN_THE_CALLBACK,
             about_time=True,
@@ -331,8 +332,8 @@ def why_each_late(alone: Sequence[float], saw: str, expected: str) -> Verdict:
             "quick.polls",
             saw,
             expected,
-            "A touch waits until somebody looks: for half of the sleep, on average. A queue that is emptied with each "
-            "look loses nothing, but is just as late.",
+            "A touch waits until the loop polls: on average for half of the sleep. A queue that is emptied at "
+            "each poll loses nothing, but is just as late.",
             REPORT_IN_THE_CALLBACK,
             about_time=True,
         )
@@ -340,7 +341,7 @@ def why_each_late(alone: Sequence[float], saw: str, expected: str) -> Verdict:
         "quick.falls-behind",
         saw,
         expected,
-        "The touches wait in a queue, and the one who takes them out cannot keep up.",
+        "Touches wait in a queue, and your program takes them out too slowly.",
         REPORT_IN_THE_CALLBACK,
         about_time=True,
     )
@@ -353,7 +354,7 @@ def why_missed(recording: Recording, missed: list[int]) -> Verdict:
     numbers = reported(recording)
     strange = [number for number in numbers if number not in PLACES]
     if strange:
-        saw = f"{saw}; and {strange[0]} was reported, which was no touch"
+        saw = f"{saw}; {strange[0]} was reported, but there was no such touch"
         if cut_off(numbers):
             return see.failed("none-missed.cut-off", saw, expected, *IN_ONE_BYTE)
         return see.failed("none-missed.no-touch", saw, expected, *NOT_WHAT_THE_MESSAGE_SAYS)
@@ -366,8 +367,8 @@ def why_missed(recording: Recording, missed: list[int]) -> Verdict:
             "none-missed.cannot-keep-up",
             f"{saw} (and the others came {late_ms:.0f} ms late)",
             expected,
-            "The touches wait in a queue, and the one who takes them out cannot keep up: the callback itself takes "
-            "long, or a loop sleeps and calls spin_once, which handles one message. A full queue lets touches go.",
+            "Touches wait in a queue, and your program takes them out too slowly: the callback takes long, or a "
+            "loop sleeps and calls spin_once, which handles one message. A full queue drops touches.",
             "Keep the callback short, and let rclpy.spin call it as often as there is something to do.",
             about_time=True,
         )
@@ -377,9 +378,9 @@ def why_missed(recording: Recording, missed: list[int]) -> Verdict:
             "none-missed.stops",
             f"nothing after touch {NUMBERS[place - 1]}: {len(missed)} missed",
             expected,
-            "Something has stopped: an exception in the callback, a loop or a thread that has come to its end (in a "
-            "pause without touches?), or a node that nobody spins any more.",
-            "Look into the log, and let rclpy.spin(node) run until Ctrl-C.",
+            "Something has stopped: an exception in the callback, a loop or thread that ended (in a pause without "
+            "touches?), or the spin of the node.",
+            "Read the log, and let rclpy.spin(node) run until Ctrl-C.",
         )
     return missed_now_and_then(missed, saw, expected)
 
@@ -391,7 +392,7 @@ def first_or_last(missed: list[int], saw: str, expected: str) -> Verdict | None:
             "none-missed.the-first",
             saw,
             expected,
-            "Only the first touch is missing: it is taken for a test, or for a start value to compare with.",
+            "Only the first touch is missing: it is treated as a test, or as a start value to compare with.",
             "Report every touch, the first one as well.",
         )
     if missed == NUMBERS[-1:]:
@@ -400,15 +401,15 @@ def first_or_last(missed: list[int], saw: str, expected: str) -> Verdict | None:
             saw,
             expected,
             "Only the last touch is missing: a touch is reported when the next one comes.",
-            "Report each touch in the callback to which it comes.",
+            "Report each touch in the callback that receives it.",
         )
     if missed == NUMBERS[NUMBERS.index(1) :]:
         return see.failed(
             "none-missed.smaller-numbers",
             f"{saw}: nothing after the skin began again at 1",
             expected,
-            "A number that is smaller than the one before counts as an old one.",
-            "Report each touch, whatever its number is.",
+            "Your program treats a number smaller than the one before as old.",
+            "Report each touch, no matter what its number is.",
         )
     if len(missed) > 1 and missed == [number for number in NUMBERS if number > 60]:
         return see.failed(
@@ -416,7 +417,7 @@ def first_or_last(missed: list[int], saw: str, expected: str) -> Verdict | None:
             saw,
             expected,
             "Only small numbers are reported. A touch may have any number.",
-            "Report each touch, whatever its number is.",
+            "Report each touch, no matter what its number is.",
         )
     return None
 
@@ -429,16 +430,16 @@ def missed_now_and_then(missed: list[int], saw: str, expected: str) -> Verdict:
             "none-missed.came-together",
             f"{saw}, {'only' if together == len(missed) else 'mostly'} such as came together with others",
             expected,
-            "When several come in one moment there is room for too few: one variable that holds the last touch until "
-            "somebody looks, or a queue with a small depth. Or what comes soon after another touch is left out.",
-            "Report in the callback itself, and give the subscription a depth that holds a bunch.",
+            "When several touches come at once, there is room for too few: a variable that holds only the last "
+            "one, or a queue with a small depth. Or touches that follow another one too soon are skipped.",
+            "Report in the callback itself, and give the subscription a depth large enough for a burst.",
             about_time=True,
         )
     return see.failed(
         "none-missed.polls",
         saw,
         expected,
-        "Somebody looks now and then at the last touch, and what came in between is gone.",
-        "Let the callback report each touch when it comes; do away with the loop that looks.",
+        "Your program polls: it looks at the last touch now and then, and touches in between are lost.",
+        "Report each touch in the callback when it comes, and remove the loop that polls.",
         about_time=True,
     )

@@ -75,9 +75,9 @@ def alive_at_end(recording: Recording) -> Verdict:
             "alive-at-end.result-of-none",
             verdict.saw,
             verdict.expected,
-            "A call that got no answer has no response: there future.result() is None, and so is what call() gives "
-            "back when its time is up.",
-            f'Say "{NO_ANSWER}" where the response is None, and look at its field success only where it is not.',
+            "A call without an answer has no response: future.result() is None, and call() returns None when its "
+            "time is up.",
+            f'Say "{NO_ANSWER}" where the response is None, and read its field success only where it is not.',
         )
     return see.failed(
         "alive-at-end.result-too-early",
@@ -101,7 +101,7 @@ def calls_arrive(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="It asks once a second, and goes on after a call without an answer",
+    title="It calls once a second, and continues after a call without an answer",
     needs=[calls_arrive, alive_at_end],
 )
 def asks_every_second(recording: Recording) -> Verdict:
@@ -123,8 +123,9 @@ def asks_every_second(recording: Recording) -> Verdict:
             "asks-every-second.too-often",
             f"{len(asked(recording))} calls in {recording.robot_s:.0f} s, typically {typical:.2g} s apart",
             ONCE_A_SECOND,
-            "The wrong timer asks, or a call that waits is repeated. Asked too often, a robot does nothing else.",
-            "One timer of 1.0 s for the questions, another one for the heartbeat.",
+            "The wrong timer sends the requests, or a waiting call is repeated. A robot that is asked too often "
+            "does nothing else.",
+            "Use one timer of 1.0 s for the requests, and another one for the heartbeat.",
         )
     if typical > LONGEST_PERIOD_S or len(long) > PAUSES:
         return why_seldom(recording, typical, long)
@@ -139,7 +140,9 @@ def health_topic(recording: Recording) -> Verdict:
     return see.one_of(recording, HEALTH, {*WORDS.values(), NO_ANSWER})
 
 
-@criterion(points=2, title="Each answer is told: right, in time and once", needs=[calls_arrive, health_topic])
+@criterion(
+    points=2, title="Each answer is reported: right, in time and once", needs=[calls_arrive, health_topic]
+)
 def results_told(recording: Recording) -> Verdict:
     fitting = told_answers(recording)
     if fitting is None:
@@ -150,11 +153,11 @@ def results_told(recording: Recording) -> Verdict:
         answer, delay = late[0]
         return see.failed(
             "results-told.late",
-            f"{len(late)} of {len(fitting)} answers were told late: the one that came at {answer.at:.1f} s "
+            f"{len(late)} of {len(fitting)} answers were reported late: the one that came at {answer.at:.1f} s "
             f"{delay:.1f} s later",
             EACH_ANSWER_ONCE,
-            "The result is picked up when the next question is asked, so each report is the one of an earlier call.",
-            "Take the answer in a done callback: future.add_done_callback(self.on_answer).",
+            "The result is read only when the next request is sent, so each report belongs to an earlier call.",
+            "Read the answer in a done callback: future.add_done_callback(self.on_answer).",
             about_time=True,
         )
     return see.passed(f"{len(fitting)} answers told")
@@ -162,7 +165,7 @@ def results_told(recording: Recording) -> Verdict:
 
 @criterion(
     points=2,
-    title='"no answer" is told in time, and only where there was none',
+    title='"no answer" is reported in time, and only where there was none',
     needs=[calls_arrive, health_topic, alive_at_end],
 )
 def unanswered_told(recording: Recording) -> Verdict:
@@ -177,7 +180,7 @@ def unanswered_told(recording: Recording) -> Verdict:
     return why_given_up(recording, in_vain)
 
 
-@criterion(points=2, title="The heart beats at 5 Hz, whatever happens to a call", needs=[alive_at_end])
+@criterion(points=2, title="The heartbeat comes at 5 Hz, whatever happens to a call", needs=[alive_at_end])
 def heartbeat_steady(recording: Recording) -> Verdict:
     exists = see.all_of(
         see.publishes(recording, HEARTBEAT), see.no_message(recording, HEARTBEAT) or see.passed("it beats")
@@ -194,8 +197,7 @@ def heartbeat_steady(recording: Recording) -> Verdict:
             "heartbeat-steady.other-period",
             "one single beat" if beats.count == 1 else f"typically a beat every {typical:.2g} s",
             FIVE_HERTZ,
-            "The period of the timer is another one, or a loop sleeps for the period and takes the time of its work "
-            "on top.",
+            "The timer has a different period, or a loop sleeps for a full period and adds the time of its work.",
             "5 Hz is a period of 0.2 s: create_timer(0.2, self.beat), with one publish() in it.",
             about_time=True,
         )
@@ -226,8 +228,8 @@ def why_few_calls(recording: Recording, calls: list[CallSeen]) -> Verdict:
             "calls-arrive.ended",
             f"{how_many}, and then the program ended",
             expected,
-            "A program that has ended asks no more.",
-            "See first why it ended.",
+            "A program that has ended sends no more requests.",
+            "First find out why it ended.",
         )
     blamed = see.failed_by_error(recording, how_many, expected)
     if blamed is not None:
@@ -238,7 +240,7 @@ def why_few_calls(recording: Recording, calls: list[CallSeen]) -> Verdict:
         "calls-arrive.too-few",
         f"{how_many} in {recording.robot_s:.0f} s",
         expected,
-        "The timer that asks is too slow, or something holds it up.",
+        "The timer that sends the requests is too slow, or something holds it up.",
         "create_timer(1.0, self.ask), and let ask() return at once.",
         about_time=True,
     )
@@ -252,27 +254,27 @@ def why_no_more(recording: Recording, last: CallSeen, how_many: str, expected: s
             "calls-arrive.asks-no-more",
             f"{how_many}, the last one at {last.t:.1f} s; it was answered at {answered_t:.1f} s",
             expected,
-            "It asks only once and not from a timer; or the callback that asked is still waiting for its answer, "
+            "It sends a request only once and not from a timer. Or the callback is still waiting for the answer, "
             "because client and callback share a callback group.",
-            "Let a timer ask, do not wait in it, and take the answer in a done callback.",
+            "Send the requests from a timer, do not wait in it, and read the answer in a done callback.",
         )
-    nothing_more = f"was answered at {answered_t:.1f} s, and then your node did nothing any more"
+    nothing_more = f"was answered at {answered_t:.1f} s, and then your node did nothing more"
     if any(t >= answered_t for t, _ in told(recording, *WORDS.values(), NO_ANSWER)):
         return see.failed(
             "calls-arrive.lost-its-executor",
             f"{how_many}: the one at {last.t:.1f} s was answered at {answered_t:.1f} s and reported, and then your "
-            "node did nothing any more",
+            "node did nothing more",
             expected,
-            "The callback has got its answer, so it was no deadlock. rclpy.spin_until_future_complete(node, future) in "
-            "a callback takes the node away from the executor that spins it, and afterwards no one spins it.",
+            "The callback got its answer, so it was not a deadlock. rclpy.spin_until_future_complete(node, "
+            "future) in a callback takes the node away from its executor. After that, nothing spins the node.",
             "Do not spin in a callback: call_async(), then add_done_callback(), and return.",
         )
     return see.failed(
         "calls-arrive.deadlock",
         f"{how_many}: the one at {last.t:.1f} s {nothing_more}",
         expected,
-        "The callback that asks waits for the answer, and the answer waits for that callback: it can only be taken "
-        "in when the thread, and the callback group of the client, are free again. A deadlock.",
+        "The callback that sends the request waits for the response. But the response can be handled only when "
+        "the thread and the callback group of the client are free. That is a deadlock.",
         "Do not wait in the callback: call_async(), then add_done_callback(), and return.",
     )
 
@@ -294,9 +296,10 @@ def why_a_pause(recording: Recording, longest: float, before: CallSeen) -> Verdi
             "asks-every-second.waits-for-unanswered",
             f"after the call at {before.t:.1f} s, which was never answered, no call came for {longest:.1f} s",
             ONCE_A_SECOND,
-            "After a call without an answer it asks no more, or leaves out more than one question: it still waits for "
+            "After a call without an answer it sends no more requests, or skips more than one: it still waits for "
             "an answer that will never come, or it pauses.",
-            "Give an open call up when the next one is due: remove_pending_request(future), and ask again.",
+            "Give up an open call when the next one is due: remove_pending_request(future), then send the next "
+            "request.",
             about_time=True,
         )
     return why_a_pause_after_an_answer(recording, longest, before, saw)
@@ -310,9 +313,9 @@ def why_a_pause_after_an_answer(recording: Recording, longest: float, before: Ca
             "asks-every-second.stops-after-no-answer",
             f'{saw}; in between your node had said "{NO_ANSWER}", at {gave_up[0]:.1f} s',
             ONCE_A_SECOND,
-            "Once a call is given up, it asks no more, or leaves out more than one question; or the questions are "
+            "After giving up a call, it sends no more requests, or skips more than one. Or the requests are "
             "counted, and this was the last one.",
-            "Forget the call that was given up, and ask again when the next one is due.",
+            "Forget the call that was given up, and send the next request when it is due.",
             about_time=True,
         )
     if before.t + longest >= recording.robot_s - EDGE_S:
@@ -320,17 +323,17 @@ def why_a_pause_after_an_answer(recording: Recording, longest: float, before: Ca
             "asks-every-second.stops",
             f"{len(asked(recording))} calls, the last one at {before.t:.1f} s, none until {recording.robot_s:.1f} s",
             ONCE_A_SECOND,
-            "The questions stop, although the last call was answered: they are counted, the timer is canceled, or the "
-            "callback that asks does not return.",
-            "Ask on every tick of the timer, without end.",
+            "The requests stop, although the last call was answered: they are counted, the timer is canceled, or "
+            "the callback that sends them does not return.",
+            "Send a request on every tick of the timer, without end.",
             about_time=True,
         )
     return see.failed(
         "asks-every-second.pause",
         saw,
         ONCE_A_SECOND,
-        "Something holds up the timer that asks.",
-        "Let the method that asks return at once.",
+        "Something holds up the timer that sends the requests.",
+        "Let the method that sends the request return at once.",
         about_time=True,
     )
 
@@ -346,8 +349,8 @@ def why_seldom(recording: Recording, typical: float, long: list[tuple[float, Cal
             "asks-every-second.waits-in-callback",
             f"{saw}; while a call is open, the heart stops too",
             ONCE_A_SECOND,
-            "The callback that asks waits for the answer, and longer than its timer has time for. While it waits, no "
-            "other callback runs: neither the heartbeat nor what would take the answer in.",
+            "The callback that sends the request waits for the answer, longer than the period of its timer. While "
+            "it waits, no other callback runs: neither the heartbeat nor the one that handles the answer.",
             "Send the request with call_async(), add a done callback, and return. Do not spin or sleep in a callback.",
             about_time=True,
         )
@@ -356,7 +359,7 @@ def why_seldom(recording: Recording, typical: float, long: list[tuple[float, Cal
             "asks-every-second.waits-for-answer",
             f"{saw}; {long[0][0]:.1f} s after the call at {long[0][1].t:.1f} s, whose answer was slow",
             ONCE_A_SECOND,
-            "The next question waits for the answer to the last one, and then for a second on top.",
+            "The next request waits for the answer to the last one, and then for one more second.",
             "create_timer(1.0, self.ask), and let ask() return at once.",
             about_time=True,
         )
@@ -366,7 +369,7 @@ def why_seldom(recording: Recording, typical: float, long: list[tuple[float, Cal
         if typical > LONGEST_PERIOD_S
         else f"{len(long)} pauses of {min(p for p, _ in long):.1f} s or longer",
         ONCE_A_SECOND,
-        "The period of the timer that asks is too long, or something holds it up again and again.",
+        "The period of the timer that sends the requests is too long, or something holds it up again and again.",
         "create_timer(1.0, self.ask), and let ask() return at once.",
         about_time=True,
     )
@@ -465,8 +468,8 @@ def why_results_do_not_fit(recording: Recording) -> Verdict:
             f"{len(answers)} answers came, but the {len(words)} results on {HEALTH.name} are others, or in another "
             "order",
             EACH_ANSWER_ONCE,
-            "A result is reported that belongs to another call.",
-            "In the done callback, look at the future that it got, and at no other.",
+            "The reported result belongs to another call.",
+            "In the done callback, use the future that was passed to it, and no other.",
         )
     )
 
@@ -483,7 +486,7 @@ def why_early_for_an_answer(recording: Recording, answers: list[Answer]) -> Verd
                 f'{answer.at - answer.call.t:.1f} s, and your node had said "{NO_ANSWER}" after '
                 f"{too_soon[0] - answer.call.t:.1f} s",
                 EACH_ANSWER_ONCE,
-                f"It has given up too early: an answer may take {MAY_TAKE_S} s.",
+                f"It gave up too early: an answer may take {MAY_TAKE_S} s.",
                 "Give a call up when the next one is due, and no earlier.",
                 about_time=True,
             )
@@ -503,7 +506,8 @@ def why_no_more_told(recording: Recording, answers: list[Answer], words: list[Re
         "results-told.stops",
         f"{saw}, nor any after it",
         EACH_ANSWER_ONCE,
-        "The reports stop while answers go on: they are counted, or what takes the answers in works no more.",
+        "The reports stop while answers still come: they are counted, or the code that handles the answers has "
+        "stopped.",
         "Report each answer, without end.",
     )
 
@@ -528,8 +532,8 @@ def why_changes_only(recording: Recording, answers: list[Answer], words: list[Re
         f'the answer at {one.at:.1f} s said "{one.word}", as the one before it at {before.at:.1f} s had, and was '
         "not reported; all answers that said something else than the one before were",
         EACH_ANSWER_ONCE,
-        "Your node reports a result only when it differs from the last one. The control room then cannot tell a robot "
-        "that is still well from one that is no longer asked.",
+        "Your node reports a result only when it differs from the last one. The control room then cannot see "
+        "whether the robot is still tested.",
         "Publish for each answer, also when it says the same again.",
     )
 
@@ -548,7 +552,8 @@ def why_a_result_without_an_answer(
         "results-told.no-answer-came",
         f'the call at {call.t:.1f} s got no answer, and your node said "{word}" at {t:.1f} s',
         f'"{NO_ANSWER}" for a call that got none; "ok" and "faulty" for answers only',
-        "A call without an answer is reported as if there had been one. Whether the robot is well, nothing has said.",
+        "A call without an answer is reported as if there had been one. Nothing has said whether the robot is "
+        "well.",
         f'Where a call is given up, publish "{NO_ANSWER}".',
     )
 
@@ -566,7 +571,7 @@ def why_too_many(answers: list[Answer], words: list[Report]) -> Verdict | None:
         "results-told.more-than-once",
         f"{len(answers)} answers came, and your node reported {len(words)} results",
         EACH_ANSWER_ONCE,
-        "An answer is reported twice: by two methods, or again and again until the next one comes.",
+        "An answer is reported more than once: by two methods, or again and again until the next one comes.",
         "Publish in one place only: where the answer comes in.",
     )
 
@@ -589,7 +594,7 @@ def why_always_the_same(answers: list[Answer], words: list[Report]) -> Verdict |
             "results-told.inverted",
             saw,
             EACH_ANSWER_ONCE,
-            'Every report says the opposite of its answer: "ok" and "faulty" are exchanged.',
+            'Every report says the opposite of its answer: "ok" and "faulty" are swapped.',
             '"ok" if future.result().success else "faulty".',
         )
     if len(said) == 1:
@@ -597,8 +602,8 @@ def why_always_the_same(answers: list[Answer], words: list[Report]) -> Verdict |
             "results-told.always-the-same",
             f"{saw}, as for every answer",
             EACH_ANSWER_ONCE,
-            "The field success of the response is not looked at. The response itself always counts as true, and its "
-            "text is for people.",
+            "Your program does not check the field success of the response. The response itself always counts as "
+            "true, and its text is for people.",
             'Ask for the field: "ok" if future.result().success else "faulty".',
         )
     first = next((place for place, (_, word) in enumerate(nearest) if word == wrong[0][1]), 0)
@@ -624,9 +629,9 @@ def why_wrongly_told(recording: Recording, answer: Answer, words: list[Report]) 
             "results-told.other-result",
             f'{came}, and your node said "{in_time[0]}"',
             EACH_ANSWER_ONCE,
-            "That is the result of another call, or it was not taken from the field success. The text in message is "
-            "for people, and the same text may come with both.",
-            "In the done callback, look at the future that it got: future.result().success.",
+            "That is the result of another call, or it does not come from the field success. The text in message "
+            "is for people, and the same text may come with both results.",
+            "In the done callback, use the future that was passed to it: future.result().success.",
         )
     gave_up = given_up(recording, answer.call)
     said = f'your node said "{NO_ANSWER}"' if gave_up else f'nothing said "{answer.word}"'
@@ -644,9 +649,9 @@ def why_not_taken_in(recording: Recording, answer: Answer, saw: str, gave_up: bo
             "results-told.waits-in-callback",
             f"{saw}; while a call is open, the heart stops too",
             EACH_ANSWER_ONCE,
-            "The callback that asked waits for the answer. It holds the thread or the callback group of the client: "
-            "the answer has come, and nothing can take it in.",
-            "Return from the callback that asks, and publish in a done callback of the future.",
+            "The callback that sent the request waits for the answer. It holds the thread or the callback group "
+            "of the client, so nothing can handle the answer that has come.",
+            "Return from the callback that sends the request, and publish in a done callback of the future.",
             about_time=True,
         )
     if answer.was_slow and not gave_up:
@@ -654,17 +659,19 @@ def why_not_taken_in(recording: Recording, answer: Answer, saw: str, gave_up: bo
             "results-told.slow-dropped",
             f"{saw}; it had taken {answer.at - answer.call.t:.1f} s",
             EACH_ANSWER_ONCE,
-            f"An answer that is slow is dropped, or forgotten before it comes. An answer may take {MAY_TAKE_S} s.",
-            "Report the answer in a done callback, however long it took; forget a call after a second, not earlier.",
+            f"A slow answer is dropped, or its call is forgotten before it comes. An answer may take {MAY_TAKE_S} "
+            "s.",
+            "Report the answer in a done callback, however long it took. Forget a call after a second, not "
+            "earlier.",
             about_time=True,
         )
     return see.failed(
         "results-told.not-taken-in",
         saw,
         EACH_ANSWER_ONCE,
-        "The answer is in the process, but nothing takes it in: the callback that asked still waits and holds the "
-        "callback group of the client, or nothing looks at the future.",
-        "Return from the callback that asks, and publish in a done callback of the future.",
+        "The response has reached the process, but nothing handles it. The callback that sent the request still "
+        "holds the callback group of the client, or nothing checks the future.",
+        "Return from the callback that sends the request, and publish in a done callback of the future.",
         about_time=True,
     )
 
@@ -719,7 +726,7 @@ def why_early(call: CallSeen, at: float) -> Verdict:
         "unanswered-told.early",
         f'the call at {call.t:.1f} s got no answer, and your node said "{NO_ANSWER}" after {at - call.t:.1f} s',
         ONE_NO_ANSWER,
-        f"It has given up too early: an answer may take {MAY_TAKE_S} s.",
+        f"It gave up too early: an answer may take {MAY_TAKE_S} s.",
         "Give a call up when the next one is due, and no earlier.",
     )
 
@@ -738,7 +745,7 @@ def why_not_given_up(recording: Recording, call: CallSeen, later: list[float]) -
             "unanswered-told.late",
             f"{saw}said so {later[0] - call.t:.1f} s later",
             ONE_NO_ANSWER,
-            "The call is given up too late: after more than two seconds, or only with the second question after it.",
+            "The call is given up too late: after more than two seconds, or only with the second request after it.",
             try_this,
             about_time=True,
         )
@@ -748,16 +755,16 @@ def why_not_given_up(recording: Recording, call: CallSeen, later: list[float]) -
             "unanswered-told.first-only",
             f'{saw}said nothing of it; of the call at {first.t:.1f} s it had said "{NO_ANSWER}"',
             ONE_NO_ANSWER,
-            "It gives up one call and not the next: what notices the missing answer works only once, or a repeated "
-            f'"{NO_ANSWER}" is taken for nothing new.',
-            "Note the moment of each call anew, and report each call that is given up.",
+            "It gives up one call but not the next: the check for a missing answer works only once, or a repeated "
+            f'"{NO_ANSWER}" is treated as nothing new.',
+            "Store the time of each call, and report each call that is given up.",
         )
     return see.failed(
         "unanswered-told.never",
         f"{saw}said nothing of it",
         ONE_NO_ANSWER,
-        "A future without an answer calls nothing: no done callback, no error. Something else has to look at each open "
-        "call, and the next call must not take its place unnoticed.",
+        "A future without an answer calls nothing: no done callback, no error. Something else must check each "
+        "open call before the next call replaces it.",
         try_this,
     )
 
@@ -775,7 +782,7 @@ def why_given_up(recording: Recording, in_vain: list[float]) -> Verdict:
             f"{(call.answered_t or at) - call.t:.1f} s after it",
             ONE_NO_ANSWER,
             f"It gives up too early: an answer may take {MAY_TAKE_S} s.",
-            "Give up no earlier than the next question.",
+            "Give up no earlier than the next request.",
             about_time=True,
         )
     if any(call.response is None and given_up(recording, call) for call in calls):
@@ -783,15 +790,15 @@ def why_given_up(recording: Recording, in_vain: list[float]) -> Verdict:
             "unanswered-told.twice",
             f'"{NO_ANSWER}" at {at:.1f} s once more, and no other call was without an answer',
             ONE_NO_ANSWER,
-            "The call that was given up is still kept, and reported again.",
+            "The call that was given up is still stored, and is reported again.",
             "Forget a call when you have reported it.",
         )
     return see.failed(
         "unanswered-told.was-answered",
         f'"{NO_ANSWER}" at {at:.1f} s, and every call until then had been answered',
         ONE_NO_ANSWER,
-        "The answer has come and was not taken in: the callback that asked waits for it; or a call that was answered "
-        "is still kept as an open one.",
+        "The answer came but was not handled, because the callback that sent the request waits for it. Or a call "
+        "that was answered is still stored as open.",
         "Do not wait in the callback, and forget a call when its answer has come.",
         about_time=True,
     )
@@ -827,10 +834,10 @@ def stops_during_a_call(recording: Recording) -> Verdict | None:
         f"while a call was waiting for its answer, {beats.came} beats came, and {beats.due:.0f} were due: for example, "
         f"too few after the call at {silent_from - EDGE_S:.1f} s",
         FIVE_HERTZ,
-        "The callback that asks waits for the answer. While it waits, it keeps the thread, or the callback group "
-        "that the heartbeat is in, and no other callback runs.",
-        "Send the request with call_async() and return. Or give heartbeat and waiting callback different callback "
-        "groups and a MultiThreadedExecutor.",
+        "The callback that sends the request waits for the answer. While it waits, it holds the thread, or the "
+        "callback group of the heartbeat, and no other callback runs.",
+        "Send the request with call_async() and return. Or give the heartbeat and the waiting callback different "
+        "callback groups and a MultiThreadedExecutor.",
         about_time=True,
     )
 
@@ -844,8 +851,8 @@ def comes_in_bursts(recording: Recording) -> Verdict | None:
         "heartbeat-steady.in-bursts",
         f"{pace.count} beats, {pace.burst} at a time",
         FIVE_HERTZ,
-        "Several beats are published at once, and then none for a while. That is no sign that the program still runs "
-        "in between.",
+        "Several beats are published at once, and then none for a while. In between, nothing shows that the "
+        "program still runs.",
         "Publish one beat on every tick of a timer of 0.2 s.",
     )
 
@@ -865,8 +872,8 @@ def stops_for_good(recording: Recording) -> Verdict | None:
             "heartbeat-steady.stops",
             f"{saw}; nor did a call come after it",
             FIVE_HERTZ,
-            "A callback has not returned: it waits for an answer that cannot come in while it waits, and keeps the "
-            "thread, or the callback group that the heartbeat is in.",
+            "A callback has not returned. It waits for an answer that cannot be handled while it waits, and it "
+            "holds the thread, or the callback group of the heartbeat.",
             "Send the request with call_async(), add a done callback, and return.",
             about_time=True,
         )
@@ -874,8 +881,8 @@ def stops_for_good(recording: Recording) -> Verdict | None:
         "heartbeat-steady.stops-alone",
         f"{saw}, while calls went on",
         FIVE_HERTZ,
-        "The rest of the program goes on, and the heart does not: its timer is canceled or destroyed, its beats are "
-        "counted, or its thread has ended.",
+        "The rest of the program continues, but the heartbeat does not: its timer is canceled or destroyed, its "
+        "beats are counted, or its thread has ended.",
         "Publish on every tick of its timer, without end.",
     )
 
@@ -895,8 +902,8 @@ def why_too_few_or_many(beats: see.Beats) -> Verdict:
         "heartbeat-steady.too-few",
         f"{saw}; the longest silence took {beats.silence.seconds:.1f} s, from {beats.silence.start:.1f} s on",
         FIVE_HERTZ,
-        "Something holds the heartbeat up now and then: a callback in its thread or callback group waits, sleeps or "
+        "Something sometimes holds up the heartbeat: a callback in its thread or callback group waits, sleeps or "
         "works.",
-        "Let every callback return at once, or give the heartbeat a callback group and a thread of its own.",
+        "Let every callback return at once, or give the heartbeat its own callback group and thread.",
         about_time=True,
     )

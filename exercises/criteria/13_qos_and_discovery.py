@@ -81,14 +81,13 @@ def line_rate(recording: Recording) -> Verdict:
         "line-rate.uneven",
         f"{seen.count} lines, {seen.hz or 0.0:.2g} Hz, typically {typical:.2g} s from one to the next",
         TWO_HERTZ,
-        "The period is near the right one, but not the right one; or a loop sleeps for the period and takes the time "
-        "of its work on top.",
+        "The period is slightly wrong, or a loop sleeps for a full period and adds the time of its work.",
         "2 Hz is a period of 0.5 s: create_timer(0.5, self.publish_line).",
         about_time=True,
     )
 
 
-@criterion(points=2, title="It knows at once what was said before it started", needs=[line_topic, runs_on])
+@criterion(points=2, title="It shows at once the status from before it started", needs=[line_topic, runs_on])
 def status_at_once(recording: Recording) -> Verdict:
     hears = see.hears(recording, STATUS)
     if not hears.ok:
@@ -100,8 +99,8 @@ def status_at_once(recording: Recording) -> Verdict:
             "status-at-once.no-line",
             f"no line between {AT_ONCE_S:.1f} s and {until:.1f} s",
             f'"{FIRST}" on every line, from {AT_ONCE_S:g} s on',
-            "No line came at all in that time: not the status is the problem, but the line.",
-            "See first why the line does not come at 2 Hz.",
+            "No line came at all in that time, so the problem is the line, not the status.",
+            "First find out why the line does not come at 2 Hz.",
         )
     wrong = next(((t, text) for t, text in lines if named(text) != [FIRST]), None)
     if wrong is not None:
@@ -128,13 +127,13 @@ def status_follows(recording: Recording) -> Verdict:
             "status-follows.no-line",
             f"no line more than {FOLLOWS_S} s after a change of the status",
             "the new status on the line",
-            "No line came at all then: not the status is the problem, but the line.",
-            "See first why the line does not come at 2 Hz.",
+            "No line came at all in that time, so the problem is the line, not the status.",
+            "First find out why the line does not come at 2 Hz.",
         )
     return see.passed(f"the line named {followed} of {len(changes)} new statuses, and never another one")
 
 
-@criterion(points=1, title="It hears the heartbeat", needs=[program_runs])
+@criterion(points=1, title="It receives the heartbeat", needs=[program_runs])
 def hears_heartbeat(recording: Recording) -> Verdict:
     return see.hears(recording, HEART)
 
@@ -144,7 +143,7 @@ def alarm_topic(recording: Recording) -> Verdict:
     return see.publishes(recording, ALARM)
 
 
-@criterion(points=1, title="The alarm is kept for those who come later", needs=[alarm_topic])
+@criterion(points=1, title="The alarm is kept for late subscriptions", needs=[alarm_topic])
 def alarm_kept(recording: Recording) -> Verdict:
     return see.kept_for_latecomers(recording, ALARM)
 
@@ -193,7 +192,7 @@ def alarm_falls(recording: Recording) -> Verdict:
         fell = next((t for t, on in alarms(recording, ended, recording.robot_s) if not on), None)
         if fell is None or fell - ended > FALLS_WITHIN_S + SLACK_S:
             return why_not_taken_back(None if fell is None else fell - ended)
-    return see.passed("taken back when the heart beat again")
+    return see.passed("ended when the heart beat again")
 
 
 # --- what was said, and when --------------------------------------------------------------------------------
@@ -284,11 +283,11 @@ def why_silent(recording: Recording) -> Verdict | None:
     if with_a_status:
         return see.failed(
             "line-rate.only-with-a-status",
-            f"{see.count(with_a_status, 'line')} in {recording.robot_s:.1f} s, each just when the robot had said its "
-            "status",
+            f"{see.count(with_a_status, 'line')} in {recording.robot_s:.1f} s, each just after the robot published "
+            "its status",
             TWO_HERTZ,
-            "The line is published in the callback of the status, and that is called only when the status changes.",
-            "Keep the status in self, and publish the line in a timer: create_timer(0.5, self.publish_line).",
+            "The line is published in the callback of the status, which is called only when the status changes.",
+            "Store the status in self, and publish the line from a timer: create_timer(0.5, self.publish_line).",
         )
     gaps = line_gaps(recording)
     times = see.listing([f"from {begin:.1f} s to {end:.1f} s" for begin, end in gaps])
@@ -301,17 +300,18 @@ def why_silent(recording: Recording) -> Verdict | None:
             "line-rate.stops-with-the-alarm",
             f"no line {times}, just when the alarm was raised",
             TWO_HERTZ,
-            "What handles the silence holds up the line, too: it waits or sleeps in a callback, or the line is left "
-            "out while there is an alarm.",
-            "Let every callback return at once, and publish the line on every tick of its timer, alarm or not.",
+            "The code that handles the silence also holds up the line: it waits or sleeps in a callback. Or no "
+            "line is published during an alarm.",
+            "Let every callback return at once, and publish the line on every tick of its timer, with or without "
+            "an alarm.",
         )
     if gaps and all(any(abs(last - began) <= BEAT_S for began, _ in silences(recording)) for last, _ in gaps):
         return see.failed(
             "line-rate.stops-with-the-heart",
             f"no line {times}, just while the heart was silent",
             TWO_HERTZ,
-            "The line is published in the callback of the heartbeat, and in a silence nothing calls that.",
-            "Publish the line in a timer of its own: create_timer(0.5, self.publish_line).",
+            "The line is published in the callback of the heartbeat, and nothing calls it during a silence.",
+            "Publish the line from its own timer: create_timer(0.5, self.publish_line).",
         )
     return None
 
@@ -322,8 +322,8 @@ def two_words(cause: str, seen: str, expected: str) -> Verdict:
         cause,
         seen,
         expected,
-        "The line names the right status and another one of the three words, too. A reader cannot tell which one "
-        "holds.",
+        "The line names the right status, but also another of the three words. A reader cannot tell which one is "
+        "right.",
         f"Let exactly one of {', '.join(WORDS)} stand on the line.",
     )
 
@@ -333,9 +333,9 @@ def guessed(seen: str) -> Verdict:
     return see.failed(
         "status-at-once.guessed",
         seen,
-        "a subscription that asks for what was said before: reliable and transient local",
-        "A volatile subscription is given nothing of what was said before. The line shows a word that the program "
-        "has made up.",
+        "a subscription that asks for earlier messages: reliable and transient local",
+        "A volatile subscription receives nothing that was published before. The program made up the word on the "
+        "line.",
         "Ask for it: QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL), and begin with unknown.",
     )
 
@@ -350,8 +350,8 @@ def why_not_at_once(recording: Recording, seen: str) -> Verdict:
             "status-at-once.volatile",
             seen,
             expected,
-            "Your subscription to /robot/status is volatile: it asks only for what is said from now on. The robot "
-            "spoke before, and it will speak again only when its status changes.",
+            "Your subscription to /robot/status is volatile: it asks only for messages from now on. The robot "
+            "published its status before, and publishes again only when the status changes.",
             "Ask for it: QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL).",
         )
     if all_requests(recording, "reliability", "best_effort"):
@@ -359,8 +359,8 @@ def why_not_at_once(recording: Recording, seen: str) -> Verdict:
             "status-at-once.best-effort",
             seen,
             expected,
-            "Your subscription to /robot/status is transient local, but best effort. What was said before is handed "
-            "over to reliable subscriptions only.",
+            "Your subscription to /robot/status is transient local, but best effort. Earlier messages are "
+            "delivered to reliable subscriptions only.",
             "Leave reliability out of this QoSProfile: the default is reliable.",
         )
     return why_not_on_the_line(seen, expected)
@@ -374,15 +374,15 @@ def why_not_on_the_line(seen: str, expected: str) -> Verdict:
             seen,
             expected,
             f"The line holds none of the words {', '.join(WORDS)}.",
-            "Put message.data into the line as it is.",
+            "Put message.data into the line unchanged.",
         )
     return see.failed(
         "status-at-once.not-kept",
         seen,
         expected,
-        "Your subscription asks for the right thing. So the message comes, and the line is not made from it, or it is "
-        "published only in the moment when the message comes.",
-        "Keep message.data in self in the callback, and publish that on every tick of a timer.",
+        "Your subscription asks for the right QoS, so the message comes. But the line is not made from it, or is "
+        "published only when a message comes.",
+        "In the callback, store message.data in self. Publish it on every tick of a timer.",
         about_time=True,
     )
 
@@ -399,17 +399,17 @@ def why_not_followed(
             "status-follows.unknown-again",
             saw,
             expected,
-            "A status is known, and the line says that none is. The silence of the heart changes nothing in what the "
-            "robot has said of its status.",
-            f"Say {UNKNOWN} only before the first status. For the silence there is the alarm.",
+            "A status is known, but the line says that none is. A silent heartbeat does not change the last "
+            "status of the robot.",
+            f"Say {UNKNOWN} only before the first status. The alarm reports the silence.",
         )
     if not named(wrong):
         return see.failed(
             "status-follows.no-word",
             saw,
             expected,
-            f"The line holds none of the words {', '.join(WORDS)}. Whoever reads it then does not learn the status.",
-            "Put message.data into every line, whatever else the line says.",
+            f"The line holds none of the words {', '.join(WORDS)}. So it does not show the status.",
+            "Put message.data into every line, whatever else is on the line.",
         )
     return why_followed_late(recording, followed, change, saw)
 
@@ -425,9 +425,9 @@ def why_followed_late(
             "status-follows.late",
             saw,
             expected,
-            "The line names the new status, but late or not always: it comes from a queue of older ones, or the line "
-            "is made from something else as well.",
-            "Let the callback put every message into self, and make each line from that alone.",
+            "The line names the new status, but late or not always: it comes from a queue of older messages, or "
+            "the line also depends on something else.",
+            "Let the callback store every message in self, and make each line from that alone.",
             about_time=True,
         )
     return why_followed_no_more(followed, saw, expected)
@@ -440,17 +440,17 @@ def why_followed_no_more(followed: int, saw: str, expected: str) -> Verdict:
             "status-follows.not-always",
             f"{saw}; {see.count(followed, 'change')} before it had been followed",
             expected,
-            "The line follows some changes and not others: a status that was there before counts as known, one of "
-            "the two is never left again, or the program stops listening after a number of messages.",
-            "Take each message as it comes: self.last_status = message.data, and nothing else.",
+            "The line follows some changes but not others. Perhaps a repeated status is skipped, one status is "
+            "never replaced, or the program stops handling messages after some time.",
+            "Store each message as it comes: self.last_status = message.data, and nothing else.",
         )
     return see.failed(
         "status-follows.never",
         saw,
         expected,
-        "Only the first status gets onto the line: it is read once at the start, a later one does not take its "
-        "place, or a callback that does not return keeps the next message out.",
-        "Subscribe, and let the callback put every message into self. Never wait or sleep in a callback.",
+        "Only the first status gets onto the line: it is read once at the start, or a later one does not replace "
+        "it. Or a callback never returns, so the next message is not handled.",
+        "Let the callback of the subscription store every message in self. Never wait or sleep in a callback.",
         about_time=True,
     )
 
@@ -469,16 +469,16 @@ def why_not_raised(
             "alarm-raised.with-the-status",
             f"the alarm changed {with_status} times, each time just when the status did",
             expected,
-            "The alarm follows the status, and not the silence of the heart.",
-            "Note time.monotonic() at each beat, and let a timer compare it with the clock.",
+            "The alarm follows the status, not the silence of the heartbeat.",
+            "Store time.monotonic() at each beat, and let a timer compare it with the clock.",
         )
     if raised:
         return see.failed(
             "alarm-raised.late",
             f"True only {raised[0]:.1f} s after the last beat",
             expected,
-            "The limit is too long, or the timer that looks at the clock ticks too seldom: both add up.",
-            "Take 2 s as the limit and look at least twice a second.",
+            "The limit is too long, or the timer that checks the clock fires too rarely. Both times add up.",
+            "Use 2 s as the limit, and check the clock at least twice a second.",
             about_time=True,
         )
     nothing = f"no True on {ALARM.name} in {ended - began:.1f} s of silence"
@@ -487,8 +487,8 @@ def why_not_raised(
             "alarm-raised.first-only",
             f"{nothing}, the one from {began:.1f} s on; in the first silence the alarm was raised",
             expected,
-            "The alarm works once: a flag is set and never taken back, or a timer is canceled and never reset.",
-            "When the heart beats again, put everything back to where it was before the alarm.",
+            "The alarm works only once: a flag is set and never cleared, or a timer is canceled and never reset.",
+            "When the heart beats again, reset everything to its state before the alarm.",
         )
     return why_never_raised(recording, began, ended, expected)
 
@@ -501,27 +501,27 @@ def why_never_raised(recording: Recording, began: float, ended: float, expected:
             "alarm-raised.with-the-next-beat",
             f"nothing in {ended - began:.1f} s of silence, and True when the heart beat again",
             expected,
-            "You look at the clock in the callback of the heartbeat. In a silence nobody calls it.",
-            "Look at the clock in a timer, or use the event of a missed deadline: both come without a message.",
+            "You check the clock in the callback of the heartbeat, and nothing calls it during a silence.",
+            "Check the clock in a timer, or use the event for a missed deadline. Both need no message.",
             about_time=True,
         )
     said = [at for at, _ in alarms(recording, began + NOT_BEFORE_S, ended)]
     if said:
         return see.failed(
             "alarm-raised.false-instead",
-            f"{nothing}; False was said {said[0] - began:.1f} s after the last beat",
+            f"{nothing}; False was published {said[0] - began:.1f} s after the last beat",
             expected,
-            "The program speaks in the silence, and says False: the limit is too long, or what it sends is no bool. "
-            "The Ubuntu packages send Bool(data=1) as False.",
+            "The program publishes False during the silence: the limit is too long, or data is not a bool. The "
+            "Ubuntu packages send Bool(data=1) as False.",
             "Send a comparison, which is True or False: Bool(data=silent_for > LIMIT), with a limit of 2 s.",
         )
     return see.failed(
         "alarm-raised.never",
         nothing,
         expected,
-        "Nothing calls your code in the silence: there is no timer that looks at the clock and no event of a missed "
-        "deadline. Or the limit is too long.",
-        "Note time.monotonic() at each beat, and let a timer compare it with the clock.",
+        "Nothing calls your code during the silence: there is no timer that checks the clock, and no event for a "
+        "missed deadline. Or the limit is too long.",
+        "Store time.monotonic() at each beat, and let a timer compare it with the clock.",
         about_time=True,
     )
 
@@ -535,18 +535,18 @@ def why_false_alarm(at: float, last_beat: float) -> Verdict:
             "no-false-alarm.while-beating",
             f"True on {ALARM.name} at {at:.1f} s, {after:.2f} s after a beat, while the heart was beating",
             expected,
-            f"One beat comes every {BEAT_S} s. A limit close to that raises an alarm for every hiccup; or the alarm "
-            "does not follow from the beats at all: from the status, or from the time since the start.",
-            "Take 2 s as the limit, and count from the last beat.",
+            f"One beat comes every {BEAT_S} s. A limit close to that raises an alarm for every short delay. Or the "
+            "alarm does not depend on the beats, but on the status or on the time since the start.",
+            "Use 2 s as the limit, and measure from the last beat.",
             about_time=True,
         )
     return see.failed(
         "no-false-alarm.early",
         f"True on {ALARM.name} {after:.2f} s after the last beat",
         expected,
-        f"The limit is too short. One beat comes every {BEAT_S} s, and now and then one is held up; whoever raises the "
-        "alarm for that is soon not listened to.",
-        "Take 2 s as the limit, and count from the last beat.",
+        f"The limit is too short. One beat comes every {BEAT_S} s, and sometimes one is late. People soon ignore a "
+        "dashboard that raises an alarm for that.",
+        "Use 2 s as the limit, and measure from the last beat.",
         about_time=True,
     )
 
@@ -557,9 +557,9 @@ def why_fell_in_silence(after: float) -> Verdict:
         "alarm-falls.in-silence",
         f"False on {ALARM.name} {after:.1f} s after the last beat, while the heart was still silent",
         "an alarm that lasts until the heart beats again",
-        "Something else than a beat takes the alarm back: it ends by itself after a while, or it follows something "
-        "else than the beats.",
-        "Take the alarm back in the callback of the heartbeat, and only there.",
+        "Something other than a beat ends the alarm: it ends by itself after a while, or it depends on something "
+        "other than the beats.",
+        "End the alarm in the callback of the heartbeat, and only there.",
     )
 
 
@@ -571,15 +571,16 @@ def why_not_taken_back(after: float | None) -> Verdict:
             "alarm-falls.late",
             f"False only {after:.1f} s after the heart beat again",
             expected,
-            "The first beat ends the silence. The program waits for more of them, or looks too seldom.",
-            "Take the alarm back with the first beat, or look at least twice a second.",
+            "The first beat ends the silence. The program waits for more beats, or checks too rarely.",
+            "End the alarm with the first beat, or check at least twice a second.",
             about_time=True,
         )
     return see.failed(
         "alarm-falls.never",
         "no False after the heart beat again",
         expected,
-        "The event of a missed deadline does not say when the messages are back; nor does a timer that only ever "
-        "raises the alarm. Or a loop that waits for the next beat keeps this very beat from being handled.",
-        "Take the alarm back in the callback of the heartbeat, or publish silent > LIMIT on every tick, true or false.",
+        "The event for a missed deadline does not report when messages come again, and a timer that only raises "
+        "the alarm does not end it. Or a loop that waits for the next beat prevents that beat from being handled.",
+        "End the alarm in the callback of the heartbeat, or publish silent > LIMIT on every tick, whether true or "
+        "false.",
     )

@@ -101,7 +101,7 @@ def test_a_wrong_answer_then_the_right_one(
     assert written.read_text(encoding="utf-8").strip() == wrong.strip()
     page.run(check)
     expect(card).to_have_count(1)
-    expect(card).to_contain_text("First to mend: The joint positions come at 0.5 Hz")
+    expect(card).to_contain_text("Fix first: The joint positions come at 0.5 Hz")
     expect(card).not_to_contain_text("Provisional", timeout=CELL_MS)
     expect(headline_of(card)).to_contain_text("8 of 10 points.")
     check_picture(card)
@@ -116,7 +116,7 @@ def test_a_wrong_answer_then_the_right_one(
     expect(headline_of(card)).to_contain_text(FULL_MARKS, timeout=CELL_MS)
     expect(check.locator(".jp-OutputArea")).to_contain_text("Took the answer cell as it is now")
     assert written.read_text(encoding="utf-8").strip() == exercise.source.solution_code.strip()
-    expect(card).not_to_contain_text("First to mend")
+    expect(card).not_to_contain_text("Fix first")
     expect(card).to_contain_text(f"Hand in this file: answers/{STEM}.py")
     expect(card).to_contain_text("2 more points than before.")
     expect(card).to_contain_text("What comes next: 10")
@@ -184,7 +184,7 @@ def stored_judgement(exercise: Exercise) -> Judgement:
 def says_everything(card: Locator, exercise: Exercise) -> None:
     """Headline, advice, and sign, word, points and title of each criterion can be read."""
     expect(card).to_contain_text("8 of 10 points.")
-    expect(card).to_contain_text("First to mend: The joint positions come at 0.5 Hz")
+    expect(card).to_contain_text("Fix first: The joint positions come at 0.5 Hz")
     expect(card).to_contain_text("Likely reason")
     expect(card).not_to_contain_text("data-jp-theme")
     rows = card.locator("table").last.locator("tbody tr")

@@ -105,7 +105,7 @@ CASES = [
         OVERTAKEN_AFTER_A_MISTAKE,
         "ZeroDivisionError",
         20,
-        "Read the last lines",
+        "Read the end of the log",
     ),
     Case(
         "no_super_init",
@@ -216,13 +216,13 @@ Humanoid()
         "import os\nraise OSError(11, os.strerror(11))\n",
         "BlockingIOError",
         2,
-        "starts one each time",
+        "starts a new one in each iteration",
     ),
-    Case("python_two", "print 'hello'\n", "SyntaxError", None, "things of Python 2"),
-    Case("shell_line", "import rclpy\n!rm -rf /\n", "SyntaxError", None, "Take that line out"),
-    Case("cell_magic", "%%bash\nrm -rf /\n", "SyntaxError", None, "Take that line out"),
-    Case("line_magic", "def main():\n    %load_ext autoreload\n", "SyntaxError", None, "Take that line out"),
-    Case("no_such_name", "import rclpy\nrclpy.inti()\n", "AttributeError", 2, "name of a module of ROS"),
+    Case("python_two", "print 'hello'\n", "SyntaxError", None, "other Python 2 code"),
+    Case("shell_line", "import rclpy\n!rm -rf /\n", "SyntaxError", None, "Remove that line"),
+    Case("cell_magic", "%%bash\nrm -rf /\n", "SyntaxError", None, "Remove that line"),
+    Case("line_magic", "def main():\n    %load_ext autoreload\n", "SyntaxError", None, "Remove that line"),
+    Case("no_such_name", "import rclpy\nrclpy.inti()\n", "AttributeError", 2, "name of a ROS module"),
     Case(
         "shadow",
         "import os, sys\nos.makedirs('own')\nopen('own/geometry_msgs.py', 'w').close()\nsys.path.insert(0, 'own')\n"

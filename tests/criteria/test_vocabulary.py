@@ -96,8 +96,8 @@ def test_a_publisher_on_the_graph_is_a_program_that_runs() -> None:
         (replace(LIVING, limits_hit=("output",)), False, ("50 MB", "endless loop")),
         (replace(LIVING, limits_hit=("memory",)), False, ("2.5 GB", "stopped")),
         (replace(LIVING, limits_hit=("files",)), False, ("20 000 files", "stopped")),
-        (replace(LIVING, domains_used=(17,)), False, ("nobody can find", "ROS_AUTOMATIC_DISCOVERY_RANGE")),
-        (replace(LIVING, domains_used=(17, 42)), False, ("nobody can find", "ROS_AUTOMATIC_DISCOVERY_RANGE")),
+        (replace(LIVING, domains_used=(17,)), False, ("can be found", "ROS_AUTOMATIC_DISCOVERY_RANGE")),
+        (replace(LIVING, domains_used=(17, 42)), False, ("can be found", "ROS_AUTOMATIC_DISCOVERY_RANGE")),
         (LIVING, True, ("/humanoid", "publishes nothing at all", "create_publisher")),
         (LIVING, False, ("no node", "8.0 s")),
     ],
@@ -218,7 +218,7 @@ def test_exits_cleanly() -> None:
         'Traceback (most recent call last):\n  File "/answers/answer.py", line 7\nKeyboardInterrupt\n\n'
     )
     uncaught = replace(LIVING, exit=1, end_log=interrupted + OVERTAKEN)
-    refuses(see.exits_cleanly(silent(uncaught)), "exit code 1", "KeyboardInterrupt leaves main()")
+    refuses(see.exits_cleanly(silent(uncaught)), "exit code 1", "Nothing catches KeyboardInterrupt")
     also = OVERTAKEN + "\nDuring handling of the above exception, another exception occurred:\n\n" + TRACEBACK
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=also))), "line 7", "NameError")
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=2, end_log=OVERTAKEN))), "already called")
@@ -328,7 +328,7 @@ def test_rate_accepts_its_whole_tolerance() -> None:
 @pytest.mark.parametrize(
     ("times", "words"),
     [
-        (every(0.5, 27), ("2 Hz", "0.5 s", "27 messages", "Period and frequency are mixed up")),
+        (every(0.5, 27), ("2 Hz", "0.5 s", "27 messages", "Period and frequency are swapped")),
         (every(0.1, 140), ("10 Hz", "too fast by a factor of 20")),
         (every(4.0, 3), ("0.25 Hz", "3 messages", "Too slow")),
         ([1.0, 5.0, 9.0], ("0.25 Hz", "3 messages", "Too slow")),
@@ -342,7 +342,7 @@ def test_rate_accepts_its_whole_tolerance() -> None:
         ([5.0, 7.0, 9.0, 11.0, 13.0], ("a silence of 5.0 s before the first message",)),
     ],
     ids=[
-        "mixed up",
+        "swapped",
         "fast",
         "slow",
         "slow, and the next one is due when the watch ends",
@@ -398,10 +398,12 @@ def test_counts_are_exact_but_for_the_edge() -> None:
 def test_length() -> None:
     accepts(see.length(joints([0.0] * 12, [1.0] * 12), JOINTS, 12), "12 values in each of 2 messages")
     refuses(
-        see.length(joints([0.0] * 11, [0.0] * 11), JOINTS, 12), "every message has 11 values", "one too few"
+        see.length(joints([0.0] * 11, [0.0] * 11), JOINTS, 12),
+        "every message has 11 values",
+        "One element too many or too few",
     )
     refuses(see.length(joints([0.0] * 12, [0.0] * 13), JOINTS, 12), "1 of 2 messages have 13 values")
-    refuses(see.length(joints([], [0.0] * 12), JOINTS, 12), "0 values", "before its data was filled in")
+    refuses(see.length(joints([], [0.0] * 12), JOINTS, 12), "0 values", "before its data was set")
     refuses(see.length(joints([0.0] * 24, [0.0] * 36), JOINTS, 12), "24 and 36", "grows with every message")
     refuses(see.length(joints({"length": 9000, "first": [0.0] * 4096}), JOINTS, 12), "9000")
 
@@ -441,7 +443,7 @@ def test_varies() -> None:
     one = [[0.1 * n, 0.0, 0.0] for n in range(5)]
     refuses(see.varies(joints(*one), JOINTS, 2, 1e-6, "joint"), "only joint 0 moves", "at least 2 joints")
     refuses(see.varies(joints(*[[0.5] * 3] * 5), JOINTS, 2, 1e-6, "joint"), "no joint moves", "outside")
-    refuses(see.varies(joints([0.0] * 3), JOINTS, 2, 1e-6), "a single message", about_time=True)
+    refuses(see.varies(joints([0.0] * 3), JOINTS, 2, 1e-6), "only one message", about_time=True)
     nan = [[math.nan, 0.1 * n, 0.2 * n] for n in range(5)]
     accepts(see.varies(joints(*nan), JOINTS, 2, 1e-6), "2 of 3")
     accepts(see.varies(joints([], [1.0], [2.0], [3.0]), JOINTS, 1, 1e-6), "1 of 1")
@@ -451,7 +453,7 @@ def test_one_of() -> None:
     words = {"operational", "error"}
     accepts(see.one_of(status("operational", "error"), STATUS, words), '"error" and "operational"')
     refuses(see.one_of(status("operational", "ok"), STATUS, words), '"ok"', '"operational" or "error"')
-    refuses(see.one_of(status(""), STATUS, words), "Empty text")
+    refuses(see.one_of(status(""), STATUS, words), "The text is empty")
 
 
 @pytest.mark.parametrize("value", [[0.0, 1.0], {"length": 9000, "first": "o" * 4096}, None, 1.5, True])

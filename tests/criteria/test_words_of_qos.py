@@ -57,7 +57,7 @@ def test_one_of_several_subscriptions_that_matches_is_enough() -> None:
 
 
 def test_nobody_listens() -> None:
-    assert "nobody listens" in see.hears(recorded(), see.says(BEAT, String, [])).saw
+    assert "nothing subscribes" in see.hears(recorded(), see.says(BEAT, String, [])).saw
 
 
 @pytest.mark.parametrize(

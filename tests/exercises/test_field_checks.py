@@ -59,7 +59,7 @@ def test_zeros_where_another_number_was_meant(levels: tuple[float, ...], saw: st
     assert verdict.status == "failed"
     assert verdict.recheck_fields
     assert saw in verdict.saw
-    assert "an int is sent as 0.0" in verdict.because
+    assert "sends an int in a float field as 0.0" in verdict.because
 
 
 def test_silence_asks_for_no_recheck() -> None:
@@ -79,8 +79,8 @@ def test_the_note_quotes_line_and_complaint() -> None:
 def test_checks_that_find_nothing_change_the_reason(log: str) -> None:
     note = field_check_note(ProcessRecord(program="answer.py", log=log))
     verdict = really_arrives(replace(battery(0.0), notes=(note,)), BATTERY)
-    assert "The program itself says 0.0" in verdict.because
-    assert "an int is sent" not in verdict.because
+    assert "The program itself sends 0.0" in verdict.because
+    assert "sends an int" not in verdict.because
 
 
 def test_an_empty_text_is_rechecked_and_a_wrong_word_is_not() -> None:
@@ -126,7 +126,7 @@ def test_an_int_is_run_again_and_quoted(exercise: Exercise, observer: Observer) 
 
 
 def test_a_zero_of_its_own_is_told_apart(exercise: Exercise, observer: Observer) -> None:
-    assert "The program itself says 0.0" in because(judged(exercise, observer, "0.0"))
+    assert "The program itself sends 0.0" in because(judged(exercise, observer, "0.0"))
 
 
 def test_what_arrives_well_is_not_run_again(exercise: Exercise, observer: Observer) -> None:

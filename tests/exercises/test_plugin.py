@@ -67,7 +67,7 @@ ALL = (
                 "saw: your node publishes /robot/joint_angles",
                 "because: ",
                 "try: ",
-                "not looked at",
+                "not judged",
             ),
         ),
     ],

@@ -44,7 +44,7 @@ def test_01_a_thread_that_spins_raises() -> None:
 def test_02_faults_in_another_namespace() -> None:
     faults = TopicRecording("/camera/faults", (publisher(TEXT, "/robot/camera"),))
     verdict = judged("02_nodes", "shared_faults", recorded(faults))
-    refused_for("shared-faults.other-name", verdict, "somebody reports on /camera/faults")
+    refused_for("shared-faults.other-name", verdict, "something reports on /camera/faults")
 
 
 def test_03_a_float_raises() -> None:
@@ -142,7 +142,7 @@ def pumped(announced: Sequence[str], log: str = "", **told: Sequence[list[int]])
 def test_06_words_handled_twice() -> None:
     heard = [[1, word] for word in range(1, 21)]
     verdict = judged("06_spinning", "words_handled", pumped(["begin 1"], heard=[*heard, [1, 1]]))
-    refused_for("words-handled.more-than-once", verdict, "21 words handled, and only 20 were said")
+    refused_for("words-handled.more-than-once", verdict, "21 words handled, but only 20 were sent")
 
 
 def test_06_no_slow_job_begun() -> None:

@@ -46,7 +46,7 @@ def test_06_tells_how_exact_a_call_must_be() -> None:
         f"after {first} when it was asked for {first}: at most {early} earlier, at most {late} later" in told
     )
     assert f"at most one job ({job}) and {late}" in told
-    assert f"it comes back in time ({late}) from the quiet robot" in told
+    assert f"it returns in time ({late}) from the quiet robot" in told
 
 
 def test_06_tells_how_the_timers_must_tick_and_what_waiting_may_cost() -> None:
@@ -63,11 +63,11 @@ def share(value: float) -> str:
 def test_12_tells_when_a_report_is_in_time() -> None:
     applied, told = constants("12_services"), task("12_services")
     patience, limit = f"{applied['MAY_TAKE_S']:g} s", f"{applied['GIVEN_UP_WITHIN_S']:g} s"
-    assert f"when it comes, at the latest {applied['TOLD_WITHIN_S']:g} s after it" in told
+    assert f"when it comes, at most {applied['TOLD_WITHIN_S']:g} s later" in told
     assert f"no earlier than {patience} and no later than {limit} after the call" in told
     slack, longer = f"{applied['SLACK_S']:g} s", f"{applied['LONG_SLACK_S']:g} s"
     once = f"{applied['BELONGS_S'] - applied['TOLD_WITHIN_S']:g} s"
-    assert f"be {slack} later than said above (one of them {once})" in told
+    assert f"be {slack} later than stated above (one of them {once})" in told
     assert f"a `no answer` {slack} earlier or {longer} later" in told
     assert (
         f"some after {applied['SLOW']:g} s" in told and {10.0: "ten real seconds"}[applied["WATCH_S"]] in told
@@ -80,23 +80,23 @@ def test_12_tells_what_once_a_second_and_five_hertz_mean() -> None:
         f"{applied['SHORTEST_PERIOD_S']:g} to {applied['LONGEST_PERIOD_S']:g} s from one call to the next"
     )
     pause = f"{applied['LONGEST_PAUSE_S']:g} s"
-    assert f"{period}, with no more than one pause over {applied['PAUSE_S']:g} s, and never {pause}" in told
+    assert f"{period}, with at most one pause over {applied['PAUSE_S']:g} s, and never {pause}" in told
     assert f"each pause may be up to {pause}" in told and applied["PAUSES"] == 1
     assert f"{share(applied['LEAST_SHARE'])} to {share(applied['MOST_SHARE'])} of the beats" in told
     assert f"one every {applied['SHORTEST_BEAT_S']:g} to {applied['LONGEST_BEAT_S']:g} s" in told
     assert f"no silence over {applied['STOPPED_S']:g} s at the end" in told
-    assert f"{share(applied['LEAST_MEANWHILE'])} of the beats while calls are open" in told
+    assert f"While calls are open, {share(applied['LEAST_MEANWHILE'])} of the beats are enough" in told
 
 
 def test_13_tells_when_the_line_and_the_alarm_must_come() -> None:
     applied, told = constants("13_qos_and_discovery"), task("13_qos_and_discovery")
-    assert f"at the latest {applied['AT_ONCE_S']:g} s after the start" in told
-    assert f"at the latest {applied['FOLLOWS_S']:g} s after the robot has said it" in told
+    assert f"at most {applied['AT_ONCE_S']:g} s after the start" in told
+    assert f"at most {applied['FOLLOWS_S']:g} s after the robot has published it" in told
     assert (
-        f"never before {applied['NOT_BEFORE_S']:g} s, and {applied['NOT_AFTER_S']:g} s after the last beat"
+        f"never before {applied['NOT_BEFORE_S']:g} s, and at most {applied['NOT_AFTER_S']:g} s after the last beat"
         in told
     )
-    assert f"at the latest {applied['FALLS_WITHIN_S']:g} s after that" in told
+    assert f"at most {applied['FALLS_WITHIN_S']:g} s after that" in told
     assert f"may be raised, and end, {applied['SLACK_S']:g} s later" in told
     assert f"{applied['SLOWEST_HZ']:g} to {applied['FASTEST_HZ']:g} Hz" in told
     assert f"one line every {applied['SHORTEST_S']:g} to {applied['LONGEST_S']:g} s" in told
@@ -143,7 +143,7 @@ def test_03_tells_how_exact_a_number_must_be_and_how_many_calls_there_are() -> N
 def test_01_tells_how_long_the_guard_is_watched_and_what_it_must_log() -> None:
     applied, told = constants("01_the_context"), task("01_the_context")
     watched, lines = f"{applied['WATCH_S']:g} s", f"{applied['LEAST_ROUNDS']} lines"
-    assert f"for some {watched}, in which {lines} in its log are enough" in told
+    assert f"for about {watched}. In this time, {lines} in its log are enough" in told
 
 
 def test_05_tells_what_evenly_means() -> None:

@@ -200,14 +200,14 @@ def test_full_marks() -> None:
     assert "✓ Full marks: 10 of 10 points." in reader.text
     assert "answers/09_joint_positions.py" in reader.text
     assert "Please review" in reader.text
-    assert "First to mend" not in reader.text
+    assert "Fix first" not in reader.text
     assert "%hint" not in reader.text
     assert reader.text.count("✓ holds") == 8
 
 
 def test_a_failed_card_says_what_to_mend_first_and_why() -> None:
     reader = Reader(card_of(judged("eleven_values"))._repr_html_())
-    assert "First to mend: Every message has exactly 12 values" in reader.text
+    assert "Fix first: Every message has exactly 12 values" in reader.text
     for words in (
         "every message has 11 values",
         "exactly 12 values",
@@ -242,7 +242,7 @@ def test_a_sign_and_a_word_stand_beside_each_color() -> None:
 def test_a_provisional_card_says_that_it_is() -> None:
     html = as_html(JUDGEMENTS["provisional"])
     assert "Provisional" in html
-    assert "wall clock has the last word" in html
+    assert "wall clock decides" in html
     assert "Provisional" not in as_html(judged("period_for_frequency"))
     full = judgement_as_provisional(judged("solution"))
     assert "Hand in this file" not in card_of(full)._repr_html_()
@@ -306,7 +306,7 @@ def test_the_plain_text_of_a_card_is_the_same_in_every_run(judgement: Judgement)
 def test_the_plain_text_of_some_cards() -> None:
     assert repr(Card(judged("solution"))) == "Full marks: 10 of 10 points."
     assert repr(Card(judged("eleven_values"))) == (
-        "9 of 10 points. First to mend: Every message has exactly 12 values."
+        "9 of 10 points. Fix first: Every message has exactly 12 values."
     )
     assert repr(Card(not_judged())) == "Not judged: the slot ended with code -9"
 

@@ -264,7 +264,7 @@ def test_workers_that_cannot_judge_as_asked_refuse_with_words(farm: LittleFarm, 
     assert code == 2, said
     assert "no worker at tcp://127.0.0.1:" in said
     assert "it has another version of the course in" in said
-    assert "it cannot shut programs in: bubblewrap is not installed" in said
+    assert "it cannot confine programs: bubblewrap is not installed" in said
     assert "it ended when it was asked who it is. Start it in the course's folder" in said
     assert not (tmp_path / "out").exists()
 
@@ -505,5 +505,5 @@ def test_a_damaged_judgement_is_not_taken(judgement: Judgement, change: Any) -> 
 
 @pytest.mark.parametrize("data", [None, [], "graded", 7, {}])
 def test_what_is_no_judgement_is_not_taken(data: object) -> None:
-    with pytest.raises(ValueError, match="no judgement"):
+    with pytest.raises(ValueError, match="no judgment"):
         from_afar(data)

@@ -97,17 +97,16 @@ def _your_program(source: ExerciseSource) -> str:
 
 
 _WATCH = (
-    "## Watch it run\n\n"
-    "`%start` runs your program as a process of its own, on the bus of this notebook. `%stop` ends it."
+    "## Watch it run\n\n`%start` runs your program as its own process, on the ROS domain of this notebook. "
+    "`%stop` ends it."
 )
 _CHECK = (
-    "## Check it\n\nAs often as you like. It shows what your program did, and the first thing to mend. "
-    "In JupyterLab it takes the answer cell as it is, run or not."
+    "## Check it\n\nAs often as you like. It shows what your program did, and the first thing to fix. "
+    "In JupyterLab it uses the text that is on the screen, even if you have not run the cell."
 )
 _HINTS = "## Stuck?\n\nThree hints, one at a time: run the cell again for the next."
 _SOLUTION = (
-    "## The solution\n\n"
-    "Opens once your program passes, or after some honest tries. It comes with other good ways, weighed."
+    "## The solution\n\nOpens after your program passes, or after some tries. It also shows other good ways."
 )
 
 

@@ -22,7 +22,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = subparsers.add_parser(
         "check",
         help="judge your answer to an exercise",
-        description="Run an answer, watch what it does on the topics, and say what is right and what is not yet. "
+        description="Run an answer, watch what it does on the topics, and say what passes and what does not yet. "
         "Exit code 0: full marks, 1: not yet, 2: could not be judged.",
     )
     parser.add_argument("exercise", metavar="EXERCISE", help="such as 09 or joint_positions")
@@ -166,6 +166,6 @@ def _report(judgement: "Judgement") -> None:
     if judgement.doubt:
         terminal.say(wording.provisional_line(judgement), sys.stderr)
     elif judgement.provisional:
-        print("Watching it on the wall clock as well; that takes some seconds ...", file=sys.stderr)
+        print("Judging it on the wall clock as well; that takes some seconds ...", file=sys.stderr)
     else:
-        print("Judged on robot time; watching that it lives on ...", file=sys.stderr)
+        print("Judged on robot time; checking that it keeps running ...", file=sys.stderr)

@@ -21,8 +21,8 @@ def register(subparsers: Any) -> None:
     parser = subparsers.add_parser(
         "doctor",
         help="is this machine ready? what to do if not",
-        description="Check Python, packages, ROS, folders and Jupyter, and let two processes really talk. "
-        "Exit code 0: ready, 1: something is to be fixed.",
+        description="Check Python, packages, ROS, folders and Jupyter, and let two processes exchange messages. "
+        "Exit code 0: ready, 1: something must be fixed.",
     )
     parser.set_defaults(run=run)
 

@@ -34,8 +34,9 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser = subparsers.add_parser(
         "grade",
         help="judge a folder of answers",
-        description="Judge every answer below PATH and write results.jsonl (one line per attempt) and grades.csv to "
-        "DIR. A run that was stopped or killed goes on where it was; unchanged answers are not run again.",
+        description="Judge every answer below PATH and write results.jsonl (one line per attempt) and grades.csv "
+        "to DIR. A run that was stopped or killed continues where it was; unchanged answers are not "
+        "run again.",
     )
     add_options(parser)
     parser.set_defaults(run=run)

@@ -50,9 +50,9 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         "--slots",
         metavar="N",
         type=int,
-        help=f"answers at work at once (default: {SLOTS_PER_CORE['simulated']} per core on robot time, "
-        f"{SLOTS_PER_CORE['wall']} per core on the wall clock). Those that only stay alive do not count. "
-        "With uid and landlock it is always one",
+        help=f"answers judged at once (default: {SLOTS_PER_CORE['simulated']} per core on robot time, "
+        f"{SLOTS_PER_CORE['wall']} per core on the wall clock). Answers that are only kept running do not "
+        "count. With uid and landlock it is always one",
     )
     parser.add_argument(
         "--farm",
@@ -64,16 +64,16 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         metavar="SHARE",
         type=_share,
         default=SECOND_START,
-        help="share of the answers that, when they pass on robot time, are started once more as a student starts them "
-        f"(default: {SECOND_START:g}; `all` for an exam)",
+        help="share of the answers that are started a second time, as a student starts them, after they passed on "
+        f"robot time (default: {SECOND_START:g}; `all` for an exam)",
     )
     parser.add_argument(
         "--isolation",
         choices=["auto", "sandbox", "uid", "landlock", "limits"],
         default="auto",
-        help="sandbox (what auto wants): each program in a sandbox of bubblewrap, with a network of its own. uid: a "
-        "user id of its own, where the grader is root. landlock: the kernel hides files. limits: resource limits and "
-        "own domain; only for answers that you would run yourself",
+        help="sandbox (what auto wants): each program in a sandbox of bubblewrap, with its own network. uid: a "
+        "separate user id, if the grader is root. landlock: the kernel hides files. limits: resource limits "
+        "and own domain; only for answers that you would run yourself",
     )
 
 
@@ -82,11 +82,11 @@ def _add_gradebook(parser: argparse.ArgumentParser) -> None:
         "--format",
         metavar="LIST",
         default="",
-        help="further forms of the gradebook, separated by commas: html (a page for each student, and one for the "
-        "class), gradescope, canvas, moodle, nbgrader",
+        help="more export formats of the gradebook, separated by commas: html (a page for each student, and one "
+        "for the class), gradescope, canvas, moodle, nbgrader",
     )
     parser.add_argument(
-        "--column", metavar="NAME", help='what Canvas or Moodle call the exercise: "Exercise 09 (12345)"'
+        "--column", metavar="NAME", help='the name of the exercise in Canvas or Moodle: "Exercise 09 (12345)"'
     )
 
 
@@ -95,8 +95,8 @@ def _add_appeals(parser: argparse.ArgumentParser) -> None:
         "--override",
         metavar="CSV",
         type=Path,
-        help="lines of `student,exercise,criterion,points,reason,who`: marks to change after an appeal. They are kept "
-        "in DIR and stay in force. Without PATH nothing is judged",
+        help="lines of `student,exercise,criterion,points,reason,who`: marks to change after an appeal. They are "
+        "kept in DIR and still apply later. Without PATH nothing is judged",
     )
 
 
@@ -104,7 +104,7 @@ def _add_criteria(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--regrade",
         action="store_true",
-        help="run nothing: judge the stored recordings again under the criteria as they are now",
+        help="run nothing: judge the stored recordings again by the current criteria",
     )
     parser.add_argument(
         "--criteria",
@@ -135,7 +135,7 @@ def _add_lateness(parser: argparse.ArgumentParser) -> None:
         metavar="SHARE",
         type=float,
         default=0.0,
-        help="share of the points that each day, begun or whole, after the deadline costs: 0.1",
+        help="share of the points that each day after the deadline costs, complete or not: 0.1",
     )
 
 

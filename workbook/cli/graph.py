@@ -23,7 +23,7 @@ class NoChoice(Exception):
 
 def register(subparsers: Any) -> None:
     """Add the subcommands."""
-    node = subparsers.add_parser("node", help="the nodes that run now").add_subparsers(
+    node = subparsers.add_parser("node", help="the running nodes").add_subparsers(
         title="commands", metavar="COMMAND", required=True
     )
     topic = subparsers.add_parser(
@@ -47,7 +47,7 @@ def register(subparsers: Any) -> None:
         lambda t, o: t.topic_info(o.topic, hidden=o.hidden),
     )
     echo = _command(topic, "echo", "print messages as they come", _echo)
-    echo.add_argument("--count", type=_positive, metavar="N", help="end after so many messages")
+    echo.add_argument("--count", type=_positive, metavar="N", help="end after this many messages")
     echo.add_argument("--timeout", type=_seconds, default=math.inf, metavar="S", help="end after S seconds")
     hz = _command(topic, "hz", "measure how often messages come", _hz)
     hz.add_argument("--seconds", type=_seconds, default=5.0, metavar="S", help="for how long (default 5)")

@@ -45,7 +45,7 @@ def _skipped(criterion: Criterion, missing: Criterion) -> CriterionResult:
         points=0.0,
         max_points=criterion.points,
         hidden=criterion.hidden,
-        saw=f"not looked at, because this does not hold yet: {missing.title}",
+        saw=f"not judged, because this has not passed yet: {missing.title}",
         expected="",
         because="",
         try_this="",

@@ -25,11 +25,11 @@ def judgement_from_afar(data: object, stem: str, answer_sha256: str) -> Judgemen
     try:
         judgement = judgement_from_json(data)
     except Malformed as error:
-        raise ValueError(f"this is no judgement: {error}") from error
+        raise ValueError(f"this is not a judgment: {error}") from error
     if (judgement.stem, judgement.answer_sha256) != (stem, answer_sha256):
-        raise ValueError("this is the judgement of another answer")
+        raise ValueError("this is the judgment of another answer")
     if judgement.provisional:
-        raise ValueError("this judgement is not final")
+        raise ValueError("this judgment is not final")
     if judgement.status == "graded" and not (judgement.criteria and judgement.recording):
         raise ValueError("a graded answer has criteria and a recording")
     for one in judgement.criteria:

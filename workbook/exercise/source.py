@@ -135,7 +135,7 @@ def find(solutions: Path | str, name: str) -> Path:
     if len(fits) == 1:
         return Path(solutions) / f"{fits[0]}.py"
     if fits:
-        raise UnknownExercise(f"{name!r} could be {' or '.join(fits)}: write the full name")
+        raise UnknownExercise(f"{name!r} could be {' or '.join(fits)}: write the complete name")
     if not known:
         raise UnknownExercise(f"no exercise {name!r}: {solutions} holds no exercises")
     near = difflib.get_close_matches(wanted, [*known, *(stem[3:] for stem in known)], n=1)

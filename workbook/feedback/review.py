@@ -15,7 +15,7 @@ on the topics, so do not rewrite it. Tell me:
 1. what a robotics engineer would praise,
 2. the one change that would help a reader most, and why,
 3. what could go wrong on a real robot that this exercise does not test,
-4. one question about my own code that checks whether I understand it.
+4. one question about my own code, to check whether I understand it.
 
 THE TASK
 {task}

@@ -115,7 +115,7 @@ def provisional_line(judgement: Judgement) -> str:
         return ""
     if judgement.doubt:
         return f"Inconclusive: {judgement.doubt}. It is tried once more; that takes some seconds."
-    return "Provisional: this was seen on fast robot time. The wall clock has the last word; it takes some seconds."
+    return "Provisional: this was seen on fast robot time. The wall clock decides; that takes some seconds."
 
 
 def doubt_line(judgement: Judgement, *, is_graded: bool = False) -> str:

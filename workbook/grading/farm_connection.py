@@ -83,7 +83,7 @@ def _fetch(future: Any) -> object:
         except TimeoutError:
             if future.status != "finished" or time.monotonic() > deadline:
                 reply.cancel()
-                raise RuntimeError("the worker was lost before it could hand over the judgement") from None
+                raise RuntimeError("the worker was lost before it could return the judgment") from None
 
 
 def text_of(future: Any) -> str:

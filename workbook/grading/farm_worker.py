@@ -105,7 +105,7 @@ def introduce(isolation: Isolation, course: str, rclpy: str, python: str) -> str
     if problem is None:
         closed = tier_problem(isolation)
         if closed is not None:
-            problem = f"it cannot shut programs in: {closed}"
+            problem = f"it cannot confine programs: {closed}"
     return json.dumps({"host": platform.node(), "process": PROCESS, "problem": problem})
 
 

@@ -51,4 +51,4 @@ def grade_one(exercise: Exercise, hand_in: HandIn, out: Path, isolation: Isolati
 
     for _, tries in judge_until_sure([Job(hand_in, exercise.stem, answer)], judge):
         return graded_result(Submission(hand_in.student, hand_in.label, answer.sha256), tries, by)
-    raise RuntimeError("the grader gave no judgement")
+    raise RuntimeError("the grader gave no judgment")

@@ -41,13 +41,16 @@ def length(recording: Recording, topic: Topic, wanted: int, what: str = "value")
         )
 
     if 0 in wrong:
-        return fail("length.not-filled", "At least one message was published before its data was filled in.")
+        return fail("length.not-filled", "At least one message was published before its data was set.")
     if all(abs(n - wanted) > 1 for n in wrong):
         return fail(
             "length.other-list",
-            "The list is built from something else than the joints, or grows with every message.",
+            "The list is not built from the joints, or it grows with every message.",
         )
-    return fail("length.one-off", "Counting from 0 or from 1 gets one too many or one too few easily.")
+    return fail(
+        "length.one-off",
+        "One element too many or too few is easily made, for example by counting from 0 or from 1.",
+    )
 
 
 @if_messages
@@ -76,7 +79,7 @@ def varies(recording: Recording, topic: Topic, at_least: int, by: float, what: s
         f"at least {count(at_least, what)} that change from message to message (by more than {by:g}), in "
         f"{MOSTLY:.0%} of the messages at least"
     )
-    once = "a single message, so nothing can be seen to move"
+    once = "only one message, so no movement can be seen"
     ended = program_ended(recording, once, expected) if len(rows) < 2 else None
     return ended or _does_not_vary(len(rows), moving, changed, at_least, expected, what)
 
@@ -97,15 +100,15 @@ def _does_not_vary(
     if messages < 2:
         return at_rest(
             "varies.one-message",
-            "a single message, so nothing can be seen to move",
+            "only one message, so no movement can be seen",
             "The message is published only once.",
         )
     if not moving:
         return at_rest(
             "varies.none",
             f"no {what} moves: every message is the same",
-            "The values are set once, outside the callback; or the movement repeats with the period of the timer, so "
-            "that each message catches the same pose.",
+            "The values are set once, outside the callback. Or the movement repeats with the period of the timer, "
+            "so every message shows the same pose.",
         )
     if len(moving) < at_least:
         return at_rest("varies.too-few", f"only {what} {moving[0]} moves", "Only one element ever changes.")
@@ -114,12 +117,12 @@ def _does_not_vary(
         return at_rest(
             "varies.stands-still",
             f"{still} of {count(len(changed), 'message')} are the same as the one before",
-            "The movement comes to an end, or not every call of the callback computes new values.",
+            "The movement ends, or some calls of the callback compute no new values.",
         )
     return at_rest(
         "varies.one-at-a-time",
         f"{hardly} of {count(len(changed), 'message')} differ too little from the one before",
-        "Only one element is changed in each call, another one each time.",
+        "Each call changes only one element, a different one each time.",
     )
 
 

@@ -45,15 +45,15 @@ def begins_full(recording: Recording, battery: Topic) -> Verdict:
             "begins-full.fraction",
             saw,
             expected,
-            "The charge is a fraction, from 1 down to 0, and no percentage.",
+            "The charge is a fraction, from 1 down to 0, not a percentage.",
             "Publish percent: 100.0 for a full battery. A fraction times 100 is a percentage.",
         )
     return failed(
         "begins-full.not-full",
         saw,
         expected,
-        "The battery starts with another charge, or what is published is not the charge itself.",
-        "Begin with self.battery_level = 100.0, and publish the level as it is.",
+        "The battery starts with another charge, or the published value is not the charge.",
+        "Begin with self.battery_level = 100.0, and publish the level unchanged.",
     )
 
 
@@ -78,7 +78,7 @@ def drains(recording: Recording, battery: Topic) -> Verdict:
             f"{number(levels[0])} % in the first message, but {number(middle)} % in the middle of the watch and "
             f"{number(levels[-1])} % at its end",
             "a battery that drains a little with every message",
-            "The charge falls at first, and then stands still: the drain depends on a condition or a counter.",
+            "The charge falls at first, then stays the same: the drain depends on a condition or a counter.",
             "Subtract a little from self.battery_level in every call of the callback.",
         )
     return passed("it drains")
@@ -128,13 +128,13 @@ def _data(recording: Recording, topic: Topic) -> list[_Said]:
 def _error_while_charged(at: float, level: float, *, before: bool, back: bool) -> Verdict:
     saw = f'"error" at {seconds(at)}, while the battery says {number(level)} %'
     expected = '"operational" while the battery has charge, and "error" once it is empty'
-    try_this = 'Decide by the level itself: "operational" if self.battery_level > 0.0 else "error".'
+    try_this = 'Use the level itself: "operational" if self.battery_level > 0.0 else "error".'
     if back:
         return failed(
             "word-fits-charge.changes",
             f'{saw}, and "operational" again after that',
             expected,
-            "The word depends on something else than the charge, such as chance or a counter.",
+            "The word depends on something other than the charge, such as chance or a counter.",
             try_this,
         )
     if before:
@@ -142,14 +142,14 @@ def _error_while_charged(at: float, level: float, *, before: bool, back: bool) -
             "word-fits-charge.too-early",
             saw,
             expected,
-            "The limit is not 0: a battery that is low is not yet empty.",
+            "The limit is not 0. A low battery is not yet empty.",
             try_this,
         )
     return failed(
         "word-fits-charge.turned-around",
         saw,
         expected,
-        "The condition is turned around, or the level that it asks about is not the one that is published.",
+        "The condition is reversed, or it tests a level other than the published one.",
         try_this,
     )
 
@@ -159,6 +159,6 @@ def _no_error_when_empty(at: float, empty_at: float) -> Verdict:
         "word-fits-charge.never-error",
         f'"operational" at {seconds(at)}, though the battery is at 0 % since {seconds(empty_at)}',
         '"operational" while the battery has charge, and "error" once it is empty',
-        "The word does not depend on the charge, or on a level that never gets to 0.",
-        'Decide by the level itself: "operational" if self.battery_level > 0.0 else "error".',
+        "The word does not depend on the charge, or it depends on a level that never reaches 0.",
+        'Use the level itself: "operational" if self.battery_level > 0.0 else "error".',
     )

@@ -56,10 +56,10 @@ def _by_exit_code(process: ProcessRecord) -> Verdict:
     if process.exit == 0 and TRACEBACK in without_executors_end(process.end_log):
         return failed(
             "exits-cleanly.prints-a-traceback",
-            "exit code 0 after Ctrl-C, but a traceback in what it printed",
+            "exit code 0 after Ctrl-C, but it printed a traceback",
             _EXPECTED,
             "The program catches the exception, and then prints the traceback itself.",
-            "Print nothing for it: that somebody ended the program is no error.",
+            "Do not print the traceback: Ctrl-C is not an error.",
         )
     if process.exit == 0:
         return passed("ended with exit code 0 after Ctrl-C, no traceback")
@@ -68,16 +68,16 @@ def _by_exit_code(process: ProcessRecord) -> Verdict:
             "exits-cleanly.exit-code",
             f"exit code {process.exit} after Ctrl-C, without a traceback",
             _EXPECTED,
-            "The program gives this exit code itself, with sys.exit(), os._exit() or SystemExit. For whoever started "
-            "it, any code but 0 means an error.",
-            "Let main() return after Ctrl-C, or leave with sys.exit(0).",
+            "The program sets this exit code itself, with sys.exit(), os._exit() or SystemExit. Any exit code "
+            "other than 0 reports an error.",
+            "Let main() return after Ctrl-C, or call sys.exit(0).",
         )
     how = f"ended by signal {process.signal}" if process.signal else f"exit code {process.exit}"
     return failed(
         "exits-cleanly.interrupt-not-caught",
         f"{how} after Ctrl-C",
         _EXPECTED,
-        "KeyboardInterrupt leaves main() without being caught.",
+        "Nothing catches KeyboardInterrupt, so it leaves main().",
         "Wrap rclpy.spin(node) in try/except (KeyboardInterrupt, ExternalShutdownException), and call "
         "rclpy.try_shutdown() in finally.",
     )
@@ -87,26 +87,27 @@ def _by_signal(process: ProcessRecord) -> Verdict:
     if process.signal == "SIGKILL":
         return failed(
             "exits-cleanly.runs-on",
-            "it went on running after Ctrl-C and had to be killed",
+            "it kept running after Ctrl-C and had to be killed",
             _EXPECTED,
-            "KeyboardInterrupt is swallowed inside a loop, the signal is ignored, or the end waits for something: a "
-            "thread, a lock, an input.",
-            "Let KeyboardInterrupt leave the spin. Catch it around rclpy.spin(node) only, and wait for nothing then.",
+            "KeyboardInterrupt is caught inside a loop, the signal is ignored, or the program waits for something "
+            "at its end: a thread, a lock, an input.",
+            "Let KeyboardInterrupt leave the spin. Catch it only around rclpy.spin(node), and wait for nothing "
+            "after that.",
         )
     if process.signal == "SIGABRT":
         return failed(
             "exits-cleanly.aborted",
-            "it aborted at its end (SIGABRT)",
+            "it aborted when it ended (SIGABRT)",
             _EXPECTED,
-            "A thread was still spinning when the interpreter went down.",
+            "A thread was still spinning when the Python interpreter shut down.",
             "Shut the executor down first, then join its thread.",
         )
     return failed(
         "exits-cleanly.crashed",
         "it crashed while Ctrl-C ended it (SIGSEGV)",
         _EXPECTED,
-        "A thread still used the node or its context when these were destroyed. On a very busy machine it can also "
-        "be rclpy's own fault.",
+        "A thread still used the node or its context when they were destroyed. On a very busy machine, a bug in "
+        "rclpy can also cause this.",
         "Run it again. If it crashes again, shut the executor down first, join its thread, and call "
         "rclpy.try_shutdown() last.",
     )

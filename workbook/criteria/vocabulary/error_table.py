@@ -46,26 +46,26 @@ KNOWN_ERRORS = (
     KnownError(
         "error.not-initialized",
         r"NotInitializedException|rclpy\.init\(\) has not been called",
-        "A node was made before the ROS context was started.",
-        "Call rclpy.init() once, before the first node is made.",
+        "A node was created before the ROS context was initialized.",
+        "Call rclpy.init() once, before the first node is created.",
     ),
     KnownError(
         "error.init-twice",
         r"Context\.init\(\) must only be called once",
-        "rclpy.init() was called a second time while the first context was still up.",
+        "rclpy.init() was called a second time while the context was still up.",
         "Call rclpy.init() exactly once, in main().",
     ),
     KnownError(
         "error.shutdown-overtaken",
         OVERTAKEN,
-        "rclpy itself was still handling Ctrl-C when try_shutdown() asked whether the context was up. That happens "
-        "now and then on a busy machine, and is no fault of the program.",
+        "rclpy was still handling Ctrl-C when try_shutdown() checked the context. This sometimes happens on a "
+        "busy machine. It is a bug in rclpy, not in your program.",
         "Nothing: run it again.",
     ),
     KnownError(
         "error.shutdown-twice",
         r"Context must be initialized before it can be shutdown|rcl_shutdown already called",
-        "The context was shut down twice (Ctrl-C has already done it).",
+        "The context was shut down twice. Ctrl-C had already shut it down.",
         "Use rclpy.try_shutdown(), which may be called at any time.",
     ),
     KnownError(
@@ -83,8 +83,8 @@ KNOWN_ERRORS = (
     KnownError(
         "error.callback-takes-no-message",
         r"callback should be either be callable with one argument",
-        "The callback of a subscription takes the message, or the message and what is known about it. This one takes "
-        "neither.",
+        "The callback of a subscription takes one argument, the message, or two, the message and its message "
+        "info. This one does not.",
         "Give it one argument besides self: def on_battery(self, message: Float32).",
     ),
     KnownError(
@@ -96,46 +96,46 @@ KNOWN_ERRORS = (
     KnownError(
         "error.timer-without-callback",
         r"create_timer\(\) missing 1 required positional argument: 'callback'",
-        "A timer needs a period and a function to call, and it was given one of the two.",
+        "A timer needs a period and a function to call, but it was given only one of them.",
         "Write create_timer(1.0, self.on_timer), without parentheses after the function.",
     ),
     KnownError(
         "error.missing-argument",
         r"missing 1 required positional argument: '\w+'",
-        "A function was called without an argument that it needs. The callback of a timer is called with none; that of "
-        "a subscription is called with the message, and must be handed over, not called.",
+        "A function was called without an argument that it needs. A timer calls its callback without arguments. A "
+        "subscription calls its callback with the message. Pass the callback itself; do not call it.",
         "For a timer: def on_timer(self). For a subscription: create_subscription(Float32, '/robot/battery', "
         "self.on_battery, 10), without parentheses.",
     ),
     KnownError(
         "error.callback-called",
         r"'NoneType' object is not callable",
-        "A callback was called instead of handed over, so the timer got its result, None.",
+        "The callback was called instead of passed, so the timer got its result, None.",
         "Pass the function without parentheses: create_timer(2.0, self.publish_joints).",
     ),
     KnownError(
         "error.no-message-object",
         r"Expected <class '[\w.]*\.(\w+)'>, got <class '([\w.]+)'>",
-        "publish() was given something that is not the message type of this publisher.",
+        "publish() was given something that is not a message of the publisher's type.",
         "Make a message of the right class, fill its fields, and publish that.",
     ),
     KnownError(
         "error.no-message-class",
         r"has no attribute '_TYPE_SUPPORT'",
-        "What was given as the message type is no message class. (The words about ROS 1 are a guess, mostly a wrong "
-        "one.)",
-        "Give the class itself, for example Float32 from std_msgs.msg: no Python type, and no name in quotes.",
+        "The message type that was given is not a message class. (The words about ROS 1 are a guess of rclpy, and "
+        "usually wrong.)",
+        "Give the class itself, for example Float32 from std_msgs.msg, not a Python type or a name in quotes.",
     ),
     KnownError(
         "error.topic-of-two-types",
         r"existing topic name \S+ with incompatible type",
-        "In this program the topic is there already, with another message type.",
-        "Use one message type per topic name, or give the other one a name of its own.",
+        "This program already uses the topic with another message type.",
+        "Use one message type per topic name, or give the second topic another name.",
     ),
     KnownError(
         "error.name-taken",
         r"property '(\w+)' of '\w+' object has no setter",
-        "The attribute name is taken: Node already has a property of that name.",
+        "Node already has a property with this name, so you cannot set it.",
         "Give your attribute another name, for example joint_pub instead of publishers.",
     ),
     KnownError(
@@ -159,8 +159,8 @@ KNOWN_ERRORS = (
     KnownError(
         "error.field-of-other-type",
         r"AssertionError: The '\w+' field must be",
-        "A message field was given a value of another type than it holds.",
-        "Give the field what its type says: float(angle) for a float, str(word) for a text, a list for an array.",
+        "A message field was given a value of the wrong type.",
+        "Give the field a value of its type: float(angle) for a float, str(word) for a text, a list for an array.",
     ),
     KnownError(
         "error.generic-publisher",
@@ -171,58 +171,58 @@ KNOWN_ERRORS = (
     KnownError(
         "error.reads-keyboard",
         r"EOFError: EOF when reading a line",
-        "The program waits for the keyboard. A robot program has none, and neither has the judge.",
+        "The program waits for keyboard input. A robot program has no keyboard, and neither has the judge.",
         "Remove input(), or read the value from a parameter.",
     ),
     KnownError(
         "error.module-without-name",
         r"module '(?:rclpy|\w+_(?:msgs|srvs|interfaces))[\w.]*' has no attribute",
-        "There is nothing of that name in it. Or it is not the real one: another file of that name (rclpy.py) "
-        "hides it.",
-        "Check the spelling; and give no file of yours the name of a module of ROS.",
+        "The module has nothing with that name. Or a file of yours with the name of the module (for example "
+        "rclpy.py) hides the real one.",
+        "Check the spelling, and do not give your file the name of a ROS module.",
     ),
     KnownError(
         "error.module-hides-package",
         r"'\w+' is not a package",
-        "A file of that name (with .py) lies beside the program and hides the package.",
-        "Give no file of yours the name of a package.",
+        "A file with that name (and .py) is beside the program and hides the package.",
+        "Do not give your file the name of a package.",
     ),
     KnownError(
         "error.import-not-found",
         r"ModuleNotFoundError: No module named '([\w.]+)'|ImportError: cannot import name",
-        "A module or a name that the program imports is not there.",
-        "Check the spelling of the import. Messages come from, for example, std_msgs.msg. Code of a second file of "
-        "yours belongs in the answer: only one file is run.",
+        "The program imports a module or a name that does not exist here.",
+        "Check the spelling of the import. Message classes come from modules such as std_msgs.msg. Put code from "
+        "a second file into the answer: only one file is run.",
     ),
     KnownError(
         "error.name-not-defined",
         r"NameError: name '(\w+)' is not defined",
-        "A name is used that was never defined or imported in this file.",
-        "Import or define it; the file runs on its own, without the cells of the notebook.",
+        "The program uses a name that was never defined or imported in this file.",
+        "Import or define it. The file runs on its own, without the other cells of the notebook.",
     ),
     KnownError(
         "error.indentation",
         r"(?:Indentation|Tab)Error",
-        "The indentation does not fit, so Python cannot read the file.",
-        "Line the block up with its neighbors (four spaces per level).",
+        "The indentation is wrong, so Python cannot read the file.",
+        "Indent the block like the lines around it (four spaces per level).",
     ),
     KnownError(
         "error.print-statement",
         r"Missing parentheses in call to 'print'",
-        "print without parentheses is Python 2. ROS 2 needs Python 3.",
-        "Write print(...), and look for other things of Python 2.",
+        "print without parentheses is Python 2, but ROS 2 needs Python 3.",
+        "Write print(...), and look for other Python 2 code.",
     ),
     KnownError(
         "error.notebook-command",
         r"(?s)^ *(?:!|%%?)\w.*SyntaxError",
-        "A line that begins with % or ! is a command for a notebook, and no Python.",
-        "Take that line out of the answer.",
+        "A line that begins with % or ! is a notebook command, not Python.",
+        "Remove that line from the answer.",
     ),
     KnownError(
         "error.syntax",
         r"SyntaxError",
-        "Python cannot read the file, so nothing of it ran.",
-        "Look at the line named above and at the one before it: brackets, quotes, colons.",
+        "Python cannot read the file, so none of it ran.",
+        "Check the line named above and the line before it: brackets, quotes, colons.",
     ),
     KnownError(
         "error.out-of-memory",
@@ -234,18 +234,18 @@ KNOWN_ERRORS = (
         "error.disk-full",
         r"No space left on device|File too large",
         f"The program wrote more than the {WRITABLE_MIB} MB that an answer may write.",
-        "Write less, or nothing: nobody reads the files of an answer.",
+        "Write less, or nothing: the judge reads no files of an answer.",
     ),
     KnownError(
         "error.too-many-files",
         r"Too many open files",
-        "The program holds more files or connections open than an answer may.",
-        "Close what you open (with open(...) as file), and make each publisher and node once.",
+        "The program keeps more files or connections open than an answer may.",
+        "Close what you open (with open(...) as file), and create each publisher and node once.",
     ),
     KnownError(
         "error.too-many-threads",
         r"can't start new thread|Resource temporarily unavailable",
         "The program started more threads or processes than an answer may.",
-        "Look for a loop that starts one each time.",
+        "Look for a loop that starts a new one in each iteration.",
     ),
 )

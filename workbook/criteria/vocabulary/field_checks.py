@@ -29,4 +29,4 @@ def said_by_field_checks(recording: Recording) -> str | None:
 def quoting_field_checks(recording: Recording, suspicion: str) -> str:
     """The reason `suspicion`, with what the field checks said where they said something."""
     said = said_by_field_checks(recording)
-    return f"{suspicion} Run with field checks on, your program says so itself: {said}" if said else suspicion
+    return f"{suspicion} With field checks on, your program reports it itself: {said}" if said else suspicion

@@ -85,7 +85,7 @@ def _explained(error: str, with_lines_before: str, line: int | None) -> ProgramE
         line,
         "error.exception",
         "The program raised an exception that nothing caught.",
-        "Read the last lines of the log from the bottom up: the error, then the line of your file.",
+        "Read the end of the log from the bottom up: first the error, then the line of your file.",
     )
 
 

@@ -26,9 +26,9 @@ def on_the_graph(
             "on-the-graph.twice",
             f"{found[name].most} nodes are called {name}",
             expected,
-            "ROS does not refuse a name that is taken: each of them does what is asked of that name, and the answer "
-            "that comes first is taken.",
-            "Give each node a name of its own, or make only one of them.",
+            "ROS allows duplicate node names. Every node of that name answers a request to it, and the caller "
+            "gets the first answer.",
+            "Give each node its own name, or create only one of them.",
         )
     blamed = failed_by_error(recording, f"no node {name}", expected)
     if blamed is not None:
@@ -38,8 +38,8 @@ def on_the_graph(
             "on-the-graph.no-node",
             f"no node {name}, and no other one",
             expected,
-            "The program never comes to the line that makes a node.",
-            "Call rclpy.init(), then make the node.",
+            "The program never reaches the line that creates a node.",
+            "Call rclpy.init(), then create the node.",
         )
     return _not_there(found, name, beside, how or _how(name))
 
@@ -53,11 +53,11 @@ def _not_there(found: Mapping[str, NodeSeen], wanted: str, beside: Collection[st
     if duplicate is not None:
         return fail(
             "on-the-graph.name-of-another",
-            f"It was given the name of another one: {found[duplicate].most} nodes are called {duplicate}.",
+            f"It has the name of another node: {found[duplicate].most} nodes are called {duplicate}.",
         )
     others = sorted(found.keys() - set(beside))
     if not others:
-        return fail("on-the-graph.never-made", "It was never made, or nobody keeps it.")
+        return fail("on-the-graph.never-made", "It was never created, or the program does not keep it.")
     base = wanted.rsplit("/", 1)[1]
     for other in others:
         namespace, _, name = other.rpartition("/")
@@ -70,8 +70,10 @@ def _not_there(found: Mapping[str, NodeSeen], wanted: str, beside: Collection[st
             )
     near = difflib.get_close_matches(wanted, others, 1, 0.6)
     if near:
-        return fail("on-the-graph.misspelled", f"{near[0]} is close, but ROS matches names letter by letter.")
-    return fail("on-the-graph.other-name", "The node has another name, or was never made.")
+        return fail(
+            "on-the-graph.misspelled", f"{near[0]} is close, but ROS compares names letter by letter."
+        )
+    return fail("on-the-graph.other-name", "The node has another name, or was never created.")
 
 
 def _how(name: str) -> str:
@@ -95,7 +97,7 @@ def nodes_gone_at_end(recording: Recording) -> Verdict:
         "nodes-gone-at-end.cut-off",
         f"{listing(left)} still on the graph after the program had ended",
         "no node of the program on the graph once it has ended",
-        "The program was cut off (os._exit, a kill, an abort), so it could not say good-bye. Others see such a ghost "
-        "for up to 20 s.",
-        "Let main() come to its end: catch KeyboardInterrupt around the spin, then rclpy.try_shutdown().",
+        "The program was cut off (os._exit, a kill, an abort), so its node was never removed. Other programs see "
+        "such a ghost for up to 20 s.",
+        "Let main() return: catch KeyboardInterrupt around the spin, then call rclpy.try_shutdown().",
     )

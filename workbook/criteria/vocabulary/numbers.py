@@ -21,8 +21,8 @@ def finite(recording: Recording, topic: Topic) -> Verdict:
         "finite.not-finite",
         f"{bad.value} in {bad}",
         "finite numbers only",
-        "A division by zero, a square root or logarithm of a negative number, or a start value of NaN. "
-        "A motor that receives NaN may do anything.",
+        "The cause is a division by zero, a root or logarithm of a negative number, or a start value of NaN. A "
+        "motor that receives NaN may do anything.",
         "Check with math.isfinite() before you publish.",
     )
 
@@ -62,13 +62,15 @@ def given_floats(recording: Recording, topic: Topic) -> Verdict:
 
 def _zeros(recording: Recording, saw: str) -> Verdict:
     expected = "the number that your program means, in every message"
-    try_this = "Give the field a float: float(level), 100.0 and not 100, and no int() or round() on the way."
+    try_this = (
+        "Give the field a float: float(level), or 100.0 instead of 100. Do not use int() or round() before."
+    )
     if said_by_field_checks(recording) == "":
         return failed(
             "really-arrives.zero",
             saw,
             expected,
-            "The program itself says 0.0: with field checks on, nothing of a wrong type was found in its messages.",
+            "The program itself sends 0.0: field checks found no value of a wrong type in its messages.",
             try_this,
             recheck_fields=True,
         )
@@ -78,8 +80,9 @@ def _zeros(recording: Recording, saw: str) -> Verdict:
         expected,
         quoting_field_checks(
             recording,
-            "Stock ROS does not check what a field is given. In a float field an int is sent as 0.0, without a word; "
-            "so are a str, None and np.float32.",
+            "ROS does not check the type of a value in a message field. This build sends an int in a float field "
+            "as 0.0, and reports no error. The same happens to a str, None and np.float32. The Ubuntu packages "
+            "may abort the program instead.",
         ),
         try_this,
         recheck_fields=True,
@@ -114,9 +117,7 @@ def within(
         return failed(cause, saw, f"values from {span}", because, try_this)
 
     if math.isclose(high, math.pi) and abs(bad.value) <= 2 * math.pi:
-        return fail(
-            "within.not-wrapped", "The angle goes on turning: it is neither limited nor wrapped at π."
-        )
+        return fail("within.not-wrapped", "The angle keeps growing: it is neither limited nor wrapped at π.")
     if math.isclose(high, math.pi) and abs(bad.value) <= 360.0:
         return fail(
             "within.degrees",
@@ -124,7 +125,9 @@ def within(
             f"{limit}; math.radians() turns degrees into radians.",
         )
     if math.isinf(bad.value):
-        return fail("within.infinite", "Infinite: a division by zero, or a number too large for 32 bits.")
+        return fail(
+            "within.infinite", "The value is infinite: a division by zero, or a number too large for 32 bits."
+        )
     return fail("within.not-limited", "The simulated value is not limited.")
 
 
@@ -138,8 +141,8 @@ def never_rises(recording: Recording, topic: Topic, slack: float = 1e-4) -> Verd
                 "never-rises.rises",
                 f"{topic.name} rises from {number(before)} to {number(after)} at message {index + 2}",
                 "a value that only falls",
-                "The sign of the drain is wrong, or each message starts from a fresh random number.",
-                "Subtract from the level that the node remembers.",
+                "The sign of the drain is wrong, or each message uses a new random number.",
+                "Subtract from the level that the node stores.",
             )
     return passed(
         f"falls from {number(numbers[0])} to {number(numbers[-1])}" if len(numbers) > 1 else "never rises"

@@ -32,7 +32,7 @@ def program_runs(recording: Recording) -> Verdict:
             "program-runs.other-domain",
             f"your node is on domain {strangers[0]}, the exercise on another one",
             "a node on the domain that the environment gives (ROS_DOMAIN_ID)",
-            "The program chooses a domain itself, so nobody here can hear it.",
+            "The program chooses its own domain, so nothing on this domain can receive its messages.",
             "Remove the domain_id argument or the ROS_DOMAIN_ID line from your program.",
         )
     if process.ended_by == "itself":
@@ -49,18 +49,18 @@ def _runs_unseen(recording: Recording, at_home: bool) -> Verdict:
     if at_home and not recording.nodes:
         return failed(
             "program-runs.discovery-changed",
-            "your program has opened the ports of ROS, and yet nobody can find a node of it",
+            "your program uses ROS, but no node of it can be found",
             _EXPECTED,
             "The program changes how nodes find each other: ROS_AUTOMATIC_DISCOVERY_RANGE, ROS_LOCALHOST_ONLY, "
             "ROS_STATIC_PEERS, RMW_IMPLEMENTATION, FASTRTPS_DEFAULT_PROFILES_FILE or another variable of ROS.",
-            "Remove the lines that set such variables: the environment has set them already.",
+            "Remove the lines that set such variables: the environment already sets them.",
         )
     if any(topic.publishers for topic in recording.topics.values()):
         return failed(
             "program-runs.node-destroyed",
-            "the publishers of your node appeared and vanished again, while the program runs on",
+            "the publishers of your node appeared and disappeared again, but the program still runs",
             _EXPECTED,
-            "The node was destroyed before it was spun (destroy_node, shutdown, or a with block that ended).",
+            "The node was destroyed before it was spun: by destroy_node, shutdown, or the end of a with block.",
             "Destroy the node only after rclpy.spin(node) has returned.",
         )
     if recording.nodes:
@@ -69,16 +69,16 @@ def _runs_unseen(recording: Recording, at_home: bool) -> Verdict:
             "program-runs.publishes-nothing",
             f"node {names} is there, but it publishes nothing at all",
             _EXPECTED,
-            "No create_publisher() call was reached: there is none, or a call above it does not come back, such as "
-            "rclpy.spin(node) above create_publisher().",
+            "No create_publisher() call was reached. There is none, or a call before it never returns, such as "
+            "rclpy.spin(node).",
             "Create the publishers in __init__ and make sure that __init__ runs to its end.",
         )
     return failed(
         "program-runs.no-node",
         f"the program runs, but no node of it appeared within {seconds(recording.process.watched_for)}",
         _EXPECTED,
-        "It is still busy in its first lines (a loop, a sleep, a wait), or never makes a node.",
-        "Make the node first, and let timers do the work that repeats.",
+        "The program is still busy in its first lines (a loop, a sleep, a wait), or it never creates a node.",
+        "Create the node first, and let timers do repeated work.",
     )
 
 
@@ -127,17 +127,17 @@ def _ended_before_it_was_seen(recording: Recording) -> Verdict:
     if ANOTHER_MIDDLEWARE in process.log:
         return failed(
             "program-runs.other-middleware",
-            f"{ended}: it asks for a middleware that is not there",
+            f"{ended}: it asks for a middleware that is not installed",
             _EXPECTED,
             "The program sets RMW_IMPLEMENTATION.",
-            "Remove the line that sets it: the environment has chosen a middleware already.",
+            "Remove the line that sets it: the environment already chooses a middleware.",
         )
     return failed(
         "program-runs.ended",
         f"{ended} (exit code {process.exit}), before any message came",
         _EXPECTED,
-        "Nothing keeps it alive: a program ends with its last line unless something spins.",
-        "Make the node in main(), call rclpy.spin(node), and call main() at the end of the file.",
+        "Nothing keeps the program alive: without a spin it ends after its last line.",
+        "Create the node in main(), call rclpy.spin(node), and call main() at the end of the file.",
     )
 
 
@@ -151,7 +151,7 @@ def ended_by_error(recording: Recording, saw: str, expected: str) -> Verdict | N
 def alive_at_end(recording: Recording) -> Verdict:
     """The program still runs when the watch ends."""
     process = recording.process
-    expected = "a program that goes on until it is stopped"
+    expected = "a program that runs until it is stopped"
     stop = stopped_for(process)
     if stop is not None:
         saw = f"the program was stopped after {seconds(process.ended_at or 0.0)}: it {stop.did}"
@@ -168,6 +168,6 @@ def alive_at_end(recording: Recording) -> Verdict:
         "alive-at-end.ended",
         f"{ended} (exit code {process.exit})",
         expected,
-        "A loop that counts, a spin with an end, or a missing rclpy.spin(node).",
+        "The cause is often a loop that counts, a spin with a time limit, or a missing rclpy.spin(node).",
         "Keep the node alive with rclpy.spin(node) until Ctrl-C.",
     )

@@ -35,10 +35,10 @@ def _clash(asked: SubscriberSeen, offered: Says) -> Verdict | None:
     def fail(cause: str, saw: str, try_this: str) -> Verdict:
         return failed(
             cause,
-            f"your subscription to {offered.topic} {saw}: the two are never matched",
+            f"your subscription to {offered.topic} {saw}: the two never match",
             f"a subscription that asks for no more than is offered: {_offer(offered)}",
-            "A subscription that requests more than the publisher offers gets no message at all. The WARN in your log "
-            "names the policy.",
+            "A subscription that requests more than the publisher offers receives no message at all. A warning "
+            "(WARN) in your log names the policy.",
             try_this,
         )
 
@@ -53,13 +53,14 @@ def _clash(asked: SubscriberSeen, offered: Says) -> Verdict | None:
         return fail(
             "hears.transient-local",
             "asks for transient local, and volatile is offered",
-            "Leave durability out of this subscription's QoSProfile: nothing is kept there for late joiners.",
+            "Leave durability out of this subscription's QoSProfile: this publisher keeps nothing for late "
+            "joiners.",
         )
     if asked.deadline is not None and offered.deadline is None:
         return fail(
             "hears.deadline-not-offered",
             f"asks for a deadline of {number(asked.deadline)} s, and none is offered",
-            "Leave the deadline out of the QoSProfile, and let a timer look at the clock.",
+            "Leave the deadline out of the QoSProfile, and let a timer check the clock.",
         )
     if asked.deadline is not None and offered.deadline is not None and asked.deadline < offered.deadline:
         return fail(
@@ -82,7 +83,8 @@ def kept_for_latecomers(recording: Recording, topic: Topic) -> Verdict:
                 "kept-for-latecomers.volatile",
                 f"{topic.name} is offered as {publisher.durability.replace('_', ' ')}",
                 expected,
-                "What a volatile publisher has said is gone: whoever comes later knows nothing until it speaks again.",
+                "A volatile publisher keeps no messages. A late subscription receives nothing until the next "
+                "message.",
                 "Give create_publisher() QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL).",
             )
         if publisher.reliability != "reliable":
@@ -90,7 +92,7 @@ def kept_for_latecomers(recording: Recording, topic: Topic) -> Verdict:
                 "kept-for-latecomers.best-effort",
                 f"{topic.name} is offered as transient local, but best effort",
                 expected,
-                "Old messages are handed over by the reliable protocol only; best effort sends each one once.",
+                "Earlier messages are delivered only to reliable connections. Best effort sends each message once.",
                 "Leave reliability out of the QoSProfile, or set ReliabilityPolicy.RELIABLE.",
             )
     return passed(f"{topic.name} is kept for those who come later")

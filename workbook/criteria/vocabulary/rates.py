@@ -103,8 +103,8 @@ def _at_one_moment(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
         "rate.once",
         saw,
         expected,
-        "It is published once, or far too rarely.",
-        f"Create a timer for it: publish in a callback, and let create_timer({topic.period}, ...) call it.",
+        "The message is published once, or far too rarely.",
+        f"Create a timer: publish in a callback, and let create_timer({topic.period}, ...) call it.",
         about_time=True,
     )
 
@@ -131,9 +131,9 @@ def _stops(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
         "rate.stops",
         saw,
         expected,
-        "The program runs on, and the publishing stops: a counter or a condition ends it, the timer is canceled, or "
-        "a callback does not return.",
-        "Publish on every tick of the timer, whatever was published before.",
+        "The program continues, but the publishing stops: a counter or a condition ends it, the timer is "
+        "canceled, or a callback never returns.",
+        "Publish on every tick of the timer, no matter what was published before.",
         about_time=True,
     )
 
@@ -144,9 +144,9 @@ def _falls_silent(topic: Topic, seen: Pace) -> Verdict:
         "rate.silence",
         f"a silence of {seconds(seen.gap.seconds)} {where}",
         _rate_expected(topic),
-        "Something blocks: while one callback works or sleeps, no other timer of the node runs. "
-        "Or several messages are published at once, and then none for a while.",
-        "Keep callbacks short, never sleep in one, and publish once in each.",
+        "Something blocks the node: while one callback works or sleeps, no other timer runs. Or several messages "
+        "are published at once, and then none for a while.",
+        "Keep callbacks short, never sleep in them, and publish once in each call.",
         about_time=True,
     )
 
@@ -157,7 +157,7 @@ def _too_few(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
         "rate.too-few",
         saw,
         _rate_expected(topic),
-        "Too few to tell a rate.",
+        "There are too few messages to measure a rate.",
         f"Let create_timer({topic.period}, ...) call the function that publishes.",
         about_time=True,
     )
@@ -195,7 +195,7 @@ def keeps_period(recording: Recording, topic: Topic) -> Verdict:
             "keeps-period.once",
             "one single message",
             expected,
-            "It is published once, not again and again.",
+            "The message is published once, not repeatedly.",
             _try_rate(topic),
             about_time=True,
         )
@@ -209,8 +209,8 @@ def keeps_period(recording: Recording, topic: Topic) -> Verdict:
         "keeps-period.other-period",
         f"typically {typical:.3g} s from one message to the next",
         expected,
-        "The period given to create_timer is near the right one, but not the right one; or a loop sleeps for the "
-        "period and takes the time of its work on top.",
+        "The period given to create_timer is slightly wrong. Or a loop sleeps for a full period and adds the time "
+        "of its work.",
         _try_rate(topic),
         about_time=True,
     )
@@ -232,7 +232,7 @@ def _other_rate(topic: Topic, hz: float, saw: str, expected: str) -> Verdict:
     if topic.hz != 1.0 and math.isclose(hz, 1 / topic.hz, rel_tol=0.15):
         return fail(
             "rate.period-for-frequency",
-            f"Period and frequency are mixed up: create_timer takes seconds, and {number(topic.hz)} as a period "
+            f"Period and frequency are swapped: create_timer takes seconds, and {number(topic.hz)} as a period "
             f"means {number(1 / topic.hz)} Hz.",
         )
     if hz > topic.hz:

@@ -42,7 +42,7 @@ def offers(recording: Recording, service: str, service_type: str) -> Verdict:
         "offers.nothing",
         f"no service {service}; your program offers {listing(sorted(seen)) or 'none'}",
         expected,
-        "No create_service() call was reached, or it has another name.",
+        "No create_service() call was reached, or it uses another name.",
         f"Call create_service({short}, {service!r}, self.on_request) in __init__.",
     )
 
@@ -62,7 +62,7 @@ def calls_service(recording: Recording, service: str, service_type: str) -> Verd
             "calls-service.other-type",
             f"the client for {service} is of type {listing(types)}",
             expected,
-            "Server and client of different types do not find each other, and nobody says so.",
+            "A server and a client of different types never connect, and nothing reports it.",
             f"Import {short} from {service_type.split('/')[0]}.srv and give it to create_client().",
         )
     blamed = failed_by_error(recording, f"no client for {service}", expected)
@@ -77,25 +77,27 @@ def _no_client(recording: Recording, service: str, short: str, expected: str) ->
             "calls-service.other-name",
             f"your node calls {near}, and not {service}",
             expected,
-            "The two names differ; ROS matches names letter by letter, and a call that nobody serves just waits.",
+            "The two names differ. ROS compares names letter by letter, and a call without a server just waits.",
             f"Write the name as {service!r}.",
         )
     return failed(
         "calls-service.no-client",
         f"no client for {service}; your program has {listing(names) or 'none'}",
         expected,
-        "No create_client() call was reached, or it has a very different name.",
+        "No create_client() call was reached, or it uses a very different name.",
         f"Call self.create_client({short}, {service!r}) in __init__.",
     )
 
 
 def _never_called(recording: Recording, service: str, expected: str) -> Verdict:
-    blamed = failed_by_error(recording, f"the client for {service} is there, but it never calls", expected)
+    blamed = failed_by_error(
+        recording, f"the client for {service} exists, but never sends a request", expected
+    )
     return blamed or failed(
         "calls-service.never-called",
         f"the client for {service} is there, but no call arrived",
         expected,
-        "No timer calls the method that asks; or the only call was made at once in __init__, before client and "
-        "server had found each other, and is lost.",
-        "Let a timer call the method that calls client.call_async().",
+        "No timer calls the method that sends requests. Or the only call was made in __init__, before client and "
+        "server had found each other, and was lost.",
+        "Let a timer call a method that calls client.call_async().",
     )

@@ -21,7 +21,7 @@ def program_ended(recording: Recording, saw: str, expected: str) -> Verdict | No
         "silence.program-ended",
         f"{saw}, and the program had ended",
         expected,
-        "The program ends by itself, and nothing is published after that.",
+        "The program ended by itself, so nothing was published after that.",
         "Keep the node alive with rclpy.spin(node) until Ctrl-C.",
         about_time=True,
     )
@@ -55,18 +55,19 @@ def gone_silent(recording: Recording, topic: Topic, since: float, saw: str, expe
             "silence.of-all",
             f"{saw}; nothing came on {listing(others)} after that, either",
             expected,
-            "The program runs, and nothing calls its callbacks any more: one of them does not return (an endless loop, "
-            "a long sleep, a wait), or the spin has ended.",
-            "Let every callback return after a moment: no while loop and no sleep in it. The timer calls it again.",
+            "The program runs, but nothing calls its callbacks any more: one of them never returns (an endless "
+            "loop, a long sleep, a wait), or the spin has ended.",
+            "Let every callback return quickly: no while loop and no sleep in it. The timer calls it again.",
             about_time=True,
         )
     return failed(
         "silence.of-one",
         f"{saw}, while {listing(going_on)} went on",
         expected,
-        "The program runs on, and only this is not published any more: a counter or a condition skips the publish(), "
-        f"its timer is canceled or was never made; or another callback does not return, such as one that publishes "
-        f"{listing(going_on)} in a loop of its own.",
-        f"Let create_timer({topic.period}, ...) call a callback that publishes each time, whatever it published last.",
+        "The program continues, but this topic is no longer published. A counter or a condition skips the "
+        "publish(), or its timer is canceled or was never created. Or another callback never returns, such as one "
+        f"that publishes {listing(going_on)} in a loop of its own.",
+        f"Let create_timer({topic.period}, ...) call a callback that publishes each time, no matter what it "
+        "published last.",
         about_time=not recording.following.get(topic.name, False),
     )

@@ -31,25 +31,25 @@ _STOPS = {
         "stopped.processes",
         f"ran more than {ANSWER_LIMITS.processes} processes at the same time",
         "A loop starts processes without end (os.fork, subprocess, multiprocessing).",
-        "One process is enough for a node; start others only when you must, and a fixed number.",
+        "One process is enough for a node. Start others only when you must, and only a fixed number of them.",
     ),
     "memory": Stop(
         "stopped.memory",
         f"took more than {_MEMORY_GB:g} GB of memory, all its processes together",
         "A list grows without end, or each of several processes keeps a copy of much data.",
-        "Keep only what the next message needs, and start no process that you do not need.",
+        "Keep only what the next message needs, and start only the processes that you need.",
     ),
     "sockets": Stop(
         "stopped.sockets",
         f"opened more than {ANSWER_LIMITS.sockets} sockets, or left more than {_QUEUED_MB} MB unread in them",
-        "A loop opens sockets or makes ROS contexts without end, or sends to a socket that nobody reads.",
+        "A loop opens sockets or creates ROS contexts without end, or it sends to a socket that is never read.",
         "One context and one node are enough; close each socket that you open.",
     ),
     "files": Stop(
         "stopped.files",
         f"made more than {_FILES} files",
         "A loop makes a new file each time, without end.",
-        "Write to one file, or to none: nobody reads the files of an answer.",
+        "Write to one file, or to none: the judge reads no files of an answer.",
     ),
 }
 _CRASHES = ("SIGSEGV", "SIGABRT", "SIGBUS", "SIGFPE", "SIGILL")
@@ -69,31 +69,31 @@ def ended_by_signal(process: ProcessRecord, saw: str, expected: str) -> Verdict:
             "signal.processor-time",
             saw,
             expected,
-            f"It has used all the processor time that an answer may use ({ANSWER_LIMITS.cpu} s): a loop computes "
+            f"The program used all the processor time that an answer may use ({ANSWER_LIMITS.cpu} s): a loop runs "
             "without a pause.",
-            "Let a timer do the work that repeats.",
+            "Let a timer do repeated work.",
         )
     if process.signal == "SIGKILL":
         return failed(
             "signal.killed",
             saw,
             expected,
-            "It was killed: by itself (os.kill), or by the machine, which had no memory left for it.",
-            "Look for a list that grows without end, and for calls of kill.",
+            "The program was killed: by itself (os.kill), or by the machine, which had no memory left.",
+            "Look for a list that grows without end, and for calls of os.kill.",
         )
     if process.signal in _CRASHES:
         return failed(
             "signal.crashed",
             saw,
             expected,
-            "It crashed below Python, in compiled code: by way of ctypes, by os.abort(), or because two threads used "
-            "one ROS object at the same time, or one that was destroyed.",
+            "The program crashed in compiled code: through ctypes, by os.abort(), or because of threads. Two "
+            "threads used one ROS object at the same time, or one used an object that was already destroyed.",
             "Let one executor spin each node, and destroy nodes only after the spin has returned.",
         )
     return failed(
         "signal.other",
         saw,
         expected,
-        "A signal ended it, and nothing in the program handles it.",
-        "Look for calls of kill and of alarm.",
+        "A signal ended the program, and nothing in the program handles that signal.",
+        "Look for calls of os.kill and signal.alarm.",
     )

@@ -24,7 +24,7 @@ def listens(recording: Recording, topic: Topic) -> Verdict:
             "The subscription was created with another message type.",
             f"Import {topic.short_type} from {topic.type.split('/')[0]}.msg and give it to create_subscription().",
         )
-    blamed = failed_by_error(recording, f"nobody listens to {topic.name}", expected)
+    blamed = failed_by_error(recording, f"nothing subscribes to {topic.name}", expected)
     if blamed is not None:
         return blamed
     near = misspelled(
@@ -35,12 +35,12 @@ def listens(recording: Recording, topic: Topic) -> Verdict:
             "listens.other-name",
             f"your node listens to {near}, and not to {topic.name}",
             expected,
-            "The two names differ; ROS matches names letter by letter.",
+            "The two names differ. ROS compares names letter by letter.",
             f"Write the name as {topic.name!r}.",
         )
     return failed(
         "listens.nothing",
-        f"nobody listens to {topic.name}",
+        f"nothing subscribes to {topic.name}",
         expected,
         "No create_subscription() call was reached.",
         f"Call create_subscription({topic.short_type}, {topic.name!r}, self.on_message, 10) in __init__.",

@@ -30,12 +30,15 @@ def one_of(recording: Recording, topic: Topic, allowed: Collection[str]) -> Verd
             words,
             quoting_field_checks(
                 recording,
-                "Empty text: the message was published before its data was set, or a field name is misspelled.",
+                "The text is empty: the message was published before its data was set, or a field name is "
+                "misspelled.",
             ),
             try_this,
             recheck_fields=True,
         )
-    return failed("one-of.other-text", saw, words, "Others compare this text letter by letter.", try_this)
+    return failed(
+        "one-of.other-text", saw, words, "Other programs compare this text letter by letter.", try_this
+    )
 
 
 @if_messages

@@ -60,7 +60,7 @@ def _not_published(recording: Recording, topic: Topic, expected: str) -> Verdict
         "publishes.nothing",
         f"nothing on {topic.name}; your program publishes {listing(names) or 'nothing'}",
         expected,
-        "The publisher is not created, or under a very different name.",
+        "The publisher is not created, or has a very different name.",
         f"Call create_publisher({topic.short_type}, {topic.name!r}, 10) in __init__.",
     )
 
@@ -97,7 +97,7 @@ def _under_other_name(recording: Recording, seen: str, wanted: str, expected: st
     if seen.lower() == wanted.lower():
         return fail(
             "publishes.other-case",
-            "Topic names are case-sensitive: capital and small letters are different names.",
+            "Topic names are case-sensitive: a capital letter makes a different name.",
         )
     owners = {publisher.node for publisher in recording.topic(seen).publishers}
     if any(wanted.endswith(seen.removeprefix(owner)) for owner in owners if seen.startswith(f"{owner}/")):
@@ -112,7 +112,7 @@ def _under_other_name(recording: Recording, seen: str, wanted: str, expected: st
             "publishes.other-namespace",
             f"The node runs in the namespace {seen[: -len(wanted)]}, which is put in front of a relative name.",
         )
-    return fail("publishes.other-name", "The two names differ; ROS matches names letter by letter.")
+    return fail("publishes.other-name", "The two names differ. ROS compares names letter by letter.")
 
 
 def no_message(recording: Recording, topic: Topic) -> Verdict | None:
@@ -125,7 +125,7 @@ def no_message(recording: Recording, topic: Topic) -> Verdict | None:
             "no-message.undecodable",
             f"{count(seen.undecodable, 'message')} on {topic.name} could not be decoded",
             f"readable {topic.short_type} messages",
-            "The bytes on the wire are no message of this type.",
+            "The bytes that were sent are not a message of this type.",
             "Publish message objects, not raw bytes.",
         )
     if seen.not_kept and seen.full_at is None:
@@ -133,8 +133,8 @@ def no_message(recording: Recording, topic: Topic) -> Verdict | None:
             "no-message.too-large",
             f"{count(seen.not_kept, 'message')} on {topic.name} came, larger than 4 MB",
             f"readable {topic.short_type} messages",
-            "A list that grows with every message, or far too many values.",
-            "Print the length of what you publish; begin a new list for every message.",
+            "The message contains a list that grows with every message, or far too many values.",
+            "Print the length of what you publish, and create a new list for every message.",
         )
     return _more_than_is_kept(recording, topic) or _silent(recording, topic)
 
@@ -149,9 +149,9 @@ def _silent(recording: Recording, topic: Topic) -> Verdict:
         "no-message.silent",
         f"the publisher on {topic.name} is there, but no message arrived in {lasted}",
         f"messages on {topic.name}",
-        "No timer calls the function that publishes, the node does not spin, or it published only once before "
-        "anybody was connected.",
-        "Create a timer for it in __init__, keep it running with rclpy.spin(node), and publish inside the callback.",
+        "No timer calls the function that publishes, or nothing spins the node. Or the node published only once, "
+        "before a subscription was connected.",
+        "Create a timer in __init__, publish in its callback, and keep the node running with rclpy.spin(node).",
         about_time=True,
     )
 

@@ -65,7 +65,7 @@ def mypy_clean(recording: Recording) -> Verdict:
     found = findings(recording)
     if not found:
         return passed("mypy --strict finds nothing")
-    expected = "a program in which mypy --strict finds nothing, without anything hidden from it"
+    expected = "a program in which mypy --strict finds nothing, and which hides nothing from it"
     hidden = _unfinished(recording, expected) or _hidden(found, expected)
     if hidden is not None:
         return hidden
@@ -91,17 +91,17 @@ def _hidden(found: list[Finding], expected: str) -> Verdict | None:
                 "mypy-clean.silenced",
                 f"line {finding.line}: `{finding.message}` {what}",
                 expected,
-                "Such a comment mends nothing. It switches the light off: the mistake stays, and so does the next one "
-                "in that line. It is not heeded here.",
-                "Remove the comment, run mypy, and mend what it then says.",
+                "Such a comment fixes nothing. It only hides the mistake, and every later mistake in that line. "
+                "The judge ignores it.",
+                "Remove the comment, run mypy, and fix what it reports.",
             )
         if finding.code == UNCHECKED:
             return failed(
                 "mypy-clean.unchecked",
                 f"line {finding.line}: {finding.message}",
                 expected,
-                "mypy does not look at this code, so that it finds nothing there means nothing.",
-                "Let mypy see the code that runs. if TYPE_CHECKING: is for imports that only hints need.",
+                "mypy does not check this code, so it cannot find mistakes there.",
+                "Let mypy check the code that runs. Use if TYPE_CHECKING: only for imports that hints need.",
             )
     return None
 
@@ -131,7 +131,7 @@ def mypy_accepts(recording: Recording, one: Probe) -> Verdict:
             "mypy-accepts.too-narrow",
             saw,
             expected,
-            "Your hints forbid what the exercise allows: they are too narrow, or not the ones meant.",
+            "Your hints forbid what the exercise allows: they are too narrow, or wrong.",
             "Compare the hint with the table of the exercise: what may the caller pass?",
         )
     reason = reason_for(first)
@@ -152,7 +152,7 @@ def mypy_objects(recording: Recording, one: Probe, *, cause: str, because: str, 
         if number not in found:
             return failed(
                 cause,
-                f"mypy has nothing against `{text}`",
+                f"mypy accepts `{text}`",
                 f"an error of mypy for {one.name}",
                 because,
                 try_this,
@@ -168,8 +168,8 @@ def _unfinished(recording: Recording, expected: str) -> Verdict | None:
                 "mypy.unfinished",
                 finding.message,
                 expected,
-                "Something in the program keeps the type checker busy beyond measure.",
-                "Look for types that contain themselves, or for data of many thousand elements in the program text.",
+                "Something in the program makes the type checker run for too long.",
+                "Look for types that contain themselves, or for a literal with many thousand elements.",
             )
     return None
 

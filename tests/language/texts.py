@@ -1,0 +1,167 @@
+"""Collects the passages that a person reads: from pages, tasks, lessons, the museum, and the strings of the code."""
+
+import ast
+import re
+import tomllib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = ("README.md", "CONTRIBUTING.md", "environment.md", "exercises/README.md", "docs/*.md")
+TASKS = ("solutions/*.py",)
+LESSONS = ("notebooks/sources/*.py",)
+MUSEUM = ("notebooks/sources/museum/*.toml", "notebooks/sources/planned.toml")
+CODE = ("exercises/criteria/*.py", "exercises/drivers/*.py", "workbook/**/*.py")
+NOT_READ = ("workbook/typings/", "workbook/authoring/skeletons/")
+
+FEWEST_WORDS = 3
+"""A string of the code with fewer words is a name, a key or a label."""
+CODE_WORD = "Code"
+"""Stands in a passage for a piece of code: one word, which may begin a sentence."""
+VALUE_WORD = "5"
+"""Stands in a passage for a value that is put in."""
+
+
+@dataclass(frozen=True)
+class Passage:
+    """A paragraph, a table cell, a list item or a string: where it begins, and its words without code and marks."""
+
+    path: str
+    line: int
+    text: str
+
+    @property
+    def where(self) -> str:
+        """The place as an editor opens it."""
+        return f"{self.path}:{self.line}"
+
+
+def paths(patterns: Sequence[str]) -> list[Path]:
+    """The files of some patterns, in order, without those that nobody reads."""
+    found = {path for pattern in patterns for path in ROOT.glob(pattern)}
+    return sorted(path for path in found if not name(path).startswith(NOT_READ))
+
+
+def name(path: Path) -> str:
+    return path.relative_to(ROOT).as_posix()
+
+
+def page_passages(path: Path) -> Iterator[Passage]:
+    """The passages of a markdown page."""
+    yield from markdown(name(path), 1, path.read_text(encoding="utf-8").splitlines())
+
+
+def script_passages(path: Path) -> Iterator[Passage]:
+    """The passages of a percent script: its header, its markdown cells, and the comments in its code."""
+    cell: list[str] = []
+    begin, reads = 1, "header"
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if line.startswith("# %%"):
+            yield from _cell(name(path), begin, cell, reads)
+            cell, begin = [], number + 1
+            reads = "text" if re.search(r"\[(markdown|hint|alternatives|explain)", line) else "code"
+        else:
+            cell.append(line)
+    yield from _cell(name(path), begin, cell, reads)
+
+
+def museum_passages(path: Path) -> Iterator[Passage]:
+    """The passages of a museum's file: what goes wrong, and the terms."""
+    text = path.read_text(encoding="utf-8")
+    for entry in (
+        one for several in tomllib.loads(text).values() if isinstance(several, list) for one in several
+    ):
+        for field, value in entry.items():
+            if isinstance(value, str) and field not in ("cell", "shows"):
+                at = text.find(value[:30])
+                yield from markdown(name(path), text.count("\n", 0, at) + 1, value.splitlines())
+
+
+def string_passages(path: Path) -> Iterator[Passage]:
+    """The strings of a module that hold words, except its docstrings."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    silent |= {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and id(node) not in silent:
+            text = node.value
+        elif isinstance(node, ast.JoinedStr):
+            text = "".join(_piece(piece) for piece in node.values)
+        else:
+            continue
+        if "\n" in text and not re.search(r"[a-z][.:,]? *\n", text):
+            continue
+        for passage in markdown(name(path), node.lineno, text.splitlines()):
+            if is_prose(passage.text):
+                yield passage
+
+
+def is_prose(text: str) -> bool:
+    """Whether a string holds words for a person: no pattern, no path, no piece of code."""
+    words = re.findall(r"(?<![\w/.-])[A-Za-z][a-z']*(?![\w/=(])", text)
+    return len(words) >= FEWEST_WORDS and not re.search(r"\\[\w.(]|\(\?|[{};<>=]{2}|^[.#@]\w+ {", text)
+
+
+def markdown(path: str, first: int, lines: Sequence[str]) -> Iterator[Passage]:
+    """The passages of markdown lines. `first`: the number of the first line."""
+    gathered: list[str] = []
+    begin, fenced, was_text = first, False, False
+    for number, line in enumerate([*lines, ""], first):
+        bare = line.strip()
+        fence = bare.startswith("```")
+        ends = fence or fenced or not bare or bare.startswith("|")
+        starts = bool(re.match(r"([-*>#]|\d+\.) ?|</?(details|summary)", bare)) and not bare.startswith("**")
+        indented = line.startswith("    ") and not was_text
+        if (ends or starts or indented) and gathered:
+            yield from _passage(path, begin, " ".join(gathered))
+            gathered = []
+        fenced ^= fence
+        was_text = bool(bare) and not fence and not fenced and not indented
+        if bare.startswith("|") and not fenced:
+            for table_cell in re.split(r"(?<!\\)\|", _without_code(bare)):
+                yield from _passage(path, number, table_cell)
+        elif was_text and not ends:
+            begin = begin if gathered else number
+            gathered.append(bare)
+
+
+def sentences(passage: Passage) -> list[str]:
+    """The sentences of a passage. A list after a colon counts as one with what stands before it."""
+    return [one for one in re.split(r"(?<=[.!?])[\"')]* +(?=[\"'(]*[A-Z0-9])", passage.text) if one]
+
+
+def length(sentence: str) -> int:
+    """How many words a sentence has; code and values count as one each."""
+    return len(re.findall(r"[^\W_][\w'’/.-]*", sentence))
+
+
+def _cell(path: str, begin: int, lines: list[str], reads: str) -> Iterator[Passage]:
+    """The passages of one cell of a percent script."""
+    if reads == "text":
+        yield from markdown(path, begin, [re.sub(r"^# ?", "", line) for line in lines])
+        return
+    for number, line in enumerate(lines, begin):
+        if reads == "header":
+            found = re.match(r"#   - (?P<text>.*)|# title: (?P<title>.*)", line)
+        else:
+            found = re.search(r"(?:^| )# (?:\| +)?(?!\[|%|type:|noqa)(?P<text>#? ?[A-Za-z].*)$", line)
+        if found:
+            yield from _passage(path, number, found["text"] or found[found.lastindex or 0] or "")
+
+
+def _passage(path: str, line: int, text: str) -> Iterator[Passage]:
+    text = re.sub(r"!?\[([^\]]*)\]\([^)\s]*\)", r"\1", text)  # a link is its words
+    text = _without_code(text)
+    text = re.sub(r"<[^>]+>|\*\*|(?<!\w)[*_](?=\w)|(?<=\w)[*_](?!\w)", "", text)
+    text = re.sub(r"^(#+|[->]|\d+\.) +", "", text.strip())
+    if re.search("[A-Za-z]", text):
+        yield Passage(path, line, " ".join(text.split()))
+
+
+def _without_code(text: str) -> str:
+    return re.sub(r"(`+).+?\1|\$[^$]+\$|https?://\S+", CODE_WORD, text)
+
+
+def _piece(node: ast.expr) -> str:
+    return str(node.value) if isinstance(node, ast.Constant) else VALUE_WORD
