@@ -89,12 +89,12 @@ def _file(options: argparse.Namespace, source: "ExerciseSource") -> Path:
 
 def _watch(options: argparse.Namespace, source: "ExerciseSource", file: Path) -> int:
     from workbook.cli.watch.mode import Watched, WatchMode
-    from workbook.cli.watch.screen import Screen
+    from workbook.cli.watch.screen import WatchScreen
 
     def note(judgement: "Judgement", answer: "Answer") -> None:
         _note(judgement, answer, file)
 
-    return WatchMode(Watched(source, file, options.as_graded, note), Screen()).run()
+    return WatchMode(Watched(source, file, options.as_graded, note), WatchScreen()).run()
 
 
 def _note(judgement: "Judgement", answer: "Answer", file: Path) -> None:

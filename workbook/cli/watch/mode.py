@@ -11,7 +11,7 @@ from workbook.cli import terminal
 from workbook.cli.hint import hints_of
 from workbook.cli.places import as_typed
 from workbook.cli.verdict_text import FULL_MARKS, NOT_JUDGED, NOT_YET, verdict_text
-from workbook.cli.watch.screen import Screen
+from workbook.cli.watch.screen import WatchScreen
 from workbook.exercise.answers import Answer, Ungradable, read_answer
 from workbook.exercise.judgement import Judgement
 from workbook.exercise.source import ExerciseSource
@@ -55,7 +55,7 @@ class Watched:
 class WatchMode:
     """Judges at each save until Ctrl-C or `q`; `run` returns the exit code of the last judgement."""
 
-    def __init__(self, watched: Watched, screen: Screen) -> None:
+    def __init__(self, watched: Watched, screen: WatchScreen) -> None:
         self._watched = watched
         self._screen = screen
         self._slot: Slot | None = Slot()

@@ -15,7 +15,7 @@ _CLEAR = "\x1b[H\x1b[2J\x1b[3J"
 """Cursor to the first place, clear the screen, forget what was scrolled away."""
 
 
-class Screen:
+class WatchScreen:
     """Shows one text at a time: on a terminal each replaces the one before it, elsewhere they follow one another."""
 
     def __init__(self) -> None:
