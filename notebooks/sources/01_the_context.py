@@ -279,11 +279,7 @@ began = time.monotonic()
 robots = talk(PLACES, seconds=5)
 for place, robot in robots.items():
     print(f"{place:<8} on domain {PLACES[place]} hears {', '.join(robot.others()) or 'nobody else'}")
-reveal(
-    "three-contexts",
-    kitchen_hears=len(robots["kitchen"].others()),
-    garden_hears=len(robots["garden"].others()),
-)
+reveal("three-contexts", kitchen_hears=len(robots["kitchen"].others()), garden_hears=len(robots["garden"].others()))
 
 # %%
 from workbook.pictures.timeline import strip
@@ -402,12 +398,7 @@ for name, end in ends.items():
     last_line = end.log.strip().splitlines()[-1].split(", at ")[0]
     print(f"{name}: exit code {end.exit}, arms parked: {'arms parked' in end.log}")
     print(f"    last line: {last_line}")
-reveal(
-    "after-ctrl-c",
-    hopeful=ends["hopeful"].exit,
-    careful=ends["careful"].exit,
-    seasoned=ends["seasoned"].exit,
-)
+reveal("after-ctrl-c", hopeful=ends["hopeful"].exit, careful=ends["careful"].exit, seasoned=ends["seasoned"].exit)
 
 # %% [markdown]
 # **hopeful** never comes to the line after `spin`. `spin` does not return on Ctrl-C, it *raises*, and the exception takes

@@ -108,11 +108,7 @@ print("heard:", len(monitor.heard))
 
 # %%
 print("subscriptions that the robot counts:", robot.beat_publisher.get_subscription_count())
-reveal(
-    "eight-beats",
-    heard=len(monitor.heard),
-    matched=robot.beat_publisher.get_subscription_count(),
-)
+reveal("eight-beats", heard=len(monitor.heard), matched=robot.beat_publisher.get_subscription_count())
 
 # %% [markdown]
 # ## Look inside
@@ -503,10 +499,10 @@ print("the slowest took more than twice as long as the fastest:", max(found_ms) 
 #   when `missed == 1`
 #   ✗ After a missed deadline, DDS starts to count anew, and reports again when the next period is over.
 # - **c** Four times a second, once for each beat that is missing.
-#   when `missed >= 9`
+#   when `missed > 6`
 #   ✗ Beats are due four times a second, but the watcher has not asked for that. Its deadline is 1.0 s.
 # - **d** Again and again, once in each second of silence.
-#   when `1 < missed < 9`
+#   when `1 < missed <= 6`
 #   ✓ The deadline that counts is the one that the watcher requested, 1.0 s. It is missed once in each second of
 #   silence.
 

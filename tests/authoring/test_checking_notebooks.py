@@ -260,7 +260,12 @@ def test_what_looks_like_a_link_in_code_is_none(course: Tree) -> None:
             "has no alternative text",
         ),
         ("notebooks/sources/21_beeps.py", "print(1 / 0.1)", "# NBVAL_SKIP\nprint()", "write a tag instead"),
-        ("notebooks/sources/21_beeps.py", '# %%\nrecall("b")\n', "", "before the next one"),
+        (
+            "notebooks/sources/21_beeps.py",
+            '# %%\nreveal("slower")\nreveal("half-a-second", rate=1 / 0.5)\n',
+            "",
+            "before the next one",
+        ),
     ],
 )
 def test_a_fault_in_a_text_is_found(course: Tree, name: str, old: str, new: str, says: str) -> None:
@@ -321,8 +326,8 @@ def test_links_to_the_neighbors_are_stale_until_they_are_built(course: Tree) -> 
     path = lights(course)
     stale = "the **Before:** and **Next:** lines are not those of the neighbors: run `make notebooks`"
     assert [words for words in told(course) if stale in words] == [
-        f"notebooks/sources/21_beeps.py:156: {stale}",
-        f"notebooks/sources/22_lights.py:156: {stale}",
+        f"notebooks/sources/21_beeps.py:177: {stale}",
+        f"notebooks/sources/22_lights.py:177: {stale}",
     ]
     before = path.read_text(encoding="utf-8")
     assert write_links(course) == ["21_beeps", "22_lights"]
