@@ -86,14 +86,6 @@ def environment(pid: int) -> list[bytes]:
         return []
 
 
-def command_line(pid: int) -> str:
-    """How a process was started, as it tells it itself; empty when it has ended."""
-    try:
-        return read(f"/proc/{pid}/cmdline").replace(b"\0", b" ").decode(errors="replace")
-    except OSError:
-        return ""
-
-
 def status(pid: int | str = "self") -> dict[str, str]:
     """Fields of /proc/PID/status by name. Raises OSError when it has ended."""
     lines = read(f"/proc/{pid}/status").decode(errors="replace").splitlines()

@@ -130,7 +130,7 @@ def _user(user: int | None) -> str:
 
 def _command(pid: int) -> str:
     """How a process was started, in short. It is text of a stranger's."""
-    said = proc.command_line(pid).replace("`", "'")
+    said = proc.command_line(pid).replace(b"\0", b" ").decode(errors="replace").replace("`", "'")
     text = " ".join("".join(one if one.isprintable() else " " for one in said).split())
     return text if len(text) <= LONGEST_COMMAND else f"{text[: LONGEST_COMMAND - 1]}…"
 
