@@ -1,4 +1,4 @@
-"""Pages that need no JupyterLab, in both themes: of the class, of students, and the lessons as anybody reads them."""
+"""The pages of a class and of its students, in both themes. They need a Chromium, and no JupyterLab."""
 
 import re
 from collections.abc import Iterator
@@ -19,7 +19,6 @@ from .student_lab import ROOT
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 THEMES = ("light", "dark")
 WIDTHS = (400, 800, 1280)
-LESSONS = sorted((ROOT / "notebooks").glob("[0-9]*.ipynb"))
 BESIDE = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
 KINDS_OF_PAGES = {
     "full marks": "Ada Lovelace",
@@ -147,18 +146,5 @@ def test_every_cell_of_the_map_leads_to_the_line_it_stands_for(books: Path, them
     page.locator("#students td.failed a").first.click()
     expect(page.locator("tr:target")).to_contain_text("✗ not yet")
     page.go_back()
-    page.locator("#students td a", has_text="timeline").first.click()
+    page.locator("#students td a", has_text="timeline").last.click()
     expect(page.locator(":target img")).to_have_attribute("alt", re.compile("Hz"))
-
-
-@both_themes
-@pytest.mark.parametrize("path", LESSONS, ids=lambda path: path.stem)
-def test_a_lesson_is_for_everybody(path: Path, themed: BrowserContext, theme: str, tmp_path: Path) -> None:
-    from nbconvert import HTMLExporter
-
-    html, _ = HTMLExporter(theme=theme).from_filename(str(path))
-    written = tmp_path / "lesson.html"
-    written.write_text(html, encoding="utf-8")
-    page = opened(themed, written)
-    expect(page.locator(".jp-Cell").first).to_be_visible()
-    assert violations(page, ".jp-RenderedMarkdown", ".jp-OutputArea-output") == []
