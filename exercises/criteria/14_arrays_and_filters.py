@@ -525,6 +525,20 @@ def why_missing(recording: Recording, missing: list[int]) -> Verdict:
             error.because,
             error.try_this,
         )
+    return missing_for_a_reason(saw, missing) or see.failed(
+        "every-one-answered.missing",
+        saw,
+        ONE_EACH,
+        "The node was busy or its queue too short while they came; a timer answers only the newest; or there are "
+        "messages that the callback does not answer.",
+        "Publish inside the callback, in every call of it, keep it short, and give the subscription a depth of 10 or "
+        "more.",
+        about_time=True,
+    )
+
+
+def missing_for_a_reason(saw: str, missing: list[int]) -> Verdict | None:
+    """Why just these messages were not answered; None if they have nothing in common."""
     if set(missing) <= set(NAN_AT):
         return see.failed(
             "every-one-answered.nan-left-out",
@@ -558,16 +572,7 @@ def why_missing(recording: Recording, missing: list[int]) -> Verdict:
             "Fill the memory with the first message as often as it has room, and answer from the first one on.",
             about_time=True,
         )
-    return see.failed(
-        "every-one-answered.missing",
-        saw,
-        ONE_EACH,
-        "The node was busy or its queue too short while they came; a timer answers only the newest; or there are "
-        "messages that the callback does not answer.",
-        "Publish inside the callback, in every call of it, keep it short, and give the subscription a depth of 10 or "
-        "more.",
-        about_time=True,
-    )
+    return None
 
 
 def not_filtered(recording: Recording) -> list[int]:
