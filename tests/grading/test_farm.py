@@ -505,5 +505,5 @@ def test_a_damaged_judgement_is_not_taken(judgement: Judgement, change: Any) -> 
 
 @pytest.mark.parametrize("data", [None, [], "graded", 7, {}])
 def test_what_is_no_judgement_is_not_taken(data: object) -> None:
-    with pytest.raises(ValueError, match="no judgment"):
+    with pytest.raises(ValueError, match="not a judgment"):
         from_afar(data)
