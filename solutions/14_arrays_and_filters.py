@@ -28,7 +28,7 @@
 #
 # ## What to build
 #
-# One program that is spun until somebody ends it.
+# One program that is spun until Ctrl-C ends it.
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
@@ -51,7 +51,7 @@
 # several or all of them, in up to three messages in a row, but never in the first message after a start, and only
 # while the joints stand still.
 #
-# **The restart.** The stamp says how long the board of the encoders had been switched on when it measured. When somebody
+# **The restart.** The stamp says how long the board of the encoders had been switched on when it measured. When an engineer
 # switches it off and on again, its stamps begin again near zero, so a stamp is *before* the last one. Meanwhile the
 # joints were turned by hand. What your filter remembers is then worth nothing.
 #

@@ -4,6 +4,7 @@ A file stays together, long ones begin first, lessons go side by side.
 """
 
 import gc
+import os
 import re
 import tempfile
 from collections.abc import Iterator
@@ -39,6 +40,8 @@ ON_THE_WALL_CLOCK = {
 BROWSERS = 2
 """How many JupyterLabs, each with a Chromium, share the lessons. What else needs a browser goes to the first."""
 
+
+os.environ.pop("COLUMNS", None)  # workers have one, and what is printed there would be broken to fit it
 
 # Property tests: the same examples in every run, and no deadline that a busy machine could miss.
 settings.register_profile(

@@ -544,7 +544,7 @@ def missing_for_a_reason(saw: str, missing: list[int]) -> Verdict | None:
             "every-one-answered.nan-left-out",
             saw,
             ONE_EACH,
-            "Messages with a NaN are left out. But the other joints were measured, and whoever controls the robot "
+            "Messages with a NaN are left out. But the other joints were measured, and the controller of the robot "
             "waits for an answer.",
             "Put the last good angle in the place of the NaN, and answer.",
             about_time=True,

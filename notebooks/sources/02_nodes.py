@@ -142,7 +142,7 @@ right.destroy_node()
 # A node is not a process. Above, this one process had two of them. And a class is not a node: it is a plan, from which
 # you can make as many as you like.
 #
-# What has a node from birth? We ask for everything, also for what tools usually leave out:
+# What does a new node have? We ask for everything, also for what tools usually leave out:
 
 # %%
 from workbook.ros import node_info

@@ -135,7 +135,7 @@ print("kept by the black box:   ", kept)
 print("callbacks of the guard:  ", len(guard.heard))
 
 # %% [markdown]
-# The guard has done nothing at all. Now somebody spins it:
+# The guard has done nothing at all. Now we spin it:
 
 # %%
 from workbook.lesson import run

@@ -449,7 +449,7 @@ angles[:] = [0.9, 1.7, -0.4]
 print(angles)
 
 # %% [markdown]
-# NumPy cuts the angles off, without a word. `np.zeros(3)` makes an array of `float64`.
+# NumPy cuts the angles off and prints nothing. `np.zeros(3)` makes an array of `float64`.
 #
 # **A message with a view cannot grow.** As long as a view looks at its memory, an `array.array` keeps its size:
 
@@ -567,7 +567,7 @@ else:
 #
 # <details><summary>a) `np.nan_to_num` behind the filter</summary>
 #
-# ✗ The NaN sits in the memory of the filter. Behind it, you would publish zeros for ever.
+# ✗ The NaN sits in the memory of the filter. Behind it, you would publish zeros forever.
 #
 # </details>
 # <details><summary>b) A lower cutoff frequency</summary>

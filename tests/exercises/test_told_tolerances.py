@@ -150,7 +150,7 @@ def test_05_tells_what_evenly_means() -> None:
     told = task("05_timers")
     assert f"on average within {share(MEAN_TOLERANCE)}, and never more than one and a half periods" in told
     assert LONGEST_GAP_PERIODS == 1.5
-    assert "there a tenth of a period is allowed" in told and INTERVAL_TOLERANCE == 0.1
+    assert "for them a tenth of a period is allowed" in told and INTERVAL_TOLERANCE == 0.1
 
 
 @pytest.mark.parametrize("stem", ["08_humanoid_status_publisher", "09_joint_positions"])

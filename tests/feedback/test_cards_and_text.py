@@ -225,7 +225,7 @@ def test_a_failed_card_says_what_to_mend_first_and_why() -> None:
 
 def test_what_waits_says_so_instead_of_a_red_line() -> None:
     text = Reader(card_of(judged("wrong_name"))._repr_html_()).text
-    assert text.count("– waits") == text.count("because this does not hold yet") == 4
+    assert text.count("– waits") == text.count("because this has not passed yet") == 4
     assert text.count("✗ not yet") == 1
     assert "/robot/joint_angles" in text
 

@@ -23,7 +23,7 @@ class Wanted:
 
 
 @dataclass(frozen=True)
-class Option:
+class CommandOption:
     """One option under its long name, what it does, and its value if it takes one."""
 
     name: str
@@ -40,7 +40,7 @@ class Command:
 
     words: tuple[str, ...]
     below: dict[str, str]
-    options: tuple[Option, ...]
+    options: tuple[CommandOption, ...]
     places: tuple[Wanted, ...]
 
 
@@ -57,9 +57,9 @@ def commands_of(parser: CommandParser, words: tuple[str, ...] = ()) -> Iterator[
         yield from commands_of(inner, (*words, name))
 
 
-def _option(action: argparse.Action) -> Option:
+def _option(action: argparse.Action) -> CommandOption:
     takes_value = action.nargs != 0
-    return Option(
+    return CommandOption(
         action.option_strings[-1], _short(action.help or ""), _wanted(action) if takes_value else None
     )
 

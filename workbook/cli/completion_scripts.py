@@ -5,7 +5,7 @@ Each script goes through the words before the cursor once, to find the command a
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from workbook.cli.command_tree import FILES, Command, Option, Wanted
+from workbook.cli.command_tree import FILES, Command, CommandOption, Wanted
 
 Words = Mapping[str, Sequence[str]]
 """The words of each kind: the exercises and the topics."""
@@ -196,9 +196,9 @@ def _told(offer: str, texts: Mapping[str, str]) -> str:
 
 def _cases(
     commands: Sequence[Command], words: Words
-) -> tuple[_Cases, list[tuple[str, Sequence[Option]]], _Cases]:
+) -> tuple[_Cases, list[tuple[str, Sequence[CommandOption]]], _Cases]:
     """What to offer: for the value of an option, for options, and for a place, each under its pattern."""
-    values, options, places = _Cases(), list[tuple[str, Sequence[Option]]](), _Cases()
+    values, options, places = _Cases(), list[tuple[str, Sequence[CommandOption]]](), _Cases()
     for command in commands:
         here = " ".join(command.words)
         options.append((here, command.options))

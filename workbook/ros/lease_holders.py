@@ -91,7 +91,7 @@ def told(holders: Sequence[Holder], own: int | None = None) -> str:
         numbers = " ".join(map(str, mine[:MOST_NAMED]))
         advice.append(f"close notebooks and end graders of your own that you do not need (`kill {numbers}`)")
     if others:
-        advice.append(f"ask {_listed(sorted(others))}, or whoever runs this machine, to end theirs")
+        advice.append(f"ask {_listed(sorted(others))}, or the administrator of this machine, to end theirs")
     if not advice:
         advice.append("close some of them")
     return f"Leased: {'; '.join(lines)}. {_sentence(', or '.join(advice))}; then try again."
