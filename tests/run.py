@@ -28,6 +28,7 @@ TESTS_LIMIT_S = 50 * 60.0
 SUMMARY_LIMIT_S = 120.0
 MOST_ALONE = 3
 """So many failed tests are run again, alone: a fault of the code fails again, a busy machine does not."""
+NOT_STEADY = "not_steady.txt"
 NEVER_FORGIVEN = "full marks for a wrong answer"
 """In the words of a failure: whatever comes of a second run, this must not happen even once."""
 
@@ -143,10 +144,12 @@ def run(plan: Sequence[Step], say: Callable[[str], None]) -> list[str]:
         failed = [line for lines in pool.map(run_group, groups) for line in lines]
     for step in plan:
         if step.report is not None:
-            step.report.unlink(missing_ok=True)
+            for old in (step.report, first_report(step.report), ARTIFACTS / NOT_STEADY):
+                old.unlink(missing_ok=True)
             say(f"── {step.name}")
             lines = _run_tests(step, environ, TESTS_LIMIT_S)
-            failed += lines if not lines or not _may_run_alone(step) else _run_alone(step, environ, say)
+            only_failures = lines == [f"{step.name} (exit 1)"]  # not: interrupted, or broken off
+            failed += _run_alone(step, environ, say) if only_failures and _may_run_alone(step) else lines
     return failed
 
 
@@ -156,8 +159,14 @@ def failures(report: Path) -> dict[str, str]:
     if report.is_file():
         for case in ElementTree.parse(report).iter("testcase"):
             for told in (*case.findall("failure"), *case.findall("error")):
-                found[f"{case.get('classname')}::{case.get('name')}"] = f"{told.get('message')}\n{told.text}"
+                name = f"{case.get('classname')}::{case.get('name')}"
+                found[name] = found.get(name, "") + f"{told.get('message')}\n{told.text}\n"
     return found
+
+
+def first_report(report: Path) -> Path:
+    """Where the report of the whole run is kept when some tests run again."""
+    return report.with_stem(f"{report.stem}_side_by_side")
 
 
 def _may_run_alone(step: Step) -> bool:
@@ -175,8 +184,8 @@ def _run_alone(step: Step, environ: dict[str, str], say: Callable[[str], None]) 
     """Run the failed tests once more with nothing beside them; the report of the first run is kept."""
     assert step.report is not None
     unsteady = [*failures(step.report)]
-    step.report.replace(step.report.with_stem(f"{step.report.stem}_side_by_side"))
-    (ARTIFACTS / "not_steady.txt").write_text("".join(f"{name}\n" for name in unsteady), encoding="utf-8")
+    step.report.replace(first_report(step.report))
+    (ARTIFACTS / NOT_STEADY).write_text("".join(f"{name}\n" for name in unsteady), encoding="utf-8")
     say("── once more, alone. What fails again is at fault; what passes now is not steady, and wants repair:")
     say("\n".join(f"   {name}" for name in unsteady))
     return _run_tests(replace(step, command=step.alone), environ, TESTS_LIMIT_S)
@@ -233,7 +242,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     failed = run(plan, say)
     if os.environ.get("CI", "").lower() in ("1", "true"):
         patterns = allowed_patterns(ALLOWED_SKIPS.read_text(encoding="utf-8"))
-        skips = [skip for step in plan if step.report is not None for skip in skipped(step.report)]
+        reports = [step.report for step in plan if step.report is not None]
+        skips = [skip for one in reports for report in (first_report(one), one) for skip in skipped(report)]
         failed += [
             f"skipped, and not in .ci/allowed_skips: {name} ({why})"
             for name, why in unlisted(skips, patterns)

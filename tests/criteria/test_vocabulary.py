@@ -179,7 +179,13 @@ def test_alive_at_end() -> None:
 
 @pytest.mark.parametrize(
     ("limit", "words"),
-    [("output", "printed"), ("processes", "processes"), ("memory", "memory"), ("files", "files")],
+    [
+        ("output", "printed"),
+        ("processes", "processes"),
+        ("memory", "memory"),
+        ("files", "files"),
+        ("disk", "wrote"),
+    ],
 )
 def test_a_program_that_was_stopped_for_a_limit_is_not_alive(limit: str, words: str) -> None:
     stopped = replace(LIVING, exit=None, signal="SIGKILL", limits_hit=(limit,))

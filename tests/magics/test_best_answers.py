@@ -61,6 +61,16 @@ def test_a_later_wrong_try_changes_nothing(folder: Path) -> None:
     assert hands_in_another(STEM)
 
 
+def test_what_was_judged_meanwhile_is_not_lowered_by_a_check_that_ends_later(folder: Path) -> None:
+    """A check is still under way when a terminal judges a better version."""
+    slow = check(folder, "robot = 'eight'\n", EIGHT)
+    check(folder, "robot = 'right'\n", FULL)
+    slow.note(EIGHT)
+    progress = load_progress(STEM)
+    assert (progress.tries, progress.solved, progress.best) == (2, True, 10.0)
+    assert best_text(STEM) == "robot = 'right'\n"
+
+
 def test_the_last_word_of_a_check_counts_and_is_one_try(folder: Path) -> None:
     """Full marks on robot time, and then the program ends before its real seconds have passed."""
     check(folder, "robot = 'ends early'\n", FULL, EIGHT)

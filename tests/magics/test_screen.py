@@ -50,6 +50,22 @@ def test_a_starter_on_the_screen_is_not_judged_in_place_of_work(kernel: Kernel) 
     assert answer_file(kernel).read_text() == BROKEN
 
 
+def test_an_emptied_cell_takes_nothing_away(kernel: Kernel) -> None:
+    kernel.good(f"{LINE}{BROKEN}")
+    for magic in ("%check", "%start"):
+        shown = kernel.good(f"{magic} {STEM}", on_screen=[LINE])
+        assert shown.text.startswith("The answer cell is empty.")
+    assert answer_file(kernel).read_text() == BROKEN
+
+
+def test_what_was_not_run_is_kept_when_something_else_takes_its_place(kernel: Kernel) -> None:
+    kernel.good(f"{LINE}{BROKEN}")
+    kernel.good(f"%reset {STEM}", on_screen=[f"{LINE}speed = 5\n"])
+    previous = [one.read_text() for one in (answer_file(kernel).parent / ".previous").iterdir()]
+    assert sorted(previous) == sorted([BROKEN, "speed = 5\n"])
+    assert answer_file(kernel).read_text().strip() == STARTER.strip()
+
+
 def test_without_such_a_front_end_the_version_that_ran_is_named(kernel: Kernel) -> None:
     kernel.good(f"{LINE}{BROKEN}")
     [html] = kernel.good("%check").html

@@ -151,6 +151,8 @@ def test_a_file_cannot_be_silenced() -> None:
         "def f() -> None:\n    if TYPE_CHECKING:\n        return\n    x: int = 'a'\n",
         "import sys\nsys.platform = 'win32'\nif sys.platform == 'win32':\n    x: int = 'a'\n",
         "import sys as s\ns.platform = 'win32'\nif s.platform == 'win32':\n    x: int = 'a'\n",
+        "class sys:\n    platform = 'win32'\nif sys.platform == 'win32':\n    x: int = 'a'\n",
+        "import sys\nif sys.version_info > (3, 11):\n    x: int = 'a'\n",
     ],
 )
 def test_code_that_mypy_would_skip_is_reported(program: str) -> None:

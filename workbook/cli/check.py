@@ -2,6 +2,7 @@
 
 import argparse
 import sys
+from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -102,7 +103,8 @@ def _note(judgement: "Judgement", answer: "Answer", file: Path) -> None:
     from workbook.lesson.best_answers import Check
 
     if file.resolve().parent == student_answers().resolve():
-        Check(judgement.stem, answer.text).note(judgement)
+        with suppress(OSError):  # a full disk costs the note, and not the verdict
+            Check(judgement.stem, answer.text).note(judgement)
 
 
 def _not_judged(error: Exception) -> int:

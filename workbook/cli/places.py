@@ -18,8 +18,9 @@ def student_answers() -> Path:
 
     folder = answers_folder()
     if not os.environ.get(ANSWERS_VARIABLE):
-        # An `answers` folder of the course itself is an instructor's, who grades it.
-        if not folder.is_dir() or folder.parent.resolve() == course_folder().resolve():
+        # An `answers` folder of the course itself is an instructor's, who grades it. One above it is another's.
+        course = course_folder().resolve()
+        if not folder.is_dir() or folder.parent.resolve() in (course, *course.parents):
             folder = student_folder() / ANSWERS
         os.environ[ANSWERS_VARIABLE] = str(folder)
     return folder

@@ -39,12 +39,16 @@ class Moment:
 def gained(before: float, now: float, solved: int, of: int) -> str:
     """What this check earned, in words, and how many exercises are solved now."""
     if now > before > 0:
-        points = f"{now - before:g} more points than before. "
+        points = f"{now - before:g} more {_points(now - before)} than before. "
     elif now > before:
-        points = f"You gained {now:g} points. "
+        points = f"You gained {now:g} {_points(now)}. "
     else:
         points = "You had these points already, and they stay yours. "
     return f"{points}{solved} of {of} exercises solved."
+
+
+def _points(number: float) -> str:
+    return "point" if number == 1 else "points"
 
 
 def what_comes_next(course: Path, stem: str) -> tuple[str, str]:
@@ -75,7 +79,8 @@ def film_of(recording: Recording) -> Film:
                 follower.aim(angles, t)
             pictures.append(humanoid.draw(follower.angles(t), lamp=lamp, scale=SCALE))
         pictures.append(humanoid.draw(poses[-1][0], lamp=poses[-1][1], scale=SCALE))
-        text = f"Your robot moves through the first {len(poses)} poses that your program sent."
+        first = "first pose" if len(poses) == 1 else f"first {len(poses)} poses"
+        text = f"Your robot moves through the {first} that your program sent."
     else:
         lamp = _lamp(recording, recording.robot_s)
         for number in range(round(WAVE_S * FRAMES_PER_S)):

@@ -39,6 +39,10 @@ class SlotBroken(RuntimeError):
     """The slot ended or did not answer in time. The message says which; the answer was not judged."""
 
 
+class NotBegun(SlotBroken):
+    """The slot could not begin: no answer is to blame. The message says why."""
+
+
 def _environment(own_criteria: Path | None) -> dict[str, str]:
     """What a slot is started with."""
     # A slot makes its own log folder. One of ours would stay behind if we were killed.
@@ -116,7 +120,7 @@ class Slot:
         message = json.loads(line)
         assert isinstance(message, dict)
         if "broken" in message:
-            raise SlotBroken(message["broken"])
+            raise NotBegun(message["broken"])
         return message
 
     def _own_bytes(self) -> int:
@@ -282,7 +286,7 @@ def _judge_with_retry(
             return slot, judgement
         except Exception as error:  # whatever it is, the answer must not get lost
             reason = str(error) or type(error).__name__
-            stopped += at_work and isinstance(error, SlotBroken)
+            stopped += at_work and isinstance(error, SlotBroken) and not isinstance(error, NotBegun)
             if slot is not None:
                 slot.kill()
             slot = None

@@ -17,7 +17,7 @@ _mine = threading.Lock()
 
 def _file_of_turns() -> Path:
     cache = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
-    return Path(cache) / "rclpy-workbook" / "turn"
+    return Path(cache) / "rclpy-workbook" / f"turn-{os.uname().nodename}"
 
 
 @contextmanager
@@ -38,6 +38,8 @@ def turn(isolation: Isolation) -> Iterator[None]:
             yield
         finally:
             if held is not None:
+                with suppress(OSError):
+                    fcntl.flock(held, fcntl.LOCK_UN)
                 os.close(held)
 
 

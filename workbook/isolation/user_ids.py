@@ -116,7 +116,7 @@ def remove_files_of(user: int) -> None:
                     remove_scratch(entry)
                 else:
                     entry.unlink()
-            except FileNotFoundError:
+            except OSError:  # gone, or the mount of another user, which even root may not look at
                 continue
 
 

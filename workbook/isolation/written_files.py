@@ -59,11 +59,14 @@ class WrittenFiles:
         waiting = [str(self._own)]
         for folder in self._shared:
             for entry in _entries(folder):
-                with suppress(FileNotFoundError):
-                    if entry.path != waiting[0] and _status(entry).st_uid == self._user:
-                        yield _status(entry)
-                        if entry.is_dir(follow_symlinks=False):
-                            waiting.append(entry.path)
+                try:
+                    status = _status(entry)
+                except OSError:  # gone, or the mount of another user, which even root may not look at
+                    continue
+                if entry.path != waiting[0] and status.st_uid == self._user:
+                    yield status
+                    if entry.is_dir(follow_symlinks=False):
+                        waiting.append(entry.path)
         while waiting:
             for entry in _entries(waiting.pop()):
                 with suppress(FileNotFoundError):

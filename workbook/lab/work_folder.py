@@ -149,7 +149,10 @@ def without_outputs(text: str) -> str:
 
 def _copy(source: Path, target: Path) -> None:
     text = source.read_text(encoding="utf-8")
-    _write(target, without_outputs(text) if source.suffix == ".ipynb" else text)
+    if source.suffix == ".ipynb":
+        text = without_outputs(text)
+    if not target.is_file() or target.read_bytes() != text.encode():
+        _write(target, text)
 
 
 def _write(target: Path, text: str) -> None:

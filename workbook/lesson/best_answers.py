@@ -1,5 +1,6 @@
 """The best version of each answer: what it earned is kept, the version itself as a file, and nothing takes it back."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from workbook.exercise.answer_files import Saved, answers_folder, replace_answer, same_program
@@ -55,6 +56,7 @@ class Check:
         self._text = text
         self.before = load_progress(stem)
         self._best_before = best_text(stem)
+        self._left = (self.before.solved, self.before.best, self._best_before)
         self._noted = False
 
     def note(self, judgement: Judgement) -> None:
@@ -63,11 +65,15 @@ class Check:
             return
         points = wording.shown_points(judgement)[0]
         with changed_progress(self._stem) as progress:
+            if (progress.solved, progress.best, best_text(self._stem)) != self._left:
+                # another notebook or a terminal has judged meanwhile
+                self.before, self._best_before = replace(progress), best_text(self._stem)
             progress.tries += not self._noted
             progress.solved = self.before.solved or wording.all_shown_hold(judgement)
             progress.best = max(self.before.best, points)
+            self._keep(self._text if 0 < points >= self.before.best else self._best_before)
+            self._left = (progress.solved, progress.best, best_text(self._stem))
         self._noted = True
-        self._keep(self._text if 0 < points >= self.before.best else self._best_before)
 
     def best_of_another_version(self) -> float | None:
         """The points of the best version when that is not the one of this check; else None."""

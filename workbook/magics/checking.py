@@ -112,7 +112,8 @@ def _moment(asked: Asked, judgement: Judgement, film: Film | None) -> Moment | N
 
 
 def _better_line(asked: Asked, judgement: Judgement) -> str:
-    best = None if judgement.provisional else asked.kept.best_of_another_version()
+    counts = judgement.status == "graded" and not judgement.provisional
+    best = None if not counts else asked.kept.best_of_another_version()
     if best is None:
         return ""
     most = wording.points(wording.shown_points(judgement)[1])

@@ -21,7 +21,7 @@ from workbook.exercise.course import NoCourse
 from workbook.exercise.definition import BrokenCriteria, Exercise, load_exercise
 from workbook.exercise.source import STEM, SourceError, UnknownExercise
 from workbook.lesson.best_answers import Check, NothingJudged, best_text, hands_in_another, restore_best
-from workbook.lesson.progress import TRIES_BEFORE_SOLUTION, load_progress, save_progress
+from workbook.lesson.progress import TRIES_BEFORE_SOLUTION, changed_progress, load_progress
 from workbook.magics import checking, screen
 from workbook.magics.live_card import LiveCard
 from workbook.magics.progress_table import progress_table
@@ -132,6 +132,8 @@ class ExerciseMagics(Magics):
         if program is None:
             self._need_file(exercise.stem)
             return screen.version_that_ran(exercise.stem, self.shell.user_ns if self.shell else {})
+        if not program.strip():
+            raise _Notice("The answer cell is empty. Your answer file stays as it is.")
         saved = save_answer(exercise.stem, program, exercise.source.starter_code)
         if saved.outcome == "refused":
             raise _Notice(self._kept_from_the_starter(saved, "the answer cell"))
@@ -146,11 +148,18 @@ class ExerciseMagics(Magics):
 
     def _reset(self, line: str) -> None:
         exercise = self._exercise(line)
+        self._keep_what_is_on_the_screen(exercise)
         saved = replace_answer(exercise.stem, exercise.source.starter_code)
         screen.put_on_screen(self.shell, self._request(), exercise.stem, exercise.source.starter_code)
         print(f"{shown_path(saved.path)} holds the starter again.")
         if saved.previous is not None:
             print(f"Your answer is kept as {shown_path(saved.previous)}.")
+
+    def _keep_what_is_on_the_screen(self, exercise: Exercise) -> None:
+        """Save what was not run yet, before something else takes its place."""
+        shown = screen.answer_on_screen(self._request(), exercise.stem)
+        if shown is not None and shown.strip():
+            save_answer(exercise.stem, shown, exercise.source.starter_code)
 
     @line_magic
     def restore(self, line: str) -> None:
@@ -161,6 +170,8 @@ class ExerciseMagics(Magics):
         exercise = self._exercise(line)
         stem, file = exercise.stem, shown_path(answer_file(exercise.stem))
         shown = screen.answer_on_screen(self._request(), stem)
+        if best_text(stem) is not None:
+            self._keep_what_is_on_the_screen(exercise)
         if hands_in_another(stem) or best_text(stem) is None:
             saved = restore_best(stem)
             print(f"{file} is your best version again.")
@@ -280,8 +291,8 @@ class ExerciseMagics(Magics):
         told = [f"**Hint {one} of {len(hints)}.** {hints[one - 1]}" for one in range(1, number + 1)]
         if wanted is None and progress.hints >= len(hints):
             told.append(f"These are all {len(hints)} hints.")
-        progress.hints = max(progress.hints, number)
-        save_progress(exercise.stem, progress)
+        with changed_progress(exercise.stem) as kept:
+            kept.hints = max(kept.hints, number)
         display(Markdown("\n\n".join(told)))
 
     @line_magic

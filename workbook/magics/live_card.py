@@ -1,6 +1,7 @@
 """The card of one check: shown at the first judgement, replaced by each later one."""
 
 import threading
+from contextlib import suppress
 
 from IPython.display import DisplayHandle, display
 
@@ -32,7 +33,8 @@ class LiveCard:
         if self.abandoned.is_set():
             return
         if not judgement.provisional:
-            self._asked.kept.note(judgement)
+            with suppress(OSError):  # a full disk costs the note, and not the card
+                self._asked.kept.note(judgement)
         self._put(checking.card_for(self._asked, judgement, self._film))
         if judgement.provisional:
             return

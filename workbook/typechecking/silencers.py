@@ -20,6 +20,7 @@ _WHAT_HIDES = "code that runs, and that mypy is told to skip"
 _FOR_CHECKERS = (
     *(ast.Import, ast.ImportFrom, ast.Pass, ast.Assign, ast.AnnAssign),
     *(ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef),
+    getattr(ast, "TypeAlias", ast.Pass),  # from Python 3.12 on
 )
 """What may be there for a type checker alone. Others, such as `return`, make it skip what follows."""
 
@@ -61,6 +62,8 @@ def evasions(program: str) -> Iterator[Finding]:
     explained: set[ast.AST] = set()
     systems = _names_of_sys(tree)
     for node in ast.walk(tree):  # an `if` comes before its parts
+        if _is_another_sys(node) or _misjudged(node):
+            yield Finding("", getattr(node, "lineno", 1), UNCHECKED, _WHAT_HIDES)
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
             for decorator in node.decorator_list:
                 if _last_name(decorator) == "no_type_check":
@@ -112,4 +115,28 @@ def _hidden_code(node: ast.If) -> ast.stmt | None:
     for one in runs:
         if not isinstance(one, (ast.Import, ast.ImportFrom, ast.Pass)):
             return one
-    return next((one for one in skipped if not isinstance(one, _FOR_CHECKERS)), None)
+    return next((one for one in skipped if not isinstance(one, _FOR_CHECKERS) and not _is_text(one)), None)
+
+
+def _is_text(node: ast.stmt) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+
+
+def _is_another_sys(node: ast.AST) -> bool:
+    """Whether something else is called `sys` here, which mypy takes for the module."""
+    if isinstance(node, ast.arg):
+        return node.arg == "sys"
+    if isinstance(node, ast.alias):
+        return node.asname == "sys" and node.name != "sys"
+    if isinstance(node, (ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)):
+        return node.name == "sys"
+    return isinstance(node, ast.Name) and node.id == "sys" and not isinstance(node.ctx, ast.Load)
+
+
+def _misjudged(node: ast.AST) -> bool:
+    """Whether mypy compares two numbers of the version where Python compares all five."""
+    if not isinstance(node, ast.Compare):
+        return False
+    sides = [node.left, *node.comparators]
+    whole = [isinstance(one, ast.Attribute) and one.attr == "version_info" for one in sides]
+    return any(whole) and not (whole[0] and len(node.ops) == 1 and isinstance(node.ops[0], (ast.GtE, ast.Lt)))

@@ -64,6 +64,7 @@ class WatchMode:
         self._seen: Signature = None
         self._points: float | None = None
         self._shown = ""
+        self._judged_text: str | None = None
 
     def run(self) -> int:
         """Watch and judge. Nothing that was started stays behind."""
@@ -105,8 +106,17 @@ class WatchMode:
                 self._hint()
             now = signature(self._watched.file)
             if now is not None and now != self._seen and now == before:
-                return True
+                if self._holds_another():
+                    return True
+                self._seen = now
             before = now
+
+    def _holds_another(self) -> bool:
+        """Whether the file holds another program than was judged last. `%start` and `%check` only touch it."""
+        try:
+            return read_answer(self._watched.file, self._watched.source.stem).text != self._judged_text
+        except (Ungradable, OSError):
+            return True
 
     def _hint(self) -> None:
         source = self._watched.source
@@ -117,6 +127,7 @@ class WatchMode:
     def _judge(self) -> None:
         watched, name = self._watched, as_typed(self._watched.file)
         self._seen = signature(watched.file)
+        self._judged_text = None
         self._screen.show(self._shown, f"Judging {name} ...")
         try:
             answer = read_answer(watched.file, watched.source.stem)
@@ -127,6 +138,7 @@ class WatchMode:
             return
         except _SavedAgain:
             return
+        self._judged_text = answer.text
         watched.note(judgement, answer)
         self._code = NOT_YET if judgement.status == "graded" else NOT_JUDGED
         notes = [self._change(judgement)]

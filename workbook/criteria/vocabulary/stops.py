@@ -19,6 +19,7 @@ class Stop:
 
 _MEMORY_GB = (ANSWER_LIMITS.memory or 0) / 1000 / MB
 _QUEUED_MB = (ANSWER_LIMITS.queued or 0) // MB
+_STORED_MB = (ANSWER_LIMITS.stored or 0) // MB
 _FILES = f"{ANSWER_LIMITS.files:,}".replace(",", " ")
 _STOPS = {
     "output": Stop(
@@ -50,6 +51,12 @@ _STOPS = {
         f"made more than {_FILES} files",
         "A loop makes a new file each time, without end.",
         "Write to one file, or to none: the judge reads no files of an answer.",
+    ),
+    "disk": Stop(
+        "stopped.disk",
+        f"wrote more than {_STORED_MB} MB to files",
+        "A loop writes to a file without end.",
+        "Write less, or nothing: the judge reads no files of an answer.",
     ),
 }
 _CRASHES = ("SIGSEGV", "SIGABRT", "SIGBUS", "SIGFPE", "SIGILL")
