@@ -458,7 +458,8 @@ def test_check_says_full_marks_with_exit_code_0() -> None:
     code, said, errors = outcome("check", "joint_positions", ROOT / "solutions" / f"{STEM}.py")
     assert code == 0, said + errors
     assert "Full marks: 10 of 10 points." in said
-    assert f"Hand in this file: {ROOT / 'solutions' / STEM}.py" in said
+    named = said.split("Hand in this file: ")[1].split("\n")[0]
+    assert (Path.cwd() / named).resolve() == ROOT / "solutions" / f"{STEM}.py"
 
 
 def test_check_says_not_yet_with_exit_code_1(tmp_path: Path) -> None:

@@ -1,5 +1,5 @@
 # score: 0
-# says: rclpy.spin(node) above create_publisher()
+# says: before it never returns, such as rclpy.spin(node)
 """In a notebook: the cell that spins stands above the one that publishes."""
 import rclpy
 from rclpy.node import Node
