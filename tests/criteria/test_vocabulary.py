@@ -129,6 +129,28 @@ def test_a_program_that_is_not_seen_is_told_why(
     refuses(see.program_runs(silent(process, nodes=nodes)), *words)
 
 
+IN_A_CALLBACK = (
+    "Traceback (most recent call last):\n"
+    '  File "/answers/answer.py", line 40, in <module>\n    rclpy.spin(node)\n'
+    '  File "/env/site-packages/rclpy/executors.py", line 825, in spin_once\n    raise handler.exception()\n'
+    '  File "/answers/answer.py", line 7, in tick\n    self.publish(Flaot32())\n'
+    "NameError: name 'Flaot32' is not defined\n"
+)
+
+
+@pytest.mark.parametrize("arrived", range(4))
+def test_what_still_arrived_before_a_callback_failed_does_not_decide(arrived: int) -> None:
+    seen = on_topic(BATTERY.name, FLOAT, every(0.5, arrived))
+    gone = replace(seen, publishers=tuple(replace(one, last_seen=2.4) for one in seen.publishers))
+    accepts(see.program_runs(recorded(gone, process=ended_by_itself(IN_A_CALLBACK))))
+
+
+@pytest.mark.parametrize("arrived", range(2))
+def test_a_program_that_fails_in_its_first_lines_does_not_run(arrived: int) -> None:
+    seen = on_topic(BATTERY.name, FLOAT, every(0.5, arrived))
+    refuses(see.program_runs(recorded(seen, process=ended_by_itself(TRACEBACK))), "NameError")
+
+
 def test_the_judges_own_domain_is_no_stranger() -> None:
     verdict = see.program_runs(silent(replace(LIVING, domains_used=(17,))))
     assert "domain" not in verdict.saw

@@ -38,6 +38,7 @@ _THREAD_OVERTAKEN = re.compile(
     + re.escape(TRACEBACK)
     + rf":\n(?: [^\n]*\n)*? [^\n]*(?:{SPIN_OVERTAKEN})\n?"
 )
+_EXECUTOR = "/rclpy/executors.py"
 _FRAME = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)')
 
 
@@ -99,6 +100,15 @@ def without_executors_end(log: str) -> str:
     Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/executors.py (Executor.__del__, Executor.shutdown).
     """
     return _THREAD_OVERTAKEN.sub("", _EXECUTOR_LEFT.sub("", log))
+
+
+def failed_while_spinning(log: str) -> bool:
+    """Whether the last Python error in a log came out of a callback: rclpy's executor is among the calls above it."""
+    log = without_executors_end(log)
+    last = log[max(0, log.rfind(TRACEBACK)) :]
+    return any(
+        frame["file"].endswith(_EXECUTOR) for line in last.splitlines() if (frame := _FRAME.match(line))
+    )
 
 
 def shutdown_overtaken(log: str) -> bool:

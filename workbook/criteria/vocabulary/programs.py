@@ -2,7 +2,7 @@
 
 from workbook.criteria.criterion import criterion
 from workbook.criteria.verdict import Verdict, failed, passed
-from workbook.criteria.vocabulary.known_errors import failed_by_error, find_error
+from workbook.criteria.vocabulary.known_errors import failed_by_error, failed_while_spinning, find_error
 from workbook.criteria.vocabulary.phrasing import listing, seconds
 from workbook.criteria.vocabulary.stops import ended_by_signal, stopped_for
 from workbook.recording.recording import Recording
@@ -86,7 +86,8 @@ def _got_going(recording: Recording) -> bool:
     """A message arrived, or a publisher is there and stays while the program runs.
 
     A program that fails in its first lines may show publishers for a moment, and say one word on each topic; that is
-    not yet running.
+    not yet running. One that fails in a callback was running, even if that was the first round of its timer: how many
+    of its messages still arrived is chance.
     """
     topics = recording.topics.values()
     if _failed_at_once(recording):
@@ -96,14 +97,16 @@ def _got_going(recording: Recording) -> bool:
     if recording.said or recording.calls:
         return bool(recording.nodes)  # one that was spoken to may have nothing to publish yet
     if recording.process.ended_by == "itself":
-        return False
+        return failed_while_spinning(recording.process.log) and any(topic.publishers for topic in topics)
     return any(publisher.last_seen is None for topic in topics for publisher in topic.publishers)
 
 
 def _failed_at_once(recording: Recording) -> bool:
-    """An error ended the program before any topic had a second message."""
+    """An error outside of callbacks ended the program before any topic had a second message."""
     process = recording.process
     if process.ended_by != "itself" or find_error(process.log, process.program) is None:
+        return False
+    if failed_while_spinning(process.log):
         return False
     return (
         bool(recording.topics)
