@@ -353,7 +353,7 @@ def test_without_the_extra(
 def test_encryption_without_certificates(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("distributed", reason="the extra `farm` is not installed")
     assert grade(tmp_path, "--farm", "tls://127.0.0.1:8786") == 2
-    assert "needs certificates: see 'A farm' in environment.md" in capsys.readouterr().err
+    assert "needs certificates: see 'A farm' in exercises/README.md" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

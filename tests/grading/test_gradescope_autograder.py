@@ -23,7 +23,7 @@ from workbook.cli.main import main
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.source import load
 from workbook.exercise.source import stems as stems_in
-from workbook.grading.packaging import without_solution
+from workbook.exercise.without_solution import without_solution
 from workbook.inside.proc import process_tree
 from workbook.isolation.bubblewrap import sandbox_problem
 
@@ -124,7 +124,7 @@ def test_the_solution_stays_at_home(package: Path) -> None:
 def test_what_a_grader_needs_of_a_source_is_there_without_its_solution(stem: str, tmp_path: Path) -> None:
     whole = load(ROOT / "solutions" / f"{stem}.py")
     path = tmp_path / f"{stem}.py"
-    path.write_text(without_solution(whole), encoding="utf-8")
+    path.write_text(without_solution(whole, hints=False), encoding="utf-8")
     reduced = load(path)
     for name in ("stem", "title", "kind", "clock", "minutes", "difficulty"):
         assert getattr(reduced, name) == getattr(whole, name)

@@ -57,7 +57,7 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--farm",
         metavar="ADDRESS",
-        help="judge on other machines: the dask scheduler at tcp://host:8786 (see 'A farm' in environment.md)",
+        help="judge on other machines: the dask scheduler at tcp://host:8786 (see 'A farm' in exercises/README.md)",
     )
     parser.add_argument(
         "--second-start",

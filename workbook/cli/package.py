@@ -12,10 +12,21 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     """Add the subcommand with its places."""
     parser = subparsers.add_parser(
         "package",
-        help="for instructors: an autograder for Gradescope, a workflow for a class repository",
-        description="Make what another system needs to judge answers as `workbook grade` does.",
+        help="for instructors: the students' edition, an autograder for Gradescope, a class repository",
+        description="Make what others need: students, or a system that judges answers as `workbook grade` does.",
     )
     places = parser.add_subparsers(title="places", metavar="PLACE", required=True)
+    edition = places.add_parser(
+        "students", help="the course without solutions: a folder for a repository, or a zip file"
+    )
+    edition.add_argument(
+        "--out",
+        metavar="DIR",
+        required=True,
+        type=Path,
+        help="a new folder, an earlier edition to bring up to date, or FILE.zip",
+    )
+    edition.set_defaults(run=run_students)
     scope = places.add_parser("gradescope", help="an autograder: a zip file to upload")
     scope.add_argument("exercise", metavar="EXERCISE", help="such as joint_positions")
     scope.add_argument("--out", metavar="FILE.zip", required=True, type=Path, help="where to write it")
@@ -37,6 +48,22 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         "--reporter", action="store_true", help="also hand the points on to GitHub Classroom's reporter"
     )
     github.set_defaults(run=run_github)
+
+
+def run_students(options: argparse.Namespace) -> int:
+    """Write the students' edition."""
+    from workbook.exercise.course import course_folder
+    from workbook.grading.students_edition import students_edition
+
+    def work() -> int:
+        edition = students_edition(course_folder(), options.out)
+        removed = f", {len(edition.removed)} of an earlier edition removed" if edition.removed else ""
+        print(f"Written: {options.out} ({len(edition.files)} files{removed}), the students' edition.")
+        print("It holds no solution, no right or wrong answer, and no page for instructors.")
+        print("Try it before you give it away: make test, in that folder.")
+        return 0
+
+    return _run(work)
 
 
 def run_gradescope(options: argparse.Namespace) -> int:

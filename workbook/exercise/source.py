@@ -25,6 +25,8 @@ In the answer a part that the student writes is marked, and may name the lines t
         # [starter]
         # | # TODO 1: create the publisher
         # [end]
+
+In the students' edition the header says ``solution: left out``, and the answer is the starter.
 """
 
 import ast
@@ -68,6 +70,8 @@ class ExerciseSource:
     clock: str
     objectives: tuple[str, ...]
     out_of_scope: tuple[str, ...]
+    has_solution: bool
+    """Whether this edition of the course holds the solution. If not, `solution_code` is the starter."""
     story: tuple[str, ...]
     """Markdown cells before the answer cell."""
     afterword: tuple[str, ...]
@@ -94,9 +98,9 @@ def load(path: Path | str) -> ExerciseSource:
     header, remaining = split_header(path, lines)
     cells = cells_of(path, remaining)
     answer = _answer_cell(path, cells)
-    solution, starter = _programs(path, answer)
-    story, afterword = _stories(path, cells, answer)
     fields = typed_fields(path, header)
+    solution, starter = _programs(path, answer, has_solution=fields["has_solution"])
+    story, afterword = _stories(path, cells, answer)
     return ExerciseSource(
         path=path,
         stem=path.stem,
@@ -151,12 +155,12 @@ def _answer_cell(path: Path, cells: list[SourceCell]) -> SourceCell:
     return answers[0]
 
 
-def _programs(path: Path, answer: SourceCell) -> tuple[str, str]:
+def _programs(path: Path, answer: SourceCell, *, has_solution: bool) -> tuple[str, str]:
     """The solution and the starter."""
     solution, starter = split_answer(trimmed(answer.body), path)
     _must_parse(path, "solution", solution, answer.line)
     _must_parse(path, "starter", starter, answer.line)
-    if [text for _, text in solution] == [text for _, text in starter]:
+    if has_solution and [text for _, text in solution] == [text for _, text in starter]:
         raise SourceError(
             path, answer.line, "the answer marks no [solution] part: the starter gives all away"
         )

@@ -13,6 +13,8 @@ CLOCKS = ("simulated", "wall")
 FIELDS = (
     "exercise", "title", "minutes", "difficulty", "kind", "clock", "objectives", "out_of_scope",
 )  # fmt: skip
+SOLUTION, LEFT_OUT = "solution", "left out"
+"""A field and its one value: this edition of the course comes without the solution, and the answer is the starter."""
 
 Header = dict[str, tuple[int, Any]]
 """By field: the number of its line, and its value."""
@@ -50,7 +52,7 @@ def _parsed(path: Path, lines: list[Line]) -> Header:
     header: Header = {}
     for key, value in node.value:
         line = key.start_mark.line + 2
-        if key.value not in FIELDS:
+        if key.value not in (*FIELDS, SOLUTION):
             raise SourceError(
                 path, line, f"unknown header field {key.value!r}: there are {', '.join(FIELDS)}"
             )
@@ -69,7 +71,10 @@ def typed_fields(path: Path, header: Header) -> dict[str, Any]:
     if stem != path.stem:
         raise SourceError(path, line, f"exercise says {stem!r}, but the file is called {path.name}")
     fields = _Fields(path, header)
+    if SOLUTION in header:
+        fields.one_of(SOLUTION, (LEFT_OUT,))
     return {
+        "has_solution": SOLUTION not in header,
         "title": fields.text("title"),
         "minutes": fields.whole("minutes", 1, 240),
         "difficulty": fields.whole("difficulty", 1, 5),

@@ -39,7 +39,7 @@ def connect(address: str) -> Any:
     try:
         security = Security()
         if address.startswith("tls:") and security.get_connection_args("client").get("ssl_context") is None:
-            raise NoJudges("--farm tls://... needs certificates: see 'A farm' in environment.md")
+            raise NoJudges("--farm tls://... needs certificates: see 'A farm' in exercises/README.md")
         client = Client(
             address,
             security=security,

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from workbook.exercise.definition import OWN_CRITERIA, Exercise
-from workbook.exercise.source import ExerciseSource
+from workbook.exercise.without_solution import without_solution
 from workbook.grading.files import write_whole
 from workbook.grading.github import encoded, not_run, runners
 
@@ -61,17 +61,12 @@ def _course_files(exercise: Exercise, course: Path) -> Iterator[tuple[str, bytes
     stem = exercise.stem
     for name in _PROJECT:
         yield name, (course / name).read_bytes()
-    package = course / "workbook"
-    for path in sorted(package.rglob("*")):
-        parts = path.relative_to(package).parts
-        left_by_tools = any(part.startswith(".") or part == "__pycache__" for part in parts)
-        if path.is_file() and not path.is_symlink() and not left_by_tools:
-            yield path.relative_to(course).as_posix(), path.read_bytes()
+    yield from files_below(course, "workbook")
     criteria = course / "exercises" / "criteria" / f"{stem}.py"
     yield f"exercises/criteria/{stem}.py", criteria.read_bytes()
     if exercise.driver is not None:
         yield f"exercises/drivers/{stem}.py", exercise.driver.read_bytes()
-    yield f"solutions/{stem}.py", without_solution(exercise.source).encode()
+    yield f"solutions/{stem}.py", without_solution(exercise.source, hints=False).encode()
     own = os.environ.get(OWN_CRITERIA)
     if own:
         path = Path(own) / f"{stem}.py"
@@ -80,21 +75,13 @@ def _course_files(exercise: Exercise, course: Path) -> Iterator[tuple[str, bytes
         yield f"own_criteria/{stem}.py", path.read_bytes()
 
 
-def without_solution(source: ExerciseSource) -> str:
-    """The source of an exercise with the starter in the solution's place: a grader needs no solution."""
-    text = source.path.read_text(encoding="utf-8")
-    header = text[: text.index("# ---", 5) + len("# ---")]
-    cells = [
-        "[markdown]\n" + _commented(source.story[0]),
-        f"[answer]\n{source.starter_code}# [solution]\n# [starter]\n# | # The solution is not needed here.\n# [end]\n",
-        *("[hint]\n# None." for _ in source.hints),
-        "[alternatives]\n# None.",
-    ]
-    return header + "\n" + "".join(f"# %% {cell.rstrip()}\n" for cell in cells)
-
-
-def _commented(text: str) -> str:
-    return "\n".join(f"# {line}".rstrip() for line in text.splitlines())
+def files_below(course: Path, folder: str) -> Iterator[tuple[str, bytes]]:
+    """The files of a folder of the course by name, without what tools and editors leave there."""
+    for path in sorted((course / folder).rglob("*")):
+        parts = path.relative_to(course / folder).parts
+        left_by_tools = any(part.startswith(".") or part == "__pycache__" for part in parts)
+        if path.is_file() and not path.is_symlink() and not left_by_tools:
+            yield path.relative_to(course).as_posix(), path.read_bytes()
 
 
 # --- a class repository at GitHub -----------------------------------------------------------------------------------

@@ -302,6 +302,10 @@ class ExerciseMagics(Magics):
 
     def _solution(self, line: str) -> None:
         exercise = self._exercise(line)
+        if not exercise.source.has_solution:
+            raise _Notice(
+                "This edition of the course comes without solutions: your instructor has them. %hint helps until then."
+            )
         progress = load_progress(exercise.stem)
         if not progress.may_see_solution:
             left = TRIES_BEFORE_SOLUTION - progress.tries

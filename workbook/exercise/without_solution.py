@@ -1,0 +1,27 @@
+"""The source of an exercise without its solution: for the students' edition, and for graders elsewhere."""
+
+from workbook.exercise.percent_script import SourceCell, cells_of
+from workbook.exercise.source import ExerciseSource
+from workbook.exercise.source_header import LEFT_OUT, SOLUTION, split_header
+
+
+def without_solution(source: ExerciseSource, *, hints: bool) -> str:
+    """The text of an exercise with the starter in the solution's place, and a header that says so.
+
+    `hints`: keep them as well; the alternatives to the solution never stay.
+    """
+    lines = list(enumerate(source.path.read_text(encoding="utf-8").splitlines(), start=1))
+    _, remaining = split_header(source.path, lines)
+    header = [text for _, text in lines[: len(lines) - len(remaining)]]
+    header.insert(-1, f"# {SOLUTION}: {LEFT_OUT}")
+    cells = [_kept(cell, source, hints=hints) for cell in cells_of(source.path, remaining)]
+    return "\n".join([*header, *cells]) + "\n"
+
+
+def _kept(cell: SourceCell, source: ExerciseSource, *, hints: bool) -> str:
+    body = "\n".join(text for _, text in cell.body).rstrip()
+    if cell.kind == "answer":
+        body = source.starter_code.rstrip()
+    elif cell.kind == "alternatives" or (cell.kind == "hint" and not hints):
+        body = "# None."
+    return f"# %% [{cell.kind}]\n{body}"
