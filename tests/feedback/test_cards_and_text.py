@@ -369,6 +369,22 @@ def test_the_review_prompt_holds_task_answer_and_what_was_seen() -> None:
     assert "secret" not in prompt.lower()
 
 
+@pytest.mark.parametrize("name", ["eleven_values", "period_for_frequency", "raises_at_once"])
+def test_before_full_marks_the_prompt_asks_for_help_and_gives_nothing_away(name: str) -> None:
+    source = load_exercise(STEM, ROOT).source
+    judgement = judged(name)
+    prompt = review_prompt(source, "print('my answer')\n", judgement)
+    assert "do not write the program" in prompt and "already behaves as asked" not in prompt
+    first = first_to_mend(judgement)
+    assert first is not None and first.saw in prompt and first.expected in prompt
+    assert first.because not in prompt and first.try_this not in prompt
+    given = set(source.starter_code.splitlines()) | set("\n".join(source.story).splitlines())
+    secret = [
+        line for line in source.solution_code.splitlines() if len(line.strip()) > 3 and line not in given
+    ]
+    assert secret and not [line for line in secret if line.strip() in prompt]
+
+
 def test_a_known_error_leads_to_the_museum_and_the_lesson() -> None:
     exhibit = Exhibit(
         "01_the_context", (21,), "init <twice>", "must only be called once", "init-twice", "x", "y"

@@ -38,13 +38,25 @@ time.sleep(600)
 
 
 def test_without_an_exercise_the_magics_ask_which(fresh_kernel: Kernel) -> None:
-    for magic in ("%check", "%start", "%hint", "%solution", "%reset"):
+    for magic in ("%check", "%start", "%hint", "%review", "%solution", "%reset"):
         assert "Which exercise?" in fresh_kernel.good(magic).text
     assert "Name the exercise" in fresh_kernel.good("%%answer\nx = 1").text
     assert "77_levitation" in fresh_kernel.good("%check 77_levitation").text
     assert fresh_kernel.good("%stop").text == "Nothing was running.\n"
     assert "There is no answers/09_joint_positions.py yet" in fresh_kernel.good(f"%check {STEM}").text
     assert "There is no answers/09_joint_positions.py yet" in fresh_kernel.good("%start joint_positions").text
+
+
+def test_a_review_judges_what_is_not_judged_yet_and_judges_nothing_twice(kernel: Kernel) -> None:
+    answer(kernel, "speed = = 3\n")
+    card, prompt = kernel.good(f"%review {STEM}").displays
+    assert card.startswith("0 of 10 points.")
+    assert "do not write the program" in prompt and "speed = = 3" in prompt
+    assert kernel.good("%review").displays == [prompt]
+    answer(kernel, "speed = = 4\n")
+    kernel.good("%check")
+    [prompt] = kernel.good("%review").displays
+    assert "speed = = 4" in prompt
 
 
 def test_a_check_in_a_new_session_and_another_at_once(fresh_kernel: Kernel) -> None:

@@ -42,7 +42,9 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         action="store_true",
         help="also keep a passing program running for 8 real seconds, as the instructor's grader does",
     )
-    parser.add_argument("--review", action="store_true", help="with full marks: print a prompt for a review")
+    parser.add_argument(
+        "--review", action="store_true", help="also print a prompt for a colleague or an AI assistant"
+    )
     parser.set_defaults(run=run)
 
 
@@ -129,12 +131,12 @@ def _judge(
     _note(judgement, answer, file)
     if judgement.status != "graded":
         return NOT_JUDGED
-    if wording.all_shown_hold(judgement):
+    done = wording.all_shown_hold(judgement)
+    if done:
         print(f"  Hand in this file: {as_typed(file)}")
-        if options.review:
-            print("\n" + review_prompt(exercise.source, answer.text, judgement))
-        return FULL_MARKS
-    return NOT_YET
+    if options.review:
+        print("\n" + review_prompt(exercise.source, answer.text, judgement))
+    return FULL_MARKS if done else NOT_YET
 
 
 def _judgement_of(

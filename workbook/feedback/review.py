@@ -1,21 +1,40 @@
-"""A ready prompt for a review of a full-marks answer by a colleague or an AI assistant."""
+"""A prompt for a colleague or an AI assistant: the task, the answer, and what was observed when it ran."""
 
 from workbook.exercise.judgement import Judgement
 from workbook.exercise.source import ExerciseSource
+from workbook.feedback import wording
 
-
-def review_prompt(source: ExerciseSource, answer_text: str, judgement: Judgement) -> str:
-    """The task, the answer and what was observed, as one text to paste."""
-    observed = "\n".join(
-        f"- {result.title}: {result.saw}" for result in judgement.criteria if not result.hidden and result.saw
-    )
-    task = "\n\n".join(source.story)
-    return f"""Please review my answer to a ROS 2 (Jazzy, rclpy) exercise. It already behaves as asked, as measured
+_REVIEW = """Please review my answer to a ROS 2 (Jazzy, rclpy) exercise. It already behaves as asked, as measured
 on the topics, so do not rewrite it. Tell me:
 1. what a robotics engineer would praise,
 2. the one change that would help a reader most, and why,
 3. what could go wrong on a real robot that this exercise does not test,
-4. one question about my own code, to check whether I understand it.
+4. one question about my own code, to check whether I understand it."""
+_HELP = """Please help me with a ROS 2 (Jazzy, rclpy) exercise. My answer does not behave as asked yet; what was
+measured on the topics is below. I want to find the mistake myself, so do not write the program, and do not write
+corrected lines of it. Instead:
+1. choose the one observation that I should look at first, and say why that one,
+2. explain the idea of ROS 2 that it is about, with an example that is not this task,
+3. ask me one question about my own code that leads to the cause,
+4. then wait for my reply. If you name a function of rclpy, say how I can check that it exists in Jazzy."""
+
+
+def review_prompt(source: ExerciseSource, answer_text: str, judgement: Judgement) -> str:
+    """One text to paste. Before full marks it asks for help that does not give the answer away.
+
+    It names what was seen and expected, not the likely reason: that is for the student to find.
+    """
+    done = wording.all_shown_hold(judgement)
+    observed = [
+        f"- {result.title}: {result.saw or result.status}"
+        + ("" if result.status == "passed" or not result.expected else f" (expected: {result.expected})")
+        for result in judgement.criteria
+        if not result.hidden and (result.saw or not done)
+    ]
+    if judgement.reason:
+        observed.append(f"- It could not be judged: {judgement.reason}")
+    task = "\n\n".join(source.story)
+    return f"""{_REVIEW if done else _HELP}
 
 THE TASK
 {task}
@@ -26,5 +45,5 @@ MY ANSWER
 ```
 
 WHAT WAS OBSERVED WHEN IT RAN
-{observed}
+{chr(10).join(observed)}
 """

@@ -1,4 +1,5 @@
-"""The magics of an exercise: %%answer, %start, %stop, %check, %hint, %solution, %reset, %restore, %progress."""
+"""The magics of an exercise: %%answer, %start, %stop, %check, %hint, %review, %solution,
+%reset, %restore, %progress."""
 
 import os
 import threading
@@ -16,15 +17,18 @@ from workbook.exercise.answer_files import (
     same_program,
     save_answer,
 )
-from workbook.exercise.answers import ANSWER_MAGIC, Ungradable, read_answer, syntax_mistake
+from workbook.exercise.answers import ANSWER_MAGIC, Answer, Ungradable, read_answer, syntax_mistake
 from workbook.exercise.course import NoCourse
 from workbook.exercise.definition import BrokenCriteria, Exercise, load_exercise
 from workbook.exercise.source import STEM, SourceError, UnknownExercise
+from workbook.feedback import wording
+from workbook.feedback.review import review_prompt
 from workbook.lesson.best_answers import Check, NothingJudged, best_text, hands_in_another, restore_best
 from workbook.lesson.progress import TRIES_BEFORE_SOLUTION, changed_progress, load_progress
 from workbook.magics import checking, screen
 from workbook.magics.live_card import LiveCard
 from workbook.magics.progress_table import progress_table
+from workbook.magics.prompt import Prompt
 from workbook.magics.running import Running
 
 _EXPECTED = (Ungradable, UnknownExercise, NoCourse, BrokenCriteria, SourceError, NothingJudged, OSError)
@@ -52,6 +56,7 @@ class ExerciseMagics(Magics):
         self._stem: str | None = None
         self._running = Running()
         self._watcher: threading.Thread | None = None
+        self._last: tuple[Answer, LiveCard] | None = None
 
     # --- which exercise -----------------------------------------------------------------------------------
 
@@ -262,6 +267,7 @@ class ExerciseMagics(Magics):
         asked = checking.Asked(exercise, answer, Path(shown_path(file)), hints_left, version, kept)
         checking.warm_slot()  # here, not in the thread below: a slot ends with the thread that started it
         card = LiveCard(asked)
+        self._last = (answer, card)
         self._watcher = threading.Thread(target=card.judge, name="check", daemon=True)
         self._watcher.start()
         try:
@@ -294,6 +300,28 @@ class ExerciseMagics(Magics):
         with changed_progress(exercise.stem) as kept:
             kept.hints = max(kept.hints, number)
         display(Markdown("\n\n".join(told)))
+
+    @line_magic
+    def review(self, line: str) -> None:
+        """A prompt for a colleague or an AI assistant: the task, your answer, and what was observed when it ran."""
+        self._report(self._review, line)
+
+    def _review(self, line: str) -> None:
+        exercise = self._exercise(line)
+        version = self._take_screen(exercise)
+        answer = read_answer(self._need_file(exercise.stem), exercise.stem)
+        if self._last is None or self._last[0].sha256 != answer.sha256 or self._last[1].judgement is None:
+            self._judge(exercise, version)
+        judgement = None if self._last is None else self._last[1].judgement
+        if judgement is None:
+            raise _Notice("Your answer could not be judged, so there is nothing to show a colleague yet.")
+        done = wording.all_shown_hold(judgement)
+        introduction = (
+            "A prompt for a review of your program, for a colleague or an AI assistant."
+            if done
+            else "A prompt for a colleague or an AI assistant. It asks for help, and not for the program."
+        )
+        display(Prompt(introduction, review_prompt(exercise.source, answer.text, judgement)))
 
     @line_magic
     def solution(self, line: str) -> None:

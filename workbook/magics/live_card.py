@@ -13,11 +13,15 @@ from workbook.magics.checking import Asked
 
 
 class LiveCard:
-    """`judge` runs in a thread. `decided` is set as soon as a card shows that is not provisional, or none can come."""
+    """`judge` runs in a thread. `decided` is set as soon as a card shows that is not provisional, or none can come.
+
+    `judgement` is what the card shows then.
+    """
 
     def __init__(self, asked: Asked) -> None:
         self.decided = threading.Event()
         self.abandoned = threading.Event()
+        self.judgement: Judgement | None = None
         self._asked = asked
         self._handle: DisplayHandle | None = None
         self._film: Film | None = None
@@ -33,6 +37,7 @@ class LiveCard:
         if self.abandoned.is_set():
             return
         if not judgement.provisional:
+            self.judgement = judgement
             with suppress(OSError):  # a full disk costs the note, and not the card
                 self._asked.kept.note(judgement)
         self._put(checking.card_for(self._asked, judgement, self._film))
