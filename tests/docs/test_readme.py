@@ -15,7 +15,7 @@ from workbook.exercise.definition import load_exercise
 from workbook.recording.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = ("README.md", "environment.md", "CONTRIBUTING.md", "exercises/README.md")
+PAGES = ("README.md", "environment.md", "CONTRIBUTING.md", "exercises/README.md", "exercises/teaching.md")
 LARGEST_PICTURE = 300_000
 _LINK = re.compile(r"(?P<picture>!?)\[(?P<text>[^\]]*)\]\((?P<target>[^)\s]+)\)")
 _ROW = re.compile(
