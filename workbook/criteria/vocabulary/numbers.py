@@ -111,9 +111,9 @@ def within(
     if bad is None:
         return passed(f"all values within {span}")
     saw = f"{number(bad.value)}{unit} in {bad}"
-    limit = f"Limit it: max({_bound(low, 'math.pi')}, min({_bound(high, 'math.pi')}, value))"
+    limit = f"max({_bound(low, 'math.pi')}, min({_bound(high, 'math.pi')}, value))"
 
-    def fail(cause: str, because: str, try_this: str = f"{limit}.") -> Verdict:
+    def fail(cause: str, because: str, try_this: str = f"Limit it: {limit}.") -> Verdict:
         return failed(cause, saw, f"values from {span}", because, try_this)
 
     if math.isclose(high, math.pi) and abs(bad.value) <= 2 * math.pi:
@@ -122,7 +122,7 @@ def within(
         return fail(
             "within.degrees",
             "Values above π look like degrees; angles in ROS are radians (REP 103).",
-            f"{limit}; math.radians() turns degrees into radians.",
+            f"math.radians() turns degrees into radians. Then limit them: {limit}.",
         )
     if math.isinf(bad.value):
         return fail(
