@@ -59,9 +59,6 @@ MORE_TRIES = 8
 CALM_S = 0.25
 IN_LINE_SHARE = 0.02
 TAKEN_SHARE = 0.03
-WRONG_PER_CORE = 4
-"""Wrong answers at once that begin on robot time: two of five go on to the wall clock, and wait there most of the time.
-Right answers leave their places by themselves when they only wait, so that these need no more than the processors."""
 
 
 @dataclass(frozen=True)
@@ -73,10 +70,14 @@ class Pool:
 
     @property
     def slots(self) -> int:
-        """How many of them are at work at once."""
+        """How many of them are at work at once: as many as an instructor's run judges.
+
+        Of the wrong answers that begin on robot time, many go on to the wall clock, and wait there most of the time.
+        Right ones are at work as long as they have a slot: half as many are enough.
+        """
         if not self.on_robot_time:
             return CORES * SLOTS_PER_CORE["wall"]
-        return CORES * (1 if self.thorough else WRONG_PER_CORE)
+        return CORES * (1 if self.thorough else SLOTS_PER_CORE["simulated"])
 
 
 Share = tuple[Pool, list[Key]]
