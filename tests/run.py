@@ -1,6 +1,7 @@
 """Everything that `make test` proves, in order; pytest's own summary comes last.
 
-`python tests/run.py --only lint` (or style, types, notebooks, collection, pytest) runs a part.
+`python tests/run.py --only lint` (or style, types, notebooks, collection, pytest) runs a part. How busy the processors
+were meanwhile is in `artifacts/processors.tsv`.
 With CI=true a skipped test that `.ci/allowed_skips` does not list is a failure.
 """
 
@@ -9,6 +10,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Iterable, Sequence
@@ -29,6 +31,8 @@ SUMMARY_LIMIT_S = 120.0
 MOST_ALONE = 3
 """So many failed tests are run again, alone: a fault of the code fails again, a busy machine does not."""
 NOT_STEADY = "not_steady.txt"
+PROCESSORS = "processors.tsv"
+LOOK_EVERY_S = 5.0
 NEVER_FORGIVEN = "full marks for a wrong answer"
 """In the words of a failure: whatever comes of a second run, this must not happen even once."""
 
@@ -48,8 +52,8 @@ class Step:
     alone: tuple[str, ...] = ()
 
 
-def steps() -> list[Step]:
-    """Quick ones first; pytest last, because its summary is what a person looks for."""
+def steps(jobs: str = JOBS) -> list[Step]:
+    """Quick ones first; pytest last, because its summary is what a person looks for. `jobs`: its workers."""
     python = sys.executable
     found = [
         Step("ruff check", "style", (python, "-m", "ruff", "check", ".")),
@@ -64,7 +68,7 @@ def steps() -> list[Step]:
     collect = (python, "-m", "pytest", "--collect-only", "-qq")
     found.append(Step("tests can be collected", "collection", collect, quiet=True))
     tested = ARTIFACTS / "pytest.xml"
-    spread = ("-n", JOBS)
+    spread = ("-n", jobs)
     tests = (python, "-m", "pytest", f"--junitxml={tested}")
     alone = (*tests, "--last-failed", "--last-failed-no-failures=none", "-n", "0")
     found.append(Step("pytest", "pytest", (*tests, *spread), tested, alone=alone))
@@ -147,7 +151,9 @@ def run(plan: Sequence[Step], say: Callable[[str], None]) -> list[str]:
             for old in (step.report, first_report(step.report), ARTIFACTS / NOT_STEADY):
                 old.unlink(missing_ok=True)
             say(f"── {step.name}")
-            lines = _run_tests(step, environ, TESTS_LIMIT_S)
+            with BusyProcessors(ARTIFACTS / PROCESSORS) as processors:
+                lines = _run_tests(step, environ, TESTS_LIMIT_S)
+            say(f"   The processors were busy for {processors.share:.0%} of the time ({PROCESSORS}).")
             only_failures = lines == [f"{step.name} (exit 1)"]  # not: interrupted, or broken off
             failed += _run_alone(step, environ, say) if only_failures and _may_run_alone(step) else lines
     return failed
@@ -191,6 +197,55 @@ def _run_alone(step: Step, environ: dict[str, str], say: Callable[[str], None]) 
     return _run_tests(replace(step, command=step.alone), environ, TESTS_LIMIT_S)
 
 
+class BusyProcessors:
+    """Writes down every few seconds which share of the processors is at work. Use it as a context manager.
+
+    What is idle while tests still wait shows what a better order of them could gain.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        self._over = threading.Event()
+        self._thread = threading.Thread(target=self._follow, daemon=True)
+        self._seen = [(time.monotonic(), *busy_and_all())]
+
+    @property
+    def share(self) -> float:
+        """The share of all processors that was at work from the beginning up to the last look."""
+        (_, busy, total), (_, busy_now, total_now) = self._seen[0], self._seen[-1]
+        return (busy_now - busy) / max(1, total_now - total)
+
+    def _follow(self) -> None:
+        while not self._over.wait(LOOK_EVERY_S):
+            self._look()
+
+    def _look(self) -> None:
+        (then, busy, total), now = self._seen[-1], (time.monotonic(), *busy_and_all())
+        self._seen.append(now)
+        with self._path.open("a", encoding="utf-8") as file:
+            share = (now[1] - busy) / max(1, now[2] - total)
+            print(f"{now[0] - self._seen[0][0]:.0f}\t{now[0] - then:.1f}\t{share:.2f}", file=file)
+
+    def __enter__(self) -> "BusyProcessors":
+        self._path.write_text("after (s)\tlooked at (s)\tbusy\n", encoding="utf-8")
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._over.set()
+        self._thread.join()
+        self._look()
+
+
+def busy_and_all() -> tuple[int, int]:
+    """Time of all processors since the machine was started, in ticks: at work (for us or others), and in all."""
+    times = [
+        int(word) for word in Path("/proc/stat").read_text(encoding="utf-8").split("\n", 1)[0].split()[1:9]
+    ]
+    idle = times[3] + times[4]  # with nothing to do, and waiting for a disk
+    return sum(times) - idle, sum(times)
+
+
 def _run_tests(step: Step, environ: dict[str, str], limit_s: float) -> list[str]:
     """Run the tests; after `limit_s` interrupt them as Ctrl-C does, so that they still say what has failed."""
     running = subprocess.Popen(step.command, cwd=ROOT, env=environ)
@@ -228,10 +283,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Exit code 0 when everything holds."""
     parser = argparse.ArgumentParser(description="What `make test` runs.")
     parser.add_argument("--only", choices=("lint", "style", "types", "notebooks", "collection", "pytest"))
+    parser.add_argument(
+        "--jobs", type=int, default=int(JOBS), help="workers of pytest (default: %(default)s)"
+    )
     options = parser.parse_args(arguments)
     # In the background of a shell script Ctrl-C is ignored, by us and by every program that a test would interrupt.
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    plan = chosen(steps(), options.only)
+    plan = chosen(steps(str(options.jobs)), options.only)
     lacking = missing_tools() if any(step.group == "pytest" for step in plan) else []
     for line in lacking:
         print(f"! {line}")

@@ -4,6 +4,7 @@ import importlib.util
 import os
 import subprocess
 import sys
+import time
 from pathlib import Path
 from types import ModuleType
 
@@ -97,9 +98,34 @@ def test_an_unlisted_skip_fails_in_ci_only(
     report = tmp_path / "report.xml"
     write = f"import pathlib; pathlib.Path({str(report)!r}).write_text({REPORT!r})"
     step = proof.Step("tests", "style", (sys.executable, "-c", write), report)
-    monkeypatch.setattr(proof, "steps", lambda: [step])
+    monkeypatch.setattr(proof, "steps", lambda _jobs: [step])
     assert proof.main([]) == code
     assert ("test_light (no Chromium)" in capfd.readouterr().out) == bool(code)
+
+
+def test_workers_can_be_chosen(proof: ModuleType) -> None:
+    assert proof.steps("7")[-1].command[-2:] == ("-n", "7")
+
+
+def test_how_busy_the_processors_were_is_kept(
+    proof: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looks = iter([(100, 1000), (130, 1100), (190, 1200)])
+    monkeypatch.setattr(proof, "busy_and_all", lambda: next(looks))
+    kept = tmp_path / "processors.tsv"
+    with proof.BusyProcessors(kept) as processors:
+        processors._look()
+    assert [line.split("\t")[2] for line in kept.read_text().splitlines()] == ["busy", "0.30", "0.60"]
+    assert processors.share == 0.45
+
+
+def test_a_processor_at_work_is_counted(proof: ModuleType) -> None:
+    busy, total = proof.busy_and_all()
+    until = time.process_time() + 0.2
+    while time.process_time() < until:
+        pass
+    later_busy, later_total = proof.busy_and_all()
+    assert 0.1 * os.sysconf("SC_CLK_TCK") <= later_busy - busy <= later_total - total
 
 
 def test_the_ci_script_is_sound() -> None:

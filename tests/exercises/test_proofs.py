@@ -1,7 +1,8 @@
 """Every exercise proves itself: starter, solution, right answers and wrong answers go through the real judge.
 
-What is judged on robot time loses nothing on a busy machine and goes beside other tests, a few at once. What is judged
-on the wall clock comes when these are done (`tests/conftest.py`), as many at once as an instructor's run judges.
+What is judged on robot time loses nothing on a busy machine and goes beside other tests. What is judged on the wall
+clock comes when these are done (`tests/conftest.py`), in two runs side by side, each of as many answers at once as an
+instructor's run judges.
 """
 
 import os
@@ -37,7 +38,8 @@ GIVES_WAY = 10
 """Nice value of what is judged on robot time: it loses nothing by waiting, and whoever lives on the wall clock does."""
 ARTIFACTS = ROOT / "artifacts"
 MACHINE = {False: ARTIFACTS / "proofs_on_the_wall_clock.tsv", True: ARTIFACTS / "proofs_on_robot_time.tsv"}
-"""How busy the machine was in each judgement. An answer that was judged again has several lines."""
+"""How busy the machine was in each judgement, and how long (s) its recording took. An answer that was judged again has
+several lines."""
 
 
 def read(path: Path) -> WrongAnswer:
@@ -66,6 +68,40 @@ class Pool:
     on_robot_time: bool
     thorough: bool
 
+    @property
+    def slots(self) -> int:
+        """How many of them are at work at once: as many as an instructor's run judges.
+
+        Of the wrong answers that begin on robot time, many go on to the wall clock, and wait there most of the time.
+        Right ones are at work as long as they have a slot: half as many are enough.
+        """
+        if not self.on_robot_time:
+            return CORES * SLOTS_PER_CORE["wall"]
+        return CORES * (1 if self.thorough else SLOTS_PER_CORE["simulated"])
+
+
+Share = tuple[Pool, list[Key]]
+"""Some of the answers of a pool."""
+
+
+def lanes(pools: dict[Pool, list[Key]]) -> list[list[Share]]:
+    """What is judged side by side, each lane one share after the other.
+
+    On robot time, a lane for each pool. On the wall clock all answers take about as long, whatever they are: two lanes
+    with equally many, so that neither stands empty while the other is at work.
+    """
+    if any(pool.on_robot_time for pool in pools):
+        return [[(pool, keys)] for pool, keys in pools.items()]
+    all_of_them = [(pool, key) for pool, keys in pools.items() for key in keys]
+    half = -(-len(all_of_them) // 2)
+    found = []
+    for part in (all_of_them[:half], all_of_them[half:]):
+        shares: dict[Pool, list[Key]] = {}
+        for pool, key in part:
+            shares.setdefault(pool, []).append(key)
+        found.append([*shares.items()])
+    return [lane for lane in found if lane]
+
 
 class Proofs:
     """All answers of all exercises, judged side by side as an instructor's run judges them; a `few` one by one."""
@@ -90,15 +126,24 @@ class Proofs:
     def _judge_all_like(self, key: Key) -> None:
         """Judge what has the clock of this answer, all of it side by side."""
         on_robot_time = self._pools[key].on_robot_time
-        pools = [pool for pool in self._jobs if pool.on_robot_time == on_robot_time]
-        MACHINE[on_robot_time].write_text(
-            "exercise\tanswer\tpoints\theld up\tstood still\ttaken\tin line\tdoubt\n", encoding="utf-8"
+        side_by_side = lanes(
+            {pool: [*jobs] for pool, jobs in self._jobs.items() if pool.on_robot_time == on_robot_time}
         )
-        with ThreadPoolExecutor(len(pools)) as side_by_side:
-            for judged in side_by_side.map(self._judge_pool, pools):
+        MACHINE[on_robot_time].write_text(
+            "exercise\tanswer\tpoints\theld up\tstood still\ttaken\tin line\tclock\twatched\tdoubt\n",
+            encoding="utf-8",
+        )
+        with ThreadPoolExecutor(len(side_by_side)) as threads:
+            for judged in threads.map(self._judge_lane, side_by_side):
                 self._judgements |= judged
                 for one in judged:
                     self._note(one)
+
+    def _judge_lane(self, lane: list[Share]) -> dict[Key, Judgement]:
+        judged: dict[Key, Judgement] = {}
+        for pool, keys in lane:
+            judged |= self._judge_share(pool, keys)
+        return judged
 
     def _add(self, stem: str, name: str, answer: Answer, *, thorough: bool = True) -> None:
         on_robot_time = load_exercise(stem, ROOT).source.clock == "simulated"
@@ -110,20 +155,22 @@ class Proofs:
         """Keep how the machine was when this answer was judged (s)."""
         judgement = self._judgements[key]
         seen = judgement.recording
-        waits = () if seen is None else (seen.held_up_s, seen.stood_still_s, seen.taken_s, seen.in_line_s)
+        waits = (
+            ("",) * 6
+            if seen is None
+            else (seen.held_up_s, seen.stood_still_s, seen.taken_s, seen.in_line_s, seen.clock, seen.wall_s)
+        )
         with MACHINE[self._pools[key].on_robot_time].open("a", encoding="utf-8") as file:
             print(*key, judgement.score, *waits, judgement.doubt, sep="\t", file=file)
 
-    def _judge_pool(self, pool: Pool) -> dict[Key, Judgement]:
+    def _judge_share(self, pool: Pool, keys: Sequence[Key]) -> dict[Key, Judgement]:
         if pool.on_robot_time:
             os.nice(GIVES_WAY)  # this thread, and all that it starts
 
-        slots = CORES if pool.on_robot_time else CORES * SLOTS_PER_CORE["wall"]
-
         def judge(some: Sequence[Job[Key]]) -> Iterator[tuple[Job[Key], Judgement]]:
-            return judge_all(some, slots, thorough=pool.thorough, isolation=self._isolation)
+            return judge_all(some, pool.slots, thorough=pool.thorough, isolation=self._isolation)
 
-        jobs = [*self._jobs[pool].values()]
+        jobs = [self._jobs[pool][key] for key in keys]
         return {job.key: counting(tries) for job, tries in judge_until_sure(jobs, judge)}
 
     def judgement(
