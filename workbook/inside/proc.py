@@ -207,6 +207,14 @@ def times_scheduled(schedstat_fd: int) -> bytes:
     return _peek(schedstat_fd)
 
 
+def times_main_thread_ran(pid: int) -> int | None:
+    """How often the first thread of a process was given a processor; None when it has ended, or nobody tells."""
+    try:
+        return int(read(f"{thread_folder(pid, str(pid))}/schedstat").split()[2])
+    except (OSError, IndexError):
+        return None
+
+
 def tells_system_call(syscall_fd: int) -> bool:
     """Whether the kernel lets us know which call a thread is in. From its open `syscall`."""
     return bool(_peek(syscall_fd))
