@@ -30,7 +30,7 @@ SLOT_MODULE = ("-m", "workbook.grading.slot")
 TRIES = 2
 STOPPED_JUDGE = "stopped_judge"
 """How the reason begins why an answer is ungradable that breaks the slots that judge it, where others do not."""
-LOOK = "Look at it yourself: it is not run again as long as it stays the same"
+LOOK = "Look at it yourself: it is not run again as long as it stays the same, unless you ask with --retry-stopped"
 
 
 class SlotBroken(RuntimeError):
