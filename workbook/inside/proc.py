@@ -150,6 +150,18 @@ def resident_bytes(pid: int) -> int:
         return 0
 
 
+def written_bytes(pid: int) -> int:
+    """What a process, and all that it has waited for, has written by calls, wherever to; zero when it has ended.
+
+    Source: proc_pid_io(5), `wchar`.
+    """
+    try:
+        lines = read(f"/proc/{pid}/io").splitlines()
+    except OSError:
+        return 0
+    return next((int(line.split()[1]) for line in lines if line.startswith(b"wchar:")), 0)
+
+
 def proportional_bytes(pid: int) -> int:
     """Memory of a process, of what it shares with others its part; zero when it has ended. Takes a while."""
     try:

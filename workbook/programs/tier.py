@@ -68,7 +68,7 @@ class Confinement(Protocol):
     def most_files(self, pids: Sequence[int]) -> int:
         """How many files the fullest folder of the program holds; zero where the tier has no limit of them."""
 
-    def stored_bytes(self) -> int:
+    def stored_bytes(self, pids: Sequence[int]) -> int:
         """What the program has written to files that are not in a file system of its own; else zero."""
 
     def sockets(self, pids: Sequence[int]) -> int:
