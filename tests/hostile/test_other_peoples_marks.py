@@ -2,6 +2,7 @@
 
 import csv
 import io
+import unicodedata
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
@@ -233,6 +234,25 @@ def test_names_that_an_importer_takes_for_one_login_are_told_apart() -> None:
         assert "bob" in found[name]
         assert "ada" not in [login.casefold() for login in found[name]]
     assert sorted(found["grades"]) == ["Ada", "ada", "bob"]
+
+
+LOOK_ALIKE = ("ada", "\u0430d\u0430", "a\u200bda", "\uff41da", "\u00e9l", "e\u0301l", "o\ufb01r", "ofir")
+"""Cyrillic letters, no width, full width, an accent of its own, a ligature."""
+
+
+def test_names_that_look_alike_are_different_students(tmp_path: Path) -> None:
+    """Each has a result and a login of its own, also for an importer that simplifies names."""
+    put(tmp_path / "class", *(f"{name}.py" for name in LOOK_ALIKE))
+    assert {result.student for result in graded(tmp_path).results} == set(LOOK_ALIKE)
+    for name, logins in exported(LOOK_ALIKE).items():
+        assert len(set(logins)) == len(LOOK_ALIKE), name
+    for name in ("canvas", "moodle"):
+        simple = [
+            "".join(one for one in unicodedata.normalize("NFKC", login) if unicodedata.category(one) != "Cf")
+            for login in exported(LOOK_ALIKE)[name]
+        ]
+        assert len({login.casefold() for login in simple}) == len(LOOK_ALIKE), simple
+    assert "ofir" in exported(["ofir", "bob"])["canvas"]
 
 
 @given(

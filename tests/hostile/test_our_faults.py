@@ -5,6 +5,7 @@ import os
 import signal
 import subprocess
 import sys
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -15,10 +16,13 @@ from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.judgement import Judgement
 from workbook.grading import pool
+from workbook.grading.batch import Batch
+from workbook.grading.hand_ins import HandIn
 from workbook.grading.judges import Job
 from workbook.grading.local import judge_all
 from workbook.grading.pool import Slot, SlotBroken
 from workbook.isolation.bubblewrap import NoSandbox
+from workbook.isolation.tiers import Isolation
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -144,6 +148,42 @@ def test_an_answer_that_stops_the_judge_is_not_run_again_by_the_next_command(tmp
     result = json.loads(line)
     assert (result["status"], result["score"], result["attempt"]) == ("ungradable", None, 1)
     assert result["reason"].startswith("stopped_judge")
+
+
+class _JudgesAll:
+    """Gives the same judgement to all, and remembers whom it judged."""
+
+    isolation: Isolation = "limits"
+
+    def __init__(self, reason: str | None) -> None:
+        self._reason = reason
+        self.judged: list[str] = []
+
+    def judge_all(self, jobs: Iterable[Job[HandIn]], **_: object) -> Iterator[tuple[Job[HandIn], Judgement]]:
+        for job in jobs:
+            self.judged.append(job.key.student)
+            yield job, Judgement(job.stem, job.answer.sha256, "ungradable", self._reason, (), None)
+
+
+def test_an_answer_that_stopped_the_judge_is_judged_again_when_asked_and_no_other(tmp_path: Path) -> None:
+    answers, out = tmp_path / "class", tmp_path / "out"
+    answers.mkdir()
+    exercise = load_exercise(STEM, ROOT)
+
+    def judged(reason: str, retry_stopped: bool) -> list[str]:
+        judges = _JudgesAll(reason)
+        Batch(exercise, out, judges, retry_stopped=retry_stopped).run([answers])
+        return judges.judged
+
+    (answers / "other.py").write_text("x = 1\n")
+    assert judged("it said so", False) == ["other"]
+    (answers / "stopper.py").write_text("x = 2\n")
+    assert judged(f"{pool.STOPPED_JUDGE}: twice", False) == ["stopper"]
+    assert judged("never asked", False) == []
+    assert judged("now it can be judged", True) == ["stopper"]
+    assert judged("never asked", True) == [], "it has not stopped the judge the last time"
+    last = results(out)
+    assert (last["stopper"]["attempt"], last["other"]["attempt"]) == (2, 1)
 
 
 def test_a_slot_that_cannot_be_started_is_no_zero_and_ends_the_run(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,23 +1,25 @@
 """Packets of an answer's own publisher that keep DDS, and so the judge, at work for ever: GAP and HEARTBEAT over 2^61
 messages. All of them go to the loopback of the private network that the slot has for itself."""
 
+import subprocess
+import sys
+import time
 from pathlib import Path
-from typing import Any
 
 import pytest
 
+from tests.programs.support import wait_until
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
-from workbook.exercise.judgement import Judgement
-from workbook.grading import pool
+from workbook.grading import slot_health
 from workbook.grading.judges import Job
-from workbook.grading.pool import Slot, SlotBroken, judge_with_retry
+from workbook.grading.pool import STOPPED_JUDGE, Slot, SlotBroken, judge_with_retry
+from workbook.grading.slot_health import SlotHealth
 from workbook.isolation.bubblewrap import sandbox_problem
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.slow]
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
-PATIENCE_S = 120.0
 SPEAKS_FOR_DDS = """
 import socket
 import struct
@@ -73,12 +75,8 @@ def _needs_a_sandbox() -> None:
 def test_packets_over_all_messages_that_there_can_be_stop_no_grader(
     kind: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    class Impatient(Slot):
-        def judge(self, stem: str, answer: Answer, **options: Any) -> Judgement:
-            monkeypatch.setattr(pool, "ANSWER_DEADLINE_S", 30.0 if answer is hostile else PATIENCE_S)
-            return super().judge(stem, answer, **options)
-
-    monkeypatch.setattr(pool, "Slot", Impatient)
+    """Nobody waits until the time for an answer is over: the slot is seen to stand still."""
+    monkeypatch.setattr(slot_health, "STUCK_S", 1.0)
     solution = load_exercise(STEM, ROOT).source.solution_code
     hostile = Answer(SPEAKS_FOR_DDS.replace("@@KIND@@", kind) + solution)
     slot, judgement = judge_with_retry(None, Job(kind, STEM, hostile), thorough=False, isolation="sandbox")
@@ -87,14 +85,46 @@ def test_packets_over_all_messages_that_there_can_be_stop_no_grader(
     assert judgement.status in ("graded", "ungradable"), judgement.reason
     assert judgement.score is None or judgement.score < 10.0
     if judgement.status == "ungradable":
-        assert (judgement.reason or "").startswith("stopped_judge: ")
+        reason = judgement.reason or ""
+        assert reason.startswith(f"{STOPPED_JUDGE}: the slot ") and "in time" not in reason
+
+
+WORKS = "import threading\ndef work():\n    while True: pass\nthreading.Thread(target=work, daemon=True).start()\n"
+
+
+@pytest.mark.parametrize(
+    ("program", "is_stuck"),
+    [
+        (f"{WORKS}lock = threading.Lock(); lock.acquire(); lock.acquire()", True),
+        (f"{WORKS}while True: threading.Event().wait(0.05)", False),
+        ("import threading\nlock = threading.Lock(); lock.acquire(); lock.acquire()", False),
+    ],
+    ids=["waits for those at work", "waits again and again", "waits where nobody works"],
+)
+def test_a_slot_is_given_up_once_it_waits_for_those_at_work(
+    program: str, is_stuck: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(slot_health, "STUCK_S", 0.4)
+    with subprocess.Popen([sys.executable, "-c", program]) as process:
+        try:
+            health = SlotHealth(process.pid, ("-c",))
+            if is_stuck:
+                told = "the slot did not get on any more"
+                wait_until(lambda: health.problem() == told, "it is seen to stand still")
+            else:
+                over = time.monotonic() + 1.2
+                while time.monotonic() < over:
+                    assert health.problem() is None
+                    time.sleep(0.1)
+        finally:
+            process.kill()
 
 
 def test_a_slot_is_given_up_once_it_takes_too_much_memory(monkeypatch: pytest.MonkeyPatch) -> None:
     """Counted is what judges, wherever the tier has put it, and not the program that is judged."""
     waits = Answer("import threading\nthreading.Event().wait(60)\n")
     with Slot("sandbox") as slot:
-        monkeypatch.setattr(pool, "SLOT_BYTES", 1)
+        monkeypatch.setattr(slot_health, "SLOT_BYTES", 1)
         with pytest.raises(SlotBroken, match="too much memory"):
             slot.judge(STEM, waits, thorough=False)
         slot.kill()

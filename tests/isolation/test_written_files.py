@@ -1,12 +1,19 @@
 """What a program has written is counted: by folder and by user, however it is hidden."""
 
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
+from tests.programs.support import write
 from workbook.isolation import written_files
-from workbook.isolation.written_files import ENOUGH, WrittenFiles
+from workbook.isolation.limits import LimitsTier
+from workbook.isolation.written_files import ENOUGH, SharedMemory, WrittenFiles
+from workbook.programs.process import NodeProcess
+from workbook.programs.spec import ProgramSpec
+from workbook.recording.limits import Limits
 
 
 @pytest.fixture(autouse=True)
@@ -68,3 +75,45 @@ def test_without_a_reason_it_is_not_counted_again(tmp_path: Path, monkeypatch: p
     assert written.look().files == 0
     in_use[0] += written_files.WORTH_A_LOOK + 1
     assert written.look().files == 1, "somebody has written a lot"
+
+
+def test_what_comes_to_shared_memory_counts_for_who_has_written_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(written_files, "WORTH_A_LOOK", 0)
+    (tmp_path / "before").write_bytes(b"x" * 1_000_000)
+    shared = SharedMemory(str(tmp_path))
+    assert shared.bytes_of([os.getpid()], 0) == 0
+    with subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE) as innocent:
+        (tmp_path / "new").write_bytes(b"x" * 3_000_000)
+        assert 3_000_000 <= shared.bytes_of([os.getpid()], 0) < 3_500_000
+        assert shared.bytes_of([innocent.pid], 0) < 100_000, "it has written next to nothing"
+        assert shared.bytes_of([os.getpid()], 10**15) == 0, "all that it has written is elsewhere"
+
+
+FILLS_SHARED_MEMORY = """
+import os, time
+for number in range(8):
+    with open(f"/dev/shm/@@NAME@@-{number}", "wb") as file:
+        file.write(bytes(5_000_000))
+time.sleep(600)
+"""
+
+
+def test_below_all_isolation_a_program_that_fills_shared_memory_is_ended(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(written_files, "WORTH_A_LOOK", 5_000_000)
+    name = f"workbook-test-{os.getpid()}"
+    spec = ProgramSpec(
+        write(tmp_path, FILLS_SHARED_MEMORY.replace("@@NAME@@", name)),
+        limits=Limits(processes=64, stored=20_000_000),
+    )
+    try:
+        with NodeProcess(spec, 0, LimitsTier()) as process:
+            assert process.wait(60.0), "it is ended"
+            record = process.record()
+    finally:
+        for path in Path("/dev/shm").glob(f"{name}-*"):
+            path.unlink()
+    assert (record.limits_hit, record.ended_by) == (("disk",), "bench")

@@ -316,6 +316,29 @@ def test_a_node_on_another_domain_is_told(watched: Watched, monkeypatch: pytest.
         assert not recording.topics
 
 
+IMPORTS_FOR_LONG = """
+import time
+while time.process_time() < @@BUSY@@:
+    pass
+"""
+
+
+def test_a_program_that_imports_large_libraries_is_waited_for(
+    watched: Watched, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("workbook.watching.waiting.FIRST_SIGN_S", 0.3)
+    recording = watched(IMPORTS_FOR_LONG.replace("@@BUSY@@", "1.2") + TWO_TIMERS, "wall")
+    assert recording.topic("/status").arrivals
+
+
+def test_a_loop_without_end_is_not(watched: Watched, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("workbook.watching.waiting.FIRST_SIGN_S", 0.3)
+    monkeypatch.setattr("workbook.watching.waiting.STARTS_PROCESSOR_S", 0.5)
+    recording = watched(IMPORTS_FOR_LONG.replace("@@BUSY@@", "60") + TWO_TIMERS, "wall")
+    assert not recording.topics
+    assert recording.wall_s < 20.0
+
+
 def test_keep_watching_ends_early_when_it_is_enough(observer: Observer, tmp_path: Path) -> None:
     with observer.watch(ProgramSpec(write(tmp_path, TWO_TIMERS)), PLAN, "simulated") as watch:
         recording = watch.observe()

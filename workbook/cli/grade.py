@@ -188,7 +188,14 @@ def _grade(
     screen = GradeScreen()
     with _judges(options, exercise, screen) as judges:
         options.out.mkdir(parents=True, exist_ok=True)
-        batch = Batch(exercise, options.out, judges, whose, second_start=options.second_start)
+        batch = Batch(
+            exercise,
+            options.out,
+            judges,
+            whose,
+            second_start=options.second_start,
+            retry_stopped=options.retry_stopped,
+        )
         if options.repeat is not None:
             return _repeat(options, exercise, batch, judges)
         stopping = Stopping()

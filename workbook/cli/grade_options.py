@@ -17,6 +17,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """All of them, in the order in which `--help` tells them."""
     _add_answers(parser)
     _add_judges(parser)
+    _add_retries(parser)
     _add_gradebook(parser)
     _add_appeals(parser)
     _add_criteria(parser)
@@ -74,6 +75,15 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         help="sandbox (what auto wants): each program in a sandbox of bubblewrap, with its own network. uid: a "
         "separate user id, if the grader is root. landlock: the kernel hides files. limits: resource limits "
         "and own domain; only for answers that you would run yourself",
+    )
+
+
+def _add_retries(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--retry-stopped",
+        action="store_true",
+        help="judge answers again that stopped the judge twice (ungradable, stopped_judge). Without this they are "
+        "not run again as long as they stay the same; other results are kept in any case",
     )
 
 

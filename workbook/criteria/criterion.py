@@ -1,12 +1,12 @@
 """What a criterion is: one judged statement about a recording, with points."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import ModuleType
 from typing import Any
 
 from workbook.criteria.verdict import Verdict
-from workbook.recording.plan import BYTES_PER_TOPIC, Plan
+from workbook.recording.plan import BYTES_PER_TOPIC, Feature, Plan
 from workbook.recording.recording import Recording
 from workbook.recording.script import NOTHING_SAID, Part, Script
 from workbook.recording.type_names import type_name
@@ -52,11 +52,15 @@ def criterion(
 
 @dataclass(frozen=True)
 class Topic:
-    """A topic that an exercise asks for: its name, message type and rate in Hz (None if no rate is judged)."""
+    """A topic that an exercise asks for: its name, message type and rate in Hz (None if no rate is judged).
+
+    `features`: see `topic`.
+    """
 
     name: str
     type: str
     hz: float | None = None
+    features: Mapping[str, Feature] = field(default_factory=dict, compare=False)
 
     @property
     def short_type(self) -> str:
@@ -71,9 +75,16 @@ class Topic:
         return 1.0 / self.hz
 
 
-def topic(name: str, message_class: Any, hz: float | None = None) -> Topic:
-    """Declare a topic that criteria judge, e.g. `topic("/robot/battery", Float32, hz=0.5)`."""
-    return Topic(name, type_name(message_class), hz)
+def topic(
+    name: str, message_class: Any, hz: float | None = None, *, features: Mapping[str, Feature] | None = None
+) -> Topic:
+    """Declare a topic that criteria judge, e.g. `topic("/robot/battery", Float32, hz=0.5)`.
+
+    `features`: for messages with large fields, such as images: by field, a function that is given the message and
+    returns what criteria want to know of it (numbers, texts, lists, dicts). The field itself is kept as `{"length": n,
+    "sha256": "...", "first": [...], "features": what was returned}`; None is kept where the function raised something.
+    """
+    return Topic(name, type_name(message_class), hz, features or {})
 
 
 @dataclass(frozen=True)
@@ -136,4 +147,5 @@ def plan_for(topics: Iterable[Topic], how: Watching) -> Plan:
         how.to_the_end,
         tuple(one.name for one in declared if one.hz is not None),
         how.bytes_per_topic,
+        {one.name: one.features for one in declared if one.features},
     )

@@ -15,6 +15,7 @@ from workbook.grading.gradebook import write_gradebook
 from workbook.grading.hand_ins import HandIn, all_hand_ins
 from workbook.grading.judges import Job, Judges
 from workbook.grading.new_results import GradedBy, Submission, graded_result, ungradable_result
+from workbook.grading.pool import STOPPED_JUDGE
 from workbook.grading.results import Result, StudentAndExercise
 from workbook.grading.results_file import RESULTS, BrokenLine, Done, ResultsFile, done_before, last_results
 from workbook.grading.retries import judge_until_sure
@@ -87,7 +88,8 @@ class Batch:
     """Grades hand-ins of one exercise into the folder `out`; can be killed and started again at any time.
 
     `second_start`: share of the answers that, if they pass on robot time, are started once more as their authors start
-    them. Which ones is drawn anew in each run, so that nobody can count on being left out.
+    them. Which ones is drawn anew in each run, so that nobody can count on being left out. `retry_stopped`: whether
+    answers that stopped the judge in an earlier run are judged again, though they have not changed.
     """
 
     def __init__(
@@ -98,7 +100,9 @@ class Batch:
         roster: Roster | None = None,
         *,
         second_start: float = 0.0,
+        retry_stopped: bool = False,
     ) -> None:
+        self._retry_stopped = retry_stopped
         self._second_start = second_start
         self._exercise = exercise
         self._out = out
@@ -133,7 +137,8 @@ class Batch:
         hand_ins = self._roster.hand_ins(found)
         broken: list[BrokenLine] = []
         file = ResultsFile(self._out / RESULTS)
-        run = _Run(GradedBy(self._exercise, self._judges.isolation, self._out), file, progress)
+        by = GradedBy(self._exercise, self._judges.isolation, self._out)
+        run = _Run(by, file, progress, self._retry_stopped)
         try:
             drawn = random.SystemRandom()
             jobs = [
@@ -166,7 +171,14 @@ class Batch:
 class _Run:
     """One run of a batch: what is done, and what is still to do. Results go to `file` as they come."""
 
-    def __init__(self, by: GradedBy, file: ResultsFile, progress: Callable[[BatchProgress], None]) -> None:
+    def __init__(
+        self,
+        by: GradedBy,
+        file: ResultsFile,
+        progress: Callable[[BatchProgress], None],
+        retry_stopped: bool,
+    ) -> None:
+        self._retry_stopped = retry_stopped
         self._began = time.monotonic()
         self._by = by
         self._file = file
@@ -216,6 +228,7 @@ class _Run:
         kept = (
             known is not None
             and known.status != "infra_error"
+            and not (self._retry_stopped and (known.reason or "").startswith(STOPPED_JUDGE))
             and known.answer_sha256 == sha256
             and known.criteria_sha256 == self._by.exercise.criteria_sha256
         )

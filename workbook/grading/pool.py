@@ -17,9 +17,9 @@ from workbook.exercise.definition import OWN_CRITERIA, load_exercise
 from workbook.exercise.judgement import Judgement, Report
 from workbook.exercise.serialization import judgement_from_json
 from workbook.grading.judges import Job, Key
+from workbook.grading.slot_health import SlotHealth
 from workbook.grading.turns import turn
 from workbook.inside.orphans import StillThere
-from workbook.inside.proc import command_line, process_tree, resident_bytes
 from workbook.isolation.tiers import Isolation, lease_for, slot_command
 from workbook.isolation.user_ids import NoIds
 from workbook.programs.ending import kill_programs_of
@@ -27,12 +27,10 @@ from workbook.ros.environment import child_environment
 
 ANSWER_DEADLINE_S = 120.0
 SLOT_MODULE = ("-m", "workbook.grading.slot")
-SLOT_BYTES = 1_000_000_000
-"""Memory that a slot may take itself, without the program that it judges. Measured: 130 MB with all that it keeps."""
 TRIES = 2
 STOPPED_JUDGE = "stopped_judge"
 """How the reason begins why an answer is ungradable that breaks the slots that judge it, where others do not."""
-LOOK = "Look at it yourself: it is not run again as long as it stays the same"
+LOOK = "Look at it yourself: it is not run again as long as it stays the same, unless you ask with --retry-stopped"
 
 
 class SlotBroken(RuntimeError):
@@ -86,7 +84,7 @@ class Slot:
             start_new_session=True,
         )
         self._buffer = b""
-        self._judge_pid: int | None = None
+        self._health = SlotHealth(self._process.pid, SLOT_MODULE)
 
     def problem(self, timeout_s: float) -> str | None:
         """Why its tier does not isolate here; None when it does. Only before the first job, of a slot that tries it.
@@ -109,8 +107,9 @@ class Slot:
             if left <= 0:
                 raise SlotBroken("the slot did not answer in time")
             if not select.select([descriptor], [], [], min(left, 1.0))[0]:
-                if self._own_bytes() > SLOT_BYTES:
-                    raise SlotBroken("the slot took too much memory")
+                problem = self._health.problem()
+                if problem is not None:
+                    raise SlotBroken(problem)
                 continue
             chunk = os.read(descriptor, 1 << 20)
             if not chunk:
@@ -122,15 +121,6 @@ class Slot:
         if "broken" in message:
             raise NotBegun(message["broken"])
         return message
-
-    def _own_bytes(self) -> int:
-        """The memory of the process that judges, which the tier may have put into a sandbox of its own."""
-        if self._judge_pid is None:
-            begins = b"\0".join(map(os.fsencode, (sys.executable, *SLOT_MODULE)))
-            for pid in process_tree(self._process.pid):
-                if self._judge_pid is None and command_line(pid).startswith(begins):
-                    self._judge_pid = pid
-        return 0 if self._judge_pid is None else resident_bytes(self._judge_pid)
 
     def judge(
         self,

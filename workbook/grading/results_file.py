@@ -79,12 +79,15 @@ class Done(NamedTuple):
     answer_sha256: str
     criteria_sha256: str
     attempt: int
+    reason: str | None = None
 
 
 def done_before(path: Path, exercise: str) -> dict[str, Done]:
     """By student, what is known of one exercise. Small: a large class fits many times into memory."""
     return {
-        result.student: Done(result.status, result.answer_sha256, result.versions.criteria, result.attempt)
+        result.student: Done(
+            result.status, result.answer_sha256, result.versions.criteria, result.attempt, result.reason
+        )
         for result in read_results(path)
         if result.exercise == exercise
     }

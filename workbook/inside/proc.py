@@ -150,6 +150,18 @@ def resident_bytes(pid: int) -> int:
         return 0
 
 
+def written_bytes(pid: int) -> int:
+    """What a process, and all that it has waited for, has written by calls, wherever to; zero when it has ended.
+
+    Source: proc_pid_io(5), `wchar`.
+    """
+    try:
+        lines = read(f"/proc/{pid}/io").splitlines()
+    except OSError:
+        return 0
+    return next((int(line.split()[1]) for line in lines if line.startswith(b"wchar:")), 0)
+
+
 def proportional_bytes(pid: int) -> int:
     """Memory of a process, of what it shares with others its part; zero when it has ended. Takes a while."""
     try:
@@ -205,6 +217,14 @@ def is_at_work(stat_fd: int) -> bool:
 def times_scheduled(schedstat_fd: int) -> bytes:
     """What changes each time that a thread is given a processor. From its open `schedstat`."""
     return _peek(schedstat_fd)
+
+
+def times_main_thread_ran(pid: int) -> int | None:
+    """How often the first thread of a process was given a processor; None when it has ended, or nobody tells."""
+    try:
+        return int(read(f"{thread_folder(pid, str(pid))}/schedstat").split()[2])
+    except (OSError, IndexError):
+        return None
 
 
 def tells_system_call(syscall_fd: int) -> bool:

@@ -99,7 +99,7 @@ class ConfinedProgram:
         """How many files the program has made, in all folders together."""
         return self.written.look().files
 
-    def stored_bytes(self) -> int:
+    def stored_bytes(self, pids: Sequence[int]) -> int:
         """What the program has written to files."""
         return self.written.look().bytes
 

@@ -170,7 +170,7 @@ class Sandbox:
         """How many files the fullest folder holds that the program may write to."""
         return most_files(pids)
 
-    def stored_bytes(self) -> int:
+    def stored_bytes(self, pids: Sequence[int]) -> int:
         """Zero: the folders that a program can write to are file systems of its own, of a fixed size."""
         return 0
 

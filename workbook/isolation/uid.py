@@ -10,7 +10,7 @@ from workbook.inside.orphans import sweep_orphans
 from workbook.isolation.landlock import ConfinedProgram
 from workbook.isolation.user_ids import Ids, shared_folders
 from workbook.isolation.written_files import WrittenFiles
-from workbook.programs.tier import Confinement
+from workbook.programs.tier import Confinement, threads_of_libraries
 from workbook.recording.limits import Limits
 from workbook.ros.scratch import scratch_folder
 
@@ -41,7 +41,8 @@ class UserProgram(ConfinedProgram):
         os.chown(self.scratch, self.ids.user, self.ids.user)
         options = ["--user", str(self.ids.user)]
         if limits.processes is not None:
-            options += ["--processes", str(limits.processes + EXTRA_PROCESSES)]
+            allowed = limits.processes + EXTRA_PROCESSES + threads_of_libraries()
+            options += ["--processes", str(allowed)]
         return options + super().options(limits)
 
     def writable(self) -> tuple[str, ...]:

@@ -7,11 +7,13 @@ from contextlib import suppress
 from itertools import islice
 from pathlib import Path
 
+from workbook.inside import proc
 from workbook.recording.limits import ANSWER_LIMITS
 
 LOOK_EVERY_S = 1.0
 WORTH_A_LOOK = (ANSWER_LIMITS.stored or 0) // 4
 """So many bytes more on one of the file systems are looked after at once: who wrote them?"""
+SHARED_MEMORY = "/dev/shm"
 ENOUGH = 50_000
 """Files after which counting ends: it is more than any program may have."""
 _BLOCK = 512
@@ -73,6 +75,47 @@ class WrittenFiles:
                     yield _status(entry)
                     if entry.is_dir(follow_symlinks=False):
                         waiting.append(entry.path)
+
+
+class SharedMemory:
+    """What a program keeps in shared memory, where it is the user that the judge and other programs are as well.
+
+    Nobody tells whose a file there is. It may be the program's if it is new, and as far as the program has written that
+    much at all.
+    """
+
+    def __init__(self, folder: str = SHARED_MEMORY) -> None:
+        self._folder = folder
+        self._before = {(one.st_ino, one.st_ctime_ns) for one in self._files()}
+        self._in_use = self._space_in_use()
+
+    def bytes_of(self, pids: Sequence[int], elsewhere: int) -> int:
+        """What these processes may keep there, if worth a look. `elsewhere`: what they have written to the disk."""
+        if self._space_in_use() < self._in_use + WORTH_A_LOOK:
+            return 0
+        new = sum(
+            one.st_blocks * _BLOCK
+            for one in self._files()
+            if (one.st_ino, one.st_ctime_ns) not in self._before and one.st_uid == os.getuid()
+        )
+        return min(new, max(0, sum(map(proc.written_bytes, pids)) - elsewhere))
+
+    def _space_in_use(self) -> int:
+        try:
+            space = os.statvfs(self._folder)
+        except OSError:
+            return 0
+        return (space.f_blocks - space.f_bfree) * space.f_frsize
+
+    def _files(self) -> list[os.stat_result]:
+        found = []
+        for folder, _, names in os.walk(self._folder):
+            for name in names:
+                with suppress(OSError):
+                    found.append(os.stat(os.path.join(folder, name), follow_symlinks=False))
+            if len(found) > ENOUGH:
+                break
+        return found
 
 
 def _status(entry: os.DirEntry[str]) -> os.stat_result:

@@ -1,11 +1,12 @@
 """What a tier of isolation offers to `NodeProcess`, which knows none of them by name (see `workbook.isolation`)."""
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
-from workbook.recording.limits import Limits
+from workbook.recording.limits import ADDRESSES_PER_THREAD, THREADS_PER_CORE, Limits
 
 
 class Child(Protocol):
@@ -67,7 +68,7 @@ class Confinement(Protocol):
     def most_files(self, pids: Sequence[int]) -> int:
         """How many files the fullest folder of the program holds; zero where the tier has no limit of them."""
 
-    def stored_bytes(self) -> int:
+    def stored_bytes(self, pids: Sequence[int]) -> int:
         """What the program has written to files that are not in a file system of its own; else zero."""
 
     def sockets(self, pids: Sequence[int]) -> int:
@@ -93,9 +94,21 @@ class Tier(Protocol):
         """A confinement for one program whose folder to work in is `scratch`."""
 
 
+def threads_of_libraries() -> int:
+    """How many threads the libraries of one program may start on this machine."""
+    return THREADS_PER_CORE * (os.cpu_count() or 1)
+
+
 def limit_options(limits: Limits, names: Sequence[str]) -> list[str]:
-    """Options for the host: those of the limits with these names that are set."""
+    """Options for the host: those of the limits with these names that are set.
+
+    The kernel limits addresses and threads where the judge counts memory and processes: they get more.
+    """
+    more = {"memory": ADDRESSES_PER_THREAD * threads_of_libraries(), "processes": threads_of_libraries()}
     values = {name: getattr(limits, name) for name in names}
     return [
-        part for name, value in values.items() if value is not None for part in ("--limit", f"{name}={value}")
+        part
+        for name, value in values.items()
+        if value is not None
+        for part in ("--limit", f"{name}={value + more.get(name, 0)}")
     ]

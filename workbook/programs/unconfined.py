@@ -95,7 +95,7 @@ class UnconfinedProgram:
         """Zero: files are not limited."""
         return 0
 
-    def stored_bytes(self) -> int:
+    def stored_bytes(self, pids: Sequence[int]) -> int:
         """Zero: files are not limited."""
         return 0
 

@@ -25,7 +25,7 @@ def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement
         return "memory"
     if limits.files is not None and confinement.most_files(pids) > limits.files:
         return "files"
-    if limits.stored is not None and confinement.stored_bytes() > limits.stored:
+    if limits.stored is not None and confinement.stored_bytes(pids) > limits.stored:
         return "disk"
     if limits.sockets is not None and confinement.sockets(pids) > limits.sockets:
         return "sockets"

@@ -30,6 +30,10 @@ class Limits:
     output: int = 50 * MB
 
 
+THREADS_PER_CORE = 4
+"""Libraries such as PyTorch, OpenCV and OpenBLAS start a thread for each processor, each for itself."""
+ADDRESSES_PER_THREAD = 72 * MB
+"""Address space that a thread reserves for its stack and its part of the heap, of which it uses hardly any."""
 NO_LIMITS = Limits()
 """What a program of the reader may use: as much as it wants, but for what it prints."""
 ANSWER_LIMITS = Limits(

@@ -1,6 +1,8 @@
 """What is to be watched: how finely and how long, and what is said meanwhile."""
 
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
 
 from workbook.recording.script import NOTHING_SAID, Script
 
@@ -15,6 +17,10 @@ BYTES_PER_TOPIC = 1_000_000
 """How much is kept of a topic, where an exercise says nothing else. A joint array of twelve angles takes 80 bytes."""
 
 
+Feature = Callable[[Any], Any]
+"""What is kept of a field: given the message, it returns numbers, texts, and lists or dicts of them."""
+
+
 @dataclass(frozen=True)
 class Plan:
     """What is to be judged, so that the watch knows how finely and how long to record.
@@ -25,7 +31,8 @@ class Plan:
     `script`: what the judge sends meanwhile. A program that only listens is then seen by its node.
     `to_the_end`: whether the watch also looks for nodes that stay on the graph after the program. A participant that
     vanishes without a DDS dispose is then remembered for much longer than a dispose takes on the busiest machine.
-    `bytes_per_topic`: how many bytes of messages are kept of each topic.
+    `bytes_per_topic`: how many bytes of messages are kept of each topic. `features`: by topic and field, what is kept
+    of large fields besides their beginning, size and hash.
     """
 
     topics: tuple[str, ...]
@@ -37,6 +44,7 @@ class Plan:
     to_the_end: bool = False
     paced: tuple[str, ...] = ()
     bytes_per_topic: int = BYTES_PER_TOPIC
+    features: Mapping[str, Mapping[str, Feature]] = field(default_factory=dict, compare=False)
 
     @property
     def node_suffices(self) -> bool:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from rclpy.node import Node, NodeNameNonExistentError
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 
-from workbook.recording.plan import BYTES_PER_TOPIC
+from workbook.recording.plan import BYTES_PER_TOPIC, Feature
 from workbook.recording.recording import (
     NodeSeen,
     PublisherSeen,
@@ -51,7 +51,7 @@ class Recorder:
     program publishes more topics than are watched otherwise.
 
     Of each judged topic so many messages and `bytes_per_topic` are kept, and as much of all others together. What we
-    publish ourselves is not counted: `own_bytes` says how much that is, by topic.
+    publish ourselves is not counted: `own_bytes` says how much that is, by topic. `features`: see `Plan`.
     """
 
     def __init__(
@@ -62,10 +62,12 @@ class Recorder:
         judged: tuple[str, ...] = (),
         bytes_per_topic: int = BYTES_PER_TOPIC,
         own_bytes: Mapping[str, int] | None = None,
+        features: Mapping[str, Mapping[str, Feature]] | None = None,
     ) -> None:
         self._judged = judged
         self._bytes_per_topic = bytes_per_topic
         self._own_bytes = own_bytes or {}
+        self._features = features or {}
         self._room_of_others = Room(bytes_per_topic, KEPT_PER_TOPIC)
         self._node = node
         self._started_at = started_at
@@ -148,7 +150,8 @@ class Recorder:
         if watched is None:
             if len(self._topics) >= TOPICS_WATCHED and topic not in self._judged:
                 return False
-            watched = self._topics.setdefault(topic, WatchedTopic(topic, self._room_for(topic)))
+            watched = WatchedTopic(topic, self._room_for(topic), self._features.get(topic, {}))
+            self._topics[topic] = watched
         if not self._is_worth_a_look(watched):
             return False
         new = self._update_publishers(watched)

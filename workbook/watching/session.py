@@ -117,5 +117,6 @@ def open_session(
         judged=plan.topics,
         bytes_per_topic=plan.bytes_per_topic,
         own_bytes=session.speaker.bytes_by_topic(),
+        features=plan.features,
     )
     return session

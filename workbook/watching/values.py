@@ -1,8 +1,10 @@
 """From ROS messages to plain data, and from type names to message classes."""
 
 import hashlib
+from collections.abc import Mapping
 from typing import Any
 
+from workbook.recording.plan import Feature
 from workbook.ros.messages import message_class
 
 LONGEST_ARRAY = 4096
@@ -53,6 +55,41 @@ def plain(value: Any) -> Any:
 def _cut(length: int, first: Any, whole: bytes | None) -> dict[str, Any]:
     sha256 = {} if whole is None else {"sha256": hashlib.sha256(whole).hexdigest()}
     return {"length": length, **sha256, "first": first}
+
+
+def with_features(data: Any, message: Any, features: Mapping[str, Feature]) -> Any:
+    """The plain data of a message, and in its declared large fields what the exercise wants to know of them.
+
+    Such a field becomes `{"length": n, "first": [...], "features": ...}`, with a hash if it is long. The messages are
+    not trusted: whatever an exercise's function raises, its features are None.
+    """
+    for name, feature in features.items():
+        if name in data:
+            field = data[name]
+            whole = field if isinstance(field, dict) and "first" in field else _cut(len(field), field, None)
+            data[name] = {**whole, "features": _features(message, feature)}
+    return data
+
+
+def _features(message: Any, feature: Feature) -> Any:
+    try:
+        told = _data_only(feature(message))
+        return told if bytes_kept(told) <= BYTES_PER_VALUE * LONGEST_ARRAY else None
+    except Exception:
+        return None
+
+
+def _data_only(told: Any) -> Any:
+    """Plain data of what a function returned, which may hold values of NumPy. Raises TypeError for anything else."""
+    if told is None or isinstance(told, (bool, int, float, str)):
+        return told
+    if isinstance(told, Mapping):
+        return {str(name): _data_only(value) for name, value in told.items()}
+    if isinstance(told, (list, tuple)):
+        return [_data_only(value) for value in told]
+    if hasattr(told, "tolist"):  # of NumPy
+        return _data_only(told.tolist())
+    raise TypeError(f"{type(told).__name__} cannot be kept")
 
 
 def bytes_kept(data: Any) -> int:

@@ -7,8 +7,12 @@ from workbook.watching.session import Session
 from workbook.watching.spin_probe import SpinProbe
 
 FIRST_SIGN_S = 12.0
-STARVED_LONGEST_S = 30.0
-STARVED_PROCESSOR_S = 2.0
+STARTS_LONGEST_S = 30.0
+"""So much longer (s) a program is waited for that is at work, and has used less than `STARTS_PROCESSOR_S`."""
+STARTS_PROCESSOR_S = 10.0
+"""Processor time (s) of a start. Measured: `import torch` takes 2.2, and the optimizers of it as much again."""
+AT_REST_S = 1.0
+"""A program that has not been at work for so long (s) does not start any more."""
 ELSEWHERE_S = 2.0
 SETTLE_S = 0.6
 UNANSWERED_S = 0.5
@@ -28,7 +32,10 @@ def wait_for_first_sign(session: Session) -> bool:
     deadline = time.monotonic() + FIRST_SIGN_S
     look_elsewhere = time.monotonic() + ELSEWHERE_S
     node_since: float | None = None
-    while time.monotonic() < deadline or _is_starved(session, deadline):
+    at_work = 0.0
+    while (now := time.monotonic()) < deadline or _may_still_start(session, deadline, at_work):
+        if now > deadline - AT_REST_S and not session.quiescence.is_quiet():
+            at_work = now
         if time.monotonic() > look_elsewhere:
             used = process.domains_used()
             if used and session.place.domain_id not in used:
@@ -46,12 +53,17 @@ def wait_for_first_sign(session: Session) -> bool:
     return False
 
 
-def _is_starved(session: Session, deadline: float) -> bool:
-    """Whether a program that has not come up by `deadline` has hardly had a processor, and wants one now."""
-    if time.monotonic() > deadline + STARVED_LONGEST_S or session.quiescence.is_quiet():
+def _may_still_start(session: Session, deadline: float, at_work: float) -> bool:
+    """Whether a program that has not come up by `deadline` has had too little of the processor for its start.
+
+    It may import large libraries, on a busy machine. A loop without end has used far more by then, where it can; and a
+    program that was last seen `at_work` a while ago has nothing to do.
+    """
+    now = time.monotonic()
+    if now > min(deadline + STARTS_LONGEST_S, at_work + AT_REST_S):
         return False
     used = session.process.processor_seconds()
-    return used is not None and used < STARVED_PROCESSOR_S
+    return used is not None and used < STARTS_PROCESSOR_S
 
 
 def wait_for_matches(session: Session) -> bool:

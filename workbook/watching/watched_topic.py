@@ -1,14 +1,16 @@
 """One topic while it is being recorded, and what of it goes into the recording."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from rclpy.duration import Infinite
 from rclpy.serialization import deserialize_message
 
+from workbook.recording.plan import Feature
 from workbook.recording.recording import Arrival, PublisherSeen, SubscriberSeen, TopicRecording
 from workbook.watching.room import Room
-from workbook.watching.values import bytes_kept, known_class, plain
+from workbook.watching.values import bytes_kept, known_class, plain, with_features
 
 NODE_UNKNOWN = "_NODE_NAME_UNKNOWN_"
 LARGEST_MESSAGE_BYTES = 4_000_000
@@ -19,6 +21,9 @@ LARGE_MESSAGE_BYTES = 16_000
 LARGE_COSTS = 1 / 50
 """Share of its size that a large message takes of the room for its topic, besides what is kept of it: reading it takes
 time."""
+AWAITED_COSTS = 1 / 1000
+"""The same of a topic for which an exercise has said what to keep of large fields. Ten seconds of a camera (640 by 480
+pixels, 30 images a second) then take half of the usual room."""
 
 
 class Came(NamedTuple):
@@ -37,6 +42,7 @@ class WatchedTopic:
 
     name: str
     room: Room
+    features: Mapping[str, Feature] = field(default_factory=dict)
     publishers: dict[bytes, PublisherSeen] = field(default_factory=dict)
     subscribers: dict[bytes, SubscriberSeen] = field(default_factory=dict)
     came: list[Came] = field(default_factory=list)
@@ -57,7 +63,7 @@ class WatchedTopic:
         elif len(raw) <= LARGE_MESSAGE_BYTES:
             if self._has_room(len(raw), t):
                 self.came.append(Came(t, wall, sent, raw))
-        elif self._has_room(round(LARGE_COSTS * len(raw)), t):
+        elif self._has_room(round((AWAITED_COSTS if self.features else LARGE_COSTS) * len(raw)), t):
             value = self.decoded(raw)
             if value is None:
                 self._note(self.undecodable, t)
@@ -80,7 +86,8 @@ class WatchedTopic:
         """A message as plain data; None if the bytes are none of the type of this topic."""
         message_type = None if self.subscribed_type is None else known_class(self.subscribed_type)
         try:
-            return plain(deserialize_message(raw, message_type))
+            message = deserialize_message(raw, message_type)
+            return with_features(plain(message), message, self.features)
         except Exception:  # bytes that are not trusted: whatever goes wrong, they are no message
             return None
 
