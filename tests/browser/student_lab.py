@@ -19,7 +19,7 @@ import psutil
 ROOT = Path(__file__).resolve().parents[2]
 START_LIMIT_S = 90.0
 STOP_LIMIT_S = 20.0
-COURSE = ("notebooks", "exercises", "solutions")
+COURSE = ("notebooks", "exercises", "solutions", "lesson_nodes")
 _ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/\S*token=\w+")
 _INHERITED = ("PATH", "LANG", "LC_ALL", "TMPDIR")
 # Whoever stops the tests does not let them tidy up: JupyterLab then ends with the process that started it.

@@ -104,8 +104,8 @@ def update_work_folder(root: Path, work: Path) -> WorkFolderUpdate:
         if new in marks:
             marks.remove(new)
         marks.append(new)
-    for page in sorted((root / "notebooks").glob("*.md")):
-        _copy(page, work / "notebooks" / page.name)  # to be read only: nothing of the student's is in it
+    for page in [*sorted((root / "notebooks").glob("*.md")), *sorted((root / "lesson_nodes").glob("*.py"))]:
+        _copy(page, work / page.relative_to(root))  # to be read only: nothing of the student's is in it
     (work / ANSWERS).mkdir(parents=True, exist_ok=True)
     _write(work / STATE, json.dumps(state, indent=1, sort_keys=True) + "\n")
     return report

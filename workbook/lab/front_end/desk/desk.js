@@ -32,7 +32,7 @@
     document.head.append(link);
     const find = (widget, id) =>
       widget.id === id ? widget : [...(widget.layout || [])].map(one => find(one, id)).find(Boolean);
-    Promise.all([loaded, app.restored]).then(() => find(app.shell, 'jp-left-stack')?.parent?.fit());
+    Promise.all([loaded, app.restored]).then(() => find(app.shell, 'jp-left-stack')?.fit());
   };
 
   // A robot that a single cell draws comes onto the screen whole, once for each run.
