@@ -74,14 +74,15 @@ class StudentLab:
 
     def __init__(self, folder: Path) -> None:
         course, home = folder / "course", folder / "home"
-        course.mkdir(parents=True)
-        home.mkdir()
+        course.mkdir(parents=True, exist_ok=True)  # it is there when this is a later start
+        home.mkdir(exist_ok=True)
         # Saving by hand while JupyterLab saves by itself makes it ask which version to keep.
         settings = home / ".jupyter" / "lab" / "user-settings" / "@jupyterlab" / "docmanager-extension"
-        settings.mkdir(parents=True)
+        settings.mkdir(parents=True, exist_ok=True)
         (settings / "plugin.jupyterlab-settings").write_text('{"autosave": false}')
         for name in COURSE:
-            (course / name).symlink_to(ROOT / name)
+            if not (course / name).exists():
+                (course / name).symlink_to(ROOT / name)
         self.work = course / "work"
         self.url = ""
         self.said: list[str] = []

@@ -105,7 +105,9 @@ def test_the_lesson_of_the_last_time_comes_first(folder: Path) -> None:
 
 
 def test_sums_add_up() -> None:
-    done = {STEM: LessonProgress(read=ids(), tries=1, best=10.0, solved=True, predictions={"two-timers-due": "a"})}
+    done = {
+        STEM: LessonProgress(read=ids(), tries=1, best=10.0, solved=True, predictions={"two-timers-due": "a"})
+    }
     course: CourseMap = course_map(ROOT, done)
     assert {name: n for name, (n, _) in course.sums.items()} == {
         "lessons read": 1,

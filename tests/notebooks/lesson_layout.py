@@ -66,7 +66,9 @@ def main() -> None:
     old, lines = kept(), [f"# What is left, by lesson; may only shrink. Written by `{COMMAND}`."]
     for name, now in count().items():
         lines += ["", f"[{name}]"]
-        fewer = {stem: min(n, old[name].get(stem, 0)) if name in old else n for stem, n in sorted(now.items())}
+        fewer = {
+            stem: min(n, old[name].get(stem, 0)) if name in old else n for stem, n in sorted(now.items())
+        }
         lines += [f'"{stem}" = {n}' for stem, n in fewer.items() if n]
     KEPT.write_text("\n".join(lines) + "\n", encoding="utf-8")
     print(f"Written: {KEPT.relative_to(ROOT)}")

@@ -47,7 +47,7 @@ class Desk:
 
 
 def desk_below(root: Path) -> Desk:
-    """The student's copy: the server's folder itself, `work/` in it, or a folder above; else the course's own `work/`."""
+    """The student's copy: the server's folder, `work/` in it, or a folder above; else the course's own `work/`."""
     root = root.resolve()
     course = course_folder().resolve()
     for folder in (root, root / "work", *root.parents, course / "work"):

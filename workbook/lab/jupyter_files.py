@@ -41,8 +41,8 @@ LAB_SETTINGS = {
 }
 
 FRONT_END = Path(__file__).with_name("front_end")
-"""What JupyterLab itself loads: tells the kernel which answer is on the screen. Each folder in it is an extension of its
-own, `rclpy-workbook-FOLDER`: its `package.json`, and the files that go into `static/`."""
+"""What JupyterLab itself loads: tells the kernel which answer is on the screen. Each folder in it is an extension of
+its own, `rclpy-workbook-FOLDER`: its `package.json`, and the files that go into `static/`."""
 
 # The server's part of the home page.
 SERVER_SETTINGS = {"ServerApp": {"jpserver_extensions": {"workbook.lab.home": True}}}
@@ -75,7 +75,7 @@ def install(prefix: Path, python: str) -> list[Path]:
         prefix / "share" / "jupyter" / "lab" / "settings" / "overrides.json": json.dumps(
             LAB_SETTINGS, indent=2
         ),
-        prefix / "etc" / "jupyter" / "jupyter_server_config.d" / "rclpy-workbook.json": json.dumps(
+        prefix / "etc" / "jupyter" / "jupyter_server_config.d" / "rclpy-workbook-home.json": json.dumps(
             SERVER_SETTINGS, indent=1
         ),
         kernels / "kernel.json": json.dumps(kernel_spec(python), indent=1),

@@ -14,15 +14,15 @@ AT_LEAST_S = 2.0
 AT_ONCE_S = 0.5
 """Cells that are sent within this time of each other were sent together, on a slow machine, too."""
 BY_ITSELF_S = 0.2
-"""Editors that send the next cell of a Run All when the last one has ended do so within this time; a person does not."""
+"""Editors that send the next cell of a Run All when the last has ended do so within this time; a person does not."""
 
 
 class StudyPace:
     """Tells cells that a person runs one by one from those of a Run All.
 
     A cell counts as read when it was sent at least `AT_LEAST_S` after the one before, and not in the instant after that
-    had ended. JupyterLab sends all cells of a Run All at once, VS Code each when the last has ended. The first cell of a
-    Run All looks like one that was run alone: it is taken back when the next one comes too soon.
+    had ended. JupyterLab sends all cells of a Run All at once, VS Code each when the last has ended. The first cell of
+    a Run All looks like one that was run alone: it is taken back when the next one comes too soon.
     """
 
     def __init__(self) -> None:
@@ -65,7 +65,7 @@ def _sent_at() -> float:
     """When the front end sent the cell that is running; now where it does not say."""
     from IPython.core.getipython import get_ipython
 
-    parent = getattr(get_ipython(), "get_parent", dict)()
+    parent: object = getattr(get_ipython(), "get_parent", dict)()
     date = parent.get("header", {}).get("date") if isinstance(parent, dict) else None
     return date.timestamp() if isinstance(date, datetime) else time.time()
 

@@ -125,7 +125,9 @@ class CourseMap:
         if lesson.is_read:
             return f"Go on with the exercise of: {lesson.title}"
         begun = lesson.place is not None and lesson.cells[0] > 0
-        return f"Go on with: {lesson.title}" + (f", at “{lesson.place.heading}”" if begun and lesson.place else "")
+        return f"Go on with: {lesson.title}" + (
+            f", at “{lesson.place.heading}”" if begun and lesson.place else ""
+        )
 
     @property
     def exercises(self) -> list[ExerciseState]:
@@ -183,7 +185,7 @@ def _state(lesson: LessonText, progress: LessonProgress, exercise: ExerciseState
     asked = sum(bool(one.asks) for one in lesson.cells)
     left = [one for one in lesson.cells if one.id not in read]
     later = [one for one in _after_the_last(lesson.cells, read) if one.id not in read]
-    at = (later or left or [None])[0]
+    at = next(iter(later or left), None)
     return LessonState(
         stem=lesson.stem,
         title=lesson.title,
@@ -209,7 +211,7 @@ def _lesson(path: Path, _mtime: int) -> LessonText:
     for cell in cells:
         source = "".join(cell["source"])
         if cell["cell_type"] == "markdown":
-            heading = ([heading] + _HEADING.findall(source))[-1]
+            heading = [heading, *_HEADING.findall(source)][-1]
         elif cell["cell_type"] == "code":
             asks = _ASKS.search(source)
             found.append(CodeCell(cell["id"], heading.strip(), asks[1] if asks else ""))

@@ -1,4 +1,4 @@
-"""What a student has done so far, in a small file of their work folder: cells run and read, predictions, tries, points."""
+"""What a student has done so far, in a small file of their work folder: cells, predictions, tries, points."""
 
 import fcntl
 import json
@@ -19,9 +19,9 @@ TRIES_BEFORE_SOLUTION = 5
 class LessonProgress:
     """One lesson and its exercise. `cells`: ids of the lesson's code cells that were run. `predictions`: by experiment.
 
-    `read`: the cells that were run one by one, as `activity` tells it. `touched`: when something was last noted (seconds
-    since 1970). `outcomes_seen`: predictions that can no longer be changed. The rest is the exercise: judged tries,
-    hints shown, whether it ever got full marks, and the most points.
+    `read`: the cells that were run one by one, as `activity` tells it. `touched`: when something was last noted
+    (seconds since 1970). `outcomes_seen`: predictions that can no longer be changed. The rest is the exercise: judged
+    tries, hints shown, whether it ever got full marks, and the most points.
     """
 
     tries: int = 0

@@ -9,8 +9,8 @@ from typing import Any
 def load_ipython_extension(shell: Any) -> None:
     """Register the magics and make ROS safe in this kernel."""
     from workbook.lesson.activity import note_cell
-    from workbook.magics.extension import ExerciseMagics
     from workbook.magics import tracebacks
+    from workbook.magics.extension import ExerciseMagics
     from workbook.ros.kernel import install
 
     install()

@@ -30,9 +30,9 @@ def library_of(frame: str) -> str | None:
             return Path(path.parts[path.parts.index(folder) + 1]).stem
     if path.is_relative_to(_WORKBOOK):
         return "workbook"
-    for folder in _STANDARD:
-        if path.is_relative_to(folder):
-            inside = path.relative_to(folder).parts
+    for standard in _STANDARD:
+        if path.is_relative_to(standard):
+            inside = path.relative_to(standard).parts
             return Path(next((one for one in inside if not one.startswith("python3")), path.name)).stem
     return None
 
@@ -44,7 +44,9 @@ def split(traceback: Sequence[str]) -> tuple[list[str], list[str], list[str]]:
     """
     libraries = [library_of(part) for part in traceback]
     own = [part for part, name in zip(traceback, libraries, strict=True) if name is None]
-    frames = [_ANSI.sub("", part) for part, name in zip(traceback, libraries, strict=True) if name is not None]
+    frames = [
+        _ANSI.sub("", part) for part, name in zip(traceback, libraries, strict=True) if name is not None
+    ]
     if not any(_ANSI.sub("", part).lstrip().startswith(("Cell ", "File ")) for part in own):
         return list(traceback), [], []
     return own, frames, list(dict.fromkeys(name for name in libraries if name is not None))

@@ -12,7 +12,7 @@
     ['Stop a cell', 'A cell that runs on shows [*]. This button stops it; the notebook keeps what it knows.', BUTTON('interrupt')],
     ['Restart', 'Nothing makes sense any more? This button starts Python again, and ends the robot programs of this notebook. Your text stays.', BUTTON('restart')],
     ['A terminal', 'File > New > Terminal. Type “workbook topic list” there: it sees the robot of your open notebook.', '.lm-MenuBar-item[data-command="filemenu"], .lm-MenuBar-item:first-child'],
-    ['The robot panel', 'It keeps the robot, its nodes and topics in sight while you read on.', '.lm-TabBar-tab[data-id^="workbook-robot"], .lm-TabBar-tab[data-id^="workbook-panel"]', 'needed'],
+    ['The robot panel', 'This button shows the robot, its nodes and topics beside the notebook, and keeps them in sight while you read on.', BUTTON('robot-panel'), 'needed'],
     ['Home', 'Help > Workbook Home shows what you have read, predicted and solved, and takes you back to where you were. This tour is in the Help menu, too.', '.lm-MenuBar-item:last-child'],
   ];
   let shared = {};
