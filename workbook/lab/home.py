@@ -118,6 +118,7 @@ class HomeHandler(WorkbookHandler):
 
     @web.authenticated
     async def get(self) -> None:
+        """Answer with the page, or with 304."""
         desk = self.desk()
         tag = f'"{fingerprint(desk)}"'
         self.set_header("Cache-Control", "no-cache")
@@ -139,6 +140,7 @@ class RestoreHandler(WorkbookHandler):
 
     @web.authenticated
     async def post(self) -> None:
+        """Put the best version of the exercise that is named back, and say so."""
         desk = self.desk()
         asked = json.loads(self.request.body or b"{}")
         stem = str(asked.get("exercise", ""))
@@ -161,10 +163,12 @@ class TourHandler(WorkbookHandler):
 
     @web.authenticated
     async def get(self) -> None:
+        """Say whether the tour was seen."""
         self.finish(json.dumps({"seen": (self.desk().folder / TOUR_SEEN).exists()}))
 
     @web.authenticated
     async def post(self) -> None:
+        """Note that the tour was seen."""
         file = self.desk().folder / TOUR_SEEN
         file.parent.mkdir(parents=True, exist_ok=True)
         file.touch()
