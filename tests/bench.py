@@ -445,12 +445,25 @@ def last_test_run(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Fi
     yield Figure("make test", f"{total:.0f} s", when, "< 900 s", total < 900, {"seconds": round(total, 1)})
 
 
+def lab_starts(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
+    """A later start of `make lab`, until the home page can be used; then the first cell of the first lesson."""
+    from lab_start import measured_starts, missing
+
+    if missing() is not None:
+        yield Figure("a later start of JupyterLab", "not here", missing() or "")
+        return
+    starts, answers = measured_starts(size.wall_runs)
+    yield of_times("a later start of JupyterLab, until the home page shows", starts, 5.0)
+    yield of_times("  the first cell of lesson 00, until its first output", answers, 2.0)
+
+
 PARTS: dict[str, Callable[[Size, Exercise, Answer], Iterator[Figure]]] = {
     "check": check,
     "warm": warm,
     "steadiness": steadiness,
     "isolation": sandboxing,
     "throughput": throughput,
+    "lab": lab_starts,
     "tests": last_test_run,
     "fairness": fairness,
 }

@@ -19,7 +19,7 @@ import psutil
 ROOT = Path(__file__).resolve().parents[2]
 START_LIMIT_S = 90.0
 STOP_LIMIT_S = 20.0
-COURSE = ("notebooks", "exercises", "solutions")
+COURSE = ("notebooks", "exercises", "solutions", "lesson_nodes")
 _ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/\S*token=\w+")
 _INHERITED = ("PATH", "LANG", "LC_ALL", "TMPDIR")
 # Whoever stops the tests does not let them tidy up: JupyterLab then ends with the process that started it.
@@ -74,14 +74,15 @@ class StudentLab:
 
     def __init__(self, folder: Path) -> None:
         course, home = folder / "course", folder / "home"
-        course.mkdir(parents=True)
-        home.mkdir()
+        course.mkdir(parents=True, exist_ok=True)  # it is there when this is a later start
+        home.mkdir(exist_ok=True)
         # Saving by hand while JupyterLab saves by itself makes it ask which version to keep.
         settings = home / ".jupyter" / "lab" / "user-settings" / "@jupyterlab" / "docmanager-extension"
-        settings.mkdir(parents=True)
+        settings.mkdir(parents=True, exist_ok=True)
         (settings / "plugin.jupyterlab-settings").write_text('{"autosave": false}')
         for name in COURSE:
-            (course / name).symlink_to(ROOT / name)
+            if not (course / name).exists():
+                (course / name).symlink_to(ROOT / name)
         self.work = course / "work"
         self.url = ""
         self.said: list[str] = []

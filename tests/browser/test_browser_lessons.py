@@ -9,8 +9,6 @@ from statistics import median
 import pytest
 from playwright.sync_api import expect
 
-from workbook.lab.work_folder import first_lesson
-
 from .lab_page import ROBOT, LabPage
 from .student_lab import ROOT, StudentLab
 
@@ -72,19 +70,6 @@ def check_robot(page: LabPage, moments: list[float], artifacts: Path) -> None:
         "load_average": round(os.getloadavg()[0], 1),
     }
     (artifacts / "frames.json").write_text(json.dumps(measured) + "\n", encoding="utf-8")
-
-
-def test_the_first_start_shows_the_first_lesson_and_asks_nothing(
-    page: LabPage, lab: StudentLab, artifacts: Path
-) -> None:
-    page.open_first()
-    first = first_lesson(ROOT)
-    assert first is not None
-    tabs = page.page.locator("#jp-main-dock-panel .lm-TabBar-tabLabel")
-    expect(tabs).to_have_text([Path(first).name])
-    expect(page.pop_ups()).to_have_count(0)
-    page.page.screenshot(path=artifacts / "first_start.png")
-    assert lab.work.is_dir()
 
 
 @pytest.mark.parametrize("stem", LESSONS)

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from workbook.authoring.kernels import PrivateKernelManager
-from workbook.lab import jupyter_files, kernel
+from workbook.lab import jupyter_files, kernel, work_folder
 
 
 @pytest.fixture
@@ -146,3 +146,17 @@ def test_a_file_that_another_environment_has_too_stays_as_it_is_there(tmp_path: 
     assert json.loads(ours.read_text())["argv"][0] == "/our/bin/python"
     assert json.loads(theirs.read_text())["argv"][0] == "/their/bin/python"
     assert sorted(path.name for path in ours.parent.iterdir()) == ["kernel.json"]
+
+
+def test_what_a_lesson_writes_does_not_lie_among_the_lessons(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)  # and back, afterwards
+    (tmp_path / "notebooks").mkdir()
+    kernel.leave_the_lessons(tmp_path / "notebooks")
+    assert Path.cwd() == tmp_path, "a folder of notebooks that is not a student's copy"
+    (tmp_path / ".state").mkdir()
+    (tmp_path / kernel.STATE).write_text("{}")
+    kernel.leave_the_lessons(tmp_path / "notebooks")
+    assert Path.cwd() == tmp_path / "scratch"
+    assert str(kernel.STATE) == str(work_folder.STATE)

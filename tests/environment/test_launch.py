@@ -103,3 +103,19 @@ def test_a_copy_that_cannot_be_written_is_said(
     monkeypatch.setenv("WORKBOOK_COURSE", str(tmp_path))
     assert main(["lab"]) == 1
     assert "cannot write the student's copy" in capsys.readouterr().err
+
+
+def test_the_first_start_opens_the_first_lesson_and_later_ones_open_at_home(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "exercises" / "criteria").mkdir(parents=True)
+    (tmp_path / "notebooks").mkdir()
+    (tmp_path / "notebooks" / "00_start_here.ipynb").write_text('{"cells": []}')
+    monkeypatch.setenv("WORKBOOK_COURSE", str(tmp_path))
+    monkeypatch.chdir(tmp_path)  # and back, afterwards
+    started: list[list[str]] = []
+    monkeypatch.setattr(os, "execve", lambda program, line, environ: started.append(line))
+    main(["lab"])
+    main(["lab"])
+    opened = [[one for one in line if "default_url" in one] for line in started]
+    assert opened == [["--LabApp.default_url=/lab/tree/notebooks/00_start_here.ipynb"], []]

@@ -1,6 +1,8 @@
 """The student's copy: nothing the student wrote is ever lost."""
 
 import json
+import platform
+import re
 from pathlib import Path
 
 import pytest
@@ -197,3 +199,36 @@ def test_pages_to_read_are_always_the_newest(course: Path, work: Path) -> None:
     update_work_folder(course, work)
     assert (work / "notebooks" / "error_museum.md").read_text() == "new\n"
     assert work_folder.first_lesson(course) == "notebooks/00_start_here.ipynb"
+
+
+def test_a_notebook_says_which_python_it_is_for_so_that_opening_it_changes_nothing(
+    course: Path, work: Path
+) -> None:
+    lesson = json.loads((course / LESSON).read_text())
+    lesson["metadata"] = {"language_info": {"name": "python"}}
+    (course / LESSON).write_text(json.dumps(lesson))
+    work.joinpath("notebooks").mkdir(parents=True)
+    (work / LESSON).write_text(json.dumps(lesson))  # as an earlier version delivered it
+    update_work_folder(course, work)
+    told = json.loads((work / LESSON).read_text())["metadata"]["language_info"]
+    assert told == {"name": "python", "version": platform.python_version()}
+
+
+def test_the_nodes_of_the_lessons_are_there_to_be_read(course: Path, work: Path) -> None:
+    (course / "lesson_nodes").mkdir()
+    (course / "lesson_nodes" / "two_arms.py").write_text("# a node\n")
+    assert update_work_folder(course, work).lines() == ["3 notebooks added to work/."]
+    assert (work / "lesson_nodes" / "two_arms.py").read_text() == "# a node\n"
+
+
+def test_every_link_of_a_lesson_leads_somewhere_in_the_students_copy(tmp_path: Path) -> None:
+    work = tmp_path / "work"
+    update_work_folder(ROOT, work)
+    dead = []
+    for path in sorted((work / "notebooks").glob("*.ipynb")):
+        cells = json.loads(path.read_text())["cells"]
+        text = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
+        for link in re.findall(r"\]\((?!https?:|#)([^)#]+)", text):
+            if not (path.parent / link).is_file():
+                dead.append(f"{path.name}: {link}")
+    assert not dead

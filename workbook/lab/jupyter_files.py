@@ -35,11 +35,17 @@ LAB_SETTINGS = {
     # A notebook that is opened again shows the buttons of its predictions, not "Error displaying widget".
     "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True},
     # JupyterLab 4.6 would take "contentVisibility": a third less work for the browser, and once an empty page.
-    "@jupyterlab/notebook-extension:tracker": {"windowingMode": "defer"},
+    "@jupyterlab/notebook-extension:tracker": {"windowingMode": "defer", "kernelShutdown": True},
+    # The whole width of the column is for the names.
+    "@jupyterlab/filebrowser-extension:browser": {"showLastModifiedColumn": False},
 }
 
 FRONT_END = Path(__file__).with_name("front_end")
-"""What JupyterLab itself loads: tells the kernel which answer is on the screen."""
+"""What JupyterLab itself loads: tells the kernel which answer is on the screen. Each folder in it is an extension of
+its own, `rclpy-workbook-FOLDER`: its `package.json`, and the files that go into `static/`."""
+
+# The server's part of the home page.
+SERVER_SETTINGS = {"ServerApp": {"jpserver_extensions": {"workbook.lab.home": True}}}
 
 # An empty guard makes the wheels find their own libraries, even when Jupyter runs in another environment.
 KERNEL_ENVIRONMENT = {"_ROS_WHEELS_BOOTSTRAP_COMPLETE": "", "PYTHONPATH": ""}
@@ -69,10 +75,18 @@ def install(prefix: Path, python: str) -> list[Path]:
         prefix / "share" / "jupyter" / "lab" / "settings" / "overrides.json": json.dumps(
             LAB_SETTINGS, indent=2
         ),
+        prefix / "etc" / "jupyter" / "jupyter_server_config.d" / "rclpy-workbook-home.json": json.dumps(
+            SERVER_SETTINGS, indent=1
+        ),
         kernels / "kernel.json": json.dumps(kernel_spec(python), indent=1),
         extension / "package.json": (FRONT_END / "package.json").read_text(encoding="utf-8"),
         extension / "static" / "answers.js": (FRONT_END / "answers.js").read_text(encoding="utf-8"),
     }
+    for own in sorted(path.parent for path in FRONT_END.glob("*/package.json")):
+        place = extension.with_name(f"{extension.name}-{own.name}")
+        for file in sorted(own.iterdir()):
+            target = place if file.name == "package.json" else place / "static"
+            files[target / file.name] = file.read_text(encoding="utf-8")
     for path, text in files.items():
         path.parent.mkdir(parents=True, exist_ok=True)
         partial = path.with_name(f"{path.name}.part")

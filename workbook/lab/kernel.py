@@ -3,9 +3,12 @@
 import logging
 import os
 import sys
+from pathlib import Path
 from typing import Any
 
 MAGICS = "workbook.magics"
+STATE = Path(".state", "delivered.json")
+"""What the student's copy has, beside `notebooks/` (see `work_folder`, which this module does not wait for)."""
 _START = "from workbook.lab.kernel import start as _start; _start(get_ipython()); del _start"
 
 _problems: list[str] = []
@@ -46,6 +49,10 @@ def forget_search_path() -> None:
 def start(shell: Any) -> None:
     """Load the magics into IPython's shell; whatever went wrong is said above the output of the first cell."""
     try:
+        leave_the_lessons(Path.cwd())
+    except OSError as error:
+        _problems.append(f"There is no scratch folder for files that lessons write: {error}")
+    try:
         if shell.extension_manager.load_extension(MAGICS) == "no load function":
             _problems.append(
                 f"{MAGICS} has no load_ipython_extension: the magics of the workbook are not there"
@@ -54,6 +61,14 @@ def start(shell: Any) -> None:
         _problems.append(f"The magics of the workbook did not load: {type(error).__name__}: {error}")
     if _problems:
         shell.events.register("pre_run_cell", _complain)
+
+
+def leave_the_lessons(folder: Path) -> None:
+    """In the student's copy, work in `scratch/` beside the lessons: what a lesson writes does not lie among them."""
+    if folder.name == "notebooks" and (folder.parent / STATE).is_file():
+        scratch = folder.parent / "scratch"
+        scratch.mkdir(exist_ok=True)
+        os.chdir(scratch)
 
 
 def _complain(*_: object) -> None:

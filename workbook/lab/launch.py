@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from workbook.exercise.course import NoCourse, course_folder
-from workbook.lab.work_folder import first_lesson, update_work_folder
+from workbook.lab.work_folder import STATE, first_lesson, update_work_folder
 from workbook.ros.environment import is_leftover, uses_wheels
 
 
@@ -84,6 +84,7 @@ def launch(arguments: Sequence[str]) -> int:
     except (CannotLaunch, NoCourse) as problem:
         print(f"workbook lab: {problem}", file=sys.stderr)
         return 1
+    first_start = not (work / STATE).is_file()
     try:
         for said in update_work_folder(course, work).lines():
             print(said)
@@ -94,7 +95,8 @@ def launch(arguments: Sequence[str]) -> int:
             file=sys.stderr,
         )
         return 1
-    lesson = first_lesson(course)
+    # On later starts, JupyterLab without a notebook in its address opens at home.
+    lesson = first_lesson(course) if first_start else None
     print(f"Your notebooks are in {work}. Stop JupyterLab with Ctrl-C here.", flush=True)
     os.chdir(work)
     line = command(arguments, work=work, lesson=lesson, root_user=os.geteuid() == 0)

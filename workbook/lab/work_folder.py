@@ -6,6 +6,7 @@ It comes without outputs, which would tell what the student is to predict. The c
 import hashlib
 import json
 import os
+import platform
 import re
 import shutil
 import tempfile
@@ -88,7 +89,7 @@ def update_work_folder(root: Path, work: Path) -> WorkFolderUpdate:
             _copy(source, own)
             report.added.append(name)
         elif (present := fingerprint(own)) == new:
-            if own.read_bytes() == source.read_bytes():  # put there by a version that copied outputs as well
+            if own.read_text(encoding="utf-8") in _earlier_copies(source):
                 _copy(source, own)
         elif present in marks:
             keep_backup(work, own)
@@ -103,8 +104,8 @@ def update_work_folder(root: Path, work: Path) -> WorkFolderUpdate:
         if new in marks:
             marks.remove(new)
         marks.append(new)
-    for page in sorted((root / "notebooks").glob("*.md")):
-        _copy(page, work / "notebooks" / page.name)  # to be read only: nothing of the student's is in it
+    for page in [*sorted((root / "notebooks").glob("*.md")), *sorted((root / "lesson_nodes").glob("*.py"))]:
+        _copy(page, work / page.relative_to(root))  # to be read only: nothing of the student's is in it
     (work / ANSWERS).mkdir(parents=True, exist_ok=True)
     _write(work / STATE, json.dumps(state, indent=1, sort_keys=True) + "\n")
     return report
@@ -147,10 +148,26 @@ def without_outputs(text: str) -> str:
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n" if ran else text
 
 
+def with_language_version(text: str) -> str:
+    """A notebook that says which Python it is for, as a kernel would add: then opening it changes nothing."""
+    try:
+        notebook = json.loads(text)
+        notebook["metadata"]["language_info"]["version"] = platform.python_version()
+    except (ValueError, KeyError, TypeError):
+        return text
+    return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
+
+
+def _earlier_copies(source: Path) -> set[str]:
+    """What versions before this one made of a notebook: copied it as it is, or without outputs."""
+    text = source.read_text(encoding="utf-8")
+    return {text, without_outputs(text)}
+
+
 def _copy(source: Path, target: Path) -> None:
     text = source.read_text(encoding="utf-8")
     if source.suffix == ".ipynb":
-        text = without_outputs(text)
+        text = with_language_version(without_outputs(text))
     if not target.is_file() or target.read_bytes() != text.encode():
         _write(target, text)
 

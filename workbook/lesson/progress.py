@@ -1,7 +1,8 @@
-"""What a student has done so far, in a small file of their work folder: cells run, predictions, tries, points."""
+"""What a student has done so far, in a small file of their work folder: cells, predictions, tries, points."""
 
 import fcntl
 import json
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field, fields
@@ -18,15 +19,18 @@ TRIES_BEFORE_SOLUTION = 5
 class LessonProgress:
     """One lesson and its exercise. `cells`: ids of the lesson's code cells that were run. `predictions`: by experiment.
 
-    `outcomes_seen`: predictions that can no longer be changed. The rest is the exercise: judged tries, hints shown,
-    whether it ever got full marks, and the most points.
+    `read`: the cells that were run one by one, as `activity` tells it. `touched`: when something was last noted
+    (seconds since 1970). `outcomes_seen`: predictions that can no longer be changed. The rest is the exercise: judged
+    tries, hints shown, whether it ever got full marks, and the most points.
     """
 
     tries: int = 0
     hints: int = 0
     solved: bool = False
     best: float = 0.0
+    touched: float = 0.0
     cells: list[str] = field(default_factory=list)
+    read: list[str] = field(default_factory=list)
     predictions: dict[str, str] = field(default_factory=dict)
     outcomes_seen: list[str] = field(default_factory=list)
 
@@ -71,6 +75,7 @@ def changed_progress(stem: str) -> Iterator[LessonProgress]:
         before = asdict(progress)
         yield progress
         if asdict(progress) != before:
+            progress.touched = time.time()
             _write(stem, progress)
 
 

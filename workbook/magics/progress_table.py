@@ -1,16 +1,12 @@
 """The table of `%progress`: lesson by lesson, what was read, predicted and solved."""
 
-import json
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from workbook.exercise.course import course_folder
-from workbook.exercise.definition import load_exercise
-from workbook.exercise.source import stems
-from workbook.lesson.best_answers import hands_in_another
-from workbook.lesson.progress import LessonProgress, all_progress
+from workbook.lesson.course_map import CourseMap, LessonState, course_map
+from workbook.lesson.progress import LessonProgress
 from workbook.templating import render
 
 _HEAD = ("lesson", "read", "predicted", "exercise", "points")
@@ -24,44 +20,44 @@ def _cut(text: str, width: int) -> str:
 
 @dataclass(frozen=True)
 class LessonRow:
-    """One lesson: code cells and predictions (done, of how many), and its exercise, if it has one."""
+    """One lesson in words."""
 
-    title: str
-    cells: tuple[int, int]
-    predictions: tuple[int, int]
-    points: tuple[float, float] | None
-    tries: int
-    solved: bool
+    state: LessonState
+
+    @property
+    def title(self) -> str:
+        """The lesson's title."""
+        return self.state.title
 
     @property
     def read(self) -> str:
-        """How much of the lesson was run, in words."""
-        done, of = self.cells
+        """How much of the lesson was read, in words."""
+        done, of = self.state.cells
         if not done:
             return "–"
-        return "✓ all" if done >= of else f"{round(100 * done / of)} %"
+        return "✓ all" if done >= of else f"{'✓ ' if self.state.is_read else ''}{round(100 * done / of)} %"
 
     @property
     def predicted(self) -> str:
         """How many predictions were made, in words; empty where the lesson asks for none."""
-        done, of = self.predictions
+        done, of = self.state.predictions
         return f"{done} of {of}" if of else ""
 
     @property
     def exercise(self) -> str:
         """The state of the exercise, in words; empty where there is none."""
-        if self.points is None:
+        exercise = self.state.exercise
+        if exercise is None:
             return ""
-        if self.solved:
+        if exercise.solved:
             return "✓ solved"
-        return f"{self.tries} {'try' if self.tries == 1 else 'tries'}" if self.tries else "–"
+        return f"{exercise.tries} {'try' if exercise.tries == 1 else 'tries'}" if exercise.tries else "–"
 
     @property
     def score(self) -> str:
         """The most points so far, in words; empty before the first try."""
-        if self.points is None or not self.tries:
-            return ""
-        return f"{self.points[0]:g} of {self.points[1]:g}"
+        exercise = self.state.exercise
+        return f"{exercise.points[0]:g} of {exercise.points[1]:g}" if exercise and exercise.tries else ""
 
     def columns(self) -> tuple[str, ...]:
         """The row as text, one entry per column."""
@@ -69,46 +65,36 @@ class LessonRow:
 
 
 class ProgressTable:
-    """What a student has done in the whole course; shows itself in a notebook and as text.
+    """What a student has done in the whole course; shows itself in a notebook and as text."""
 
-    `not_best`: exercises whose file to hand in is not the best version.
-    """
-
-    def __init__(self, rows: Sequence[LessonRow], not_best: Sequence[str] = ()) -> None:
-        self.rows = tuple(rows)
-        self.not_best = tuple(not_best)
+    def __init__(self, course: CourseMap) -> None:
+        self.course = course
+        self.rows = tuple(LessonRow(one) for one in course.lessons)
 
     @property
     def warnings(self) -> list[str]:
         """One line for each exercise whose file to hand in is not the best version."""
         return [
-            f"{stem}: the file to hand in is not your best version. %restore {stem[:2]} in its notebook, or "
-            f"workbook restore {stem[:2]} in a terminal, puts that back."
-            for stem in self.not_best
+            f"{one.stem}: the file to hand in is not your best version. %restore {one.stem[:2]} in its notebook, "
+            f"or workbook restore {one.stem[:2]} in a terminal, puts that back."
+            for one in self.course.not_best
         ]
 
     @property
     def summary(self) -> str:
         """One sentence with the sums."""
-        read = sum(row.cells[0] >= row.cells[1] for row in self.rows if row.cells[1])
-        exercises = [row for row in self.rows if row.points is not None]
-        solved = sum(row.solved for row in exercises)
-        points = sum(row.points[0] for row in exercises if row.points is not None)
-        most = sum(row.points[1] for row in exercises if row.points is not None)
+        sums = self.course.sums
+        (read, lessons), (solved, exercises) = sums["lessons read"], sums["exercises solved"]
+        points, most = sums["points"]
         return (
-            f"{read} of {len(self.rows)} lessons read to the end, {solved} of {len(exercises)} exercises solved, "
-            f"{points:g} of {most:g} points."
+            f"{read} of {lessons} lessons read, {solved} of {exercises} exercises solved, "
+            f"{points:g} of {most:g} points. A lesson is read when you have run its cells one by one."
         )
 
     @property
     def next_step(self) -> str:
-        """The first lesson that is not done yet."""
-        for row in self.rows:
-            if row.cells[0] < row.cells[1]:
-                return f"Go on with: {row.title}"
-            if row.points is not None and not row.solved:
-                return f"Go on with the exercise of: {row.title}"
-        return "You have done all there is. Well done!"
+        """The first thing to do next."""
+        return self.course.next_step
 
     def text(self, columns: int | None = None) -> str:
         """The table for a terminal. Titles are cut where `columns` would not hold them."""
@@ -151,37 +137,4 @@ def progress_table(
     answers: Path | None = None,
 ) -> ProgressTable:
     """The state of this student. `course`, `done` and `answers` default to what is installed and what is kept."""
-    folder = course_folder() if course is None else course
-    kept = all_progress() if done is None else done
-    exercises = set(stems(folder / "solutions"))
-    rows = []
-    for path in sorted((folder / "notebooks").glob("[0-9][0-9]_*.ipynb")):
-        progress = kept.get(path.stem, LessonProgress())
-        title, cells, questions = _lesson(path)
-        points = None
-        if path.stem in exercises:
-            exercise = load_exercise(path.stem, folder)
-            most = sum(one.points for one in exercise.criteria if not one.hidden)
-            points = (progress.best, most)
-        rows.append(
-            LessonRow(
-                title=title,
-                cells=(len(cells & set(progress.cells)), len(cells)),
-                predictions=(min(len(progress.predictions), questions), questions),
-                points=points,
-                tries=progress.tries,
-                solved=progress.solved,
-            )
-        )
-    return ProgressTable(rows, [stem for stem in sorted(exercises) if hands_in_another(stem, answers)])
-
-
-def _lesson(path: Path) -> tuple[str, set[str], int]:
-    """Title, ids of the code cells, and how many predictions the lesson asks for."""
-    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
-    sources = {cell["id"]: "".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"}
-    first = "".join(cells[0]["source"]).splitlines()[0]
-    questions = sum(
-        source.lstrip().startswith("predict(") or "\npredict(" in source for source in sources.values()
-    )
-    return first.lstrip("# ").strip(), set(sources), questions
+    return ProgressTable(course_map(course, done, answers))

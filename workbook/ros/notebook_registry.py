@@ -29,8 +29,9 @@ class OpenNotebook:
 
 
 def notebook_label() -> str:
-    """The file name of the notebook this kernel belongs to, as far as Jupyter tells."""
-    return Path(os.environ.get("JPY_SESSION_NAME", "")).stem or "notebook"
+    """The file name of this kernel's notebook, as far as Jupyter tells. An exercise says that it is one."""
+    path = Path(os.environ.get("JPY_SESSION_NAME", ""))
+    return f"exercise {path.stem}" if path.parent.name == "exercises" else path.stem or "notebook"
 
 
 def announce(domain_id: int, label: str | None = None) -> None:

@@ -1,0 +1,251 @@
+"""The first screen, the tour, the home page and the tabs: JupyterLab before and between the lessons."""
+
+import json
+import re
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator, ViewportSize, expect
+
+from workbook.lab.work_folder import first_lesson
+
+from .axe import violations
+from .lab_page import ROBOT, LabPage
+from .student_lab import ROOT, StudentLab
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+FIRST = first_lesson(ROOT) or ""
+EXERCISE = "exercises/05_timers.ipynb"
+USUAL, TALL = ViewportSize(width=1280, height=800), ViewportSize(width=1280, height=1000)
+WIDTHS = (800, 1280, 1600)
+LEAST_CONTRAST = 4.5
+WIDEST_PROSE = 95
+"""Characters: about ninety, and a line with many narrow ones holds some more."""
+TABS = "#jp-main-dock-panel .lm-TabBar-tab"
+
+# Names in the column of files that end in dots.
+_CUT_NAMES = """
+() => [...document.querySelectorAll('.jp-DirListing-itemName')]
+    .filter(one => one.scrollWidth > one.clientWidth || [...one.children].some(
+        inner => inner.getBoundingClientRect().right > one.getBoundingClientRect().right + 1))
+    .map(one => one.innerText)
+"""
+# The most characters that stand in one line of a lesson's paragraphs.
+_WIDEST_LINE = """
+panel => {
+    let most = 0;
+    for (const paragraph of [...panel.querySelectorAll('.jp-RenderedMarkdown > p')].slice(0, 20)) {
+        const lines = {};
+        const walker = document.createTreeWalker(paragraph, NodeFilter.SHOW_TEXT);
+        for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+            for (let place = 0; place < node.length; place++) {
+                const range = new Range();
+                range.setStart(node, place);
+                range.setEnd(node, place + 1);
+                const top = Math.round(range.getBoundingClientRect().bottom / 8);
+                lines[top] = (lines[top] || 0) + 1;
+            }
+        }
+        most = Math.max(most, ...Object.values(lines));
+    }
+    return most;
+}
+"""
+# For each question of a quiz: how far its first option is below it, and how far it is below the options before (px).
+_GAPS = """
+panel => [...panel.querySelectorAll('details + p:has(+ details)')].map(one => [
+    one.nextElementSibling.getBoundingClientRect().top - one.getBoundingClientRect().bottom,
+    one.getBoundingClientRect().top - one.previousElementSibling.getBoundingClientRect().bottom,
+])
+"""
+
+
+def kernels(lab: StudentLab, page: LabPage) -> list[dict[str, Any]]:
+    """What the server says of the kernels that run."""
+    found: list[dict[str, Any]] = page.page.request.get(f"{lab.address}/api/kernels?token={lab.token}").json()
+    return found
+
+
+def tab(page: LabPage, name: str) -> Locator:
+    return page.page.locator(TABS, has_text=name)
+
+
+def close_tab(page: LabPage, name: str) -> None:
+    """With the cross on it, as a hand does."""
+    tab(page, name).locator(".lm-TabBar-tabCloseIcon").click()
+
+
+def check_tour(page: LabPage, artifacts: Path) -> None:
+    """From step to step with the keyboard; each frames what it explains, and Escape ends it."""
+    tour, frame = page.page.locator(".wb-tour"), page.page.locator(".wb-tour-frame")
+    expect(tour).to_contain_text("Run a cell")
+    titles = []
+    while True:
+        titles.append(tour.locator("h2").inner_text())
+        expect(frame).to_be_visible()
+        onward = tour.locator(".wb-tour-next")
+        if onward.inner_text() == "Done":
+            break
+        onward.focus()
+        page.page.keyboard.press("Enter")
+    assert {"Run a cell", "Stop a cell", "Restart", "A terminal", "Home"} <= set(titles)
+    for theme in page.themes():
+        page.choose_theme(theme)
+        assert violations(page.page, ".wb-tour") == []
+        assert min(page.contrasts(tour).values()) >= LEAST_CONTRAST
+        page.page.screenshot(path=artifacts / f"tour_{theme}.png")
+    tour.locator(".wb-tour-next").focus()
+    page.page.keyboard.press("Escape")
+    expect(tour).to_have_count(0)
+    expect(frame).to_have_count(0)
+
+
+def check_layout(page: LabPage) -> None:
+    """Names of files, width of prose, distance of questions, headings, and the theme that the browser knows."""
+    assert page.page.evaluate(_CUT_NAMES) == []
+    root = page.page.locator(":root")
+    for width in WIDTHS:
+        page.page.set_viewport_size({"width": width, "height": 800})
+        widest = page.panel.evaluate(_WIDEST_LINE)
+        assert widest <= WIDEST_PROSE, f"{widest} characters in a line at {width} px"
+    page.page.set_viewport_size(USUAL)
+    gaps = page.panel.evaluate(_GAPS)
+    assert gaps and all(to_options < to_the_last for to_options, to_the_last in gaps), gaps
+    for theme in page.themes():
+        page.choose_theme(theme)
+        expect(root).to_have_css("color-scheme", theme)
+
+
+def check_traceback(page: LabPage, cell: Locator, artifacts: Path) -> None:
+    """An error inside of rclpy: the own lines are shown, those of rclpy are one click away."""
+    page.write(cell, "import json\n\n\ndef read(text):\n    return json.loads(text)\n\n\nread('{')")
+    page.run(cell)
+    outputs = cell.locator(".jp-OutputArea")
+    expect(outputs).to_contain_text("JSONDecodeError: Expecting property name")
+    fold = outputs.locator("details")
+    expect(fold.locator("summary")).to_have_text(re.compile("more frames?, inside json"))
+    expect(outputs.locator("pre", has_text="raw_decode").first).to_be_hidden()
+    fold.locator("summary").click()
+    expect(fold.locator("pre").last).to_be_visible()
+    cell.scroll_into_view_if_needed()
+    page.page.screenshot(path=artifacts / "traceback.png")
+
+
+def test_the_first_start(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
+    page.page.set_viewport_size(USUAL)
+    page.open_first()
+    expect(page.page.locator(f"{TABS} .lm-TabBar-tabLabel")).to_have_text([Path(FIRST).name])
+    expect(page.pop_ups()).to_have_count(0)
+    assert lab.work.is_dir()
+    check_tour(page, artifacts)
+    assert (lab.work / ".state" / "tour_seen").is_file(), "it comes by itself once only"
+    expect(page.page.locator(f"{TABS}.jp-mod-dirty")).to_have_count(0)  # a lesson that was only opened
+    page.page.screenshot(path=artifacts / "first_start.png")
+
+    cell = page.cell("await watch_robot")
+    cell.locator(".cm-content").click()
+    page.page.keyboard.press("Shift+Enter")
+    expect(cell.locator(".jp-InputPrompt")).to_have_text("[1]:")
+    expect(page.page.locator(f'img[alt^="{ROBOT}"]').first).to_be_in_viewport(ratio=0.99)
+    page.page.screenshot(path=artifacts / "first_robot.png")
+    check_layout(page)
+    check_traceback(page, page.cell("stop()"), artifacts)
+
+    close_tab(page, Path(FIRST).name)  # by mistake: it asks, and what was written is kept
+    dialog = page.page.locator(".jp-Dialog")
+    expect(dialog).to_contain_text("Save changes")
+    dialog.locator("button", has_text="Save").click()
+    expect(tab(page, Path(FIRST).name)).to_have_count(0)
+    assert "json.loads(text)" in (lab.work / FIRST).read_text(encoding="utf-8")
+    expect_no_kernels(page, lab)
+    page.page.set_viewport_size(TALL)
+
+
+def expect_no_kernels(page: LabPage, lab: StudentLab) -> None:
+    """A kernel takes a moment to end; the server then no longer lists it."""
+    deadline = time.monotonic() + 60
+    while kernels(lab, page) and time.monotonic() < deadline:
+        page.page.wait_for_timeout(100)
+    assert kernels(lab, page) == []
+
+
+def work_done(lab: StudentLab) -> str:
+    """Have lesson 05 read in part, and another version than the best to be handed in. Returns the next cell."""
+    cells = [one for one in lab.notebook("notebooks/05_timers.ipynb")["cells"] if one["cell_type"] == "code"]
+    answers = lab.work / "answers"
+    (answers / ".best").mkdir(parents=True, exist_ok=True)
+    (answers / ".best" / "05_timers.py").write_text("best = 1\n", encoding="utf-8")
+    (answers / "05_timers.py").write_text("worse = 1\n", encoding="utf-8")
+    file = answers / ".progress.json"
+    kept = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
+    kept["05_timers"] = {"tries": 2, "best": 8.0, "read": [one["id"] for one in cells[:9]], "touched": 9e9}
+    partial = file.with_suffix(".new")
+    partial.write_text(json.dumps(kept), encoding="utf-8")
+    partial.replace(file)
+    return str(cells[9]["source"][0] if isinstance(cells[9]["source"], list) else cells[9]["source"])
+
+
+def test_home_shows_the_way_and_goes_on(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
+    page.page.goto(f"{lab.address}/lab?token={lab.token}")  # what a later start opens
+    home = page.page.locator(".wb-home")
+    expect(home.locator("h1")).to_be_visible()
+    expect(page.page.locator("#jupyterlab-splash")).to_have_count(0)
+    expect(home.locator("[data-restore]")).to_have_count(0)
+    next_cell = work_done(lab)
+    expect(home.locator("[data-key=next]")).to_contain_text("Go on at")  # it follows the progress by itself
+    expect(home.locator("#wb-05_timers")).to_contain_text("8 of 10 points")
+    check_home(page, home, artifacts)
+
+    restore = home.locator("[data-restore='05_timers']")
+    restore.focus()
+    page.page.keyboard.press("Enter")
+    expect(home.locator("[role=status]")).to_contain_text("is your best version again")
+    expect(restore).to_have_count(0)
+    assert (lab.work / "answers" / "05_timers.py").read_text(encoding="utf-8") == "best = 1\n"
+
+    onward = home.locator("[data-key=next]")
+    onward.focus()
+    page.page.keyboard.press("Enter")
+    active = page.panel.locator(".jp-Cell.jp-mod-active")
+    expect(active).to_be_in_viewport(ratio=0.5)
+    expect(active.locator(".cm-content")).to_contain_text(next_cell.splitlines()[0])
+    page.page.screenshot(path=artifacts / "went_on.png")
+    check_tabs(page, lab, artifacts)
+
+
+def check_home(page: LabPage, home: Locator, artifacts: Path) -> None:
+    """It is for everybody: in both themes, narrow and wide."""
+    assert home.evaluate("one => Boolean(one.closest('main, [role=main]'))")
+    for theme in page.themes():
+        page.choose_theme(theme)
+        for width in WIDTHS:
+            page.page.set_viewport_size({"width": width, "height": 900})
+            assert home.evaluate("one => one.scrollWidth - one.clientWidth") == 0, f"cut at {width} px"
+            page.page.screenshot(path=artifacts / f"home_{width}_{theme}.png")
+        assert violations(page.page, ".wb-home") == []
+        low = {text: ratio for text, ratio in page.contrasts(home).items() if ratio < LEAST_CONTRAST}
+        assert not low, f"{theme}: {low}"
+    page.page.set_viewport_size(TALL)
+
+
+def check_tabs(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
+    """A lesson and its exercise side by side: told apart by their tabs, unchanged, and closed without a trace."""
+    page.open(EXERCISE)
+    exercise = page.page.locator(f"{TABS}[data-workbook=exercise]")
+    expect(exercise).to_have_class(re.compile("lm-mod-current"))
+    page._wait_until_loaded()
+    words = page.page.locator(f"{TABS} .lm-TabBar-tabLabel", has_text="05_timers").evaluate_all(
+        "all => all.map(one => getComputedStyle(one, '::before').content)"
+    )
+    assert sorted(words) == ['"Exercise "', "none"]
+    expect(page.page.locator(f"{TABS}.jp-mod-dirty")).to_have_count(0)
+    page.page.screenshot(path=artifacts / "tabs.png")
+    assert len(kernels(lab, page)) == 2
+    exercise.locator(".lm-TabBar-tabCloseIcon").click()
+    expect(exercise).to_have_count(0)
+    close_tab(page, "05_timers.ipynb")
+    expect(tab(page, "05_timers.ipynb")).to_have_count(0)
+    close_tab(page, "Home")
+    expect_no_kernels(page, lab)

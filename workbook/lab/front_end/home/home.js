@@ -1,0 +1,171 @@
+// The home page in a tab: shows what the server says (workbook/lab/home.py), opens the cell that a link names, and
+// follows the progress while it is on the screen. Plain JavaScript, loaded by JupyterLab as it is: no build step.
+(() => {
+  const NAME = 'rclpy-workbook-home';
+  const COMMAND = 'workbook:home';
+  const LOOK_EVERY_MS = 2000;
+  const STYLE = new URL('home.css', document.currentScript.src).href;
+  let shared = {};
+
+  // A module of JupyterLab itself, of which there is one version.
+  const moduleOf = async name => {
+    const [version] = Object.values(shared[name] || {});
+    if (!version) {
+      throw new Error(`${NAME}: this JupyterLab has no ${name}`);
+    }
+    return (await version.get())();
+  };
+
+  const addStyle = () => {
+    const link = document.createElement('link');
+    link.rel = 'stylesheet';
+    link.href = STYLE;
+    document.head.append(link);
+  };
+
+  // Opens a notebook, and its cell of that id in sight.
+  const open = async (app, path, id) => {
+    const panel = await app.commands.execute('docmanager:open', {path, factory: 'Notebook'});
+    if (!panel || !id) {
+      return;
+    }
+    await panel.context.ready;
+    await panel.revealed;
+    const notebook = panel.content;
+    const place = notebook.widgets.findIndex(cell => cell.model.id === id);
+    if (place >= 0) {
+      notebook.deselectAll();
+      notebook.activeCellIndex = place;
+      await notebook.scrollToItem(place, 'start');
+      notebook.activate();
+    }
+  };
+
+  class Page {
+    constructor(app, ask, widget) {
+      Object.assign(this, {app, ask, widget, tag: ''});
+      this.node = widget.node;
+      this.node.classList.add('wb-home');
+      this.node.tabIndex = -1;
+      this.node.setAttribute('role', 'region');
+      this.node.setAttribute('aria-label', 'Home');
+      this.body = document.createElement('div');
+      this.node.append(this.body);
+      this.node.addEventListener('click', event => this.clicked(event));
+      const timer = setInterval(() => this.look(), LOOK_EVERY_MS);
+      widget.disposed.connect(() => clearInterval(timer));
+    }
+
+    // Asks the server while somebody may be looking.
+    async look() {
+      if (this.asking || !this.widget.isVisible || document.hidden) {
+        return;
+      }
+      this.asking = true;
+      try {
+        const reply = await this.ask('home', {headers: this.tag ? {'If-None-Match': this.tag} : {}});
+        if (reply.status === 200) {
+          this.tag = reply.headers.get('Etag') || '';
+          this.show(await reply.text());
+        }
+      } catch (error) {
+        // The server is away for the moment. JupyterLab says so, and the page stays as it is.
+      } finally {
+        this.asking = false;
+      }
+    }
+
+    // Replaces what is shown; the focus and the place stay.
+    show(html) {
+      const focused = this.node.contains(document.activeElement) ? document.activeElement : null;
+      const key = focused && focused.dataset.key;
+      const said = this.said || '';
+      this.body.innerHTML = html;
+      const place = this.body.querySelector('.wb-said');
+      if (place) {
+        place.textContent = said;
+      }
+      if (focused) {
+        (this.body.querySelector(`[data-key="${key}"]`) || this.node).focus({preventScroll: true});
+      }
+    }
+
+    async clicked(event) {
+      const target = event.target.closest('[data-path], [data-restore], [data-command]');
+      if (!target || event.ctrlKey || event.metaKey || event.shiftKey) {
+        return;
+      }
+      event.preventDefault();
+      if (target.dataset.path) {
+        await open(this.app, target.dataset.path, target.dataset.cell);
+      } else if (target.dataset.command) {
+        await this.app.commands.execute(target.dataset.command);
+      } else {
+        await this.restore(target.dataset.restore);
+      }
+    }
+
+    async restore(exercise) {
+      const reply = await this.ask('restore', {method: 'POST', body: JSON.stringify({exercise})});
+      this.said = reply.ok ? (await reply.json()).said : `That did not work: ${reply.statusText}.`;
+      this.tag = '';
+      await this.look();
+    }
+  }
+
+  const plugin = ({ICommandPalette}, {IMainMenu}, {ILauncher}, {Widget}, {ServerConnection}, {PageConfig, URLExt}) => ({
+    id: `${NAME}:plugin`,
+    autoStart: true,
+    optional: [ICommandPalette, IMainMenu, ILauncher],
+    activate: (app, palette, menu, launcher) => {
+      addStyle();
+      const settings = ServerConnection.makeSettings();
+      const ask = (name, init) =>
+        ServerConnection.makeRequest(URLExt.join(settings.baseUrl, 'workbook', name), init, settings);
+      let page = null;
+      const show = () => {
+        if (!page || page.widget.isDisposed) {
+          const widget = new Widget();
+          Object.assign(widget, {id: 'workbook-home'});
+          Object.assign(widget.title, {label: 'Home', closable: true, caption: 'What you have read, predicted and solved'});
+          page = new Page(app, ask, widget);
+          const look = () => page.look();
+          widget.onAfterShow = look;
+          widget.onAfterAttach = look;
+          widget.onActivateRequest = () => widget.node.focus({preventScroll: true});
+          app.shell.add(widget, 'main');
+        }
+        app.shell.activateById(page.widget.id);
+      };
+      app.commands.addCommand(COMMAND, {label: 'Workbook Home', caption: 'The map of the course', execute: show});
+      if (palette) {
+        palette.addItem({command: COMMAND, category: 'Workbook'});
+      }
+      if (menu) {
+        menu.helpMenu.addGroup([{command: COMMAND}], 0);
+      }
+      if (launcher) {
+        launcher.add({command: COMMAND, category: 'Other', rank: 0});
+      }
+      // Started without a notebook in the address, JupyterLab opens at home.
+      app.restored.then(() => {
+        if (!PageConfig.getOption('treePath') && PageConfig.getOption('workspace') === 'default') {
+          show();
+        }
+      });
+    }
+  });
+
+  window._JUPYTERLAB = window._JUPYTERLAB || {};
+  window._JUPYTERLAB[NAME] = {
+    init: scope => {
+      shared = scope;
+    },
+    get: async () => {
+      const names = ['apputils', 'mainmenu', 'launcher'].map(name => `@jupyterlab/${name}`);
+      const more = ['@lumino/widgets', '@jupyterlab/services', '@jupyterlab/coreutils'];
+      const modules = await Promise.all([...names, ...more].map(moduleOf));
+      return () => ({__esModule: true, default: plugin(...modules)});
+    }
+  };
+})();
