@@ -40,6 +40,10 @@ LAB_SETTINGS = {
 
 FRONT_END = Path(__file__).with_name("front_end")
 """What JupyterLab itself loads: tells the kernel which answer is on the screen."""
+PANEL = FRONT_END / "panel"
+"""The panel beside the notebook, an extension of its own."""
+SERVER_CONFIG = {"ServerApp": {"jpserver_extensions": {"workbook.lab.panel": True}}}
+"""The panel's part of JupyterLab's server."""
 
 # An empty guard makes the wheels find their own libraries, even when Jupyter runs in another environment.
 KERNEL_ENVIRONMENT = {"_ROS_WHEELS_BOOTSTRAP_COMPLETE": "", "PYTHONPATH": ""}
@@ -54,6 +58,17 @@ def kernel_spec(python: str) -> dict[str, object]:
         "metadata": {"debugger": True},
         "env": KERNEL_ENVIRONMENT,
     }
+
+
+def panel_files(prefix: Path) -> dict[Path, str]:
+    """What makes the panel a part of JupyterLab and of its server."""
+    extension = prefix / "share" / "jupyter" / "labextensions" / "rclpy-workbook-panel"
+    files = {
+        extension / ("" if file.name == "package.json" else "static") / file.name: file.read_text(encoding="utf-8")
+        for file in sorted(PANEL.iterdir())
+    }
+    enabled = prefix / "etc" / "jupyter" / "jupyter_server_config.d" / "rclpy-workbook.json"
+    return files | {enabled: json.dumps(SERVER_CONFIG, indent=1)}
 
 
 def install(prefix: Path, python: str) -> list[Path]:
@@ -73,6 +88,7 @@ def install(prefix: Path, python: str) -> list[Path]:
         extension / "package.json": (FRONT_END / "package.json").read_text(encoding="utf-8"),
         extension / "static" / "answers.js": (FRONT_END / "answers.js").read_text(encoding="utf-8"),
     }
+    files |= panel_files(prefix)
     for path, text in files.items():
         path.parent.mkdir(parents=True, exist_ok=True)
         partial = path.with_name(f"{path.name}.part")

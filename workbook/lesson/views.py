@@ -9,8 +9,8 @@ from rclpy.node import Node
 from std_msgs.msg import Float32, Float32MultiArray, String
 
 from workbook.pictures import dashboard, humanoid
-from workbook.pictures.joints import Follower
 from workbook.pictures.live import LiveFigure
+from workbook.pictures.moving_robot import MovingRobot
 from workbook.pictures.stills import Still
 from workbook.ros.kernel_node import kernel_node
 from workbook.ros.session import Stopped, run
@@ -38,36 +38,19 @@ class RobotView(_View):
 
     def __init__(self, ease: float) -> None:
         super().__init__("robot_view")
-        self.received = 0
-        self.complaint = ""
-        self._follower = Follower(ease)
-        self._lamp: str | None = None
-        self._shown: object = None
+        self.robot = MovingRobot(ease)
         self.create_subscription(Float32MultiArray, "/robot/joint_positions", self._on_joints, 10)
         self.create_subscription(String, "/robot/status", self._on_status, 10)
 
     def _on_joints(self, message: Any) -> None:
-        self.received += 1
-        try:
-            self._follower.aim(message.data, time.monotonic())
-            self.complaint = ""
-        except ValueError as error:
-            self.complaint = str(error)
+        self.robot.pose(message.data)
 
     def _on_status(self, message: Any) -> None:
-        self._lamp = message.data if message.data in ("operational", "error") else None
+        self.robot.status(message.data)
 
     def frame(self) -> bytes | None:
-        """The picture as it is now; None while it is the one before. A robot that stands still costs nothing."""
-        words = self.complaint or ("" if self.received else "waiting for /robot/joint_positions")
-        angles = () if words else tuple(self._follower.angles(time.monotonic()))
-        frame = (words, angles, self._lamp)
-        if frame == self._shown:
-            return None
-        self._shown = frame
-        if words:
-            return humanoid.placeholder(words)
-        return humanoid.draw(angles, lamp=self._lamp)  # type: ignore[arg-type]
+        """The picture as it is now; None while it is the one before."""
+        return self.robot.frame()
 
 
 class StatusView(_View):
