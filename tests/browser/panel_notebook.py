@@ -24,7 +24,14 @@ print("subscriptions:", words.get_subscription_count(), "nodes:", *node_list())"
 def write_notebook(folder: Path, name: str, *cells: str) -> str:
     """Write a notebook with these code cells; returns its path in the student's copy."""
     code = [
-        {"cell_type": "code", "id": f"c{n}", "metadata": {}, "source": text, "outputs": [], "execution_count": None}
+        {
+            "cell_type": "code",
+            "id": f"c{n}",
+            "metadata": {},
+            "source": text,
+            "outputs": [],
+            "execution_count": None,
+        }
         for n, text in enumerate(cells)
     ]
     kernel = {"name": "python3", "display_name": "rclpy workbook", "language": "python"}

@@ -38,7 +38,7 @@ def test_a_complaint_and_the_lamp_are_drawn_as_well(watching):
     watching.good(
         "await run(view, until=lambda: lamp.get_subscription_count() > 0)\n"
         "lamp.publish(String(data='error'))\n"
-        "await run(view, until=lambda: view._lamp == 'error')"
+        "await run(view, until=lambda: view.robot.lamp == 'error')"
     )
     assert watching.good(LOOKS).text == "[True, False, False]\n"
 

@@ -170,7 +170,14 @@ def run_with_driver(path: str, driver: str) -> None:
 def obey(options: list[str]) -> tuple[str | None, list[str]]:
     """Do as the options at the front say. Returns the driver, if there is one, and the program with its arguments."""
     driver = None
-    while options and options[0] in ("--parent", "--attended", "--limit", "--driver", "--tap", FILTER_SYSCALLS):
+    while options and options[0] in (
+        "--parent",
+        "--attended",
+        "--limit",
+        "--driver",
+        "--tap",
+        FILTER_SYSCALLS,
+    ):
         if options[0] in ("--attended", FILTER_SYSCALLS):
             end_if_nobody_reads() if options[0] == "--attended" else filter_sandbox_escapes()
             options = options[1:]

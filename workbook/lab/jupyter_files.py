@@ -64,7 +64,9 @@ def panel_files(prefix: Path) -> dict[Path, str]:
     """What makes the panel a part of JupyterLab and of its server."""
     extension = prefix / "share" / "jupyter" / "labextensions" / "rclpy-workbook-panel"
     files = {
-        extension / ("" if file.name == "package.json" else "static") / file.name: file.read_text(encoding="utf-8")
+        extension / ("" if file.name == "package.json" else "static") / file.name: file.read_text(
+            encoding="utf-8"
+        )
         for file in sorted(PANEL.iterdir())
     }
     enabled = prefix / "etc" / "jupyter" / "jupyter_server_config.d" / "rclpy-workbook.json"

@@ -3,6 +3,7 @@
 import math
 import os
 import time
+from collections.abc import Callable
 from typing import Any
 
 from rclpy.node import Node
@@ -13,7 +14,7 @@ from workbook.pictures.live import LiveFigure
 from workbook.pictures.moving_robot import MovingRobot
 from workbook.pictures.stills import Still
 from workbook.ros.kernel_node import kernel_node
-from workbook.ros.session import Stopped, run
+from workbook.ros.session import Condition, Stopped, run
 
 MOST_PICTURES = "WORKBOOK_PICTURES_PER_SECOND"
 """Environment variable: draw no more, whatever a cell asks for."""
@@ -82,8 +83,24 @@ class StatusView(_View):
         return dashboard.draw(self.status, self.battery, self.arrivals, now=self._now(), window=self.window)
 
 
-async def _show(view: Any, describe: str, seconds: float | None, fps: float) -> LiveFigure:
+async def watched(
+    view: Any,
+    refresh: Callable[[], None],
+    seconds: float | None = None,
+    fps: float = 20.0,
+    until: Condition = None,
+) -> None:
+    """Let a view run, with `refresh` for each picture, until its time is over or Stop; then take it off the graph."""
     fps = min(fps, float(os.environ.get(MOST_PICTURES, "inf")))
+    try:
+        await run(view, seconds=seconds, each_frame=refresh, fps=fps, until=until)
+    except Stopped:
+        pass
+    finally:
+        view.destroy_node()
+
+
+async def _show(view: Any, describe: str, seconds: float | None, fps: float) -> LiveFigure:
     figure = LiveFigure(describe)
 
     def refresh() -> None:
@@ -91,12 +108,7 @@ async def _show(view: Any, describe: str, seconds: float | None, fps: float) -> 
         if picture is not None:
             figure.show(picture)
 
-    try:
-        await run(view, seconds=seconds, each_frame=refresh, fps=fps)
-    except Stopped:
-        pass
-    finally:
-        view.destroy_node()
+    await watched(view, refresh, seconds, fps)
     return figure
 
 

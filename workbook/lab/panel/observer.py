@@ -89,7 +89,7 @@ class DomainWatch:
         self._graph: dict[str, Any] = {}
         self._traffic: dict[str, Traffic] = {}
         self._told: object = None
-        self._robot = MovingRobot(EASE_S)
+        self._robot = MovingRobot(EASE_S, captions=False)
         self._due = dict.fromkeys(("graph", "news", "frame"), 0.0)
         self.fresh = False
         self.moving = True
@@ -132,7 +132,7 @@ class DomainWatch:
             say("graph", **graph)
             published = {topic["name"] for topic in graph["topics"] if topic["publishers"]}
             if JOINTS not in published:
-                self._robot, self.moving = MovingRobot(EASE_S), True
+                self._robot, self.moving = MovingRobot(EASE_S, captions=False), True
             for topic in set(self._traffic) - {topic["name"] for topic in graph["topics"]}:
                 del self._traffic[topic]
 
@@ -151,9 +151,9 @@ class DomainWatch:
         picture = self._robot.frame()
         self.moving = picture is not None
         if picture is not None:
-            asleep = self._robot.complaint or ("" if self._robot.received else f"asleep: no message on {JOINTS} yet")
-            words = asleep or f"posed by the last message on {JOINTS}"
-            say("robot", src=data_uri(picture), text=f"{POSE}, {words}")
+            words = self._robot.words
+            text = f"{POSE}, asleep" if words else f"{POSE}, posed by the last message on {JOINTS}"
+            say("robot", src=data_uri(picture), text=text, words=words)
 
     def close(self) -> None:
         """Leave the domain."""

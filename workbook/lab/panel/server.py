@@ -59,7 +59,7 @@ class ObserverProcess:
         self._process.stdin.close()
         try:
             await asyncio.wait_for(self._process.wait(), END_WITHIN_S)
-        except asyncio.TimeoutError:
+        except TimeoutError:
             with contextlib.suppress(ProcessLookupError):
                 self._process.kill()
             await self._process.wait()
@@ -105,7 +105,7 @@ class PanelSocket(WebSocketMixin, WebSocketHandler, JupyterHandler):  # type: ig
         self._closed = True
         self._ticker.stop()
         if self._observer is not None:
-            asyncio.ensure_future(self._observer.end())
+            self._ending = asyncio.ensure_future(self._observer.end())
 
     def _follow(self) -> None:
         """Have the observer watch the domain of the notebook in front."""

@@ -14,9 +14,10 @@ from workbook.inside.tap import ADDRESS
 
 WINDOW_S = 10.0
 """A rate is measured over the messages of so many seconds."""
+SHORTEST_S = 0.4
+"""Messages within so short a time are told by their number."""
 KEPT = 20
 LONGEST_VALUE = 90
-_SAME_INSTANT_S = 1e-4
 _MOST_BYTES = 1 << 18
 _LONG_DECIMALS = re.compile(r"(\d\.\d{3})\d+(?!\d*e)")
 _CREDENTIALS = struct.Struct("3i")
@@ -65,14 +66,18 @@ class Wire:
         found = []
         while self.socket is not None and len(found) < 500:
             try:
-                packet, ancillary, _, _ = self.socket.recvmsg(_MOST_BYTES, socket.CMSG_SPACE(_CREDENTIALS.size))
+                packet, ancillary, _, _ = self.socket.recvmsg(
+                    _MOST_BYTES, socket.CMSG_SPACE(_CREDENTIALS.size)
+                )
             except BlockingIOError:
                 break
             if _sender(ancillary) == os.getuid():
                 with contextlib.suppress(ValueError, TypeError):
                     head, _, data = packet.partition(b"\n")
                     topic, type_name, count, moment, size = json.loads(head)
-                    found.append(Report(str(topic), str(type_name), int(count), float(moment), int(size), data))
+                    found.append(
+                        Report(str(topic), str(type_name), int(count), float(moment), int(size), data)
+                    )
         return found
 
 
@@ -105,11 +110,11 @@ class Traffic:
         """How often messages come, in words."""
         (first, before), (last, count) = self._moments[0], self._moments[-1]
         period = (last - first) / (count - before) if count > before else 0.0
-        if period <= _SAME_INSTANT_S:
-            return "once" if count == before else f"{count} messages"
+        if last - first < SHORTEST_S:
+            return "once" if count == 1 else f"{count} messages"
         if now - last > max(2.5 * period, 1.5):
             return "silent now"
-        return f"{1 / period:.3g} Hz" if period < 100 else "now and then"
+        return f"{1 / period:.0f} Hz" if period < 0.01 else f"{1 / period:.3g} Hz"
 
 
 def one_line(text: str) -> str:

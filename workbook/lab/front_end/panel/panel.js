@@ -105,6 +105,7 @@
         super({node: make('div', {role: 'region', 'aria-label': TITLE, tabindex: '0'})});
         this.id = NAME;
         this.addClass('workbook-panel');
+        this.node.style.minWidth = '300px'; // JupyterLab asks for it before the sheet is there
         this._kernel = null;
         this._echo = null;
         this._socket = null;
@@ -150,6 +151,7 @@
         this._name = make('h2');
         this._status = make('p', {role: 'status'});
         this._robot = make('img', {alt: '', hidden: ''});
+        this._words = make('p', {class: 'workbook-words'});
         this._picture = make('div', {class: 'workbook-graph'});
         this._head = make('thead', {}, make('tr', {}, ...['Topic, last value', 'Rate'].map(word => make('th', {scope: 'col'}, word))));
         this._table = make('table', {}, this._head);
@@ -157,7 +159,7 @@
         this._echoTitle = make('h3');
         this._echoPart = make('section', {hidden: '', class: 'workbook-echo'}, this._echoTitle, this._messages);
         this._parts = make('div', {}, make('h3', {}, 'Graph'), this._picture, make('h3', {}, 'Topics'), this._table, this._echoPart);
-        this.node.append(this._name, this._status, this._robot, this._parts);
+        this.node.append(this._name, this._status, this._robot, this._words, this._parts);
       }
 
       _wanted() {
@@ -208,6 +210,7 @@
         this._graph = {nodes: [], topics: []};
         this._choose(null);
         this._robot.hidden = true;
+        this._words.textContent = '';
         this._parts.hidden = true;
         this._say(this._kernel ? 'Looking for the domain of this notebook …' : 'Its kernel is not running.');
       }
@@ -225,6 +228,7 @@
         } else if (news.kind === 'robot') {
           this._robot.src = news.src;
           this._robot.alt = news.text;
+          this._words.textContent = news.words;
           this._robot.hidden = false;
         } else if (news.kind === 'graph') {
           this._graph = news;
@@ -348,7 +352,7 @@
           tooltip: 'Show or hide the robot panel',
           onClick: () => app.commands.execute(TOGGLE)
         });
-        notebook.toolbar.insertAfter('cellType', 'robot-panel', button) || notebook.toolbar.addItem('robot-panel', button);
+        notebook.toolbar.insertAfter('save', 'robot-panel', button) || notebook.toolbar.addItem('robot-panel', button);
         return button;
       }
     });
