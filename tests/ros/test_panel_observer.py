@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from std_msgs.msg import Float32MultiArray, String
 
 from tests.ros.panel_watcher import Watcher
 from workbook.inside import RUN, tap
@@ -119,10 +120,24 @@ def test_it_ends_with_its_parent() -> None:
 class FakePublisher:
     """As much of a publisher as the tap looks at."""
 
-    def __init__(self, topic: str) -> None:
-        from std_msgs.msg import String
+    def __init__(self, topic: str, kind: type = String) -> None:
+        self.topic_name, self.msg_type = topic, kind
 
-        self.topic_name, self.msg_type = topic, String
+
+def test_the_robot_sleeps_when_its_publisher_is_gone(kernel: Any, watcher: Watcher) -> None:
+    domain_id = domain_of(kernel)
+    kernel.good("from std_msgs.msg import Float32MultiArray; init(); node = fresh(Node, 'arm')")
+    kernel.good("pub = node.create_publisher(Float32MultiArray, '/robot/joint_positions', 10)")
+    watcher.order(domain=domain_id)
+    watcher.wait("graph", lambda one: one["nodes"] == ["/arm"] and one["topics"])
+    kernel.good("pub.publish(Float32MultiArray(data=[0.1] * 12))")
+    watcher.wait("robot", lambda one: "posed by" in one["text"])
+    kernel.good("node.destroy_node()")
+    watcher.wait("robot", lambda one: one["text"].endswith("asleep"))
+    late = FakePublisher("/robot/joint_positions", Float32MultiArray)
+    tap.Tap(domain_id).published(late, Float32MultiArray(data=[0.2] * 12))
+    watcher.wait("robot", lambda one: "posed by" in one["text"])
+    watcher.wait("robot", lambda one: one["text"].endswith("asleep"))
 
 
 def test_a_flood_is_counted_and_reported_in_part() -> None:

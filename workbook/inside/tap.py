@@ -76,6 +76,7 @@ class Tap:
             kept = publisher.__dict__["_workbook_tap"] = _Publisher(publisher.topic_name, type_name)
         if kept.topic in FORGOTTEN or not kept.may_report(now):
             return
+        kept.allowance -= 1.0
         data = message if isinstance(message, bytes) else _serialized(message)
         head = json.dumps([kept.topic, kept.type_name, kept.unreported, now, len(data)]).encode()
         try:
@@ -83,7 +84,6 @@ class Tap:
             self._socket.send(head + b"\n" + (data if len(data) <= LONGEST else b""))
         except BlockingIOError:  # the panel is busy: it hears of this one with the next
             return
-        kept.allowance -= 1.0
         kept.unreported = 0
 
 

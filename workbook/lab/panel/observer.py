@@ -130,11 +130,12 @@ class DomainWatch:
         if graph != self._graph:
             self._graph = graph
             say("graph", **graph)
-            published = {topic["name"] for topic in graph["topics"] if topic["publishers"]}
-            if JOINTS not in published:
-                self._robot, self.moving = MovingRobot(EASE_S, captions=False), True
-            for topic in set(self._traffic) - {topic["name"] for topic in graph["topics"]}:
-                del self._traffic[topic]
+        # Each time: a last report may come after its publisher has left the graph.
+        topics = {topic["name"]: topic["publishers"] for topic in graph["topics"]}
+        if self._robot.received and not topics.get(JOINTS):
+            self._robot, self.moving = MovingRobot(EASE_S, captions=False), True
+        for topic in set(self._traffic) - set(topics):
+            del self._traffic[topic]
 
     def _tell_news(self, now: float) -> None:
         self.fresh = False
