@@ -15,7 +15,7 @@ from std_msgs.msg import Float32MultiArray, String
 
 from tests.ros.panel_watcher import Watcher
 from workbook.inside import RUN, tap
-from workbook.lab.panel.traffic import Report, Traffic, Wire, one_line
+from workbook.lab.panel.traffic import PublishedMessage, Traffic, Wire, one_line
 
 ENDS = """
 import os, subprocess
@@ -38,8 +38,8 @@ def domain_of(kernel: Any) -> int:
     return int(kernel.good("import os; print(os.environ['ROS_DOMAIN_ID'])").text)
 
 
-def report(count: int = 1, moment: float = 0.0) -> Report:
-    return Report("/chatter", "std_msgs/msg/String", count, moment, 0, b"")
+def report(count: int = 1, moment: float = 0.0) -> PublishedMessage:
+    return PublishedMessage("/chatter", "std_msgs/msg/String", count, moment, 0, b"")
 
 
 def test_it_tells_the_graph_the_values_and_the_messages(kernel: Any, watcher: Watcher) -> None:

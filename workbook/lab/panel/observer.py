@@ -16,7 +16,7 @@ import time
 from typing import Any
 
 from workbook.inside.libc import die_with_parent
-from workbook.lab.panel.traffic import Report, Traffic, Wire, text_of
+from workbook.lab.panel.traffic import PublishedMessage, Traffic, Wire, text_of
 from workbook.pictures.moving_robot import MovingRobot
 from workbook.pictures.png import data_uri
 
@@ -35,7 +35,7 @@ def say(kind: str, **values: object) -> None:
     print(json.dumps({"kind": kind, **values}), flush=True)
 
 
-class Place:
+class HiddenNode:
     """A hidden node on a domain, which sees the graph and nothing else."""
 
     def __init__(self, domain_id: int) -> None:
@@ -84,7 +84,7 @@ class DomainWatch:
 
     def __init__(self, domain_id: int) -> None:
         self.echo: str | None = None
-        self._place = Place(domain_id)
+        self._place = HiddenNode(domain_id)
         self.wire = Wire(domain_id)
         self._graph: dict[str, Any] = {}
         self._traffic: dict[str, Traffic] = {}
@@ -162,7 +162,7 @@ class DomainWatch:
         self._place.close()
 
 
-def _message(report: Report) -> Any:
+def _message(report: PublishedMessage) -> Any:
     """The message itself; None where it cannot be told."""
     from rclpy.serialization import deserialize_message
 
@@ -173,7 +173,7 @@ def _message(report: Report) -> Any:
     return None
 
 
-class Observer:
+class PanelObserver:
     """Follows what it is told on its input."""
 
     def __init__(self) -> None:
@@ -217,4 +217,4 @@ class Observer:
 if __name__ == "__main__":
     die_with_parent(int(sys.argv[1]))
     os.nice(GIVES_WAY)
-    Observer().run()
+    PanelObserver().run()

@@ -23,7 +23,7 @@ _LONG_DECIMALS = re.compile(r"(\d\.\d{3})\d+(?!\d*e)")
 _CREDENTIALS = struct.Struct("3i")
 
 
-class Report(NamedTuple):
+class PublishedMessage(NamedTuple):
     """A message that a program has published: `count` of that topic since its report before, at `moment` (s)."""
 
     topic: str
@@ -61,7 +61,7 @@ class Wire:
             self.socket.close()
             self.socket = None
 
-    def reports(self) -> list[Report]:
+    def reports(self) -> list[PublishedMessage]:
         """What has come since; nothing from other users of this machine."""
         found = []
         while self.socket is not None and len(found) < 500:
@@ -76,7 +76,9 @@ class Wire:
                     head, _, data = packet.partition(b"\n")
                     topic, type_name, count, moment, size = json.loads(head)
                     found.append(
-                        Report(str(topic), str(type_name), int(count), float(moment), int(size), data)
+                        PublishedMessage(
+                            str(topic), str(type_name), int(count), float(moment), int(size), data
+                        )
                     )
         return found
 
@@ -97,7 +99,7 @@ class Traffic:
     _moments: deque[tuple[float, int]] = field(default_factory=deque)
     _count: int = 0
 
-    def add(self, report: Report, text: str) -> None:
+    def add(self, report: PublishedMessage, text: str) -> None:
         """Take in a message and its text."""
         self._count += report.count
         self._moments.append((report.moment, self._count))
@@ -125,7 +127,7 @@ def one_line(text: str) -> str:
     return line if len(line) <= LONGEST_VALUE else f"{line[: LONGEST_VALUE - 1]}…"
 
 
-def text_of(report: Report, message: Any) -> str:
+def text_of(report: PublishedMessage, message: Any) -> str:
     """A message in full, or what can be said of it."""
     from workbook.ros.topic_monitor import message_text
 
