@@ -247,6 +247,13 @@ stop()
 # %% [markdown]
 # `ease=0` shows each pose as it comes. With `ease=0.5` the picture glides from one pose to the next and looks fine, but
 # it is a guess of ours. Try it, and try other numbers: these cells can be run as often as you like.
+#
+# Or turn a knob. While the next cell runs, drag the slider: each move starts the program again with the new number.
+
+# %%
+from workbook.lesson import knob
+
+await knob(joint_position_publisher, "waves_per_second", 0.8, between=(0.1, 3.0), seconds=8)
 
 # %% [markdown]
 # ## When it goes wrong

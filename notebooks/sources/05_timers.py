@@ -23,8 +23,13 @@ await watch_robot(seconds=8, ease=0.0)
 stop()
 
 # %% [markdown]
-# One node, two timers, two rhythms. Change `right_period_s` to `0.3` and run the cell again. How short must
-# the period be until both arms look alike to you?
+# One node, two timers, two rhythms. Run the next cell and move its slider: each move starts the node again with the new
+# period. How short must it be until both arms look alike to you?
+
+# %%
+from workbook.lesson import knob
+
+await knob(two_arms, "right_period_s", 1.0, between=(0.05, 1.5), seconds=8, left_period_s=0.05)
 
 # %% [markdown] prediction="loop-and-timer"
 # ## Predict

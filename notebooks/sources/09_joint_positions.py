@@ -40,6 +40,14 @@ topic_info("/robot/joint_positions")
 # %%
 stop()
 
+# %% [markdown]
+# How rarely may the program publish before the wave no longer looks like a wave? Move the slider while the cell runs.
+
+# %%
+from workbook.lesson import knob
+
+await knob(joint_position_publisher, "period_s", 0.5, between=(0.05, 2.0), seconds=8)
+
 # %% [markdown] prediction="the-slow-drawing"
 # ## Predict
 #

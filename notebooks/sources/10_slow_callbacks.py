@@ -277,6 +277,15 @@ await watch_robot(seconds=5, ease=0.0)
 stop()
 
 # %% [markdown]
+# How many threads does it take? Move the slider while the cell runs.
+
+# %%
+from workbook.lesson import knob
+
+settings = {"heartbeat_period_s": 0.05, "own_group": True}
+await knob(thinking_robot, "threads", 1, between=(1, 4), seconds=8, **settings)
+
+# %% [markdown]
 # ### Experiment 3: two threads, one number
 #
 # There is a second kind of group. In a **reentrant** group everything may meet: each callback with each other, and even

@@ -97,7 +97,7 @@ class StudentLab:
             text=True,
             start_new_session=True,
         )
-        self._itself = psutil.Process(self._process.pid)
+        self.itself = psutil.Process(self._process.pid)
         ready = threading.Event()
         self._reader = threading.Thread(target=self._read, args=(ready,), daemon=True)
         self._reader.start()
@@ -138,7 +138,7 @@ class StudentLab:
     def close(self) -> dict[int, str]:
         """Stop JupyterLab. Returns what of it still runs then, with its command lines, and ends that too."""
         self.processes()
-        everything = self._seen | {self._itself}
+        everything = self._seen | {self.itself}
         self._process.send_signal(signal.SIGTERM)
         left = await_end(everything, STOP_LIMIT_S)
         for process in everything:

@@ -1,4 +1,5 @@
 import io
+from pathlib import Path
 
 import matplotlib
 import numpy as np
@@ -6,9 +7,13 @@ import pytest
 from matplotlib.figure import Figure
 from PIL import Image
 
+import workbook.grading
 from tests.pictures.reading import pixels
 from workbook import pictures
+from workbook.lab.jupyter_files import PANEL
 from workbook.pictures import palette, png
+
+TEMPLATES = Path(workbook.grading.__file__).with_name("templates")
 
 
 def dark(picture: bytes) -> int:
@@ -31,6 +36,16 @@ def contrast(color: str, page: str) -> float:
 @pytest.mark.parametrize("color", palette.CYCLE)
 def test_every_color_reads_on_both_pages(color: str, page: str) -> None:
     assert contrast(color, page) > 4.1
+
+
+def test_text_in_a_picture_reads_on_both_pages() -> None:
+    assert contrast(palette.TEXT, "#ffffff") >= 4.5
+    part = min(1.0, palette.rgba(palette.TEXT)[0] * palette.BRIGHTER_IN_THE_DARK)
+    brighter = "#" + 3 * f"{round(255 * part):02x}"
+    assert min(contrast(brighter, page) for page in ("#111111", "#121212", "#212121")) >= 4.5
+    rule = f"filter: brightness({palette.BRIGHTER_IN_THE_DARK})"
+    assert rule in (PANEL / "contrast.css").read_text()
+    assert rule.replace(": ", ":") in (TEMPLATES / "page.html.j2").read_text()
 
 
 def test_a_figure_of_ours_is_transparent_and_has_nothing_dark() -> None:
@@ -56,7 +71,7 @@ def test_a_plain_matplotlib_figure_is_made_readable() -> None:
 def test_the_style_ends_with_its_block() -> None:
     before = matplotlib.rcParams["text.color"]
     with pictures.style():
-        assert matplotlib.rcParams["text.color"] == palette.GREY
+        assert matplotlib.rcParams["text.color"] == palette.TEXT
     assert matplotlib.rcParams["text.color"] == before
 
 

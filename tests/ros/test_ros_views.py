@@ -16,10 +16,10 @@ def watching(kernel):
         "joints = mover.create_publisher(Float32MultiArray, '/robot/joint_positions', 10)\n"
         "lamp = mover.create_publisher(String, '/robot/status', 10)\n"
         "async def move(angles):\n"
-        "    before = view.received\n"
+        "    before = view.robot.received\n"
         "    await run(view, until=lambda: joints.get_subscription_count() > 0)\n"
         "    joints.publish(Float32MultiArray(data=angles))\n"
-        "    await run(view, until=lambda: view.received > before)\n"
+        "    await run(view, until=lambda: view.robot.received > before)\n"
     )
     return kernel
 
@@ -33,12 +33,12 @@ def test_a_robot_that_stands_still_is_drawn_once(watching):
 
 def test_a_complaint_and_the_lamp_are_drawn_as_well(watching):
     watching.good("await move([0.1] * 12)\nview.frame()\nawait move([0.1] * 11)")
-    assert watching.good("print(view.complaint)\n" + LOOKS).text.endswith("[True, False, False]\n")
+    assert watching.good("print(view.robot.complaint)\n" + LOOKS).text.endswith("[True, False, False]\n")
     watching.good("await move([0.1] * 12)\nview.frame()")
     watching.good(
         "await run(view, until=lambda: lamp.get_subscription_count() > 0)\n"
         "lamp.publish(String(data='error'))\n"
-        "await run(view, until=lambda: view._lamp == 'error')"
+        "await run(view, until=lambda: view.robot.lamp == 'error')"
     )
     assert watching.good(LOOKS).text == "[True, False, False]\n"
 

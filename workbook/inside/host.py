@@ -1,7 +1,7 @@
 """Runs one answer as the main program.
 
     python -P run.py host [--parent PID] [--attended] [--filter-syscalls] [--limit NAME=VALUE]... [--driver DRIVER.py]
-        ANSWER.py [...]
+        [--tap DOMAIN] ANSWER.py [...]
 
 Whatever reasonable shape an answer has is accepted. The file runs as `__main__`. Only if it ends normally and no
 context was ever initialized does the host help: it calls an argument-less `main()`, or else spins the one leaf
@@ -26,6 +26,7 @@ from workbook.inside.syscall_filter import FILTER_SYSCALLS, filter_sandbox_escap
 SWITCH_INTERVAL_S = 1e-4
 """While a handler waits for its thread, rclpy's MultiThreadedExecutor loops without a pause. With the 5 ms that Python
 gives a thread it would keep the others from their work again and again: counts came out wrong, and checks took 20 s."""
+TAP = "workbook.inside.tap"
 LIMITS = {
     "memory": resource.RLIMIT_AS,
     "processes": resource.RLIMIT_NPROC,
@@ -126,10 +127,15 @@ def help_along(module: types.ModuleType) -> None:
 
 
 def print_student_traceback(error: BaseException) -> None:
-    """Print the traceback without the frames of this host."""
+    """Print the traceback without the frames of this host and of what reports to the panel."""
     frames = error.__traceback__
     while frames is not None and frames.tb_frame.f_code.co_filename == __file__:
         frames = frames.tb_next
+    frame = frames
+    while frame is not None:
+        while frame.tb_next is not None and frame.tb_next.tb_frame.f_globals.get("__name__") == TAP:
+            frame.tb_next = frame.tb_next.tb_next
+        frame = frame.tb_next
     sys.stdout.flush()
     traceback.print_exception(type(error), error, frames)
 
@@ -164,7 +170,14 @@ def run_with_driver(path: str, driver: str) -> None:
 def obey(options: list[str]) -> tuple[str | None, list[str]]:
     """Do as the options at the front say. Returns the driver, if there is one, and the program with its arguments."""
     driver = None
-    while options and options[0] in ("--parent", "--attended", "--limit", "--driver", FILTER_SYSCALLS):
+    while options and options[0] in (
+        "--parent",
+        "--attended",
+        "--limit",
+        "--driver",
+        "--tap",
+        FILTER_SYSCALLS,
+    ):
         if options[0] in ("--attended", FILTER_SYSCALLS):
             end_if_nobody_reads() if options[0] == "--attended" else filter_sandbox_escapes()
             options = options[1:]
@@ -173,6 +186,10 @@ def obey(options: list[str]) -> tuple[str | None, list[str]]:
             die_with_parent(int(options[1]))
         elif options[0] == "--driver":
             driver = options[1]
+        elif options[0] == "--tap":
+            from workbook.inside.tap import install
+
+            install(int(options[1]))
         else:
             apply_limit(options[1])
         options = options[2:]

@@ -155,7 +155,7 @@ def digest() -> str:
     """What the environment is made from, as one hash: the lock, the project file, and this recipe."""
     state = hashlib.sha256()
     here = Path(__file__)
-    front_end = sorted(here.with_name("front_end").glob("*.js*"))
+    front_end = sorted(here.with_name("front_end").rglob("*.*s*"))
     for path in (LOCK, ROOT / "pyproject.toml", here, here.with_name("jupyter_files.py"), *front_end):
         state.update(path.read_bytes())
     return state.hexdigest()

@@ -44,8 +44,10 @@ FRONT_END = Path(__file__).with_name("front_end")
 """What JupyterLab itself loads: tells the kernel which answer is on the screen. Each folder in it is an extension of
 its own, `rclpy-workbook-FOLDER`: its `package.json`, and the files that go into `static/`."""
 
-# The server's part of the home page.
-SERVER_SETTINGS = {"ServerApp": {"jpserver_extensions": {"workbook.lab.home": True}}}
+# The server's part of the home page and of the panel.
+SERVER_SETTINGS = {
+    "ServerApp": {"jpserver_extensions": {"workbook.lab.home": True, "workbook.lab.panel": True}}
+}
 
 # An empty guard makes the wheels find their own libraries, even when Jupyter runs in another environment.
 KERNEL_ENVIRONMENT = {"_ROS_WHEELS_BOOTSTRAP_COMPLETE": "", "PYTHONPATH": ""}

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from workbook.lesson.doctor_report import doctor
     from workbook.lesson.graphs import graph_picture
+    from workbook.lesson.knobs import knob
     from workbook.lesson.older_predictions import predicted, recall
     from workbook.lesson.predictions import predict, reveal
     from workbook.lesson.programs import arrivals, processor_seconds, record, run_program, start, stop, values
@@ -25,6 +26,7 @@ _HOME = {
     "fresh": "workbook.ros.fresh_nodes",
     "graph_picture": "workbook.lesson.graphs",
     "init": "workbook.ros.session",
+    "knob": "workbook.lesson.knobs",
     "predict": "workbook.lesson.predictions",
     "processor_seconds": "workbook.lesson.programs",
     "predicted": "workbook.lesson.older_predictions",
@@ -50,6 +52,7 @@ __all__ = [
     "fresh",
     "graph_picture",
     "init",
+    "knob",
     "predict",
     "predicted",
     "processor_seconds",

@@ -50,7 +50,8 @@ def start(program: Program, **parameters: object) -> str:
     file = program_file(program)
     _end(file.stem)
     known = node_names()
-    process = NodeProcess(ProgramSpec(file, parameters=parameters), int(os.environ["ROS_DOMAIN_ID"]))
+    spec = ProgramSpec(file, parameters=parameters, in_panel=True)
+    process = NodeProcess(spec, int(os.environ["ROS_DOMAIN_ID"]))
     _started[file.stem] = process
     nodes = wait_for_nodes(process, known)
     if nodes:

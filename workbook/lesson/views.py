@@ -3,17 +3,18 @@
 import math
 import os
 import time
+from collections.abc import Callable
 from typing import Any
 
 from rclpy.node import Node
 from std_msgs.msg import Float32, Float32MultiArray, String
 
 from workbook.pictures import dashboard, humanoid
-from workbook.pictures.joints import Follower
 from workbook.pictures.live import LiveFigure
+from workbook.pictures.moving_robot import MovingRobot
 from workbook.pictures.stills import Still
 from workbook.ros.kernel_node import kernel_node
-from workbook.ros.session import Stopped, run
+from workbook.ros.session import Condition, Stopped, run
 
 MOST_PICTURES = "WORKBOOK_PICTURES_PER_SECOND"
 """Environment variable: draw no more, whatever a cell asks for."""
@@ -38,36 +39,19 @@ class RobotView(_View):
 
     def __init__(self, ease: float) -> None:
         super().__init__("robot_view")
-        self.received = 0
-        self.complaint = ""
-        self._follower = Follower(ease)
-        self._lamp: str | None = None
-        self._shown: object = None
+        self.robot = MovingRobot(ease)
         self.create_subscription(Float32MultiArray, "/robot/joint_positions", self._on_joints, 10)
         self.create_subscription(String, "/robot/status", self._on_status, 10)
 
     def _on_joints(self, message: Any) -> None:
-        self.received += 1
-        try:
-            self._follower.aim(message.data, time.monotonic())
-            self.complaint = ""
-        except ValueError as error:
-            self.complaint = str(error)
+        self.robot.pose(message.data)
 
     def _on_status(self, message: Any) -> None:
-        self._lamp = message.data if message.data in ("operational", "error") else None
+        self.robot.status(message.data)
 
     def frame(self) -> bytes | None:
-        """The picture as it is now; None while it is the one before. A robot that stands still costs nothing."""
-        words = self.complaint or ("" if self.received else "waiting for /robot/joint_positions")
-        angles = () if words else tuple(self._follower.angles(time.monotonic()))
-        frame = (words, angles, self._lamp)
-        if frame == self._shown:
-            return None
-        self._shown = frame
-        if words:
-            return humanoid.placeholder(words)
-        return humanoid.draw(angles, lamp=self._lamp)  # type: ignore[arg-type]
+        """The picture as it is now; None while it is the one before."""
+        return self.robot.frame()
 
 
 class StatusView(_View):
@@ -99,8 +83,24 @@ class StatusView(_View):
         return dashboard.draw(self.status, self.battery, self.arrivals, now=self._now(), window=self.window)
 
 
-async def _show(view: Any, describe: str, seconds: float | None, fps: float) -> LiveFigure:
+async def watched(
+    view: Any,
+    refresh: Callable[[], None],
+    seconds: float | None = None,
+    fps: float = 20.0,
+    until: Condition = None,
+) -> None:
+    """Let a view run, with `refresh` for each picture, until its time is over or Stop; then take it off the graph."""
     fps = min(fps, float(os.environ.get(MOST_PICTURES, "inf")))
+    try:
+        await run(view, seconds=seconds, each_frame=refresh, fps=fps, until=until)
+    except Stopped:
+        pass
+    finally:
+        view.destroy_node()
+
+
+async def _show(view: Any, describe: str, seconds: float | None, fps: float) -> LiveFigure:
     figure = LiveFigure(describe)
 
     def refresh() -> None:
@@ -108,12 +108,7 @@ async def _show(view: Any, describe: str, seconds: float | None, fps: float) -> 
         if picture is not None:
             figure.show(picture)
 
-    try:
-        await run(view, seconds=seconds, each_frame=refresh, fps=fps)
-    except Stopped:
-        pass
-    finally:
-        view.destroy_node()
+    await watched(view, refresh, seconds, fps)
     return figure
 
 

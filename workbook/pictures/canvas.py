@@ -17,7 +17,7 @@ from matplotlib.path import Path
 from matplotlib.textpath import text_to_path
 from matplotlib.transforms import Affine2D
 
-from workbook.pictures.palette import GREY, rgba
+from workbook.pictures.palette import GREY, TEXT, rgba
 from workbook.pictures.png import encode
 
 Point = tuple[float, float]
@@ -43,7 +43,7 @@ class Font:
     """How text is drawn: `size` in pixels."""
 
     size: float = 12.0
-    color: str = GREY
+    color: str = TEXT
     bold: bool = False
 
 

@@ -15,7 +15,7 @@ from matplotlib.legend import Legend
 from matplotlib.spines import Spine
 from matplotlib.text import Text
 
-from workbook.pictures.palette import CYCLE, GREY
+from workbook.pictures.palette import CYCLE, GREY, TEXT
 from workbook.pictures.png import Pixels, encode_faithfully
 from workbook.pictures.stills import Still
 
@@ -27,16 +27,16 @@ LOOK: Any = {
     "axes.facecolor": "none",
     "savefig.facecolor": "none",
     "axes.edgecolor": GREY,
-    "axes.labelcolor": GREY,
-    "axes.titlecolor": GREY,
+    "axes.labelcolor": TEXT,
+    "axes.titlecolor": TEXT,
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.grid": True,
     "grid.color": GREY,
     "grid.alpha": 0.25,
-    "text.color": GREY,
-    "xtick.color": GREY,
-    "ytick.color": GREY,
+    "text.color": TEXT,
+    "xtick.color": TEXT,
+    "ytick.color": TEXT,
     "legend.frameon": False,
     "font.family": "DejaVu Sans",
     "font.size": 10,
@@ -102,14 +102,14 @@ def _make_readable(fig: Figure) -> None:
     for artist in fig.findobj():
         if isinstance(artist, Text):
             if _is_black(artist.get_color()):
-                artist.set_color(GREY)
+                artist.set_color(TEXT)
         elif isinstance(artist, Spine):
             if _is_black(artist.get_edgecolor()):
                 artist.set_edgecolor(GREY)
         elif isinstance(artist, Legend):
             artist.get_frame().set_alpha(0.0)
         elif isinstance(artist, Axis) and any(_is_black(line.get_color()) for line in artist.get_ticklines()):
-            artist.set_tick_params(which="both", color=GREY)
+            artist.set_tick_params(which="both", color=GREY, labelcolor=TEXT)
 
 
 def _is_black(color: Any) -> bool:

@@ -5,6 +5,10 @@ RED = "#dc3b3b"
 AMBER = "#b06a00"
 BLUE = "#2f78d0"
 GREY = "#787878"
+TEXT = "#737373"
+"""Text in a picture: 4.7:1 on white. No color has 4.5:1 on a dark page as well, so those show pictures brighter."""
+BRIGHTER_IN_THE_DARK = 1.3
+"""By how much: `filter: brightness()` of JupyterLab's dark theme (`lab/front_end/panel/contrast.css`) and of pages."""
 
 CYCLE = (BLUE, AMBER, GREEN, RED, GREY)
 """Order in which lines of a plot take their colors."""

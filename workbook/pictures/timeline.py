@@ -120,7 +120,7 @@ def draw(
         canvas.text(
             (x + 6 if fits else x - 6, bottom + 32),
             words,
-            Font(size=11.5, bold=True, color=RED),
+            Font(size=11.5, bold=True),
             align="left" if fits else "right",
         )
     return canvas.png()
@@ -253,7 +253,7 @@ def _target(canvas: Canvas, axis: _Axis, base: float, target: float, unit: str) 
     canvas.text(
         (x + (6 if on_the_left else -6), 46),
         f"asked: {_number(target)} {unit}",
-        Font(size=11.5, color=AMBER, bold=True),
+        Font(size=11.5, bold=True),
         align="left" if on_the_left else "right",
     )
 
@@ -265,12 +265,15 @@ def _row(canvas: Canvas, axis: _Axis, row: Row, y: float, color: str) -> None:
         _expected(canvas, axis, row, y)
         for a, b in gaps(row.times, row.period, row.start, row.end):
             x0, x1 = axis.clip(a), axis.clip(b)
-            canvas.box((x0 + 3, y - 12), (max(2.0, x1 - x0 - 6), 24), Paint(fill=RED, alpha=0.24), radius=4)
+            place, size = (x0 + 3, y - 12), (max(2.0, x1 - x0 - 6), 24.0)
             words = f"✗ {b - a:.3g} s"
-            if text_width(words, 11, bold=True) < x1 - x0 - 8:
-                canvas.text(
-                    ((x0 + x1) / 2, y + 4), words, Font(size=11, bold=True, color=RED), align="center"
-                )
+            told = text_width(words, 11, bold=True) < x1 - x0 - 8
+            # No text has enough contrast to a tinted ground in both themes.
+            canvas.box(
+                place, size, Paint(stroke=RED, width=1.8) if told else Paint(fill=RED, alpha=0.24), radius=4
+            )
+            if told:
+                canvas.text(((x0 + x1) / 2, y + 4), words, Font(size=11, bold=True), align="center")
     xs = sorted({round(axis.x(t) * 2) / 2 for t in row.times if axis.start <= t <= axis.end})
     close = len(xs) > 1 and median(b - a for a, b in pairwise(xs)) < 5
     for x in xs:

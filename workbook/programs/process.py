@@ -69,6 +69,8 @@ class NodeProcess:
         """Bring the files of the program, and say how it is to be started."""
         spec, confinement = self.spec, self._confinement
         arguments = confinement.host_options(spec.limits)
+        if spec.in_panel:
+            arguments += ["--tap", str(self.domain_id)]
         program = confinement.bring(spec.file, spec.file.name)
         if spec.driver is not None:
             arguments += ["--driver", confinement.bring(spec.driver, f"driver_of_{spec.driver.name}")]

@@ -12,7 +12,7 @@ class ProgramSpec:
     """A Python file that is to run as `__main__`, with `arguments` and ROS `parameters` for all of its nodes.
 
     With a `driver`, that one runs as `__main__` and can import the program as the module `answer`. `check_fields`: ROS
-    checks the types of message fields.
+    checks the types of message fields. `in_panel`: the panel beside the notebook shows what it publishes.
     """
 
     file: Path
@@ -21,6 +21,7 @@ class ProgramSpec:
     driver: Path | None = None
     check_fields: bool = False
     limits: Limits = NO_LIMITS
+    in_panel: bool = False
 
     @property
     def command_line(self) -> list[str]:

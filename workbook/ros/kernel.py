@@ -2,6 +2,7 @@
 
 import os
 
+from workbook.inside import tap
 from workbook.ros import exit_cleanup, interrupts, logs, notebook_registry
 
 
@@ -13,4 +14,6 @@ def install(label: str | None = None) -> None:
     logs.install()
     interrupts.install()
     exit_cleanup.register()
-    notebook_registry.announce(int(os.environ.get("ROS_DOMAIN_ID") or 0), label)
+    domain_id = int(os.environ.get("ROS_DOMAIN_ID") or 0)
+    tap.install(domain_id)
+    notebook_registry.announce(domain_id, label)

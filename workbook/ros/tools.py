@@ -337,11 +337,15 @@ def graph(*, hidden: bool = False, domain: int | None = None) -> Graph:
     """The whole graph: nodes, topics, and who publishes and subscribes to what."""
     with discovery_node(domain) as node:
         wait_for_graph(node)
-        nodes = _nodes(node, hidden)
-        edges = []
-        for name in _topics(node, hidden):
-            for role, infos in (("publishes", _publishers), ("subscribes", _subscribers)):
-                edges += [Edge(_endpoint(info).node, role, name) for info in infos(node, name, hidden)]
-        used = {edge.topic for edge in edges}
-        topics = {name: kinds for name, kinds in _topics(node, hidden).items() if name in used}
-        return Graph(tuple(nodes), topics, tuple(sorted(edges)))
+        return graph_seen(node, hidden)
+
+
+def graph_seen(node: Node, hidden: bool = False) -> Graph:
+    """The graph as `node` knows it now, without `node` itself."""
+    edges = []
+    for name in _topics(node, hidden):
+        for role, infos in (("publishes", _publishers), ("subscribes", _subscribers)):
+            edges += [Edge(_endpoint(info).node, role, name) for info in infos(node, name, hidden)]
+    used = {edge.topic for edge in edges}
+    topics = {name: kinds for name, kinds in _topics(node, hidden).items() if name in used}
+    return Graph(tuple(_nodes(node, hidden)), topics, tuple(sorted(edges)))

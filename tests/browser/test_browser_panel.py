@@ -1,0 +1,149 @@
+"""The panel beside the notebook: what it shows, what it costs, and that the ROS graph does not know of it."""
+
+import contextlib
+import json
+import re
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import psutil
+import pytest
+from playwright.sync_api import Locator, expect
+
+from .axe import violations
+from .lab_page import LabPage
+from .panel_notebook import QUIET, SAYS, WAVES, write_notebook
+from .student_lab import StudentLab, await_end
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+WIDTHS = (800, 1280, 1600)
+IDLE_S = 20.0
+MOST_OF_A_CORE = 0.05
+OBSERVER = "workbook.lab.panel.observer"
+SHOWN = ".workbook-panel:not(.lm-mod-hidden)"
+FRAMES = """
+image => {
+    window.panelFrames = 0;
+    new MutationObserver(() => window.panelFrames++).observe(image, {attributes: true, attributeFilter: ['src']});
+}
+"""
+CUT = "panel => panel.scrollWidth - panel.clientWidth"
+
+
+def observers(lab: StudentLab) -> set[psutil.Process]:
+    return {one for one in lab.processes() if OBSERVER in one.cmdline()}
+
+
+def toggle(page: LabPage) -> None:
+    page.panel.get_by_role("button", name="Robot", exact=True).click()
+
+
+def by_palette(page: LabPage) -> None:
+    page.page.keyboard.press("Control+Shift+c")
+    page.page.locator(".lm-CommandPalette-input").fill("robot panel")
+    expect(page.page.locator(".lm-CommandPalette-item").first).to_contain_text("Robot panel")
+    page.page.keyboard.press("Enter")
+
+
+def rate(panel: Locator, topic: str) -> Locator:
+    return panel.locator("tbody", has_text=topic).locator("td").first
+
+
+def processor_seconds(lab: StudentLab, seconds: float) -> dict[str, float]:
+    """What server, kernels, observer and browser take in so many seconds, by process."""
+
+    def taken() -> dict[psutil.Process, float]:
+        found = {}
+        for process in {*lab.processes(), lab.itself, *psutil.Process().children(recursive=True)}:
+            with contextlib.suppress(psutil.NoSuchProcess):
+                times = process.cpu_times()
+                found[process] = times.user + times.system
+        return found
+
+    before = taken()
+    time.sleep(seconds)  # what is measured is this time
+    return {f"{one.pid} {one.name()}": spent - before[one] for one, spent in taken().items() if one in before}
+
+
+def check_every_width(page: LabPage, panel: Locator, look: Callable[[str], None]) -> None:
+    for width in WIDTHS:
+        page.page.set_viewport_size({"width": width, "height": 1000})
+        toggle(page)
+        expect(panel).to_have_count(0)
+        toggle(page)
+        expect(rate(panel, "/robot/joint_positions")).to_contain_text("Hz")
+        assert panel.evaluate(CUT) <= 0, f"cut at {width} px"
+        assert page.panel.evaluate("notebook => notebook.clientWidth") >= 400, (
+            f"no room for the notebook at {width} px"
+        )
+        look(str(width))
+    page.page.set_viewport_size({"width": 1280, "height": 1000})
+
+
+def close_front(page: LabPage, other: str) -> None:
+    """Close the notebook in front, behind which there is another one."""
+    page.menu("File", re.compile("Close and Shut Down"))
+    page.page.locator(".jp-Dialog button.jp-mod-warn").click()
+    expect(page.page.locator("#jp-main-dock-panel .lm-TabBar-tab")).to_have_text([other])
+
+
+def test_the_panel(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
+    waves = write_notebook(lab.work, "waves.ipynb", WAVES, "stop()", "await asyncio.sleep(0)")
+    quiet = write_notebook(lab.work, "quiet.ipynb", QUIET, SAYS)
+    panel = page.page.locator(SHOWN)
+    page.open(waves)
+    expect(panel).to_have_count(0)
+    toggle(page)
+    page.run(page.cell("joint_position_publisher"))
+    robot = panel.get_by_alt_text("a humanoid robot with twelve joints, posed by")
+    expect(robot).to_be_visible()
+    expect(rate(panel, "/robot/joint_positions")).to_contain_text("Hz")
+    expect(panel.locator("svg")).to_have_attribute(
+        "aria-label", "Graph: /joint_position_publisher publishes /robot/joint_positions"
+    )
+    robot.evaluate(FRAMES)
+    page.page.wait_for_function("() => window.panelFrames > 9")
+    panel.get_by_role("button", name="/robot/joint_positions").click()
+    expect(panel.locator("pre")).to_contain_text("data: [")
+    for theme in page.themes():
+        page.choose_theme(theme)
+        check_every_width(
+            page,
+            panel,
+            lambda at, theme=theme: page.page.screenshot(path=artifacts / f"panel_{at}_{theme}.png"),
+        )
+        assert violations(page.page, SHOWN) == []
+
+    page.open(quiet)
+    expect(panel.locator("h2")).to_have_text("quiet")
+    expect(panel.get_by_role("status")).to_contain_text("ROS domain")
+    page.run(page.cell("lonely"))
+    expect(panel.locator("svg")).to_have_attribute("aria-label", "Graph: /lonely publishes /words")
+    said = page.cell("subscriptions")
+    page.run(said)
+    expect(said.locator(".jp-OutputArea-output")).to_contain_text("subscriptions: 0 nodes: /lonely")
+    expect(panel.locator("tbody", has_text="/words")).to_contain_text("three")
+    panel.get_by_role("button", name="/words").press("Enter")
+    expect(panel.locator("pre")).to_have_text("data: one\n---\ndata: two\n---\ndata: three")
+    page.page.screenshot(path=artifacts / "panel_quiet.png")
+    opened = processor_seconds(lab, IDLE_S)
+    watching = observers(lab)
+    assert watching
+    by_palette(page)
+    expect(panel).to_have_count(0)
+    assert not await_end(watching, 10.0), "the observer outlives its panel"
+    closed = processor_seconds(lab, IDLE_S)
+    cost = (sum(opened.values()) - sum(closed.values())) / IDLE_S
+    (artifacts / "panel_cost.json").write_text(json.dumps([cost, opened, closed], indent=1))
+    assert cost < MOST_OF_A_CORE
+    by_palette(page)
+    expect(panel.locator("svg")).to_be_visible()
+    close_front(page, "waves.ipynb")
+    expect(panel.locator("h2")).to_have_text("waves")
+    page.run(page.cell("stop()"))
+    expect(panel.get_by_alt_text("a humanoid robot with twelve joints, asleep")).to_be_visible()
+    expect(panel.get_by_text("No nodes on this domain.")).to_be_visible()
+    page.page.reload()
+    expect(panel.locator("h2")).to_have_text("waves")
+    toggle(page)

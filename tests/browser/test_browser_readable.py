@@ -1,0 +1,72 @@
+"""Code, tracebacks and pictures of time can be read in both themes, and nothing is cut in a narrow window."""
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import expect
+
+from .axe import violations
+from .lab_page import LabPage
+from .panel_notebook import write_notebook
+from .student_lab import StudentLab
+
+pytestmark = [pytest.mark.browser, pytest.mark.slow]
+ENOUGH = 4.5
+CODE = '''\
+# A comment, a decorator, and each kind of word that has a color.
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Arm:
+    """A string over a line."""
+
+    name: str = "left"
+    angles: tuple[float, ...] = (0.5, -1e3)
+
+    def lift(self, by: float = 0.1) -> "Arm":
+        if by is None or not isinstance(by, float):
+            raise TypeError(f"by must be a number, not {by!r}\\n")
+        return Arm(self.name, tuple(angle + by for angle in self.angles))
+
+
+print(len(Arm().angles) ** 2 != 3 and True)'''
+FAILS = "Arm().lift(None)"
+COLORS = """\
+import sys
+print(*(f"\\x1b[{code}mcolor {code}\\x1b[0m" for code in (30, 31, 32, 33, 34, 35, 36, 37, 91, 92, 93, 94)))
+print("on stderr", file=sys.stderr)"""
+TIMES = """\
+from workbook.pictures import show
+from workbook.pictures.timeline import strip
+ticks = {"/robot/status": [0.5 * n for n in range(9)], "/robot/battery": [0, 1, 4]}
+show(strip(ticks, periods={"/robot/battery": 1.0}), "a timeline with a gap")"""
+OVER = """
+image => {
+    const place = image.getBoundingClientRect();
+    const room = image.closest('.jp-Cell').getBoundingClientRect();
+    return Math.max(place.right - room.right, room.left - place.left);
+}
+"""
+BRIGHTNESS = "image => getComputedStyle(image).filter"
+
+
+def test_code_tracebacks_and_timelines_can_be_read(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
+    path = write_notebook(lab.work, "colors.ipynb", CODE, FAILS, COLORS, TIMES)
+    page.open(path)
+    for text in ("dataclass", "lift(None)", "on stderr", "timeline"):
+        page.run(page.cell(text))
+    picture = page.panel.get_by_alt_text("a timeline with a gap")
+    expect(page.panel.locator(".jp-OutputArea-output", has_text="TypeError")).to_be_visible()
+    for theme in page.themes():
+        page.choose_theme(theme)
+        assert picture.evaluate(BRIGHTNESS) == ("none" if theme == "light" else "brightness(1.3)")
+        for width in (1280, 800):
+            page.page.set_viewport_size({"width": width, "height": 1400})
+            assert picture.evaluate(OVER) <= 0, f"the picture is cut at {width} px"
+            page.page.screenshot(path=artifacts / f"readable_{width}_{theme}.png")
+        page.page.set_viewport_size({"width": 1280, "height": 1000})
+        seen = page.contrasts(page.panel.locator(".jp-Notebook"))
+        assert len(seen) > 30
+        assert not {text: ratio for text, ratio in seen.items() if ratio < ENOUGH}
+        assert violations(page.page, ".jp-NotebookPanel:not(.lm-mod-hidden) .jp-Notebook") == []

@@ -1,0 +1,226 @@
+"""What the panel is told of a domain, and that the domain does not notice it."""
+
+import os
+import select
+import signal
+import socket
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from std_msgs.msg import Float32MultiArray, String
+
+from tests.ros.panel_watcher import Watcher
+from workbook.inside import RUN, tap
+from workbook.lab.panel.traffic import PublishedMessage, Traffic, Wire, one_line
+
+ENDS = """
+import os, subprocess
+child = subprocess.Popen({command}, stdin=subprocess.PIPE)
+print(child.pid, flush=True)
+input()
+"""
+COUNTS = "print(pub.get_subscription_count(), *node_list(), *talker.get_node_names())"
+
+
+@pytest.fixture
+def watcher() -> Iterator[Watcher]:
+    one = Watcher()
+    yield one
+    if one.process.poll() is None:
+        assert one.close() == 0
+
+
+def domain_of(kernel: Any) -> int:
+    return int(kernel.good("import os; print(os.environ['ROS_DOMAIN_ID'])").text)
+
+
+def report(count: int = 1, moment: float = 0.0) -> PublishedMessage:
+    return PublishedMessage("/chatter", "std_msgs/msg/String", count, moment, 0, b"")
+
+
+def test_it_tells_the_graph_the_values_and_the_messages(kernel: Any, watcher: Watcher) -> None:
+    kernel.good("init(); talker = fresh(Talker); pub = talker.pub")
+    watcher.order(domain=domain_of(kernel))
+    graph = watcher.wait("graph", lambda one: one["topics"])
+    assert graph["nodes"] == ["/talker"] and graph["listening"]
+    assert graph["topics"] == [
+        {
+            "name": "/chatter",
+            "type": "std_msgs/msg/String",
+            "publishers": ["/talker"],
+            "subscribers": ["/talker"],
+        }
+    ]
+    watcher.order(echo="/chatter")
+    kernel.good("spin_for(talker, seconds=3)")
+    news = watcher.wait("news", lambda one: "Hz" in one["topics"].get("/chatter", {}).get("rate", ""))
+    assert news["topics"]["/chatter"]["value"].startswith("tick ")
+    assert any(
+        text.startswith("data: tick ")
+        for text in watcher.wait("news", lambda one: one["messages"])["messages"]
+    )
+    watcher.wait("news", lambda one: one["topics"]["/chatter"]["rate"] == "silent now")
+
+
+def test_the_graph_of_a_lesson_does_not_know_it(kernel: Any, watcher: Watcher) -> None:
+    kernel.good("from workbook.ros import node_list, topic_info; init()")
+    kernel.good("talker = fresh(Node, 'talker'); pub = talker.create_publisher(String, 'chatter', 10)")
+    watcher.order(domain=domain_of(kernel))
+    watcher.order(echo="/chatter")
+    watcher.wait("graph", lambda one: one["nodes"] == ["/talker"])
+    kernel.good("pub.publish(String(data='nobody subscribes'))")
+    watcher.wait("news", lambda one: one["messages"] == ["data: nobody subscribes"])
+    seen = kernel.good(COUNTS).text.split()
+    assert seen[:2] == ["0", "/talker"]
+    assert all(name.startswith("_workbook_") for name in seen[2:] if name != "talker"), seen
+    told = kernel.good(
+        "print(topic_info('/chatter').subscribers, len(talker.get_topic_names_and_types()))"
+    ).text
+    watcher.close()
+    assert (
+        told
+        == kernel.good(
+            "print(topic_info('/chatter').subscribers, len(talker.get_topic_names_and_types()))"
+        ).text
+    )
+
+
+def test_it_changes_to_another_domain(open_kernel: Any, watcher: Watcher) -> None:
+    for name in ("one", "other"):
+        kernel = open_kernel(name)
+        kernel.good(f"init(); node = fresh(Node, 'node_{name}')")
+        watcher.order(domain=domain_of(kernel))
+        watcher.wait("graph", lambda told, name=name: told["nodes"] == [f"/node_{name}"])
+    watcher.order(domain=None)
+    assert watcher.close() == 0
+
+
+def test_it_ends_with_its_parent() -> None:
+    command = [sys.executable, "-P", "-m", "workbook.lab.panel.observer"]
+    code = ENDS.format(command=f"{command!r} + [str(os.getpid())]")
+    parent = subprocess.Popen(
+        [sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    )
+    assert parent.stdout is not None and parent.stdin is not None
+    observer = os.pidfd_open(int(parent.stdout.readline()))
+    parent.kill()
+    parent.wait()
+    try:
+        assert select.select([observer], [], [], 20.0)[0], "the observer outlives its parent"
+    finally:
+        os.close(observer)
+        parent.stdin.close()
+        parent.stdout.close()
+
+
+class FakePublisher:
+    """As much of a publisher as the tap looks at."""
+
+    def __init__(self, topic: str, kind: type = String) -> None:
+        self.topic_name, self.msg_type = topic, kind
+
+
+def test_the_robot_sleeps_when_its_publisher_is_gone(kernel: Any, watcher: Watcher) -> None:
+    domain_id = domain_of(kernel)
+    kernel.good("from std_msgs.msg import Float32MultiArray; init(); node = fresh(Node, 'arm')")
+    kernel.good("pub = node.create_publisher(Float32MultiArray, '/robot/joint_positions', 10)")
+    watcher.order(domain=domain_id)
+    watcher.wait("graph", lambda one: one["nodes"] == ["/arm"] and one["topics"])
+    kernel.good("pub.publish(Float32MultiArray(data=[0.1] * 12))")
+    watcher.wait("robot", lambda one: "posed by" in one["text"])
+    kernel.good("node.destroy_node()")
+    watcher.wait("robot", lambda one: one["text"].endswith("asleep"))
+    late = FakePublisher("/robot/joint_positions", Float32MultiArray)
+    tap.Tap(domain_id).published(late, Float32MultiArray(data=[0.2] * 12))
+    watcher.wait("robot", lambda one: "posed by" in one["text"])
+    watcher.wait("robot", lambda one: one["text"].endswith("asleep"))
+
+
+def test_a_flood_is_counted_and_reported_in_part() -> None:
+    wire = Wire(230)
+    assert wire.open() and not Wire(230).open()
+    reporting = tap.Tap(230)
+    publisher = FakePublisher("/flood")
+    try:
+        for _ in range(1000):
+            reporting.published(publisher, b"\0" * 12)
+        reports = wire.reports()
+        assert len(reports) < 200 and reports[0].type_name == "std_msgs/msg/String"
+        publisher.__dict__["_workbook_tap"].allowance = 1.0
+        reporting.published(publisher, b"\0" * (tap.LONGEST + 1))
+        (last,) = wire.reports()
+        assert sum(one.count for one in (*reports, last)) == 1001
+        assert last.data == b"" and last.size == tap.LONGEST + 1
+    finally:
+        wire.close()
+    reporting.published(publisher, b"nobody listens")
+
+
+def test_garbage_on_the_wire_is_left_out() -> None:
+    wire = Wire(231)
+    assert wire.open()
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as stranger:
+        for garbage in (b"", b"{}", b"[1]\n", b"[1,2,null,4,5]\n", b"\xff\xff\n\0"):
+            stranger.sendto(garbage, tap.ADDRESS.format(231))
+        good = b'["/chatter", "std_msgs/msg/String", 1, 2.5, 0]\n'
+        stranger.sendto(good, tap.ADDRESS.format(231))
+    assert wire.reports() == [report(1, 2.5)]
+    wire.close()
+
+
+def test_a_program_that_fails_in_publish_shows_its_own_frames_only(tmp_path: Path) -> None:
+    program = tmp_path / "program.py"
+    program.write_text(
+        "import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\n"
+        "rclpy.init()\nNode('n').create_publisher(String, 'c', 1).publish('text')\n"
+    )
+    logs = []
+    for options in ([], ["--tap", "229"]):
+        done = subprocess.run(
+            [sys.executable, "-P", str(RUN), "host", *options, str(program)], capture_output=True, text=True
+        )
+        logs.append(done.stderr)
+    assert logs[0] == logs[1] and "Expected <class" in logs[0]
+
+
+@pytest.mark.parametrize(
+    ("moments", "now", "words"),
+    [
+        ([0.0], 0.2, "once"),
+        ([0.0, 0.001, 0.002], 5.0, "3 messages"),
+        ([0.05 * n for n in range(60)], 3.0, "20 Hz"),
+        ([0.001 * n for n in range(2000)], 2.0, "1000 Hz"),
+        ([0.0, 2.0, 4.0], 5.0, "0.5 Hz"),
+        ([0.0, 2.0, 4.0], 9.5, "silent now"),
+    ],
+)
+def test_a_rate_in_words(moments: list[float], now: float, words: str) -> None:
+    traffic = Traffic()
+    for moment in moments:
+        traffic.add(report(moment=moment), "data: x")
+    assert traffic.rate(now) == words
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        ("data: operational", "operational"),
+        ("layout:\n  dim: []\n  data_offset: 0\ndata: [0.12345678, 1.0, 1.5e-05]", "[0.123, 1.0, 1.5e-05]"),
+        ("x: 1.0\ny: 2.0", "x: 1.0, y: 2.0"),
+        ("data: " + "a" * 200, "a" * 89 + "…"),
+    ],
+)
+def test_a_message_in_a_line(text: str, line: str) -> None:
+    assert one_line(text) == line
+
+
+def test_the_signal_of_a_terminal_ends_it(watcher: Watcher) -> None:
+    watcher.order(domain=None)
+    watcher.process.send_signal(signal.SIGTERM)
+    assert watcher.process.wait(20) == -signal.SIGTERM
+    watcher.process.stdin.close()  # type: ignore[union-attr]
+    watcher.process.stdout.close()  # type: ignore[union-attr]

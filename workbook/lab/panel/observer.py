@@ -1,0 +1,220 @@
+"""Watches the ROS domain of the notebook in front, for the panel: a process of JupyterLab's server.
+
+    python -m workbook.lab.panel.observer PARENT
+
+It reads lines of JSON: {"domain": 17} (null: none) and {"echo": "/topic"} (null: none), and writes what is new as such
+lines. It ends with its input, and with its parent. On the domain it is a hidden node without any topic of its own; what
+is published it hears from the publishing processes (see `workbook.inside.tap`).
+"""
+
+import contextlib
+import json
+import os
+import select
+import sys
+import time
+from typing import Any
+
+from workbook.inside.libc import die_with_parent
+from workbook.lab.panel.traffic import PublishedMessage, Traffic, Wire, text_of
+from workbook.pictures.moving_robot import MovingRobot
+from workbook.pictures.png import data_uri
+
+JOINTS, STATUS = "/robot/joint_positions", "/robot/status"
+POSE = "a humanoid robot with twelve joints"
+GRAPH_EVERY_S = 1.0
+NEWS_EVERY_S = 0.25
+FRAME_EVERY_S = 0.1
+EASE_S = 0.2
+GIVES_WAY = 10
+"""Nice value: what a lesson measures must not suffer."""
+
+
+def say(kind: str, **values: object) -> None:
+    """Write a line for the panel."""
+    print(json.dumps({"kind": kind, **values}), flush=True)
+
+
+class HiddenNode:
+    """A hidden node on a domain, which sees the graph and nothing else."""
+
+    def __init__(self, domain_id: int) -> None:
+        from rclpy.context import Context
+        from rclpy.node import Node
+
+        self.context = Context()
+        self.context.init(args=[], initialize_logging=False, domain_id=domain_id)
+        self.node = Node(
+            f"_workbook_panel_{os.getpid()}",
+            context=self.context,
+            use_global_arguments=False,
+            enable_rosout=False,
+            start_parameter_services=False,
+        )
+
+    def graph(self) -> dict[str, Any]:
+        """Nodes, and topics with their types and who publishes and subscribes."""
+        from workbook.ros.tools import graph_seen
+
+        seen = graph_seen(self.node)
+        topics = [
+            {
+                "name": name,
+                "type": ", ".join(types),
+                "publishers": _nodes(seen.edges, name, "publishes"),
+                "subscribers": _nodes(seen.edges, name, "subscribes"),
+            }
+            for name, types in seen.topics.items()
+        ]
+        return {"nodes": list(seen.nodes), "topics": topics}
+
+    def close(self) -> None:
+        """Leave the domain."""
+        self.node.destroy_node()
+        self.context.try_shutdown()
+        self.context.destroy()
+
+
+def _nodes(edges: Any, topic: str, role: str) -> list[str]:
+    return sorted(edge.node for edge in edges if edge.topic == topic and edge.role == role)
+
+
+class DomainWatch:
+    """What the panel shows of one domain."""
+
+    def __init__(self, domain_id: int) -> None:
+        self.echo: str | None = None
+        self._place = HiddenNode(domain_id)
+        self.wire = Wire(domain_id)
+        self._graph: dict[str, Any] = {}
+        self._traffic: dict[str, Traffic] = {}
+        self._told: object = None
+        self._robot = MovingRobot(EASE_S, captions=False)
+        self._due = dict.fromkeys(("graph", "news", "frame"), 0.0)
+        self.fresh = False
+        self.moving = True
+
+    def take_in(self) -> None:
+        """Take in what the programs report."""
+        for report in self.wire.reports():
+            message = _message(report)
+            self._traffic.setdefault(report.topic, Traffic()).add(report, text_of(report, message))
+            self.fresh = True
+            if report.topic == JOINTS and hasattr(message, "data"):
+                self._robot.pose(message.data)
+                self.moving = True
+            elif report.topic == STATUS and hasattr(message, "data"):
+                self._robot.status(str(message.data))
+                self.moving = True
+
+    def work(self, now: float) -> float:
+        """Tell the panel what is due. Returns how long (s) there is nothing to do unless a report comes."""
+        tasks = (
+            ("graph", GRAPH_EVERY_S, self._look),
+            ("news", NEWS_EVERY_S if self.fresh or self._is_heard() else GRAPH_EVERY_S, self._tell_news),
+            ("frame", FRAME_EVERY_S if self.moving else GRAPH_EVERY_S, self._tell_frame),
+        )
+        for name, period, task in tasks:
+            if now >= self._due[name]:
+                task(now)
+                self._due[name] = time.monotonic() + period
+            self._due[name] = min(self._due[name], now + period)
+        return max(0.0, min(self._due.values()) - time.monotonic())
+
+    def _is_heard(self) -> bool:
+        return any(one.rate(time.monotonic()) != "silent now" for one in self._traffic.values())
+
+    def _look(self, now: float) -> None:
+        listening = self.wire.open()
+        graph = self._place.graph() | {"listening": listening}
+        if graph != self._graph:
+            self._graph = graph
+            say("graph", **graph)
+        # Each time: a last report may come after its publisher has left the graph.
+        topics = {topic["name"]: topic["publishers"] for topic in graph["topics"]}
+        if self._robot.received and not topics.get(JOINTS):
+            self._robot, self.moving = MovingRobot(EASE_S, captions=False), True
+        for topic in set(self._traffic) - set(topics):
+            del self._traffic[topic]
+
+    def _tell_news(self, now: float) -> None:
+        self.fresh = False
+        known = {topic["name"] for topic in self._graph.get("topics", ())}
+        heard = {name: one for name, one in self._traffic.items() if name in known}
+        topics = {name: {"rate": one.rate(now), "value": one.value} for name, one in heard.items()}
+        echoed = heard.get(self.echo or "")
+        messages = list(echoed.messages) if echoed is not None else []
+        if (topics, self.echo, messages) != self._told:
+            self._told = topics, self.echo, messages
+            say("news", topics=topics, echo=self.echo, messages=messages)
+
+    def _tell_frame(self, now: float) -> None:
+        picture = self._robot.frame()
+        self.moving = picture is not None
+        if picture is not None:
+            words = self._robot.words
+            text = f"{POSE}, asleep" if words else f"{POSE}, posed by the last message on {JOINTS}"
+            say("robot", src=data_uri(picture), text=text, words=words)
+
+    def close(self) -> None:
+        """Leave the domain."""
+        self.wire.close()
+        self._place.close()
+
+
+def _message(report: PublishedMessage) -> Any:
+    """The message itself; None where it cannot be told."""
+    from rclpy.serialization import deserialize_message
+
+    from workbook.ros.messages import message_class
+
+    with contextlib.suppress(Exception):
+        return deserialize_message(report.data, message_class(report.type_name)) if report.data else None
+    return None
+
+
+class PanelObserver:
+    """Follows what it is told on its input."""
+
+    def __init__(self) -> None:
+        self._watch: DomainWatch | None = None
+        self._input = b""
+
+    def run(self) -> None:
+        """Until the input ends."""
+        os.set_blocking(0, False)
+        pause: float | None = None
+        while True:
+            wire = self._watch.wire.socket if self._watch is not None else None
+            ready, _, _ = select.select([0, wire] if wire is not None else [0], [], [], pause)
+            if 0 in ready and not self._obey():
+                break
+            if self._watch is not None:
+                self._watch.take_in()
+            pause = self._watch.work(time.monotonic()) if self._watch is not None else None
+        self._follow(None)
+
+    def _obey(self) -> bool:
+        chunk = os.read(0, 1 << 16)
+        *lines, self._input = (self._input + chunk).split(b"\n")
+        for line in lines:
+            order = json.loads(line)
+            if "domain" in order:
+                self._follow(order["domain"])
+            if "echo" in order and self._watch is not None:
+                self._watch.echo = order["echo"]
+                self._watch.fresh = True
+        return bool(chunk)
+
+    def _follow(self, domain_id: int | None) -> None:
+        if self._watch is not None:
+            self._watch.close()
+            self._watch = None
+        if domain_id is not None:
+            self._watch = DomainWatch(domain_id)
+
+
+if __name__ == "__main__":
+    die_with_parent(int(sys.argv[1]))
+    os.nice(GIVES_WAY)
+    PanelObserver().run()

@@ -1,0 +1,110 @@
+"""A slider for a parameter of a robot program, beside the robot that shows what the number does."""
+
+import time
+from typing import Any
+
+from IPython.display import display
+
+from workbook.lesson.programs import Program, start, stop
+from workbook.lesson.views import ROBOT_TEXT, RobotView, watched
+from workbook.pictures.live import LiveFigure
+
+Number = int | float
+WIDGET = "application/vnd.jupyter.widget-view+json"
+STEPS = 100
+
+
+class Knob:
+    """The slider, and which number is in force. Without widgets it stays at the number typed in the cell."""
+
+    def __init__(self, name: str, value: Number, between: tuple[Number, Number]) -> None:
+        low, high = between
+        if not low <= value <= high:
+            raise ValueError(f"{name} must be from {low} to {high} here, not {value}")
+        self.name = name
+        self.value: Number = value
+        self.between = between
+        self.turned_at = time.monotonic()
+        self._slider: Any = None
+
+    def show(self) -> None:
+        """Put it on the page; in words for readers without widgets."""
+        low, high = self.between
+        words = (
+            f"Slider: {self.name} from {low} to {high}. Or change the number in the cell and run it again."
+        )
+        data = {"text/plain": words}
+        try:
+            self._slider = self._made()
+            data[WIDGET] = self._slider._repr_mimebundle_()[WIDGET]
+        except Exception:  # widgets are missing, or do not work here: the text says what to do
+            self._slider = None
+        display(data, raw=True)
+
+    def _made(self) -> Any:
+        from ipywidgets import FloatSlider, IntSlider
+
+        low, high = self.between
+        whole = all(isinstance(number, int) for number in (self.value, low, high))
+        slider = (IntSlider if whole else FloatSlider)(
+            value=self.value,
+            min=low,
+            max=high,
+            step=1 if whole else (high - low) / STEPS,
+            description=self.name,
+            continuous_update=False,
+            readout_format="d" if whole else ".2f",
+        )
+        slider.style.description_width = "initial"
+        slider.layout.width = "min(420px, 100%)"
+        slider.observe(self._on_turn, names="value")
+        return slider
+
+    def _on_turn(self, change: Any) -> None:
+        self.value = change["new"] if isinstance(change["new"], int) else round(change["new"], 3)
+        self.turned_at = time.monotonic()
+
+    def end(self) -> None:
+        """It turns nothing any more; running its cell again makes a new one."""
+        if self._slider is not None:
+            self._slider.disabled = True
+            self._slider.description_tooltip = "Run the cell again to turn this."
+
+
+async def knob(
+    program: Program,
+    name: str,
+    value: Number,
+    *,
+    between: tuple[Number, Number],
+    seconds: float = 10.0,
+    **parameters: object,
+) -> None:
+    """Run a program with a slider for its parameter `name`, and show the robot meanwhile.
+
+    It starts with `value`. Each move of the slider starts the program again with the new number, and the cell goes on
+    for `seconds` s after that. Other `parameters` stay. Whole numbers make a slider of whole numbers. In the end the
+    program is stopped, also after Stop. Raises ValueError for a value outside of `between`.
+    """
+    turned = Knob(name, value, between)
+    start(program, **{name: value}, **parameters)
+    view = RobotView(ease=0.1)
+    figure = LiveFigure(ROBOT_TEXT)
+    running = turned.value
+    turned.show()
+
+    def refresh() -> None:
+        nonlocal running
+        if turned.value != running:
+            running = turned.value
+            start(program, **{name: running}, **parameters)
+            turned.turned_at = time.monotonic()
+        if (picture := view.frame()) is not None:
+            figure.show(picture)
+
+    turned.turned_at = time.monotonic()
+    try:
+        await watched(view, refresh, until=lambda: time.monotonic() > turned.turned_at + seconds)
+    finally:
+        turned.end()
+        stop(program)
