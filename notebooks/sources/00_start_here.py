@@ -3,7 +3,7 @@
 #
 # A robot is many small programs that talk to each other all the time. In a minute you will see two of them do it.
 #
-# - **Minutes:** 25
+# - **Minutes:** 50
 # - **You need:** Python classes and functions. No robot, no ROS
 # - **You will be able to:** start a robot program and watch it, say what rclpy is and what lies below it, change a
 #   number and see the robot change, and help yourself when something is stuck

@@ -4,7 +4,7 @@
 # A robot has to be switched on before it can do anything, and it has to be switched off without dropping what it
 # holds. For a robot program both are the business of one object, the context.
 #
-# - **Minutes:** 35
+# - **Minutes:** 50
 # - **You need:** lesson [00](00_start_here.ipynb)
 # - **You will be able to:** start and end ROS in a program, say what works before, between and after, read the errors
 #   of each state, keep two robots apart by domains, and write a `main()` that ends well on Ctrl-C

@@ -3,7 +3,7 @@
 #
 # A robot is not one program. It is a crowd of small parts that must find each other, and what they look for is a name.
 #
-# - **Minutes:** 40
+# - **Minutes:** 55
 # - **You need:** lesson [01](01_the_context.ipynb)
 # - **You will be able to:** write a node class, give it a name and a namespace, run one class twice under two names, tell
 #   twins when you see them, and read the errors of names and attributes

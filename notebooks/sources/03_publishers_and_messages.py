@@ -4,7 +4,7 @@
 # The parts of a robot know of each other only what somebody publishes: the wheels which way to go, the screen what is
 # left in the battery.
 #
-# - **Minutes:** 45
+# - **Minutes:** 55
 # - **You need:** lessons 00 to 02
 # - **You will be able to:** create a publisher, fill messages so that the number you mean is the number that arrives,
 #   read the errors that publishers give, and choose a message type that others understand

@@ -4,7 +4,7 @@
 # A robot that only speaks walks into walls. To hear its own sensors, it subscribes, and says what is to be done with
 # each message that comes.
 #
-# - **Minutes:** 40
+# - **Minutes:** 45
 # - **You need:** lessons [00](00_start_here.ipynb) to 03: a node, a publisher, a message
 # - **You will be able to:** subscribe to a topic, write the callback that handles its messages, say when it is called
 #   and when it is not, choose how many messages may wait, and tell how old a message is

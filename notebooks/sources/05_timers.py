@@ -4,7 +4,7 @@
 # A robot that does something again and again, on time, is a robot with timers: its heartbeat, its balance, its
 # battery report.
 #
-# - **Minutes:** 35
+# - **Minutes:** 45
 # - **You need:** lesson 00, and to know that `publish` sends a message on a topic
 # - **You will be able to:** give a node work that repeats, turn a frequency into a period, run several rates in one
 #   node, and say what a slow callback does to them

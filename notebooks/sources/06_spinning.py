@@ -3,7 +3,7 @@
 #
 # A robot that nobody spins has ears and clocks, and does nothing: spinning is what lets its callbacks run.
 #
-# - **Minutes:** 40
+# - **Minutes:** 50
 # - **You need:** lessons [04](04_subscriptions_and_callbacks.ipynb) and [05](05_timers.ipynb): what a subscription and
 #   a timer call
 # - **You will be able to:** say what `spin` and `spin_once` do, turn the crank of a node by hand, give every wait an
