@@ -3,7 +3,7 @@
 #
 # A robot is many small parts that must find each other, and they find each other by names.
 #
-# - **Minutes:** 55
+# - **Minutes:** 50
 # - **You need:** lesson [01](01_the_context.ipynb)
 # - **You will be able to:** write a node class, give it a name and a namespace, run one class twice under two names,
 #   recognize duplicate node names, and read the errors of names and attributes
@@ -125,8 +125,6 @@ reveal(
     named_camera=node_list().count("/camera"),
     all_nodes=len(node_list()),
 )
-
-# %%
 left.destroy_node()
 right.destroy_node()
 
@@ -290,15 +288,12 @@ camera.destroy_node()
 
 # %%
 from workbook.lesson import graph_picture
+from workbook.ros import topic_list
 
 robots = [fresh(CameraDriver, namespace=robot_name) for robot_name in ("/ada", "/bob")]
 stop(roll_call)
-graph_picture()
-
-# %%
-from workbook.ros import topic_list
-
 print(*topic_list().names, sep="\n")
+graph_picture()
 
 # %% [markdown] prediction="remapped-node"
 # ### Experiment 3: another name from outside
@@ -353,21 +348,16 @@ reveal("remapped-node", names=end.log.split())
 # What if both cameras live in one process? The arguments of the command line count for *all* nodes of the process. Both
 # would be called `rear_camera`: duplicate names again. There are two ways out. On the command line, name the node that you
 # mean: `-r camera_a:__node:=rear_camera` renames only the node that the code calls `camera_a`. Both cameras are called
-# `camera` in the code, so here it takes the other way, `cli_args`: the same words as a list, for one node alone.
-
-# %%
-front = fresh(CameraDriver, namespace="/robot")
-rear = fresh(CameraDriver, namespace="/robot", cli_args=["--ros-args", "-r", "__node:=rear_camera"])
-for camera in (front, rear):
-    print(camera.get_fully_qualified_name(), "publishes on", camera.frame_publisher.topic_name)
-
-# %% [markdown]
-# `cli_args=` works because this driver passes its `**settings` on to `Node`. Where a class does not, start one process for
-# each camera.
+# `camera` in the code, so here it takes the other way, `cli_args`: the same words as a list, for one node alone. (It works because this driver passes its `**settings` on
+# to `Node`. Where a class does not, start one process for each camera.)
 
 # %%
 from workbook.ros import shutdown
 
+front = fresh(CameraDriver, namespace="/robot")
+rear = fresh(CameraDriver, namespace="/robot", cli_args=["--ros-args", "-r", "__node:=rear_camera"])
+for camera in (front, rear):
+    print(camera.get_fully_qualified_name(), "publishes on", camera.frame_publisher.topic_name)
 shutdown()  # destroys what `fresh` has made, and stops ROS
 init()
 
@@ -505,15 +495,7 @@ say("warning", "battery low")
 # %% [markdown]
 # rclpy remembers for each *line of code* with which severity it logs, so that `once=True` can work. One line with two
 # severities is an error. Write an `if` with two lines. The logger carries the name of the node with its namespace, and each
-# line also goes to `/rosout`:
-
-# %%
-logger.info("all well")
-logger.warning("battery low")
-logger.debug("this one is not shown: the usual level is INFO")
-for _ in range(3):
-    logger.error("said once, however often it happens", once=True)
-print("its name:", fresh(Node, "camera", namespace="/robot").get_logger().name)
+# line also goes to `/rosout`.
 
 # %% [markdown]
 # ## From a worked example to your own

@@ -70,7 +70,7 @@ predict("loop-and-timer")
 # %% [markdown]
 # ## Run it
 #
-# First the loop. `time.sleep(0.010)` plays the sensor, which lets us wait. We note the moment of each reading.
+# First the loop. `time.sleep(0.010)` stands for the sensor, which takes 10 ms. We note the time of each reading.
 
 # %%
 import time
@@ -166,10 +166,11 @@ def lateness(moments):
 
 
 fig, axes = figure(6.4, 2.6)
-axes.plot(lateness(loop_moments), label="loop that sleeps")
-axes.plot(lateness(reader.moments), label="timer", linestyle="--")
-axes.set(xlabel="reading", ylabel="late by (ms)")
-axes.legend(loc="upper left")
+axes.plot(lateness(loop_moments))
+axes.plot(lateness(reader.moments), linestyle="--")
+axes.text(ROUNDS, lateness(loop_moments)[-1], "loop that sleeps", va="center")
+axes.text(ROUNDS, lateness(reader.moments)[-1], "timer", va="center")
+axes.set(xlabel="reading", ylabel="late by (ms)", xlim=(-1, 64), title="the loop falls behind, the timer does not")
 show(fig, "the lateness of the loop grows with every reading; that of the timer does not grow")
 
 # %%
@@ -177,8 +178,8 @@ print("the last reading of the loop was late by more than four periods:", latene
 print("the last reading of the timer was late by less than two:", lateness(reader.moments)[-1] < 200)
 
 # %% [markdown]
-# No timer is perfect. The operating system has other programs to serve, so a tick comes a little late, and the next one
-# seems early. This trembling is called **jitter**. It does not add up.
+# No timer is perfect. The operating system also serves other programs, so a tick comes a little late, and the next
+# interval is a little short. This is called **jitter**. It does not add up.
 
 # %%
 from workbook.pictures.timeline import histogram
@@ -197,8 +198,8 @@ print("their mean is within 5 % of it:", abs(mean_ms - 100) < 5)
 # %% [markdown]
 # ### A myth, tested
 #
-# You will read that you must keep a timer in an attribute, as in `self.timer = self.create_timer(...)`, or Python will
-# throw it away. Above we kept nothing. Here we also ask the garbage collector to throw away all it can.
+# You may read that you must keep a timer in an attribute, as in `self.timer = self.create_timer(...)`, or the garbage
+# collector removes it. Above we kept nothing. Here we also run the collector.
 
 # %%
 import gc
@@ -222,15 +223,15 @@ await run(forgetful, seconds=5, until=lambda: forgetful.ticks == 5)
 print("ticks after the garbage collection:", forgetful.ticks)
 
 # %% [markdown]
-# It ticks. In rclpy the node keeps its timers. The rule is true for C++, where it comes from. An attribute is still
-# handy, if you want to stop the timer later with `self.timer.cancel()`.
+# It ticks: in rclpy the node keeps its timers. In C++ the rule is true. An attribute is still handy, if you want to stop
+# the timer later with `self.timer.cancel()`.
 
 # %% [markdown]
 # ## Change it
 #
-# Waiting a minute to count sixty ticks is dull. **Robot time** helps: a ROS node can take the time from a topic,
-# `/clock`, and not from the clock on the wall. `record` starts a program like this and publishes a `/clock` that runs
-# ten to twenty times as fast, so the node lives through a minute in a few seconds, and its timers cannot tell.
+# Counting sixty ticks takes a minute. **Simulated time** makes it faster: a ROS node can take the time from a topic,
+# `/clock`, and not from the computer's clock. `record` starts a program in this way, and publishes a `/clock` that runs ten
+# to twenty times as fast. So the node lives through a minute in a few seconds. We call this **robot time**.
 
 # %% [markdown] prediction="half-a-hertz"
 # ### Experiment 1: half a hertz
@@ -321,7 +322,7 @@ show(
 # %% [markdown] prediction="the-long-beep"
 # ### Experiment 3: a callback that takes its time
 #
-# What if one is *not* done quickly? The node blinks every 0.2 s. Every 2 s it beeps, and this beep takes 1.1 s. In
+# What if one callback is *not* quick? The node blinks every 0.2 s. Every 2 s it beeps, and this beep takes 1.1 s. In
 # that time five blinks are due. What becomes of them?
 #
 # - **a** They all come in a burst when the beep is over.
@@ -372,15 +373,14 @@ reveal(
 # Five blinks were due while the robot beeped, and four of them never came. When the beep is over, the blink timer sees
 # that it is late and ticks once. Then it goes back to its plan. Missed ticks are **dropped**.
 #
-# That is a kind design. A robot that has been busy wants to know its tilt *now*, not five times over what it should
-# have measured a while ago.
+# This design suits a robot. After a busy time it needs its tilt *now*, not five readings at once.
 #
-# But for 1.1 s this robot felt nothing. Keep callbacks short. What to do with work that is long is lesson 10.
+# But for 1.1 s this robot measured nothing. Keep callbacks short. Lesson 10 shows what to do with long work.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **A pair of parentheses too many.** What does this say?
+# **One pair of parentheses too many.** What does this say?
 
 # %% tags=["raises-exception"]
 class Eager(Node):
@@ -420,7 +420,7 @@ await run(patient, seconds=5, until=lambda: patient.blinks == 3)
 print("blinks:", patient.blinks)
 
 # %% [markdown]
-# **Silence.** This node has a timer, all is spelled well, and nothing happens.
+# **Silence.** This node has a timer, every name is right, and nothing happens.
 
 # %%
 silent = fresh(Patient)
@@ -428,8 +428,8 @@ time.sleep(1.0)
 print("blinks after a second:", silent.blinks)
 
 # %% [markdown]
-# Nobody lets the node work. A timer is an entry in a list, and somebody has to look into it: `rclpy.spin(node)` in a
-# program, `run(node)` in these lessons. Here is the same node, with somebody who looks:
+# No executor serves the node. A timer only says when it is due. `rclpy.spin(node)` in a program, or `run(node)` in these
+# lessons, calls its callback. Here the same node is spun:
 
 # %%
 await run(silent, seconds=5, until=lambda: silent.blinks == 3)
@@ -467,7 +467,7 @@ await run(guide, seconds=4.25)
 print(guide.done.count("step"), "steps,", guide.done.count("look"), "looks")
 
 # %% [markdown]
-# **Faded.** The guide shall talk as well, at 0.8 Hz. Fill in what is `...`. Until then the cell runs, and says what is
+# **Faded.** The guide also talks, at 0.8 Hz. Fill in what is `...`. Until then the cell runs, and says what is
 # missing.
 
 # %%
@@ -514,7 +514,7 @@ else:
 # </details>
 # <details><summary>c) Once, after a quarter of a second</summary>
 #
-# ✗ A timer goes on until it is cancelled or its node is gone.
+# ✗ A timer goes on until it is canceled or its node is gone.
 #
 # </details>
 #
@@ -566,7 +566,7 @@ else:
 # ✓ The node keeps it. Your node still has to be spun, of course.
 #
 # </details>
-# <details><summary>c) It ticks once, because nobody can reach it any more</summary>
+# <details><summary>c) It ticks once, because your code cannot reach it any more</summary>
 #
 # ✗ You cannot reach it, but the node can: `node.timers` lists all it has.
 #
@@ -584,7 +584,7 @@ else:
 #
 # The distance timer is due every 50 ms. While a picture is saved, its ticks wait: the first one comes late, and up to
 # three are dropped. So there is a hole of up to a quarter of a second (the work and one period), once a second, and
-# no burst afterwards. Whether that matters depends on how fast the robot drives: at 1 m/s it is 25 cm. Ways out: make
+# no burst after it. Whether that matters depends on how fast the robot drives: at 1 m/s it is 25 cm. Ways out: make
 # the callback short (hand the picture to a thread or to another process that saves it), or let the two callbacks run
 # in different threads (another executor and callback group, lesson 10). Making the timer faster does not help. Good
 # answers also ask whether the picture must be saved on this robot at all.
@@ -595,7 +595,7 @@ else:
 # ## Take away
 #
 # - `create_timer(period, callback)`: the period is in seconds, and hertz is 1 divided by it.
-# - A timer keeps a plan. It trembles (jitter), but it does not drift; a loop that sleeps does.
+# - A timer keeps a plan. It has jitter, but it does not drift. A loop that sleeps does.
 # - One node can have many timers. They share one thread and take turns.
 # - A slow callback makes others late. Missed ticks are dropped, they do not come in a burst.
 # - Hand over the callback without parentheses, and spin the node.
