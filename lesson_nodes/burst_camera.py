@@ -9,7 +9,7 @@ from rclpy.node import Node
 from sensor_msgs.msg import Image
 
 COUNT = 20
-LARGE_BYTES = 300_000
+LARGE_BYTES = 640 * 480 * 3
 
 
 class BurstCamera(Node):

@@ -16,7 +16,7 @@
 # ## Predict
 #
 # The last argument of `create_publisher` is the **depth** of the publisher's queue: how many messages it keeps, in case it
-# has to send them again. A camera in *another process* publishes 20 pictures of 300 kB as fast as it can. It asks for
+# has to send them again. A camera in *another process* publishes 20 pictures of 640 × 480 pixels (0.9 MB each) as fast as it can. It asks for
 # reliable delivery, which is the default. Its publisher has depth 1. The subscription has depth 100, so it has room for
 # all. How many pictures arrive?
 #
@@ -25,7 +25,7 @@
 #   ✗ It sends again only what the publisher still has. With depth 1, each new picture takes the place of the one before.
 # - **b** 10, the default depth.
 #   ✗ There is no default depth in rclpy. The number in the program counts, and here it is 1.
-# - **c** A few: 1 to 10 or so.
+# - **c** Only some of them.
 #   when `arrived < 20`
 #   ✓ The program publishes faster than the pictures travel. With depth 1 a picture that is not delivered yet is gone
 #   when the next one comes.
@@ -39,7 +39,7 @@ predict("whose-queue")
 # ## Run it
 #
 # The camera is [lesson_nodes/burst_camera.py](../lesson_nodes/burst_camera.py). It starts its burst half a second after it
-# has found a subscription. We try three depths, three bursts each, and then small pictures of 1 kB.
+# has found a subscription. We try three depths, three bursts each, and then tiny pictures of 1 kB.
 
 # %% tags=["nbval-ignore-output"]
 import numpy as np
@@ -73,18 +73,18 @@ def arrived(depth, size_bytes):
 
 counts = {
     (depth, size): [arrived(depth, size) for _ in range(3)]
-    for depth, size in ((1, 300_000), (10, 300_000), (100, 300_000), (1, 1_000))
+    for depth, size in ((1, 921_600), (10, 921_600), (100, 921_600), (1, 1_000))
 }
 for (depth, size), bursts in counts.items():
     print(f"depth {depth:>3}, {size / 1000:>3.0f} kB: {bursts} of 20")
 
 # %%
-print("depth   1, 300 kB: some pictures are lost: ", min(counts[1, 300_000]) < 20)
-print("depth 100, 300 kB: all arrive:             ", counts[100, 300_000] == [20, 20, 20])
+print("depth   1, 0.9 MB: some pictures are lost: ", min(counts[1, 921_600]) < 20)
+print("depth 100, 0.9 MB: all arrive:             ", counts[100, 921_600] == [20, 20, 20])
 print("depth   1,   1 kB: all arrive:             ", counts[1, 1_000] == [20, 20, 20])
 
 # %%
-reveal("whose-queue", arrived=min(counts[1, 300_000]))
+reveal("whose-queue", arrived=min(counts[1, 921_600]))
 
 # %% [markdown]
 # Only the *publisher's* depth changed. `publish` returns before a large picture is delivered. What does not fit into the
@@ -97,7 +97,8 @@ reveal("whose-queue", arrived=min(counts[1, 300_000]))
 #
 # In one process, or with small messages, the publisher's depth hardly matters: they are delivered before the next one
 # comes. That is why tests on a desk look fine. These notebooks use the loopback network only, while Fast DDS as it comes
-# also uses shared memory. We measured both: with 300 kB and 900 kB, both lose pictures at depth 1 and 10, and none at 100.
+# also uses shared memory. We measured both, three bursts each: with 300 kB and 900 kB, both lost pictures at depth 1 and
+# 10, and none at 100.
 
 # %% [markdown]
 # ## Look inside
