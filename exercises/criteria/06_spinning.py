@@ -545,7 +545,10 @@ def too_early(number: int, took: float) -> Verdict:
 
 
 IN_TIME = f"back when the time is up: at most {EARLY_S} s earlier, at most {LATE_S} s later"
-TIME_THAT_IS_LEFT = "Compute the end once, and check the clock before each spin_once. Give it a short timeout_sec, for example 0.05 s."
+TIME_THAT_IS_LEFT = (
+    "Compute the end once, and check the clock before each spin_once. "
+    "Give it a short timeout_sec, for example 0.05 s."
+)
 
 
 def still_open(asked: float, open_s: float) -> Verdict:

@@ -86,7 +86,9 @@ predict("end-of-the-program")
 import asyncio
 
 start(joint_position_publisher)
-asyncio.get_running_loop().call_later(3, stop)  # in three seconds, end the robot's program
+asyncio.get_running_loop().call_later(
+    3, stop
+)  # in three seconds, end the robot's program
 await watch_robot(seconds=6, ease=0.1)
 reveal("end-of-the-program")
 
@@ -147,7 +149,9 @@ publisher = node.create_publisher(Float32MultiArray, "/robot/joint_positions", 1
 
 def move() -> None:
     up = time.time() % 2 < 1  # a second up, a second down
-    publisher.publish(Float32MultiArray(data=[0.0, 0.0, 2.4 if up else 0.3] + [0.0] * 9))
+    publisher.publish(
+        Float32MultiArray(data=[0.0, 0.0, 2.4 if up else 0.3] + [0.0] * 9)
+    )
 
 
 node.create_timer(0.1, move)
@@ -392,7 +396,9 @@ print(join_line())
 
 # %%
 domain = os.environ["ROS_DOMAIN_ID"]
-print("it names the domain of this notebook:", f"ROS_DOMAIN_ID={domain} " in join_line())
+print(
+    "it names the domain of this notebook:", f"ROS_DOMAIN_ID={domain} " in join_line()
+)
 
 # %% [markdown]
 # *Three: change one number.* In the section *Change it*, make a robot that waves twice a second and reports ten times a

@@ -210,22 +210,32 @@ def talk(places: dict[str, str], seconds: float) -> dict[str, RadioRobot]:
 began = time.monotonic()
 robots = talk(PLACES, seconds=5)
 for place, robot in robots.items():
-    print(f"{place:<8} on domain {PLACES[place]} hears {', '.join(robot.others()) or 'nobody else'}")
-reveal("three-contexts", kitchen_hears=len(robots["kitchen"].others()), garden_hears=len(robots["garden"].others()))
+    print(
+        f"{place:<8} on domain {PLACES[place]} hears",
+        ", ".join(robot.others()) or "nobody else",
+    )
+reveal(
+    "three-contexts",
+    kitchen_hears=len(robots["kitchen"].others()),
+    garden_hears=len(robots["garden"].others()),
+)
 
 # %%
 from workbook.pictures.figures import show
 from workbook.pictures.timeline import strip
 
 heard = {
-    f"{listener} hears {speaker}": [moment - began for moment in robots[listener].moments(speaker)]
+    f"{listener} hears {speaker}": [
+        moment - began for moment in robots[listener].moments(speaker)
+    ]
     for listener in robots
     for speaker in robots
     if speaker != listener
 }
 show(
     strip(heard, end=5.5, noun="times"),
-    "five seconds: kitchen and hall hear each other four times a second, nobody hears garden and garden hears nobody",
+    "five seconds: kitchen and hall hear each other four times a second, nobody "
+    "hears garden and garden hears nobody",
 )
 
 # %% [markdown]
@@ -247,7 +257,11 @@ import inspect
 
 from lesson_nodes import three_mains
 
-print(inspect.getsource(three_mains).split('if __name__')[0].partition("NightGuard\n\n\n")[2])
+print(
+    inspect.getsource(three_mains)
+    .split("if __name__")[0]
+    .partition("NightGuard\n\n\n")[2]
+)
 
 # %% [markdown] prediction="after-ctrl-c"
 # `guard.park()` folds the arms and prints `arms parked`. `spin` lets the node work.
@@ -286,7 +300,12 @@ for name, end in ends.items():
     last_line = end.log.strip().splitlines()[-1].split(", at ")[0]
     print(f"{name}: exit code {end.exit}, arms parked: {'arms parked' in end.log}")
     print(f"    last line: {last_line}")
-reveal("after-ctrl-c", hopeful=ends["hopeful"].exit, careful=ends["careful"].exit, seasoned=ends["seasoned"].exit)
+reveal(
+    "after-ctrl-c",
+    hopeful=ends["hopeful"].exit,
+    careful=ends["careful"].exit,
+    seasoned=ends["seasoned"].exit,
+)
 
 # %% [markdown]
 # **hopeful** never reaches the line after `spin`. On Ctrl-C `spin` does not return. It *raises*, and the exception leaves

@@ -5,8 +5,8 @@
 #
 # - **Minutes:** 20
 # - **You need:** lesson [01](01_the_context.ipynb)
-# - **You will be able to:** say what comes out of `spin` for each way to end a program, when other programs can find
-#   yours, and how to publish a last message on Ctrl-C
+# - **You will be able to:** say what comes out of `spin` for each way to end a program, and publish a last message on
+#   Ctrl-C
 # - **Left out:** lifecycle nodes, what `spin` does inside (lesson 06)
 
 # %% [markdown]
@@ -57,7 +57,9 @@ for cause in ends_of_spin.CAUSES:
 
 # %%
 on_sigterm = {what for (cause, _), what in came_out.items() if cause == "SIGTERM"}
-on_ctrl_c = {what for (cause, _), what in came_out.items() if cause.startswith("Ctrl-C")}
+on_ctrl_c = {
+    what for (cause, _), what in came_out.items() if cause.startswith("Ctrl-C")
+}
 print("Ctrl-C always comes as KeyboardInterrupt:", on_ctrl_c == {"KeyboardInterrupt"})
 print("SIGTERM ever comes as KeyboardInterrupt: ", "KeyboardInterrupt" in on_sigterm)
 print("the context afterwards, in all six runs: ", *still_ok)
@@ -134,15 +136,30 @@ from workbook.pictures.figures import figure, show
 fig, (ok_axes, port_axes) = figure(6.6, 3.2, rows=2)
 moments = [moment for moment, _, _ in watched]
 ok_axes.step(moments, [ok for _, ok, _ in watched], linewidth=2.4)
-port_axes.step(moments, [is_open for _, _, is_open in watched], color="#208a3c", linewidth=2.4)
-titles = ("context.ok() is true from init to shutdown", "UDP ports are open while there is a node")
+port_axes.step(
+    moments, [is_open for _, _, is_open in watched], color="#208a3c", linewidth=2.4
+)
+titles = (
+    "context.ok() is true from init to shutdown",
+    "UDP ports are open while there is a node",
+)
 for axes, title in zip((ok_axes, port_axes), titles, strict=True):
-    axes.set(yticks=[0, 1], yticklabels=["no", "yes"], ylim=(-0.25, 1.25), xticklabels=[], title=title)
+    axes.set(
+        yticks=[0, 1],
+        yticklabels=["no", "yes"],
+        ylim=(-0.25, 1.25),
+        xticklabels=[],
+        title=title,
+    )
     for moment in marks.values():
         axes.axvline(moment, color="#787878", linewidth=1, linestyle=":")
 ok_axes.set_xticks([])
 port_axes.set_xticks(list(marks.values()), list(marks))
-show(fig, "context.ok() is true from init to shutdown; UDP ports are open from the first node to its end")
+show(
+    fig,
+    "context.ok() is true from init to shutdown; UDP ports are open from the first "
+    "node to its end",
+)
 
 # %%
 names = list(marks)
@@ -165,16 +182,25 @@ from lesson_nodes import last_words
 
 print(inspect.getsource(last_words.main))
 
+
 # %% id="last-words"
 def show_end(log: str) -> None:
     for line in log.strip().splitlines():
-        if line.startswith(("the context", "said", "Failed", "rclpy")) or line.endswith("good night"):
+        if line.startswith(("the context", "said", "Failed", "rclpy")) or line.endswith(
+            "good night"
+        ):
             print("   ", line.split(", at ")[0])
 
 
 for handled_by in ("ALL", "NO"):
-    print("rclpy handles Ctrl-C:" if handled_by == "ALL" else "Python alone handles Ctrl-C:")
-    show_end(run_program(last_words, arguments=[handled_by], interrupt_at="round 1").log)
+    print(
+        "rclpy handles Ctrl-C:"
+        if handled_by == "ALL"
+        else "Python alone handles Ctrl-C:"
+    )
+    show_end(
+        run_program(last_words, arguments=[handled_by], interrupt_at="round 1").log
+    )
 
 # %% [markdown]
 # rclpy shuts the context down in a thread of its own, while Python raises the exception. Half a second later it is down

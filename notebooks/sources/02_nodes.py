@@ -60,11 +60,17 @@ await until_seen("/left_arm")
 await run(reader, seconds=1.0)
 arm.destroy_node()
 
-film = {name: [moment - began for moment in reader.moments(name)] for name in ("/head", "/left_arm")}
-film = {name: [moment for moment in moments if moment > 0] for name, moments in film.items()}
+film = {
+    name: [moment - began for moment in reader.moments(name)]
+    for name in ("/head", "/left_arm")
+}
+film = {
+    name: [moment for moment in moments if moment > 0] for name, moments in film.items()
+}
 show(
     strip(film, end=time.monotonic() - began, noun="calls"),
-    "the roll call of another process: the head is there in the middle, the arm a little later, then only the arm",
+    "the roll call of another process: the head is there in the middle, the arm a "
+    "little later, then only the arm",
 )
 
 # %% [markdown] prediction="two-cameras"
@@ -103,6 +109,7 @@ predict("two-cameras")
 # %% [markdown]
 # ## Run it
 
+
 # %% tags=["nbval-ignore-output"]
 class Camera(Node):
     """An eye of the robot."""
@@ -133,8 +140,8 @@ right.destroy_node()
 #
 # A **node** is an entry in the **graph**, the list of all nodes and their connections. No central register hands out names.
 # Each process tells the others which nodes it has, and believes what the others tell. So two nodes may have one name. We
-# call these **duplicate node names**, and they are a fault: both nodes do what you ask of `/camera`, and you get the answer
-# that comes first. rclpy reported it above: no error, one warning.
+# call these **duplicate node names**, and they are a fault. Both nodes do what you ask of `/camera`, and you get the answer
+# that comes first. There was no error above, only a warning.
 #
 # A node is not a process: this one process had two. And a class is not a node: you can make many nodes from one class.
 #
@@ -355,9 +362,17 @@ reveal("remapped-node", names=end.log.split())
 from workbook.ros import shutdown
 
 front = fresh(CameraDriver, namespace="/robot")
-rear = fresh(CameraDriver, namespace="/robot", cli_args=["--ros-args", "-r", "__node:=rear_camera"])
+rear = fresh(
+    CameraDriver,
+    namespace="/robot",
+    cli_args=["--ros-args", "-r", "__node:=rear_camera"],
+)
 for camera in (front, rear):
-    print(camera.get_fully_qualified_name(), "publishes on", camera.frame_publisher.topic_name)
+    print(
+        camera.get_fully_qualified_name(),
+        "publishes on",
+        camera.frame_publisher.topic_name,
+    )
 shutdown()  # destroys what `fresh` has made, and stops ROS
 init()
 
@@ -390,7 +405,14 @@ for printed in run_program(SAME_NAME).log.strip().splitlines():
 # %% id="bad-names"
 from rclpy.exceptions import InvalidNamespaceException, InvalidNodeNameException
 
-for name in ("left_camera", "left-camera", "left camera", "2nd_camera", "/robot/camera", "kamera_größe"):
+for name in (
+    "left_camera",
+    "left-camera",
+    "left camera",
+    "2nd_camera",
+    "/robot/camera",
+    "kamera_größe",
+):
     try:
         Node(name, enable_rosout=False).destroy_node()
         print(f"✓ {name}")
@@ -414,6 +436,7 @@ for namespace in ("/robot", "robot", "/robot/head", "/robot/"):
 # %% [markdown]
 # **The forgotten first line.** A class of your own, with a timer, and an error that does not help:
 
+
 # %% id="no-super" tags=["raises-exception"]
 class Blinker(Node):
     """Blinks with its eyes."""
@@ -434,6 +457,7 @@ Blinker()
 # %% [markdown]
 # **Names that are taken.** A robot collects its timers in a list, under an unlucky name:
 
+
 # %% id="reserved-attribute" tags=["raises-exception"]
 class Collector(Node):
     """Keeps its timers in a list."""
@@ -451,6 +475,7 @@ Collector()
 # %% [markdown]
 # `Node` has a property of that name already, and Python says so. Names with an underscore are worse, because they are *not*
 # protected. `Node` keeps its own things there. This class raises nothing, and its timer never ticks:
+
 
 # %% id="silent-attribute"
 class Quiet(Node):
@@ -483,6 +508,7 @@ logger.info("battery at %d %%", 80)
 
 # %% [markdown]
 # It takes one text: `logger.info(f"battery at {80} %")`. And the next helper fails at its second call:
+
 
 # %% id="logger-severity" tags=["raises-exception"]
 def say(level: str, text: str) -> None:
@@ -517,7 +543,9 @@ class Arm(Node):
 
 arms = [fresh(Arm, namespace=f"/robot/{side}") for side in ("left", "right")]
 for arm in arms:
-    print(arm.get_fully_qualified_name(), "publishes on", arm.state_publisher.topic_name)
+    print(
+        arm.get_fully_qualified_name(), "publishes on", arm.state_publisher.topic_name
+    )
 
 # %% [markdown]
 # **Faded.** Now put both arms into the namespace `/robot`, as `/robot/left_arm` and `/robot/right_arm`. Do not change the
@@ -537,7 +565,11 @@ if any(... in words for words in REMAP.values()):
 else:
     arms = [fresh(Arm, namespace="/robot", cli_args=words) for words in REMAP.values()]
     for arm in arms:
-        print(arm.get_fully_qualified_name(), "publishes on", arm.state_publisher.topic_name)
+        print(
+            arm.get_fully_qualified_name(),
+            "publishes on",
+            arm.state_publisher.topic_name,
+        )
     print("as asked:", node_list() == ("/robot/left_arm", "/robot/right_arm"))
 
 # %% [markdown]

@@ -35,8 +35,11 @@ print("the first one:", commands[0])
 # %%
 from workbook.pictures.path import path_of, show_path
 
-show_path(path_of(commands), "the path of the robot: a lying eight, a circle to the left and then one to the right",
-          title="127 messages draw an eight")  # fmt: skip
+show_path(
+    path_of(commands),
+    "the path of the robot: a lying eight, a circle to the left, then one to the right",
+    title="127 messages draw an eight",
+)
 
 # %% [markdown]
 # Change something: `record(figure_driver, {DRIVE: 0.1}, seconds=12.7, turn_radps=2.0)`, and run both cells again.
@@ -156,7 +159,12 @@ fig, axes = figure(5.6, 3.9)
 for row, (one, other) in enumerate(zip(given, arrived, strict=True)):
     color, sign = (GREEN, "✓") if other == 80.0 else (RED, "✗")
     axes.text(0.0, row, one, family="monospace", va="center")
-    axes.annotate("", xy=(0.72, row), xytext=(0.42, row), arrowprops={"arrowstyle": "->", "color": color})
+    axes.annotate(
+        "",
+        xy=(0.72, row),
+        xytext=(0.42, row),
+        arrowprops={"arrowstyle": "->", "color": color},
+    )
     axes.text(0.77, row, f"{other}", family="monospace", color=color, va="center")
     axes.text(0.93, row, sign, color=color, va="center", family="DejaVu Sans")
 axes.text(0.0, -1.0, "what I gave", va="center")
@@ -165,7 +173,8 @@ axes.set(xlim=(0, 1), ylim=(len(given) - 0.5, -1.5), title="only Python floats a
 axes.axis("off")
 show(
     fig,
-    "eleven values and what arrived: only the Python float, np.float64 and float(80) arrive as 80.0; np.int64(-80) arrives "
+    "eleven values and what arrived: only the Python float, np.float64 and float(80) "
+    "arrive as 80.0; np.int64(-80) arrives "
     "as nan, all others as 0.0",
 )
 
@@ -254,9 +263,20 @@ predict("the-wider-circle")
 # %%
 turn_radps = 0.5  # turn this knob, and forward_mps too, if you like
 
-circle = record(figure_driver, {DRIVE: 0.1}, seconds=12.6, forward_mps=0.4, turn_radps=turn_radps, eight=False)
+circle = record(
+    figure_driver,
+    {DRIVE: 0.1},
+    seconds=12.6,
+    forward_mps=0.4,
+    turn_radps=turn_radps,
+    eight=False,
+)
 points = path_of(arrival.value for arrival in circle.topic(DRIVE).arrivals)
-show_path(points, "the path of the robot: one circle to the left", title="half the turning, twice the radius")
+show_path(
+    points,
+    "the path of the robot: one circle to the left",
+    title="half the turning, twice the radius",
+)
 
 xs, _ = points
 print(f"from side to side: {max(xs) - min(xs):.1f} m")
@@ -349,7 +369,11 @@ print("switched on after the import: 80 arrives as", *values(late, "/robot/batte
 # %% id="plain-str" tags=["raises-exception"]
 from rclpy.node import Node
 from std_msgs.msg import String
-from workbook.lesson import fresh, init, spin_for  # spin_for: what `await run(...)` does, in an ordinary function
+from workbook.lesson import (
+    fresh,
+    init,
+    spin_for,
+)  # spin_for: what `await run(...)` does, in an ordinary function
 
 init()  # rclpy.init(), made so that a cell can be run again
 voice = fresh(lambda: Node("voice"))
@@ -395,6 +419,7 @@ except Exception as error:
 # `rt/robot/voice` is how DDS spells the topic, and `..._::Float32_` is the type that does not fit. In two **different**
 # programs you get no error. This one publishes the battery as `Float32`, and the node in this notebook expects `Float64`:
 
+
 # %% id="two-types-two-programs"
 class Ear(Node):
     """Keeps what arrives on one topic. (Subscriptions are lesson 04.)"""
@@ -429,6 +454,7 @@ ear.destroy_node()
 # **Worked.** A robot that speaks. It makes the publisher once, in `__init__`. The method checks what it is given *before*
 # it makes a message. A caller that passes nonsense gets an error, and can react.
 
+
 # %%
 class Speech(Node):
     """Says words aloud.
@@ -451,7 +477,9 @@ class Speech(Node):
 
 speech = fresh(Speech)
 ear = fresh(Ear, String, "/robot/speech")
-spin_for(ear, seconds=5, until=lambda: speech.speech_publisher.get_subscription_count() == 1)
+spin_for(
+    ear, seconds=5, until=lambda: speech.speech_publisher.get_subscription_count() == 1
+)
 for text in ("mind the step", 42, "  ", "good morning"):
     try:
         speech.say(text)
@@ -490,10 +518,20 @@ if wheels.command_publisher is ...:
     print("Make the publisher and set the two fields, then run this cell again.")
 else:
     ear = fresh(Ear, Twist, "/robot/wheels")
-    spin_for(ear, seconds=5, until=lambda: wheels.command_publisher.get_subscription_count() == 1)
+    spin_for(
+        ear,
+        seconds=5,
+        until=lambda: wheels.command_publisher.get_subscription_count() == 1,
+    )
     wheels.drive(np.float32(0.5), -1)
     spin_for(ear, seconds=5, until=lambda: ear.heard)
-    print("forward", ear.heard[0].linear.x, "turn", ear.heard[0].angular.z, "- there should be 0.5 and -1.0")
+    print(
+        "forward",
+        ear.heard[0].linear.x,
+        "turn",
+        ear.heard[0].angular.z,
+        "- there should be 0.5 and -1.0",
+    )
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/03_publishers_and_messages.ipynb) you write a battery report that never lies:

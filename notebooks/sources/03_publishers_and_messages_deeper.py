@@ -57,14 +57,18 @@ class Ear(Node):
     def __init__(self):
         super().__init__("ear")
         self.numbers = []
-        self.create_subscription(Image, "/camera/burst", lambda image: self.numbers.append(image.width), 100)
+        self.create_subscription(
+            Image, "/camera/burst", lambda image: self.numbers.append(image.width), 100
+        )
 
 
 def arrived(depth, size_bytes):
     """How many of 20 pictures arrive."""
     ear = fresh(Ear)
     start(burst_camera, depth=depth, size_bytes=size_bytes)
-    spin_for(ear, seconds=10, until=lambda: 20 in ear.numbers)  # the last one always arrives
+    spin_for(
+        ear, seconds=10, until=lambda: 20 in ear.numbers
+    )  # the last one always arrives
     spin_for(ear, seconds=1)
     stop()
     ear.destroy_node()
@@ -80,7 +84,9 @@ for (depth, size), bursts in counts.items():
 
 # %%
 print("depth   1, 0.9 MB: some pictures are lost: ", min(counts[1, 921_600]) < 20)
-print("depth 100, 0.9 MB: all arrive:             ", counts[100, 921_600] == [20, 20, 20])
+print(
+    "depth 100, 0.9 MB: all arrive:             ", counts[100, 921_600] == [20, 20, 20]
+)
 print("depth   1,   1 kB: all arrive:             ", counts[1, 1_000] == [20, 20, 20])
 
 # %%
@@ -115,23 +121,37 @@ from workbook.lesson import record
 from workbook.pictures.figures import figure, show
 
 CAMERA = "/robot/camera"
-film = [arrival.value for arrival in record(tiny_camera, {CAMERA: 0.5}, seconds=4).topic(CAMERA).arrivals]
+film = [
+    arrival.value
+    for arrival in record(tiny_camera, {CAMERA: 0.5}, seconds=4).topic(CAMERA).arrivals
+]
 
 image = film[0]
 print("fields:", ", ".join(image))
 print(f"{image['width']} times {image['height']} pixels, encoding {image['encoding']}")
-print("numbers in data:", len(image["data"]), "which is 16 · 12 · 3:", len(image["data"]) == 16 * 12 * 3)
+print(
+    "numbers in data:",
+    len(image["data"]),
+    "which is 16 · 12 · 3:",
+    len(image["data"]) == 16 * 12 * 3,
+)
 print("the first pixel, red, green and blue:", image["data"][:3])
 
 # %%
 fig, frames = figure(6.4, 1.9, columns=3)
 for axes, number in zip(frames, (1, 3, 5), strict=True):
     image = film[number]
-    pixels = np.array(image["data"], dtype=np.uint8).reshape(image["height"], image["width"], 3)
+    pixels = np.array(image["data"], dtype=np.uint8).reshape(
+        image["height"], image["width"], 3
+    )
     axes.imshow(pixels, interpolation="nearest")
     axes.set(title=f"message {number + 1}", xticks=[], yticks=[])
     axes.grid(False)
-show(fig, "three pictures of the tiny camera: a red ball rolls over the floor, from left to right")
+show(
+    fig,
+    "three pictures of the tiny camera: a red ball rolls over the floor, from left "
+    "to right",
+)
 
 # %% [markdown]
 # 576 numbers in a row, and `width`, `height` and `encoding` say what they mean. If one of these is wrong, no other program
@@ -164,7 +184,11 @@ joints.name = ["left_shoulder", "left_elbow"]
 joints.position = [0.3, -1.1]  # rad
 
 print("Float32 has:     ", ", ".join(Float32.get_fields_and_field_types()))
-print("BatteryState has:", ", ".join(list(BatteryState.get_fields_and_field_types())[:8]), "and more")
+print(
+    "BatteryState has:",
+    ", ".join(list(BatteryState.get_fields_and_field_types())[:8]),
+    "and more",
+)
 print("JointState has:  ", ", ".join(JointState.get_fields_and_field_types()))
 
 # %% [markdown]
@@ -187,7 +211,9 @@ def eight_bytes_of(thing):
 
 
 print("in 80.0:", eight_bytes_of(80.0))
-print("in 80, something above zero and below 1e-300:", 0.0 < eight_bytes_of(80) < 1e-300)
+print(
+    "in 80, something above zero and below 1e-300:", 0.0 < eight_bytes_of(80) < 1e-300
+)
 print("which in 32 bits is", ctypes.c_float(eight_bytes_of(80)).value)
 
 # %% [markdown]

@@ -128,7 +128,9 @@ for distance in (2.0, 1.6, 1.2, 0.8, 0.4):
     sensor.publisher.publish(Float32(data=distance))
 time.sleep(1.0)
 
-kept = topic_echo("/black_box/kept", count=1, nodes=[]).messages[0].data  # nodes=[]: none of ours is spun
+kept = (
+    topic_echo("/black_box/kept", count=1, nodes=[]).messages[0].data
+)  # nodes=[]: none of ours is spun
 heard_before_spin = len(guard.heard)
 print("kept by the black box:   ", kept)
 print("callbacks of the guard:  ", len(guard.heard))
@@ -162,7 +164,7 @@ stop()
 
 # %%
 class TimedGuard(Node):
-    """Notes when each message was received, and when it was handled (s, by the clock on the wall)."""
+    """Notes when each message was received, and when it was handled (s)."""
 
     def __init__(self) -> None:
         super().__init__("timed_guard")
@@ -185,8 +187,12 @@ for number in range(10):
 spun_at = time.time()
 await run(timed, seconds=5, until=lambda: len(timed.handled) == 10)
 
-print("received before anybody spun:", sum(moment < spun_at for moment in timed.received))
-print("handled before anybody spun: ", sum(moment < spun_at for moment in timed.handled))
+print(
+    "received before anybody spun:", sum(moment < spun_at for moment in timed.received)
+)
+print(
+    "handled before anybody spun: ", sum(moment < spun_at for moment in timed.handled)
+)
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -195,7 +201,9 @@ rows = {"handled": timed.handled, "received": timed.received, "published": publi
 fig, axes = figure(6.4, 2.0)
 for row, (label, moments) in enumerate(rows.items()):
     times = [moment - began for moment in moments]
-    axes.plot(times, [row] * len(times), "|", markersize=16, markeredgewidth=3, label=label)
+    axes.plot(
+        times, [row] * len(times), "|", markersize=16, markeredgewidth=3, label=label
+    )
 axes.axvline(spun_at - began, color="#787878", linestyle="--", zorder=0)
 axes.text(spun_at - began + 0.04, 1.5, "spin begins", va="center")
 axes.text(spun_at - began + 0.04, 0, "all ten at once", va="center")
@@ -205,7 +213,8 @@ axes.set_yticklabels(rows)
 axes.grid(axis="y", visible=False)
 show(
     fig,
-    "ten messages: each is received when it is published, and all ten are handled when spin begins, at 2 s",
+    "ten messages: each is received when it is published, and all ten are handled "
+    "when spin begins, at 2 s",
 )
 
 # %% [markdown]
@@ -280,7 +289,9 @@ class Reader(Node):
         super().__init__(f"reader_{depth}")
         self.depth = depth
         self.numbers: list[int] = []
-        self.create_subscription(Int32, "/camera/picture_number", self.on_picture, depth)
+        self.create_subscription(
+            Int32, "/camera/picture_number", self.on_picture, depth
+        )
 
     def on_picture(self, message: Int32) -> None:
         self.numbers.append(message.data)
@@ -293,11 +304,17 @@ while camera.publisher.get_subscription_count() < len(readers):
 
 for number in range(1, 61):
     camera.publisher.publish(Int32(data=number))
-await run(readers, seconds=10, until=lambda: all(reader.numbers[-1:] == [60] for reader in readers))
+await run(
+    readers,
+    seconds=10,
+    until=lambda: all(reader.numbers[-1:] == [60] for reader in readers),
+)
 
 for reader in readers:
     span = f"{reader.numbers[0]} to {reader.numbers[-1]}"
-    print(f"depth {reader.depth:>3}: {len(reader.numbers):>2} of 60, from number {span}")
+    print(
+        f"depth {reader.depth:>3}: {len(reader.numbers):>2} of 60, from number {span}"
+    )
 reveal(
     "how-many-may-wait",
     shallow=len(readers[0].numbers),
@@ -311,14 +328,19 @@ fig, axes = figure(6.4, 1.9)
 for row, reader in enumerate(readers):
     lost = sorted(set(range(1, 61)) - set(reader.numbers))
     axes.plot(lost, [row] * len(lost), "x", color="#787878", alpha=0.6, markersize=4)
-    axes.plot(reader.numbers, [row] * len(reader.numbers), "o", color="#208a3c", markersize=5)
-axes.set(xlabel="number of the picture", yticks=range(3), xlim=(0, 61), ylim=(-0.6, 2.6))
+    axes.plot(
+        reader.numbers, [row] * len(reader.numbers), "o", color="#208a3c", markersize=5
+    )
+axes.set(
+    xlabel="number of the picture", yticks=range(3), xlim=(0, 61), ylim=(-0.6, 2.6)
+)
 axes.set_title("a full queue drops its oldest messages (×)")
 axes.set_yticklabels([f"depth {reader.depth}" for reader in readers])
 axes.grid(axis="y", visible=False)
 show(
     fig,
-    "60 pictures: with depth 1 only the last is read, with depth 10 the last ten, with depth 100 all; x is lost",
+    "60 pictures: with depth 1 only the last is read, with depth 10 the last ten, "
+    "with depth 100 all; x is lost",
 )
 
 # %% [markdown]
@@ -355,7 +377,7 @@ predict("age-of-a-message")
 
 # %%
 class SlowGuard(Node):
-    """Takes 0.2 s to think about each distance, and notes how old the distance was when it began."""
+    """Takes 0.2 s for each distance, and notes how old it was at the start."""
 
     def __init__(self, depth: int) -> None:
         super().__init__(f"slow_guard_{depth}")
@@ -365,7 +387,9 @@ class SlowGuard(Node):
 
     def on_distance(self, message: Float32, info: dict) -> None:
         self.ages_s.append((time.time_ns() - info["source_timestamp"]) / 1e9)
-        self.travels_s.append((info["received_timestamp"] - info["source_timestamp"]) / 1e9)
+        self.travels_s.append(
+            (info["received_timestamp"] - info["source_timestamp"]) / 1e9
+        )
         time.sleep(0.2)
 
 
@@ -382,10 +406,17 @@ for depth, marker, line in ((50, "s", "--"), (1, "o", "-")):
     ages = guards[depth].ages_s
     axes.plot(ages, marker=marker, markersize=4, linestyle=line)
     axes.text(len(ages) - 0.5, ages[-1], f"depth {depth}", va="center")
-axes.set(xlabel="callback", ylabel="age of its message (s)", xticks=range(0, 21, 5), xlim=(-1, 25))
+axes.set(
+    xlabel="callback",
+    ylabel="age of its message (s)",
+    xticks=range(0, 21, 5),
+    xlim=(-1, 25),
+)
 axes.set_title("in a deep queue, messages grow old")
 show(
-    fig, "with depth 50 the messages grow older and older, up to seconds; with depth 1 all are fresh"
+    fig,
+    "with depth 50 the messages grow older and older, up to seconds; with depth 1 "
+    "all are fresh",
 )
 
 # %% id="message-age"
@@ -393,8 +424,12 @@ from statistics import median
 
 deep, shallow = guards[50], guards[1]
 print("depth 50: the last distance was older than a second:", deep.ages_s[-1] > 1.0)
-print("depth  1: half of them were younger than 0.2 s:     ", median(shallow.ages_s) < 0.2)
-print("of that, time on the way was less than 0.1 s:       ", median(deep.travels_s) < 0.1)
+print(
+    "depth  1: half of them were younger than 0.2 s:     ", median(shallow.ages_s) < 0.2
+)
+print(
+    "of that, time on the way was less than 0.1 s:       ", median(deep.travels_s) < 0.1
+)
 reveal("age-of-a-message", last_age_s=deep.ages_s[-1])
 
 # %% [markdown]
@@ -443,7 +478,9 @@ class MixedUp(Node):
         self.create_subscription(Float32, "/robot/distance", self.on_status, 10)
 
     def on_status(self, message: String) -> None:
-        self.got.append(f"a {type(message).__name__} with a {type(message.data).__name__}")
+        self.got.append(
+            f"a {type(message).__name__} with a {type(message.data).__name__}"
+        )
 
 
 mixed_up = fresh(MixedUp)
@@ -491,15 +528,24 @@ def on_distance(message: Float32) -> None:
 
 
 attempts = {
-    "on_distance()": lambda: guard.create_subscription(Float32, "/robot/distance", on_distance(), 10),
-    "no depth": lambda: guard.create_subscription(Float32, "/robot/distance", on_distance),
-    "float": lambda: guard.create_subscription(float, "/robot/distance", on_distance, 10),
+    "on_distance()": lambda: guard.create_subscription(
+        Float32, "/robot/distance", on_distance(), 10
+    ),
+    "no depth": lambda: guard.create_subscription(
+        Float32, "/robot/distance", on_distance
+    ),
+    "float": lambda: guard.create_subscription(
+        float, "/robot/distance", on_distance, 10
+    ),
 }
 for label, attempt in attempts.items():
     try:
         attempt()
     except (TypeError, AttributeError) as error:
-        print(f"{label}\n    {type(error).__name__}: {str(error).split('This')[0].strip()}")
+        print(
+            f"{label}\n    {type(error).__name__}:",
+            str(error).split("This")[0].strip(),
+        )
 
 # %% [markdown]
 # - `on_distance()` *calls* the function, now, without a message. Without the parentheses you pass the function itself.
@@ -520,7 +566,9 @@ class ArmWatcher(Node):
     def __init__(self, message_type: type) -> None:
         super().__init__("arm_watcher")
         self.heard = 0
-        self.create_subscription(message_type, "/robot/joint_positions", self.on_angles, 10)
+        self.create_subscription(
+            message_type, "/robot/joint_positions", self.on_angles, 10
+        )
 
     def on_angles(self, message: object) -> None:
         self.heard += 1
@@ -614,14 +662,22 @@ class Thermometer(Node):
 
 
 if TOPIC is ...:
-    print("Fill in the topic, the subscription and the callback, then run this cell again.")
+    print(
+        "Fill in the topic, the subscription and the callback, then run this cell "
+        "again."
+    )
 else:
     thermometer = fresh(Thermometer)
     motor = sensor.create_publisher(Float32, "/motor/temperature", 10)
     for celsius in (41.5, 63.0, 58.5):
         motor.publish(Float32(data=celsius))
     await run(thermometer, seconds=1)
-    print(thermometer.heard, "of 3 messages, the highest was", thermometer.highest, "and should be 63.0")
+    print(
+        thermometer.heard,
+        "of 3 messages, the highest was",
+        thermometer.highest,
+        "and should be 63.0",
+    )
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/04_subscriptions_and_callbacks.ipynb) you write a battery monitor. The

@@ -183,16 +183,30 @@ for call, ran, waited in calls:
     above.annotate(word, (call, row - 0.75), ha="center", fontsize=9)
     below.bar(call, waited, color=BLUE, width=0.5)
 above.set_title("one callback per call; when nothing is ready, the call waits")
-above.set(yticks=range(3), yticklabels=ROWS, ylim=(-1.0, 2.6), xticks=range(1, 9), xlim=(0.4, 8.6))
-below.set(xlabel="call of spin_once", ylabel="waited (s)", xticks=range(1, 9), xlim=(0.4, 8.6))
+above.set(
+    yticks=range(3),
+    yticklabels=ROWS,
+    ylim=(-1.0, 2.6),
+    xticks=range(1, 9),
+    xlim=(0.4, 8.6),
+)
+below.set(
+    xlabel="call of spin_once", ylabel="waited (s)", xticks=range(1, 9), xlim=(0.4, 8.6)
+)
 for axes in (above, below):
     axes.grid(False, axis="x")
-show(fig, "calls 1 to 5 ran beat, look and three words at once; calls 6 to 8 waited for beat, beat and look")
+show(
+    fig,
+    "calls 1 to 5 ran beat, look and three words at once; calls 6 to 8 waited for "
+    "beat, beat and look",
+)
 
 # %%
 waits = [waited for _, _, waited in calls]
 print("each call ran one callback:", all(len(ran) == 1 for _, ran, _ in calls))
-print("the last three waited longer than the first five:", sum(waits[5:]) > sum(waits[:5]))
+print(
+    "the last three waited longer than the first five:", sum(waits[5:]) > sum(waits[:5])
+)
 
 # %% [markdown]
 # Calls 1 and 2 run the timers' callbacks, calls 3 to 5 the words, in the order in which they came. From call 6 on nothing is
@@ -223,11 +237,14 @@ from workbook.lesson import run_program
 
 
 def try_out(way, *numbers, interrupt_at=None, show_code=True):
-    """Show a function and run it as a program; print its words (of a traceback only the error), and how it ended."""
+    """Show a function, run it as a program; print its words and how it ended."""
     if show_code:
         print(inspect.getsource(way))
     seen = run_program(
-        ways_to_spin, arguments=[way.__name__, *map(str, numbers)], silence=4.0, interrupt_at=interrupt_at
+        ways_to_spin,
+        arguments=[way.__name__, *map(str, numbers)],
+        silence=4.0,
+        interrupt_at=interrupt_at,
     )
     for line in seen.log.splitlines():
         if line.strip() and not line.startswith((" ", "Traceback")):
@@ -235,7 +252,10 @@ def try_out(way, *numbers, interrupt_at=None, show_code=True):
     if seen.ended_by == "bench":
         print("the watchdog had to end it")
     else:
-        print("it ended with", f"signal {seen.signal}" if seen.signal else f"exit code {seen.exit}")
+        print(
+            "it ended with",
+            f"signal {seen.signal}" if seen.signal else f"exit code {seen.exit}",
+        )
     return seen
 
 
@@ -299,20 +319,34 @@ fig, axes = figure(6.4, 2.4)
 for row, (iterations, took_s, busy_s) in enumerate(meters.values()):
     share = busy_s / took_s
     axes.barh(row, 100 * share, color=GREEN if row else RED, height=0.55)
-    axes.annotate(f" {iterations:,.0f} iterations", (100 * share, row), va="center", fontsize=9)
+    axes.annotate(
+        f" {iterations:,.0f} iterations", (100 * share, row), va="center", fontsize=9
+    )
 names = [f"timeout_sec={timeout_s}" for timeout_s in meters]
-axes.set(yticks=range(3), yticklabels=names, xlabel="share of one processor (%)", xlim=(0, 135))
+axes.set(
+    yticks=range(3),
+    yticklabels=names,
+    xlabel="share of one processor (%)",
+    xlim=(0, 135),
+)
 axes.set_xticks(range(0, 101, 25))
 axes.set_title("a timeout of 0 keeps a processor busy")
 axes.grid(False, axis="y")
 axes.invert_yaxis()
-show(fig, "the loop with timeout 0 takes most of a processor for thousands of iterations, the others hardly anything")
+show(
+    fig,
+    "the loop with timeout 0 takes most of a processor for thousands of iterations, "
+    "the others hardly anything",
+)
 
 # %% id="busy-loop"
 soonest = min(took_s for _, took_s, _ in meters.values())
 print("no loop had twenty ticks before two seconds were over:", soonest > 1.9)
 rounds = {timeout_s: iterations for timeout_s, (iterations, _, _) in meters.items()}
-print("timeout 0 went round more than 5 times as often as 0.1 s:", rounds[0] > 5 * rounds[0.1])
+print(
+    "timeout 0 went round more than 5 times as often as 0.1 s:",
+    rounds[0] > 5 * rounds[0.1],
+)
 reveal("timeout-zero", soonest_s=soonest, times_as_many_calls=rounds[0] / rounds[0.1])
 
 # %% [markdown]
@@ -453,6 +487,7 @@ _ = try_out(ways_to_spin.busy_timer, 0.05, show_code=False)
 # that matters, use `min(left, 0.1)`: then only the last wait is shorter. Compute `left` once per iteration, and check it: a
 # *negative* timeout waits forever.
 
+
 # %%
 def wait_until(node, is_so, seconds):
     """Spin until `is_so()` holds. Returns whether it did within `seconds` s."""
@@ -466,9 +501,15 @@ def wait_until(node, is_so, seconds):
 
 
 robot = fresh(slow_robot)
-print("heard a word in half a second of silence:", wait_until(robot, lambda: robot.done, 0.5))
+print(
+    "heard a word in half a second of silence:",
+    wait_until(robot, lambda: robot.done, 0.5),
+)
 say("stop", "wait")
-print("heard a word when there were some:       ", wait_until(robot, lambda: robot.done, 2.0))
+print(
+    "heard a word when there were some:       ",
+    wait_until(robot, lambda: robot.done, 2.0),
+)
 print(robot.done)
 
 # %% [markdown]
@@ -477,7 +518,8 @@ print(robot.done)
 # **Faded.** Now all three words are wanted. Fill in what is `...`. Until then the cell runs, and says what is missing.
 
 # %%
-all_three = ...  # TODO: a function without arguments that says whether the robot has done three things
+# TODO: a function without arguments: has the robot done three things?
+all_three = ...
 
 robot = fresh(slow_robot)
 say("turn", "wave", "walk")

@@ -10,7 +10,7 @@ from workbook.pictures.palette import BLUE, GREEN, GREY
 
 DESCRIPTION = (
     "two nodes, layer by layer. Left: your Python code, rclpy, rcl, rmw, DDS. Right: C++ code, rclcpp, rcl, rmw, DDS. "
-    "rcl, rmw and DDS are the same on both sides, and an arrow between the two DDS boxes carries the messages"
+    "The lower three are the same on both sides. Messages go from DDS to DDS"
 )
 LAYERS = (
     ("your Python code", "C++ code", "decides what the robot does"),
