@@ -19,8 +19,8 @@ LAYERS = (
     ("rmw", "rmw", "the list of calls that any middleware can fill in"),
     ("DDS", "DDS", "finds other programs, carries messages (here Fast DDS)"),
 )
-WIDTH, HEIGHT = 1.7, 0.7
-LEFT, RIGHT = 0.0, 2.6
+WIDTH, HEIGHT = 2.1, 0.7
+LEFT, RIGHT = 0.0, 3.0
 OF_A_LANGUAGE = 2
 """The upper layers that each language has for itself."""
 
@@ -35,7 +35,7 @@ def layers() -> Figure:
             _box(axes, place, bottom, name, color)
         axes.text(RIGHT + WIDTH + 0.2, bottom + HEIGHT / 2, what, va="center", fontsize=9)
     _wire(axes)
-    axes.set(xlim=(-0.1, 9.4), ylim=(0.2, len(LAYERS) + 1.0), title="Two languages, one core: rcl and below")
+    axes.set(xlim=(-0.1, 10.2), ylim=(0.2, len(LAYERS) + 1.0), title="Two languages, one core: rcl and below")
     axes.axis("off")
     return fig
 
@@ -60,4 +60,4 @@ def _wire(axes: Any) -> None:
     arrow = {"arrowstyle": "<->", "color": GREY, "linewidth": 1.6}
     middle = 1.0 + HEIGHT / 2
     axes.annotate("", xy=(LEFT + WIDTH + 0.06, middle), xytext=(RIGHT - 0.06, middle), arrowprops=arrow)
-    axes.text((LEFT + WIDTH + RIGHT) / 2, middle - 0.5, "messages", ha="center", va="center", fontsize=9)
+    axes.text((LEFT + WIDTH + RIGHT) / 2, middle - 0.55, "messages", ha="center", va="center", fontsize=9)
