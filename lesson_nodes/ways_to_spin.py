@@ -174,7 +174,11 @@ def busy_timer(node: Node, slice_s: float) -> None:
     """Spin for 2 s beside a timer that is always due. `slice_s`: the timeout; 0 means all the time that is left."""
     heard: list[str] = []
     node.create_timer(0.01, lambda: time.sleep(0.02))
-    node.create_subscription(String, "/robot/words", lambda message: heard.append(message.data), 10)
+
+    def hear(message: String) -> None:
+        heard.append(message.data)
+
+    node.create_subscription(String, "/robot/words", hear, 10)
     publisher = node.create_publisher(String, "/robot/words", 10)
     while publisher.get_subscription_count() == 0:
         time.sleep(0.01)

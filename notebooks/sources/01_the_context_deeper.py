@@ -155,6 +155,7 @@ for axes, title in zip((ok_axes, port_axes), titles, strict=True):
         axes.axvline(moment, color="#787878", linewidth=1, linestyle=":")
 ok_axes.set_xticks([])
 port_axes.set_xticks(list(marks.values()), list(marks))
+port_axes.tick_params(axis="x", rotation=20)
 show(
     fig,
     "context.ok() is true from init to shutdown; UDP ports are open from the first "
