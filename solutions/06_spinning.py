@@ -85,7 +85,7 @@ def pump(node: Node, seconds: float) -> None:
         rclpy.spin_once(node, timeout_sec=min(left, TURN_S))
     # [starter]
     # | # TODO 1: compute the time at which to stop
-    # | # TODO 2: continue until that time, and never wait longer than the time left
+    # | # TODO 2: continue until that time, in short waits with the same timeout
     # | rclpy.spin_once(node, timeout_sec=seconds)
     # [end]
 
@@ -126,7 +126,7 @@ def pump(node: Node, seconds: float) -> None:
 # def pump(node: Node, seconds: float) -> None:
 #     end = time.monotonic() + ___
 #     while (left := end - ___) > 0:
-#         rclpy.spin_once(node, timeout_sec=___)
+#         rclpy.spin_once(node, timeout_sec=min(left, ___))
 # ```
 #
 # `:=` gives a value a name in the middle of an expression. Without it, compute `left` before the loop and again at the

@@ -486,7 +486,7 @@ def not_made(recording: Recording, number: int) -> Verdict | None:
             "the call before it never came back",
             expected,
             "Something waits forever.",
-            "Give every wait a timeout_sec no longer than the time that is left.",
+            "Give every wait the same short timeout_sec, for example 0.05 s.",
         )
     if call.raised is not None:
         return see.failed(
@@ -545,7 +545,10 @@ def too_early(number: int, took: float) -> Verdict:
 
 
 IN_TIME = f"back when the time is up: at most {EARLY_S} s earlier, at most {LATE_S} s later"
-TIME_THAT_IS_LEFT = "Before each spin_once, work out how much time is left, and give it that as timeout_sec."
+TIME_THAT_IS_LEFT = (
+    "Compute the end once, and check the clock before each spin_once. "
+    "Give it a short timeout_sec, for example 0.05 s."
+)
 
 
 def still_open(asked: float, open_s: float) -> Verdict:

@@ -3,11 +3,11 @@
 #
 # A robot is many small programs that talk to each other all the time. In a minute you will see two of them do it.
 #
-# - **Minutes:** 25
+# - **Minutes:** 45
 # - **You need:** Python classes and functions. No robot, no ROS
-# - **You will be able to:** start a robot program and watch it, say what rclpy is and what lies below it, change a
-#   number and see the robot change, and help yourself when something is stuck
-# - **Left out:** how to write such a program (that begins with the next lesson)
+# - **You will be able to:** start a robot program and watch it, write a program of ten lines that moves the robot, say
+#   what rclpy is and what lies below it, and help yourself when something is stuck
+# - **Left out:** how a program starts and ends well (that is the next lesson)
 
 # %% [markdown]
 # Click into the gray cell below and press **Shift+Enter**. It runs, and the next cell is selected.
@@ -20,41 +20,38 @@ print("started", start(joint_position_publisher))
 await watch_robot(seconds=6, ease=0.1)
 
 # %% [markdown]
-# That was no animation. Two programs were at work: one made up where the twelve joints of the robot are, twenty times
-# a second, and sent it off. This notebook received the numbers and drew what they say. The robot is simulated; the
-# sending and receiving is real. It is what runs on real robots: **ROS 2**, the Robot Operating System.
+# That was no film. Two programs were at work. One computed the angles of the robot's twelve joints, twenty times a
+# second, and sent them. This notebook received the numbers and drew the robot. The robot is simulated, but the sending
+# and receiving is real. It is the software that runs on real robots: **ROS 2**, the Robot Operating System.
 
 # %% [markdown]
 # ### What is rclpy?
 #
-# `rclpy` is the Python library of ROS 2. You write an ordinary Python class with a few methods; rclpy makes it a
-# **node**: something that other programs of the robot can find and talk to. They may run on another computer and be
-# written in another language. You do not open a connection, and you pack no bytes.
+# `rclpy` is the Python library of ROS 2. You write an ordinary Python class with a few methods. rclpy makes it a
+# **node**: a part of the robot that other programs can find and talk to. They may run on another computer, and they may
+# be written in another language.
 #
 # ### Why does it matter?
 #
-# Physical AI is AI with a body: it perceives, decides and moves. No single program does all that. On a humanoid, camera
-# drivers and motor control are mostly C++, because there each millisecond counts. Perception, planning and learning are
-# mostly Python, because NumPy, OpenCV and PyTorch are there. Nodes are how the two meet:
+# On a humanoid, camera drivers and motor control are mostly C++, because each millisecond counts there. Perception,
+# planning and learning are mostly Python, because NumPy, OpenCV and PyTorch are there. Nodes connect the two:
 #
-# - A trained model becomes part of the robot in a few lines: images come in on one topic, detections go out on another.
-# - An idea is tried in minutes. Change a line, start that one program again, and the rest of the robot runs on.
-# - What you write is what others use: the same nodes and messages in a lecture, a research lab and a warehouse.
+# - A trained model becomes part of the robot in a few lines. Images come in on one topic, detections go out on another.
+# - You can try an idea in minutes. Change a line and start that one program again. The rest of the robot keeps running.
 #
-# Python has a limit, and we will measure it: not for loops that must be on time to the millisecond, a thousand times a
-# second. Those stay in C++, and your node talks to them.
+# Python has a limit, and we will measure it. A loop that must be on time to the millisecond, a thousand times a second,
+# stays in C++. Your node talks to it.
 
 # %% [markdown]
 # ### How these notebooks work
 #
-# **Predict, run, change.** Before something happens, you say what will happen. Then you run it and look. Then you turn a
-# knob. A wrong prediction is worth more than a right one: it shows which belief has to change.
+# **Predict, run, change.** Before you run something, say what will happen. Then run it and look. Then change a number.
+# A wrong prediction is worth more than a right one, because it shows what you can learn.
 #
-# **`await`.** You will see this word before some calls: let this run, and keep the notebook alive meanwhile, so that
-# pictures move and the stop button works. Just write it where you see it. It belongs to notebook cells and to functions
-# that begin with `async def`; in an ordinary program there is another way. (Lesson 12 says what is behind it.)
+# **`await`.** This word stands before calls that take a while. It keeps the notebook alive meanwhile, so that pictures
+# move and the stop button works. Write it where you see it. (Lesson 12 explains it.)
 #
-# This notebook is your own copy. Change whatever you like in it. First, stop the robot's program:
+# This notebook is your own copy, so change whatever you like. First, stop the robot's program:
 
 # %%
 stop()
@@ -62,17 +59,17 @@ stop()
 # %% [markdown] prediction="end-of-the-program"
 # ## Predict
 #
-# We start the robot again and watch it for six seconds. But after three seconds its program is ended, while the
-# notebook goes on watching. What will you see?
+# We start the robot again and watch it for six seconds. After three seconds we end its program, and keep watching. What
+# will you see?
 #
 # - **a** An error message: the connection was lost.
-#   ✗ There was no connection that could be lost. The notebook listens to a topic, and a topic that goes quiet is no
-#   error.
+#   ✗ DDS does notice that the publisher is gone, and takes it off its list. But ROS does not treat that as an error: a
+#   topic may have no publisher.
 # - **b** The robot goes back to rest, with its arms down.
-#   ✗ Nobody tells the robot to go to rest. The notebook draws the last message that it got.
+#   ✗ No program tells the robot to go to rest. The notebook draws the last message that it got.
 # - **c** The robot stands still in its last pose.
 #   ✓ No more messages come, and the pose in the last one is all that the notebook knows of the robot.
-# - **d** The robot goes on waving: the notebook knows the movement by now.
+# - **d** The robot keeps waving: the notebook knows the movement by now.
 #   ✗ The notebook does not work out the movement. It draws the numbers that it receives, and there are no new ones.
 #
 # Run the cell below and press the button of your choice. You can change it until the run.
@@ -89,22 +86,22 @@ predict("end-of-the-program")
 import asyncio
 
 start(joint_position_publisher)
-asyncio.get_running_loop().call_later(3, stop)  # in three seconds, end the robot's program
+asyncio.get_running_loop().call_later(
+    3, stop
+)  # in three seconds, end the robot's program
 await watch_robot(seconds=6, ease=0.1)
-
-# %%
 reveal("end-of-the-program")
 
 # %% [markdown]
 # ## Look inside
 #
-# The notebook never had a connection to the robot's program, so none was lost. Each of the two knows only a **topic**: a
-# name, here `/robot/joint_positions`, and a type of message, here an array of numbers. One **publishes** on it, whether
-# anybody listens or not. The other **subscribes** to it, whether anybody speaks or not. When the speaker ends, it is quiet,
-# and the last pose is all that the listener has.
+# No error, although DDS, the layer that carries the messages, did notice: it took the publisher off its list. ROS simply
+# does not call that an error. Each of the two programs knows only a **topic**: a name, here `/robot/joint_positions`, and
+# a type of message, here an array of numbers. One program **publishes** on it, with or without subscribers. The other
+# **subscribes** to it, with or without publishers.
 #
-# So one program of a robot can crash without taking the others along. It also means that silence is no error by itself:
-# whoever depends on a topic has to notice that nothing comes.
+# So one program of a robot can crash without taking the others along. It also means that your node has to notice by
+# itself when a topic goes silent.
 #
 # ### Who is who
 #
@@ -112,46 +109,81 @@ reveal("end-of-the-program")
 
 # %%
 from lesson_nodes import humanoid_status_publisher, status_monitor
+from workbook.lesson import graph_picture
 
 for program in (humanoid_status_publisher, status_monitor, joint_position_publisher):
     print("started", start(program))
 
-# %%
-from workbook.lesson import graph_picture
-
 graph_picture()
 
 # %% [markdown]
-# Read it from left to right. `/humanoid_status_publisher` says on two topics how the robot is, and `/status_monitor`
-# listens to both. Nobody listens to the joint positions at this moment, and they are published all the same.
+# Read it from left to right. `/humanoid_status_publisher` publishes on two topics, and `/status_monitor` subscribes to
+# both. No program subscribes to the joint positions at this moment. They are published all the same.
 #
-# None of the programs names another one. They found each other by the names of topics. Does anything really travel
-# between them? Let us listen in to the next two messages:
+# No program names another one. They found each other by the names of their topics. Here are the next two messages on one
+# of them:
 
 # %%
 from workbook.ros import topic_echo
 
 for message in topic_echo("/robot/status", count=2).messages:
     print(message)
-
-# %%
 stop()
 
 # %% [markdown]
+# ### Your own robot program, in ten lines
+#
+# Now you. The next cell writes its text into a file, `my_wave.py`. This is a complete program.
+
+# %%
+# %%writefile my_wave.py
+import time
+
+import rclpy
+from std_msgs.msg import Float32MultiArray
+
+rclpy.init()
+node = rclpy.create_node("my_wave")
+publisher = node.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
+
+
+def move() -> None:
+    up = time.time() % 2 < 1  # a second up, a second down
+    publisher.publish(
+        Float32MultiArray(data=[0.0, 0.0, 2.4 if up else 0.3] + [0.0] * 9)
+    )
+
+
+node.create_timer(0.1, move)
+rclpy.spin(node)
+
+# %%
+print("started", start("my_wave.py"))
+await watch_robot(seconds=6, ease=0.4)
+stop()
+
+# %% [markdown]
+# The robot raises its left arm and lowers it, because *your* program says so. Line by line: `init` starts ROS, and
+# `create_node` makes a node. `create_publisher` names a message type and a topic. `move` makes a message of twelve angles
+# in radians, and publishes it. The timer calls `move` every 0.1 s, and `spin` keeps the node working.
+#
+# The third angle belongs to the left shoulder, the fifth to the right one. Change a number, then run both cells again.
+# (`[0.0] * 9` are nine more angles of 0.0. Lessons 01 to 06 explain each line of this program.)
+
+# %% [markdown]
 # ### What lies below your Python
-#
-# | layer | what it does | written in |
-# |---|---|---|
-# | your Python | decides what the robot does | Python |
-# | **rclpy** | nodes, timers and messages that feel like Python | Python, and a thin bridge to C |
-# | **rcl** | the common core: the same rules for every language | C |
-# | **rmw** | a list of calls that any middleware can fill in | C |
-# | **DDS** | finds the other processes, carries the bytes to them | C++ (here Fast DDS) |
-#
+
+# %%
+from workbook.pictures.figures import show
+from workbook.pictures.layers import DESCRIPTION, layers
+
+show(layers(), DESCRIPTION)
+
+# %% [markdown]
 # `rcl` is short for *ROS client library*. The C++ library `rclcpp` stands on the same core. That is why a Python node and
-# a C++ node agree on names, types and rates without knowing of each other's language.
+# a C++ node agree on names, types and rates, and neither knows the other's language.
 #
-# This is not theory: all of it is loaded into the very process that runs this cell. Linux tells us.
+# All these layers are loaded into the process that runs this cell. Linux lists them:
 
 # %%
 import os
@@ -170,15 +202,13 @@ layers = {
 }
 for layer, library in layers.items():
     print(f"{layer:<17} {library:<23} {'loaded' if library in loaded else 'not found'}")
-
-# %%
 print("rclpy:", version("ros-jazzy-rclpy"), "of ROS 2 Jazzy")
 print("middleware:", rclpy.get_rmw_implementation_identifier())
 print("a domain between 1 and 101:", 1 <= int(os.environ["ROS_DOMAIN_ID"]) <= 101)
 
 # %% [markdown]
-# The **domain** is like the channel of a radio. Only programs on the same channel hear each other. Each open notebook
-# takes a free one, so your robot and that of your neighbor do not mix.
+# The **domain** is like the channel of a radio: only programs on the same domain receive each other's messages. Each
+# open notebook takes a free one, so your robot and your neighbor's do not mix.
 
 # %% [markdown] prediction="wave-faster"
 # ## Change it
@@ -187,7 +217,7 @@ print("a domain between 1 and 101:", 1 <= int(os.environ["ROS_DOMAIN_ID"]) <= 10
 #
 # | number | meaning | usual |
 # |---|---|---|
-# | `waves_per_second` | how often the hand goes to and fro in a second | 0.8 |
+# | `waves_per_second` | how often the hand moves to and fro in a second | 0.8 |
 # | `period_s` | seconds from one message to the next | 0.05 |
 #
 # ### Experiment 1: wave faster
@@ -208,28 +238,28 @@ print("a domain between 1 and 101:", 1 <= int(os.environ["ROS_DOMAIN_ID"]) <= 10
 predict("wave-faster")
 
 # %%
+from workbook.ros import topic_hz
+
 start(joint_position_publisher, waves_per_second=2.0)
 await watch_robot(seconds=5, ease=0.1)
-
-# %%
-from workbook.ros import topic_hz
 
 rate = topic_hz("/robot/joint_positions", seconds=3)
 print("about 20 messages a second, as before:", 15 < rate.mean_hz < 25)
 reveal("wave-faster", messages_per_second=rate.mean_hz)
 
 # %% [markdown]
-# How the robot moves and how often it tells of it are two things. Beginners often mix them up, and so did some robots.
+# How the robot moves and how often it reports its pose are two different numbers. Beginners often mix them up.
 
 # %% [markdown] prediction="report-less-often"
 # ### Experiment 2: report less often
 #
-# The usual wave again, but with `period_s=0.5`: one message in half a second.
+# The usual wave again, but with `period_s=0.5`: one message every half second. We also watch with `ease=0`. Then the
+# picture shows each pose as it comes, and fills in nothing.
 #
 # - **a** The hand waves slowly and smoothly.
 #   ✗ The wave is as fast as before. And it cannot look smooth with two messages a second.
-# - **b** Nothing changes: the pictures in between are filled in.
-#   ✗ Nobody fills in what was not sent. With `ease=0` the picture shows each pose as it comes.
+# - **b** The hand waves as smoothly as before.
+#   ✗ With `ease=0` no pose is filled in. The picture shows each pose when its message comes.
 # - **c** The hand jumps: we see two poses a second of a wave that is as fast as ever.
 #   ✓ The robot moves as before, but reports only two poses in a second. The picture can show no more than these.
 
@@ -240,15 +270,13 @@ predict("report-less-often")
 start(joint_position_publisher, period_s=0.5)
 await watch_robot(seconds=6, ease=0)
 reveal("report-less-often")
-
-# %%
 stop()
 
 # %% [markdown]
-# `ease=0` shows each pose as it comes. With `ease=0.5` the picture glides from one pose to the next and looks fine, but
-# it is a guess of ours. Try it, and try other numbers: these cells can be run as often as you like.
+# With `ease=0.5` the picture glides from one pose to the next. It looks fine, but the poses in between are our guess. Try
+# it, and try other numbers. You can run these cells as often as you like.
 #
-# Or turn a knob. While the next cell runs, drag the slider: each move starts the program again with the new number.
+# Or use a slider. While the next cell runs, drag it: each move starts the program again with the new number.
 
 # %%
 from workbook.lesson import knob
@@ -270,9 +298,9 @@ except RuntimeError as error:
 # The program ended at once, and the last line says why. (Read error messages from the last line up.) `2` is a whole
 # number, and this parameter is a number with a decimal point. ROS does not convert one into the other. Write `2.0`.
 #
-# A misspelled parameter is worse: `wave_per_second=2.0` is taken without a word and changes nothing.
+# A misspelled parameter is worse: `wave_per_second=2.0` is accepted silently, and changes nothing.
 #
-# **A name that is not there.** Names must match letter by letter, and a topic exists only while somebody uses it.
+# **A name that does not exist.** Names must match letter by letter, and a topic exists only while a program uses it.
 
 # %% tags=["raises-exception"]
 from workbook.ros import topic_info
@@ -281,9 +309,8 @@ start(joint_position_publisher)
 topic_info("/robot/joint_postions")
 
 # %% [markdown]
-# `positions` lost an `i`. The tools make a guess at what you meant. A subscriber would not: it would wait in silence,
-# on a topic where nobody speaks. That is the most frequent fault of beginners, and the first thing to look at when
-# nothing comes.
+# `positions` lost an `i`. The tools guess what you meant. A subscriber would not: it would wait silently, on a topic
+# without a publisher. This is the most frequent fault of beginners, so check names first when no message comes.
 
 # %%
 stop()
@@ -298,58 +325,41 @@ stop()
 # | a robot still waves, or two do | `stop()` ends all programs that this notebook has started |
 # | everything is confused | the button **⟳** restarts the kernel. Programs and variables are gone, your text stays |
 # | not even the first cell works | `workbook doctor` in a terminal says what is wrong with the machine |
-# | an exercise does not pass | its card shows the first thing to mend; `%hint` helps in three steps |
+# | an exercise does not pass | its card shows the first thing to fix; `%hint` helps in three steps |
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** Here is a whole node, and this notebook is the process that runs it. You need not write one yet; read it.
+# **Worked.** `my_wave.py`, further up. Have a look at it again.
+#
+# **Faded.** Make the robot raise its *right* arm. Fill in what is `...`, then run both cells. Until then, the second
+# one says what is missing.
 
 # %%
-from rclpy.node import Node
+# %%writefile my_robot.py
+import rclpy
 from std_msgs.msg import Float32MultiArray
 
-from workbook.lesson import fresh, init, run
-
-init()  # plug this process into ROS
-
-
-class ArmWatcher(Node):
-    """Counts the messages with joint angles, and remembers the left elbow."""
-
-    def __init__(self):
-        super().__init__("arm_watcher")
-        self.heard = 0
-        self.create_subscription(Float32MultiArray, "/robot/joint_positions", self.on_joints, 10)
-
-    def on_joints(self, message):  # called for each message that arrives
-        self.heard += 1
-        self.left_elbow = message.data[3]
+rclpy.init()
+node = rclpy.create_node("my_robot")
+publisher = ...  # TODO: a publisher for Float32MultiArray on /robot/joint_positions
 
 
-start(joint_position_publisher)
-watcher = fresh(ArmWatcher)
-await run(watcher, seconds=20, until=lambda: watcher.heard == 40)
-print("messages from the other process:", watcher.heard)
+def reach() -> None:
+    angles = [0.0] * 12
+    angles[4] = ...  # TODO: the right shoulder; 0.3 is down and 2.4 is up
+    publisher.publish(Float32MultiArray(data=angles))
+
+
+node.create_timer(0.1, reach)
+rclpy.spin(node)
 
 # %%
-graph_picture("/arm_watcher")
-
-# %% [markdown]
-# The robot's program on the left, your notebook on the right, one topic between them. `arm_watcher` knows nothing of the
-# program that it hears. The rest of the course is about writing both sides well.
-#
-# **Faded.** Now you: put a number in place of `...`, run the cell, and watch. A lazy wave? A frantic one?
-
-# %%
-stop()
-WAVES_PER_SECOND = ...  # TODO: a number with a decimal point, for example 0.3
-
-if WAVES_PER_SECOND is ...:
-    print("Put a number in place of the three dots, then run this cell again.")
+if "..." in Path("my_robot.py").read_text():
+    print("Fill in the two places in the cell above, run it, then run this cell again.")
 else:
-    start(joint_position_publisher, waves_per_second=WAVES_PER_SECOND)
-    await watch_robot(seconds=6, ease=0.1)
+    print("started", start("my_robot.py"))
+    await watch_robot(seconds=6, ease=0.4)
     stop()
 
 # %% [markdown]
@@ -393,7 +403,9 @@ print(join_line())
 
 # %%
 domain = os.environ["ROS_DOMAIN_ID"]
-print("it names the domain of this notebook:", f"ROS_DOMAIN_ID={domain} " in join_line())
+print(
+    "it names the domain of this notebook:", f"ROS_DOMAIN_ID={domain} " in join_line()
+)
 
 # %% [markdown]
 # *Three: change one number.* In the section *Change it*, make a robot that waves twice a second and reports ten times a
@@ -403,9 +415,8 @@ print("it names the domain of this notebook:", f"ROS_DOMAIN_ID={domain} " in joi
 stop()
 
 # %% [markdown]
-# From the next lesson on, each lesson has an exercise. You write a program, `%start` runs it beside the notebook, and
-# `%check` watches what it does on its topics and says, usually after some seconds, what is right and what to mend
-# first.
+# From the next lesson on, each lesson has an exercise. You write a program, and `%start` runs it beside the notebook.
+# `%check` watches what it does on its topics. After some seconds it says what is right, and what to fix first.
 
 # %% [markdown]
 # ## Check yourself
@@ -419,8 +430,7 @@ stop()
 # </details>
 # <details><summary>b) A simulator of robots</summary>
 #
-# ✗ A simulator makes up a world. rclpy only connects programs; whether the robot behind them is real or made up, it
-# neither knows nor cares.
+# ✗ A simulator makes up a world. rclpy only connects programs. It does not know whether the robot is real.
 #
 # </details>
 # <details><summary>c) A translator that turns Python into C++</summary>
@@ -429,11 +439,11 @@ stop()
 #
 # </details>
 #
-# **2. A program publishes on a topic, and nobody subscribes. What happens?**
+# **2. A program publishes on a topic, and no program subscribes. What happens?**
 #
-# <details><summary>a) It waits until somebody does</summary>
+# <details><summary>a) It waits until a program does</summary>
 #
-# ✗ A publisher waits for nobody. In the first picture of the graph nobody listened to the joint positions.
+# ✗ A publisher does not wait. In the picture of the graph, no program subscribed to the joint positions.
 #
 # </details>
 # <details><summary>b) It publishes all the same, and the messages are gone</summary>
@@ -443,7 +453,7 @@ stop()
 # </details>
 # <details><summary>c) It gets an error</summary>
 #
-# ✗ To speak without listeners is perfectly normal on a robot. A camera does not fail because nobody looks.
+# ✗ A publisher without subscribers is normal on a robot.
 #
 # </details>
 #
@@ -477,7 +487,7 @@ stop()
 # ✗ In these lessons everything happens inside one computer. And names are wrong far more often than cables.
 #
 # </details>
-# <details><summary>c) The names: is the topic in the list, spelled exactly so, with somebody who publishes?</summary>
+# <details><summary>c) The names: is the topic in the list, spelled exactly so, and with a publisher?</summary>
 #
 # ✓ `topic_list()` in a notebook or `workbook topic list` in a terminal answers that in a second.
 #
@@ -486,7 +496,7 @@ stop()
 # %% [markdown]
 # ## Talk it through
 #
-# Discuss it with somebody, or with an AI assistant. Say your own view first.
+# Discuss it with a colleague, or with an AI assistant. Say your own view first.
 #
 # > A team builds a humanoid. Should it be one large Python program, or ten nodes that talk over topics? What does each
 # > way make easier, and what harder? Which parts would you write in Python, and which not?
@@ -505,9 +515,9 @@ stop()
 # ## Take away
 #
 # - A robot is many programs. Each runs one or more nodes.
-# - Nodes talk over topics: a name and a type. Nobody needs to know who is at the other end.
-# - rclpy is the Python face of rcl; below it rmw and DDS carry the messages.
-# - How the robot moves and how often it reports are two different numbers.
+# - Nodes talk over topics: a name and a type. A node does not know which others publish or subscribe there.
+# - A program that moves a robot has ten lines: init, node, publisher, timer, spin.
+# - rclpy is the Python side of rcl. Below it, rmw and DDS carry the messages.
 # - Predict, run, change. ■ stops a cell, `stop()` stops the robots, `workbook doctor` knows the machine.
 #
 # **Next:** [01 · The context](01_the_context.ipynb): what begins before the first node and ends after the last.

@@ -1,17 +1,17 @@
 # %% [markdown]
 # # 02 · Nodes
 #
-# A robot is not one program. It is a crowd of small parts that must find each other, and what they look for is a name.
+# A robot is many small parts that must find each other, and they find each other by names.
 #
-# - **Minutes:** 40
+# - **Minutes:** 50
 # - **You need:** lesson [01](01_the_context.ipynb)
-# - **You will be able to:** write a node class, give it a name and a namespace, run one class twice under two names, tell
-#   twins when you see them, and read the errors of names and attributes
+# - **You will be able to:** write a node class, give it a name and a namespace, run one class twice under two names,
+#   recognize duplicate node names, and read the errors of names and attributes
 # - **Left out:** what nodes say to each other (lessons 03 and 04), parameters, nodes in C++ packages and launch files
 
 # %% [markdown]
-# `roll_call` is a program that looks around five times a second and says which nodes it sees. It runs as a process of its
-# own. *This* notebook is another process. Let us make a node here, and hear what the other one says.
+# The program `roll_call` lists the nodes that it sees, five times a second. It runs as a process of its own. *This* notebook
+# is another process. Let us make a node here, and print what the other one sees.
 
 # %%
 from lesson_nodes import roll_call
@@ -38,8 +38,8 @@ await until_seen()
 print("the other process sees", reader.latest())
 
 # %% [markdown]
-# One line made it, `Node("head")`, and nobody was told. Here is the same as a film: a head comes, an arm comes, the head
-# goes. Each mark is a roll call in which that name was called.
+# One line made the node, `Node("head")`, and the other process found it. Here is the same as a timeline: a head comes, an
+# arm comes, the head goes. Each mark is a roll call with that name in it.
 
 # %%
 import time
@@ -60,17 +60,23 @@ await until_seen("/left_arm")
 await run(reader, seconds=1.0)
 arm.destroy_node()
 
-film = {name: [moment - began for moment in reader.moments(name)] for name in ("/head", "/left_arm")}
-film = {name: [moment for moment in moments if moment > 0] for name, moments in film.items()}
+film = {
+    name: [moment - began for moment in reader.moments(name)]
+    for name in ("/head", "/left_arm")
+}
+film = {
+    name: [moment for moment in moments if moment > 0] for name, moments in film.items()
+}
 show(
     strip(film, end=time.monotonic() - began, noun="calls"),
-    "the roll call of another process: the head is there in the middle, the arm a little later, then only the arm",
+    "the roll call of another process: the head is there in the middle, the arm a "
+    "little later, then only the arm",
 )
 
 # %% [markdown] prediction="two-cameras"
 # ## Predict
 #
-# A humanoid has two eyes. Somebody writes one class for both:
+# A humanoid has two eyes. A student writes one class for both:
 #
 # ```python
 # class Camera(Node):
@@ -84,10 +90,10 @@ show(
 # The name `"camera"` is taken when the second one is made. What happens?
 #
 # - **a** An error: a name can be used once.
-#   ✗ Nobody in ROS 2 hands out names, so nobody can refuse one. There is no master.
+#   ✗ ROS 2 has no central register of names, so no part of it can refuse one. (ROS 1 had such a register, the *master*.)
 # - **b** The second one takes the place of the first.
 #   when `named_camera == 1 and all_nodes == 1`
-#   ✗ The two nodes do not know of each other. None of them ends because another one has its name.
+#   ✗ The two nodes do not know each other. Neither ends because another one has its name.
 # - **c** Both are there, under the same name.
 #   when `named_camera == 2`
 #   ✓ Names are not checked for duplicates. Both nodes are on the graph, and both are called `/camera`.
@@ -102,6 +108,7 @@ predict("two-cameras")
 
 # %% [markdown]
 # ## Run it
+
 
 # %% tags=["nbval-ignore-output"]
 class Camera(Node):
@@ -125,24 +132,20 @@ reveal(
     named_camera=node_list().count("/camera"),
     all_nodes=len(node_list()),
 )
-
-# %%
 left.destroy_node()
 right.destroy_node()
 
 # %% [markdown]
 # ## Look inside
 #
-# A **node** is an entry in the **graph**: all the nodes, and who talks to whom. There is no register where names are
-# handed out, and nobody who could say no. Each process tells the others what it has, and believes what it is told. So two
-# nodes may well have one name. They are called **twins**, and they are trouble: what is asked of `/camera`, both
-# of them do, and you get the answer that comes first. You saw the answer of rclpy, too: no error, one warning. We come
-# back to it.
+# A **node** is an entry in the **graph**, the list of all nodes and their connections. No central register hands out names.
+# Each process tells the others which nodes it has, and believes what the others tell. So two nodes may have one name. We
+# call these **duplicate node names**, and they are a fault. Both nodes do what you ask of `/camera`, and you get the answer
+# that comes first. There was no error above, only a warning.
 #
-# A node is not a process. Above, this one process had two of them. And a class is not a node: it is a plan, from which
-# you can make as many as you like.
+# A node is not a process: this one process had two. And a class is not a node: you can make many nodes from one class.
 #
-# What does a new node have? We ask for everything, also for what tools usually leave out:
+# What does every node come with? This cell also asks for what tools usually leave out:
 
 # %%
 from workbook.ros import node_info
@@ -154,13 +157,12 @@ print("offers", len(found.serves), "services, for example", found.serves[2][0])
 bare.destroy_node()
 
 # %% [markdown]
-# `/rosout` takes its log lines to all who care. `/parameter_events` and six of the seven services are for its
-# **parameters**: numbers, texts and switches that can be set from outside, as you did with `start(..., period_s=0.5)`. (The
-# seventh tells what its messages look like.) This is why you call `super().__init__(name)` first in a class of your own.
-# Whatever makes it a node happens there.
+# `/rosout` publishes its log lines. `/parameter_events` and six of the seven services are for its **parameters**: values
+# that can be set from outside, as you did with `start(..., period_s=0.5)`. `super().__init__(name)` makes all of this. So
+# call it first in a class of your own.
 #
 # A node that does something adds a timer, a publisher, a subscription. This is the driver of a camera, as you could buy
-# it. Look at its names, not at its messages; those are for the next lessons.
+# it. Look at its names. The messages are for the next lessons.
 
 # %%
 import inspect
@@ -175,8 +177,8 @@ for method in ("__init__", "take_picture", "report_faults"):
 #
 # ### Experiment 1: a cell that is run three times
 #
-# In a notebook you run a cell, change a word, run it again. Here is such a cell. It makes a camera and gives it to an
-# **executor**, the thing that lets nodes work (lesson 06). You press Shift+Enter three times. How many cameras are there?
+# In a notebook you run a cell, change a word, run it again. This cell makes a camera and gives it to an **executor**, which
+# runs its callbacks (lesson 06). You press Shift+Enter three times. How many cameras are there?
 #
 # - **a** One: `camera` is overwritten each time, so the old one is gone.
 #   when `cameras == 1`
@@ -185,7 +187,6 @@ for method in ("__init__", "take_picture", "report_faults"):
 #   when `cameras == 3`
 #   ✓ Each run makes a new node. The executor keeps the old ones, so Python does not remove them.
 # - **c** None: the second run raises an error, and the third, too.
-#   when `cameras == 0`
 #   ✗ A second node with the same name is no error. That is why it goes unnoticed.
 
 # %%
@@ -212,16 +213,14 @@ print("publishers on /camera/frame:", len(topic_info("/camera/frame").publishers
 reveal("three-runs", cameras=node_list().count("/camera"))
 
 # %% [markdown]
-# The *name* `camera` was overwritten. The *object* lives as long as somebody holds it, and the executor holds all three.
-# Each has a publisher on the one topic. As soon as that executor spins, three times as many pictures come in, and nothing
-# looks wrong. Lists, callbacks and `Out[7]` hold nodes just as well.
-#
-# The line of the warning in the output above is the only sign. To be rid of them you need to get hold of them once more:
+# The *name* `camera` was overwritten. The *object* lives as long as something holds it, and the executor holds all three.
+# Each has a publisher on the one topic. When that executor spins, three times as many pictures come. The warning in the
+# output above is the only sign. To remove the nodes, get hold of them again:
 
 # %%
-for twin in executor.get_nodes():
-    executor.remove_node(twin)
-    twin.destroy_node()
+for camera in executor.get_nodes():
+    executor.remove_node(camera)
+    camera.destroy_node()
 await until_seen()
 print(node_list())
 
@@ -245,7 +244,7 @@ only.destroy_node()
 # ### Experiment 2: three ways to name a topic
 #
 # A humanoid with two arms has everything twice. So names are in folders, as files are. The folder of a node is its
-# **namespace**. Here is a camera in the namespace `/robot/head`, and it uses three names for topics:
+# **namespace**. Here is a camera in the namespace `/robot/head`, with three names of topics:
 #
 # ```python
 # camera = Node("camera", namespace="/robot/head")
@@ -254,7 +253,7 @@ only.destroy_node()
 # camera.create_publisher(String, "~/frame", 10)
 # ```
 #
-# What are the full names?
+# What are the fully qualified names?
 #
 # - **a** `/robot/head/faults`, `/emergency_stop`, `/robot/head/camera/frame`
 #   when `faults == '/robot/head/faults' and frame == '/robot/head/camera/frame'`
@@ -266,7 +265,7 @@ only.destroy_node()
 # - **c** `/robot/head/camera/faults`, `/robot/head/emergency_stop`, `/robot/head/frame`
 #   ✗ The name of the node becomes a part of a topic only where you write `~`. And an absolute name is never moved.
 # - **d** `/robot/head/faults`, `/robot/head/emergency_stop`, an error for `~`
-#   ✗ An absolute name stays outside of the namespace. `~` is valid: it stands for the full name of the node.
+#   ✗ An absolute name stays outside of the namespace. `~` is valid: it stands for the fully qualified name of the node.
 
 # %%
 predict("topic-names")
@@ -280,43 +279,40 @@ reveal(
     faults=camera.resolve_topic_name("faults"),
     frame=camera.resolve_topic_name("~/frame"),
 )
-print("its own full name:", camera.get_fully_qualified_name())
+print("its own fully qualified name:", camera.get_fully_qualified_name())
 camera.destroy_node()
 
 # %% [markdown]
 # | you write | it is called | it becomes | take it for |
 # |---|---|---|---|
 # | `faults` | relative | namespace + name | what the parts of *this* robot share |
-# | `/emergency_stop` | absolute | itself | what all robots share. Rarely right |
+# | `/emergency_stop` | absolute | itself | what all robots share; rarely right |
 # | `~/frame` | private | namespace + node + name | what belongs to *this* node alone |
 #
-# The slash at the front decides. Somebody who is used to web addresses writes `/faults` and thinks nothing of it. Then a
-# second robot comes into the laboratory, and both send their faults to the same place. Here are two robots, from one
-# class, without a change in it:
+# The slash at the front decides. With `/faults`, the faults of a second robot would arrive on the same topic. (The short
+# examples of this course mostly use absolute names, so that you see the whole name. In a driver of your own, use relative
+# and private names, as this one does.) Here are two robots, from one class, without a change in it:
 
 # %%
 from workbook.lesson import graph_picture
+from workbook.ros import topic_list
 
 robots = [fresh(CameraDriver, namespace=robot_name) for robot_name in ("/ada", "/bob")]
 stop(roll_call)
-graph_picture()
-
-# %%
-from workbook.ros import topic_list
-
 print(*topic_list().names, sep="\n")
+graph_picture()
 
 # %% [markdown] prediction="remapped-node"
 # ### Experiment 3: another name from outside
 #
-# A robot with an eye in front and one in the back: two cameras in *one* namespace. The driver has its name built in, and
-# it is not yours to edit. But ROS can **remap** names when a node starts. In a terminal that looks so:
+# A robot has a camera in front and one in the back, both in *one* namespace. The driver has its name built in, and you may
+# not edit it. But ROS can **remap** names when a node starts. In a terminal:
 #
 # ```text
 # python -m lesson_nodes.camera_driver --ros-args -r __ns:=/robot -r __node:=rear_camera
 # ```
 #
-# `-r` (remap) says: instead of the left name take the right one. `__node` and `__ns` are the name and the namespace of the
+# `-r` (remap) means: replace the left name by the right one. `__node` and `__ns` are the name and the namespace of the
 # node itself. The driver publishes on `~/frame` and on `faults`. Where will its messages go?
 #
 # - **a** `/robot/rear_camera/frame` and `/robot/rear_camera/faults`
@@ -354,37 +350,39 @@ for printed in end.log.splitlines():
 reveal("remapped-node", names=end.log.split())
 
 # %% [markdown]
-# The driver knows nothing of it, and all that is named relative to it comes along. This is why good drivers use relative
-# and private names, and why you should.
+# The driver does not change, and its private and relative names follow. So good drivers use relative and private names.
 #
-# But what if both cameras shall live in one process? The arguments of the command line count for *all* nodes of the
-# process, so both would be called `rear_camera`. Twins again. For one node alone there is `cli_args`, the same words as a
-# list:
-
-# %%
-front = fresh(CameraDriver, namespace="/robot")
-rear = fresh(CameraDriver, namespace="/robot", cli_args=["--ros-args", "-r", "__node:=rear_camera"])
-for camera in (front, rear):
-    print(camera.get_fully_qualified_name(), "publishes on", camera.frame_publisher.topic_name)
-
-# %% [markdown]
-# `cli_args=` works here because this driver hands its `**settings` on to `Node`, and in a program `namespace=` would come
-# in the same way. (`fresh` can give any node a namespace.) Where a class hands nothing on, the command line is the way,
-# with a process for each camera.
+# What if both cameras live in one process? The arguments of the command line count for *all* nodes of the process. Both
+# would be called `rear_camera`: duplicate names again. There are two ways out. On the command line, name the node that you
+# mean: `-r camera_a:__node:=rear_camera` renames only the node that the code calls `camera_a`. Both cameras are called
+# `camera` in the code, so here it takes the other way, `cli_args`: the same words as a list, for one node alone. (It works because this driver passes its `**settings` on
+# to `Node`. Where a class does not, start one process for each camera.)
 
 # %%
 from workbook.ros import shutdown
 
+front = fresh(CameraDriver, namespace="/robot")
+rear = fresh(
+    CameraDriver,
+    namespace="/robot",
+    cli_args=["--ros-args", "-r", "__node:=rear_camera"],
+)
+for camera in (front, rear):
+    print(
+        camera.get_fully_qualified_name(),
+        "publishes on",
+        camera.frame_publisher.topic_name,
+    )
 shutdown()  # destroys what `fresh` has made, and stops ROS
 init()
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **The warning of twins.** This is what rclpy says of two nodes with one name, and it is long:
+# **The warning of duplicate node names.** rclpy says this of two nodes with one name:
 
 # %% id="twin-warning"
-TWINS = """
+SAME_NAME = """
 import rclpy
 from rclpy.node import Node
 
@@ -393,21 +391,28 @@ left, right = Node("camera"), Node("camera")
 print(right.get_node_names())
 rclpy.shutdown()
 """
-for printed in run_program(TWINS).log.strip().splitlines():
+for printed in run_program(SAME_NAME).log.strip().splitlines():
     print(printed.replace(". ", ".\n  "))
 
 # %% [markdown]
-# It speaks of logs, which is the least of your troubles. Read it as: *there are twins*. In a terminal,
-# `workbook node list` (with a real ROS 2: `ros2 node list`) shows the name twice. Two terminals with the same program, a cell run twice, a
-# program that was not stopped: these are the usual reasons.
+# It speaks of logs, which is the smallest problem here. Read it as: *there are duplicate node names*. `workbook node list`
+# (with a real ROS 2: `ros2 node list`) shows the name twice. Usual reasons are two terminals with the same program, a cell
+# that was run twice, or a program that was not stopped.
 
 # %% [markdown]
-# **Names that are none.** Which of these can be the name of a node?
+# **Invalid names.** Which of these can be the name of a node?
 
 # %% id="bad-names"
 from rclpy.exceptions import InvalidNamespaceException, InvalidNodeNameException
 
-for name in ("left_camera", "left-camera", "left camera", "2nd_camera", "/robot/camera", "kamera_größe"):
+for name in (
+    "left_camera",
+    "left-camera",
+    "left camera",
+    "2nd_camera",
+    "/robot/camera",
+    "kamera_größe",
+):
     try:
         Node(name, enable_rosout=False).destroy_node()
         print(f"✓ {name}")
@@ -415,9 +420,9 @@ for name in ("left_camera", "left-camera", "left camera", "2nd_camera", "/robot/
         print(f"✗ {error}")
 
 # %% [markdown]
-# Letters of English, digits, underscores, and no digit first. The caret points at the culprit. The fifth is the most
-# common: the name of a node has no slash, because the folder goes extra, `Node("camera", namespace="/robot")`. For
-# the namespace itself:
+# English letters, digits and underscores are allowed, and no digit first. The caret points at the fault. The fifth is the
+# most common: the name of a node has no slash. The folder is a separate argument, `Node("camera", namespace="/robot")`. The
+# same for namespaces:
 
 # %% id="bad-namespaces"
 for namespace in ("/robot", "robot", "/robot/head", "/robot/"):
@@ -429,7 +434,8 @@ for namespace in ("/robot", "robot", "/robot/head", "/robot/"):
         print(f"✗ {error}")
 
 # %% [markdown]
-# **The forgotten first line.** A class of your own, with a timer, and a message that does not help at all:
+# **The forgotten first line.** A class of your own, with a timer, and an error that does not help:
+
 
 # %% id="no-super" tags=["raises-exception"]
 class Blinker(Node):
@@ -445,11 +451,12 @@ class Blinker(Node):
 Blinker()
 
 # %% [markdown]
-# `_default_callback_group` is one of the things that `super().__init__("blinker")` would have made. It must be the first
-# line, before anything else of the node is used.
+# `super().__init__("blinker")` would have made `_default_callback_group`. It must be the first line, before anything else
+# of the node is used.
 
 # %% [markdown]
-# **Names that are taken.** A robot collects its timers in a list. What a good idea, what a bad name:
+# **Names that are taken.** A robot collects its timers in a list, under an unlucky name:
+
 
 # %% id="reserved-attribute" tags=["raises-exception"]
 class Collector(Node):
@@ -466,14 +473,9 @@ class Collector(Node):
 Collector()
 
 # %% [markdown]
-# `Node` has a property of that name already. At least it says so. Here is the whole list:
+# `Node` has a property of that name already, and Python says so. Names with an underscore are worse, because they are *not*
+# protected. `Node` keeps its own things there. This class raises nothing, and its timer never ticks:
 
-# %%
-print(*[name for name in dir(Node) if isinstance(getattr(Node, name), property)])
-
-# %% [markdown]
-# Worse are the names with an underscore, because they are *not* protected. `Node` keeps its own things there. This class
-# runs without a word, and its timer never ticks:
 
 # %% id="silent-attribute"
 class Quiet(Node):
@@ -494,20 +496,19 @@ await run(quiet, seconds=1.0)
 print("ticks in a second:", quiet.ticks)
 
 # %% [markdown]
-# `self._timers` was the list in which the node had its timer. With `_logger`, `_clock` and `_parameters` something breaks
-# later, far from the cause. Names that say what is inside do not collide: `blink_timer`, `battery_publisher`.
+# `self._timers` was the list in which the node kept its timer. With `_logger`, `_clock` and `_parameters` something breaks
+# later, far from the cause. Names that say what they hold do not collide: `blink_timer`, `battery_publisher`.
 
 # %% [markdown]
-# **The logger is not Python's.** It looks like the module `logging`, so people write as they are used to:
+# **The logger is not Python's.** It looks like the module `logging`, but takes other arguments:
 
 # %% id="logger-like-logging" tags=["raises-exception"]
 logger = quiet.get_logger()
 logger.info("battery at %d %%", 80)
 
 # %% [markdown]
-# It takes one text: `logger.info(f"battery at {80} %")`. A number alone is no text, and the message about it is a
-# wall; write
-# `logger.info(str(80))`. And then there is this one, a small helper for tidy people:
+# It takes one text: `logger.info(f"battery at {80} %")`. And the next helper fails at its second call:
+
 
 # %% id="logger-severity" tags=["raises-exception"]
 def say(level: str, text: str) -> None:
@@ -518,17 +519,9 @@ say("info", "battery fine")
 say("warning", "battery low")
 
 # %% [markdown]
-# rclpy remembers for each *line of code* with which severity it logs, so that `once=True` and the like can work. One
-# line, two severities: error. Write an `if` with two lines. Apart from that the logger is a good friend. It carries
-# the name of the node with its namespace, and every line goes to `/rosout` as well:
-
-# %%
-logger.info("all well")
-logger.warning("battery low")
-logger.debug("this one is not shown: the usual level is INFO")
-for _ in range(3):
-    logger.error("said once, however often it happens", once=True)
-print("its name:", fresh(Node, "camera", namespace="/robot").get_logger().name)
+# rclpy remembers for each *line of code* with which severity it logs, so that `once=True` can work. One line with two
+# severities is an error. Write an `if` with two lines. The logger carries the name of the node with its namespace, and each
+# line also goes to `/rosout`.
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -550,10 +543,12 @@ class Arm(Node):
 
 arms = [fresh(Arm, namespace=f"/robot/{side}") for side in ("left", "right")]
 for arm in arms:
-    print(arm.get_fully_qualified_name(), "publishes on", arm.state_publisher.topic_name)
+    print(
+        arm.get_fully_qualified_name(), "publishes on", arm.state_publisher.topic_name
+    )
 
 # %% [markdown]
-# **Faded.** Now both arms shall be in the namespace `/robot`, as `/robot/left_arm` and `/robot/right_arm`. Do not touch the
+# **Faded.** Now put both arms into the namespace `/robot`, as `/robot/left_arm` and `/robot/right_arm`. Do not change the
 # class. Fill in what is `...`.
 
 # %%
@@ -570,7 +565,11 @@ if any(... in words for words in REMAP.values()):
 else:
     arms = [fresh(Arm, namespace="/robot", cli_args=words) for words in REMAP.values()]
     for arm in arms:
-        print(arm.get_fully_qualified_name(), "publishes on", arm.state_publisher.topic_name)
+        print(
+            arm.get_fully_qualified_name(),
+            "publishes on",
+            arm.state_publisher.topic_name,
+        )
     print("as asked:", node_list() == ("/robot/left_arm", "/robot/right_arm"))
 
 # %% [markdown]
@@ -584,17 +583,17 @@ else:
 #
 # <details><summary>a) An error in the second terminal: the name is taken</summary>
 #
-# ✗ Nobody hands out names, so nobody can refuse one.
+# ✗ No register hands out names, so none can refuse one.
 #
 # </details>
-# <details><summary>b) Twins: two nodes with one name, and all that they publish comes twice</summary>
+# <details><summary>b) Two nodes with one name, and all that they publish comes twice</summary>
 #
-# ✓ And no line of red. `workbook node list` shows it.
+# ✓ And no error. `workbook node list` shows the name twice.
 #
 # </details>
 # <details><summary>c) The first one ends, and the second one takes over</summary>
 #
-# ✗ They do not know of each other. (`fresh` does that, but only inside one notebook.)
+# ✗ They do not know each other. (`fresh` does that, but only inside one notebook.)
 #
 # </details>
 #
@@ -648,7 +647,7 @@ else:
 # </details>
 # <details><summary>c) `scout` and `scout_2`</summary>
 #
-# ✗ ROS never counts for you.
+# ✗ ROS never numbers nodes.
 #
 # </details>
 #
@@ -685,19 +684,20 @@ else:
 # names for what belongs to one node; absolute names only for what all share, such as a common stop or a map. The
 # dashboard finds robots by asking the graph for namespaces or topics, and takes the namespace as the robot's name. A
 # good answer also asks how many nodes may see each other (300 in one domain; a domain per robot and a bridge may be
-# better), what happens when two robots get one number by mistake (twins: check for it at the start), and that names
-# in frames of coordinates need a prefix of their own.
+# better), and what happens when two robots get one number by mistake (duplicate node names: check at the start).
+#
+# Check in the reply: does it advise absolute topic names, or a namespace that is written into the code?
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - A node is an entry in the graph. Nobody hands out names: twins are allowed, and they are trouble.
+# - A node is an entry in the graph. Names are not checked: duplicate node names are allowed, and they are a fault.
 # - `super().__init__("name")` first. The name has no slash, hyphen or space; the folder is the namespace.
 # - `faults` follows the namespace, `~/frame` the node, and `/stop` follows nothing.
 # - Remapping renames from outside: `--ros-args -r __node:=rear_camera` for a process, `cli_args` for one node.
-# - Keep off the names that `Node` uses. The logger takes one text, and one severity per line of code.
+# - Avoid the names that `Node` uses. The logger takes one text, and one severity per line of code.
 #
 # **Before:** [01 · The context](01_the_context.ipynb)
 #

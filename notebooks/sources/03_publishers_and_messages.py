@@ -1,18 +1,19 @@
 # %% [markdown]
 # # 03 · Publishers and messages
 #
-# The parts of a robot know of each other only what somebody publishes: the wheels which way to go, the screen what is
-# left in the battery.
+# One topic tells the wheels where to go. Another tells the screen how much battery is left. Both need a publisher, and a
+# message whose numbers arrive as they were meant.
 #
 # - **Minutes:** 45
 # - **You need:** lessons 00 to 02
-# - **You will be able to:** create a publisher, fill messages so that the number you mean is the number that arrives,
-#   read the errors that publishers give, and choose a message type that others understand
-# - **Left out:** receiving (lesson 04), what repeats by itself (lesson 05), quality of service (lesson 13)
+# - **You will be able to:** create a publisher, fill messages so that the number you mean arrives, and read the errors
+#   that publishers give
+# - **Left out:** receiving (lesson 04), timers (lesson 05), quality of service (lesson 13); queues, pictures and richer
+#   message types (the deeper notebook)
 
 # %% [markdown]
-# A node says ten times a second how fast a small robot shall drive and turn. It knows nothing of the robot: it only
-# **publishes** on the topic `/robot/cmd_vel`. We listen for a while.
+# A node publishes ten times a second how fast a small robot must drive and turn, on the topic `/robot/cmd_vel`. We record
+# it for a while.
 
 # %%
 from lesson_nodes import figure_driver
@@ -29,47 +30,21 @@ print("the first one:", commands[0])
 # Each message is of type `Twist`: two groups of three numbers. `linear` is speed in m/s, `angular` is turning in rad/s.
 # A robot on the floor uses two of the six: how fast forward (`linear` `x`), and how fast to the left (`angular` `z`).
 #
-# Where does it go? We obey each message for a tenth of a second, as the robot would.
+# Where does the robot go? We obey each message for a tenth of a second, as the robot would.
 
 # %%
-import math
+from workbook.pictures.path import path_of, show_path
 
-from workbook.pictures.figures import figure, show
-from workbook.pictures.palette import AMBER, BLUE, GREEN, RED
-
-
-def path_of(recording):
-    """Where the robot gets: x and y in m. At the start it looks up the page."""
-    x, y, heading = 0.0, 0.0, math.pi / 2
-    xs, ys = [x], [y]
-    for arrival in recording.topic(DRIVE).arrivals:
-        heading += 0.1 * arrival.value["angular"]["z"]
-        x += 0.1 * arrival.value["linear"]["x"] * math.cos(heading)
-        y += 0.1 * arrival.value["linear"]["x"] * math.sin(heading)
-        xs.append(x)
-        ys.append(y)
-    return xs, ys
-
-
-def draw_path(recording, description):
-    """Draw the way of the robot."""
-    xs, ys = path_of(recording)
-    fig, axes = figure(5.2, 2.8)
-    axes.plot(xs, ys, color=BLUE)
-    axes.plot(xs[0], ys[0], "o", color=GREEN, markersize=9, label="start")
-    axes.plot(xs[-1], ys[-1], "x", color=RED, markersize=9, label="end")
-    axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
-    show(fig, description)
-
-
-draw_path(heard, "the path of the robot: a lying eight, a circle to the left and then one to the right")
+show_path(
+    path_of(commands),
+    "the path of the robot: a lying eight, a circle to the left, then one to the right",
+    title="127 messages draw an eight",
+)
 
 # %% [markdown]
-# 127 small messages, and the robot has driven an eight, lying on its side. Change something: `record(figure_driver,
-# {DRIVE: 0.1}, seconds=12.7, turn_radps=2.0)`, and run both cells again.
+# Change something: `record(figure_driver, {DRIVE: 0.1}, seconds=12.7, turn_radps=2.0)`, and run both cells again.
 #
-# Now you will send messages of your own. And you will see that a message can say something else than you gave.
+# Now you will publish messages of your own. You will see that a message can say something else than you gave.
 
 # %% [markdown] prediction="int-in-a-float-field"
 # ## Predict
@@ -81,20 +56,21 @@ draw_path(heard, "the path of the robot: a lying eight, a circle to the left and
 # battery.publish(Float32(data=80))
 # ```
 #
-# The first line says: messages of type `Float32`, on the topic `/robot/battery`. (The `10` has its turn later.) The second
-# line makes a message, puts 80 into its only field, `data`, and sends it.
+# The first line says: messages of type `Float32`, on the topic `/robot/battery`. The second line makes a message, puts 80
+# into its only field, `data`, and publishes it.
 #
-# The program runs on the ROS of this course as it comes out of the box. A screen listens to the topic. What does it show?
+# The program runs with the packages of this course and their default settings. A screen subscribes to the topic. What does
+# it show?
 #
 # - **a** 80.0, because Python turns 80 into 80.0 wherever a float is wanted.
 #   when `arrived_for_80 == 80`
 #   ✗ Python converts nothing here. The field is set to the int 80, as it is.
 # - **b** Nothing, because `Float32(data=80)` raises an error: 80 is no float.
-#   ✗ It does so when field checks are on. As ROS comes, they are off, and the message takes any object.
+#   ✗ It does so when field checks are on. By default they are off, and the message takes any object.
 # - **c** 0.0
 #   when `arrived_for_80 == 0`
-#   ✓ The C code of this build reads the int as if it were a Python float, and gets 0.0. Another build can abort the
-#   program.
+#   ✓ The C code of this build reads the int as if it were a Python float, and gets 0.0. The Ubuntu packages can abort
+#   the program here.
 # - **d** Nothing, because `publish` raises an error: it looks at the fields before it sends.
 #   ✗ `publish` does not check the fields either. It hands the message to C code, which expects a Python float.
 
@@ -106,9 +82,8 @@ predict("int-in-a-float-field")
 # %% [markdown]
 # ## Run it
 #
-# The program below publishes one level after the other, twice a second. (A timer calls `publish_next`; timers are
-# lesson 05.) It runs as a process of its own, on **stock ROS**: with the settings with which it is delivered. We
-# write down what arrives.
+# The program below publishes one level after another, twice a second. It runs as a process of its own, with default
+# settings. We print what arrives.
 
 # %%
 from pathlib import Path
@@ -159,8 +134,12 @@ print("80.0 and 80 arrive as", *arrived)
 reveal("int-in-a-float-field", arrived_for_80=arrived[1])
 
 # %% [markdown]
-# No error and no warning. The program means 80, and the world hears 0.0: an empty battery. What about other values?
-# Go through the list and guess before you run the next cell: which of them arrive as the number that was meant?
+# **On your robot, this line may do something worse.** The packages for Ubuntu can end the whole process here, with
+# ``Assertion `PyFloat_Check(field)' failed``, and no `except` catches it ([rclpy
+# 1297](https://github.com/ros2/rclpy/issues/1297), [rclpy 1437](https://github.com/ros2/rclpy/issues/1437)). In this
+# build there is no error and no warning: the program means 80, and 0.0 arrives.
+#
+# What about other values? Which of these arrive as the number that was meant?
 
 # %% id="given-arrived"
 given = [
@@ -173,39 +152,46 @@ for one, other in zip(given, arrived, strict=True):
     print(f"gave {one:<15} arrived {other}")
 
 # %%
+from workbook.pictures.figures import figure, show
+from workbook.pictures.palette import GREEN, RED
+
 fig, axes = figure(5.6, 3.9)
 for row, (one, other) in enumerate(zip(given, arrived, strict=True)):
     color, sign = (GREEN, "✓") if other == 80.0 else (RED, "✗")
     axes.text(0.0, row, one, family="monospace", va="center")
-    axes.annotate("", xy=(0.72, row), xytext=(0.42, row), arrowprops={"arrowstyle": "->", "color": color})
+    axes.annotate(
+        "",
+        xy=(0.72, row),
+        xytext=(0.42, row),
+        arrowprops={"arrowstyle": "->", "color": color},
+    )
     axes.text(0.77, row, f"{other}", family="monospace", color=color, va="center")
     axes.text(0.93, row, sign, color=color, va="center", family="DejaVu Sans")
 axes.text(0.0, -1.0, "what I gave", va="center")
 axes.text(0.77, -1.0, "what arrived", va="center")
-axes.set(xlim=(0, 1), ylim=(len(given) - 0.5, -1.5))
+axes.set(xlim=(0, 1), ylim=(len(given) - 0.5, -1.5), title="only Python floats arrive")
 axes.axis("off")
 show(
     fig,
-    "eleven values and what arrived: only the Python float, np.float64 and float(80) arrive as 80.0; np.int64(-80) arrives "
+    "eleven values and what arrived: only the Python float, np.float64 and float(80) "
+    "arrive as 80.0; np.int64(-80) arrives "
     "as nan, all others as 0.0",
 )
 
 # %% [markdown]
 # Three of eleven arrive. One comes out as `nan`, *not a number*, and the rest as zero. Look at the two floats from NumPy:
-# `np.float64` is fine, `np.float32` is not. That pair bites everybody who sends what a neural network has computed.
+# `np.float64` arrives, `np.float32` does not. Neural networks compute in `np.float32`, so this fault is common.
 #
-# You may meet ROS in another build, whose C code does look. There the whole process ends at this line, with a text such as
-# ``Assertion `PyFloat_Check(field)' failed``, and no `except` can catch it
-# ([a report](https://github.com/ros2/rclpy/issues/1297)). The cure is the same, and comes in a moment.
+# The fix is one word: **`float(level)`**. It turns each kind of number into a Python float, and raises an error for `None`
+# and for a list. (It still accepts some values that you would rather refuse. The exercise is about that.)
 
 # %% [markdown]
 # ## Look inside
 #
 # ### What a message is
 #
-# Somebody has written down what a `Float32` is, in one line: `float32 data`. From such a **message definition** ROS
-# generates a class for each language. In Python you get a class with the fields as attributes, and each field begins with a
-# default.
+# A **message definition** says what a `Float32` is, in one line: `float32 data`. ROS generates a class from it for each
+# language. In Python the fields are attributes, and each begins with a default.
 
 # %%
 from std_msgs.msg import Float32
@@ -214,38 +200,14 @@ print(Float32.get_fields_and_field_types())
 print(Float32())
 
 # %% [markdown]
-# The message travels as bytes, which any other program can read, in whatever language. `publish` writes these bytes. For
-# a `float32` field it takes the eight bytes that are the number in a Python float, and makes four of them. And it takes
-# them **without a look at what kind of object it has**. An `int` has something else in this place. Read as a float, that is
-# mostly a number so tiny that 32 bits make it zero. (Below zero it may also read as `nan`, as you saw.)
+# `publish` serializes the message: it writes the bytes that any other program can read. For a `float32` field, this build
+# reads the memory of a Python float, **without a check of what kind of object it has**. An `int` has other bytes there.
+# Read as a float, they mostly are a number so tiny that it becomes 0.0.
 #
-# You can do the same by hand. (For the curious; nothing else in this lesson depends on it.)
-
-# %%
-import ctypes
-
-
-def eight_bytes_of(thing):
-    """The number that stands where a Python float keeps its value."""
-    return ctypes.c_double.from_address(id(thing) + object.__basicsize__).value
-
-
-print("in 80.0:", eight_bytes_of(80.0))
-print("in 80, something above zero and below 1e-300:", 0.0 < eight_bytes_of(80) < 1e-300)
-print("which in 32 bits is", ctypes.c_float(eight_bytes_of(80)).value)
-
-# %% [markdown]
-# And NumPy? `np.float64` is made as a kind of Python float, so it has its bytes in the same place. `np.float32` is not.
-
-# %%
-import numpy as np
-
-print("np.float64 is a float:", isinstance(np.float64(80), float))
-print("np.float32 is a float:", isinstance(np.float32(80), float))
-
-# %% [markdown]
-# The cure is one word: **`float(level)`**. It turns each kind of number into a Python float, and it raises an error for
-# `None` and for a list. (Not for everything that you would like to refuse. That is what the exercise is about.)
+# **`std_msgs` is for learning.** `Float32`, `String` and the other single-value types of `std_msgs` have been deprecated
+# as types of real interfaces since ROS 2 Foxy: 0.8 on `/robot/battery` does not say whether it is percent, of which
+# battery, and when. This course uses them because they are short. On a robot, use types with meaning, such as
+# `sensor_msgs/BatteryState`, or define your own.
 
 # %% [markdown]
 # ### The three arguments of `create_publisher`
@@ -254,15 +216,15 @@ print("np.float32 is a float:", isinstance(np.float32(80), float))
 # |---|---|---|
 # | message type | `Float32` | the class itself, not its name in quotes, and no Python type |
 # | topic | `"/robot/battery"` | the name under which others find it; letter by letter |
-# | depth | `10` | how many messages the publisher keeps, see experiment 3 |
+# | depth | `10` | how many messages the publisher keeps for sending again; the deeper notebook measures it |
 #
-# A topic has **one** type. All who talk or listen there use the same one.
+# A topic has **one** type. All its publishers and subscriptions use the same one.
 
 # %% [markdown]
 # ### Messages in messages
 #
-# A `Twist` holds no numbers. It holds two messages of type `Vector3`, and these hold the numbers. They are there from the
-# start, all zero, so you set only what you need:
+# A `Twist` holds two messages of type `Vector3`, and these hold the numbers. All are zero at first, so you set only what
+# you need:
 
 # %%
 from geometry_msgs.msg import Twist
@@ -275,52 +237,20 @@ command.angular.z = 1.0
 print(command)
 
 # %% [markdown]
-# ### A message that is a picture
-#
-# A camera sends `Image` messages: a header, some numbers that say how to read the picture, and then all its pixels in one
-# long array. This camera has 16 times 12 pixels.
-
-# %%
-from lesson_nodes import tiny_camera
-
-CAMERA = "/robot/camera"
-film = [arrival.value for arrival in record(tiny_camera, {CAMERA: 0.5}, seconds=4).topic(CAMERA).arrivals]
-
-image = film[0]
-print("fields:", ", ".join(image))
-print(f"{image['width']} times {image['height']} pixels, encoding {image['encoding']}")
-print("numbers in data:", len(image["data"]), "which is 16 · 12 · 3:", len(image["data"]) == 16 * 12 * 3)
-print("the first pixel, red, green and blue:", image["data"][:3])
-
-# %%
-fig, frames = figure(6.4, 1.9, columns=3)
-for axes, number in zip(frames, (1, 3, 5), strict=True):
-    image = film[number]
-    pixels = np.array(image["data"], dtype=np.uint8).reshape(image["height"], image["width"], 3)
-    axes.imshow(pixels, interpolation="nearest")
-    axes.set(title=f"message {number + 1}", xticks=[], yticks=[])
-    axes.grid(False)
-show(fig, "three pictures of the tiny camera: a red ball rolls over the floor, from left to right")
-
-# %% [markdown]
-# No magic: 576 numbers in a row, and `width`, `height` and `encoding` say what they mean. Whoever gets them wrong sends
-# a picture that nobody can read.
-
-# %% [markdown]
 # ## Change it
 
 # %% [markdown] prediction="the-wider-circle"
 # ### Experiment 1: a wider circle
 #
-# The robot drives 0.4 m/s and turns left by 1.0 rad/s, always. That is a circle 0.8 m across. Now it shall turn by 0.5
-# rad/s. What will the path be?
+# The robot drives 0.4 m/s and turns left by 1.0 rad/s, always. That is a circle 0.8 m across. Now it turns by 0.5 rad/s.
+# What will the path be?
 #
 # - **a** A circle twice as wide
 #   when `1.2 <= width_m < 2.0`
 #   ✓ The radius is the speed forward divided by the speed of turning. Half the turning gives twice the radius.
 # - **b** A circle half as wide
 #   when `width_m < 0.6`
-#   ✗ It is the other way round: who turns more slowly gets further before the circle is closed.
+#   ✗ It is the other way round: a slower turn takes the robot further before the circle is closed.
 # - **c** The same circle, driven at half the speed
 #   when `0.6 <= width_m < 1.2`
 #   ✗ The speed forward stays 0.4 m/s. Only the turning is slower, and that changes the circle.
@@ -333,18 +263,28 @@ predict("the-wider-circle")
 # %%
 turn_radps = 0.5  # turn this knob, and forward_mps too, if you like
 
-circle = record(figure_driver, {DRIVE: 0.1}, seconds=12.6, forward_mps=0.4, turn_radps=turn_radps, eight=False)
-draw_path(circle, "the path of the robot: one circle to the left")
+circle = record(
+    figure_driver,
+    {DRIVE: 0.1},
+    seconds=12.6,
+    forward_mps=0.4,
+    turn_radps=turn_radps,
+    eight=False,
+)
+points = path_of(arrival.value for arrival in circle.topic(DRIVE).arrivals)
+show_path(
+    points,
+    "the path of the robot: one circle to the left",
+    title="half the turning, twice the radius",
+)
 
-xs, _ = path_of(circle)
+xs, _ = points
 print(f"from side to side: {max(xs) - min(xs):.1f} m")
 reveal("the-wider-circle", width_m=max(xs) - min(xs))
 
 # %% [markdown]
-# It drives as fast as before and turns half as fast, so it takes twice as long for a round, and twice the way. The radius
+# The robot drives as fast as before and turns half as fast. So a round takes twice as long, and is twice as far. The radius
 # is speed divided by rate of turn: 0.4 / 0.5 = 0.8 m.
-#
-# Note what you did **not** change: the robot. Two numbers in a message were enough.
 
 # %% [markdown] prediction="a-tenth"
 # ### Experiment 2: a tenth
@@ -373,11 +313,13 @@ reveal("a-tenth", arrived=tenth)
 
 # %% [markdown]
 # 32 bits hold about seven digits. 0.5 is a sum of powers of two and fits exactly, 0.1 does not. Above 16 777 216 not
-# even each whole number fits. And what is larger than 3.4e38 becomes infinite, without a word.
+# even each whole number fits. What is larger than 3.4e38 becomes infinite, silently.
 #
 # So never ask whether such a number *is* 0.1. Ask whether it is close:
 
 # %%
+import math
+
 print("tenth == 0.1:", tenth == 0.1)
 print("math.isclose(tenth, 0.1):", math.isclose(tenth, 0.1))
 print("math.isclose(tenth, 0.1, rel_tol=1e-6):", math.isclose(tenth, 0.1, rel_tol=1e-6))
@@ -386,107 +328,21 @@ print("math.isclose(tenth, 0.1, rel_tol=1e-6):", math.isclose(tenth, 0.1, rel_to
 # The second line surprises many: `isclose` is stricter than 32 bits are, so give it a tolerance. The same definition with
 # 64 bits exists, too: `Float64`. The numbers of a `Twist` have 64 bits. For a battery in percent, 32 are plenty.
 
-# %% [markdown] prediction="whose-queue"
-# ### Experiment 3: whose queue?
-#
-# The last argument of `create_publisher` is the **depth** of a queue. A listener names a depth, too. Here the publisher has
-# depth 1. It sends 20 messages in a burst, while the listener is busy. The listener has depth 100. How many will it get?
-#
-# - **a** 20
-#   when `arrived == 20`
-#   ✓ In this program, each message is in the queue of the listener before the next one is sent. That queue has room
-#   for 100.
-# - **b** 1: the publisher keeps one message, so each new one replaces the one before.
-#   when `arrived == 1`
-#   ✗ The publisher does not keep messages until the listener has time. In this program each one is handed on at once.
-# - **c** It depends on who is faster.
-#   when `1 < arrived < 20`
-#   ✗ Publisher and listener live in one process here, and nothing has to be sent again. So the depth of the publisher
-#   does not matter.
-
-# %%
-predict("whose-queue")
-
-# %%
-from rclpy.node import Node
-
-from workbook.lesson import fresh, init, spin_for  # spin_for: what `await run(...)` does, in an ordinary function
-
-init()  # rclpy.init(), made so that a cell can be run again
-
-
-class Ear(Node):
-    """Writes down what it hears on one topic. (Subscriptions are lesson 04.)"""
-
-    def __init__(self, message_class, topic, depth=100):
-        super().__init__("ear")
-        self.heard = []
-        self.create_subscription(message_class, topic, self.heard.append, depth)
-
-
-def burst(publisher_depth, listener_depth):
-    """Send 20 messages at once to a listener that is busy meanwhile. Returns how many it gets."""
-    talker = fresh(lambda: Node("talker"))
-    ear = fresh(Ear, Float32, "/robot/burst", listener_depth)
-    publisher = talker.create_publisher(Float32, "/robot/burst", publisher_depth)
-    spin_for(talker, seconds=5, until=lambda: publisher.get_subscription_count() == 1)
-    for number in range(20):
-        publisher.publish(Float32(data=float(number)))
-    spin_for(ear, seconds=5, until=lambda: ear.heard and ear.heard[-1].data == 19.0)
-    talker.destroy_node()
-    ear.destroy_node()
-    return len(ear.heard)
-
-
-arrived_of_burst = burst(1, 100)
-print("publisher 1, listener 100:", arrived_of_burst, "of 20 messages")
-reveal("whose-queue", arrived=arrived_of_burst)
-
-# %% [markdown]
-# Here is every combination of a few depths.
-
-# %%
-depths = (1, 5, 100)
-table = [[burst(publisher_depth, listener_depth) for listener_depth in depths] for publisher_depth in depths]
-
-fig, axes = figure(4.4, 2.8)
-for row, counts in enumerate(table):
-    for column, count in enumerate(counts):
-        color = GREEN if count == 20 else AMBER
-        axes.text(column, row, f"{count}", size=15, ha="center", va="center", color=color)
-axes.set(
-    xticks=range(3), xticklabels=depths, yticks=range(3), yticklabels=depths, xlim=(-0.5, 2.5), ylim=(2.5, -0.5),
-    xlabel="depth of the listener", ylabel="depth of the publisher", title="got, of 20 messages",
-)  # fmt: skip
-axes.grid(False)
-show(fig, "a table of what arrived: 1, 5 or 20 messages for a listener of depth 1, 5 or 100, whatever the publisher's depth")
-print(table)
-
-# %% [markdown]
-# The rows are alike. Messages wait **at the listener**, so it is the listener's depth that counts when it is busy.
-#
-# What is the publisher's depth good for, then? It keeps what it has sent, up to this number: to send it again when a
-# packet gets lost, and for those who come late and ask for it (lesson 13). On a healthy network you will not notice it. 10
-# is a good habit, and no more than that. A deep queue does not make anything faster, and a listener can have too deep a
-# one: lessons 04 and 15 show what that does.
-
 # %% [markdown]
 # ## When it goes wrong
 #
-# ### Making ROS look
+# ### Field checks
 #
-# ROS can check the fields of messages. This notebook has switched the checks on. So what went out as 0.0 above raises an
-# error here, at the very line:
+# rclpy can check the fields of messages. These notebooks switch the checks on. So what went out as 0.0 above raises an
+# error here:
 
 # %% id="checks-on" tags=["raises-exception"]
 Float32(data=80)
 
 # %% [markdown]
-# The switch is the environment variable `ROS_PYTHON_CHECK_FIELDS=1`. It is off in stock ROS, since the checks take time.
-# Set it while you develop.
-#
-# It must be set **before** the message class is imported. A program could do that itself, in its first lines. Here are two
-# that try.
+# The switch is the environment variable `ROS_PYTHON_CHECK_FIELDS=1`. It is off by default, because the checks take time.
+# Set it while you develop, where the program is started. It must be set **before** the message class is imported. Here are
+# two programs that set it themselves.
 
 # %% id="checks-too-late"
 SWITCH_ON = 'import os\nos.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"\n'
@@ -499,29 +355,34 @@ print("switched on before the import:", early.process.log.strip().splitlines()[-
 print("switched on after the import: 80 arrives as", *values(late, "/robot/battery"))
 
 # %% [markdown]
-# After the import it does nothing at all, and nobody says so. The class has looked at the variable once, when it was
-# loaded. (You will find the late version in the official release notes. It does not work there either.)
+# After the import it does nothing, silently. The class reads the variable once, when it is loaded. For a single message
+# there is another switch, which works at any time: `Float32(data=level, check_fields=True)`.
 #
-# For a single message there is another switch, which works at any time: `Float32(data=level, check_fields=True)`.
-#
-# Checks are a net, not the cure. They refuse an honest `80`, they are gone on a robot where nobody set them, and they do
-# not mind `nan`. Convert and check yourself, where the value comes in.
+# Checks are a net, not the fix. They refuse an honest `80`, they are off on a robot where nobody set them, and they
+# accept `nan`. Convert and check the value yourself, where it comes in.
 
 # %% [markdown]
 # ### Not a message
 #
-# A robot shall say hello.
+# A robot says hello.
 
 # %% id="plain-str" tags=["raises-exception"]
+from rclpy.node import Node
 from std_msgs.msg import String
+from workbook.lesson import (
+    fresh,
+    init,
+    spin_for,
+)  # spin_for: what `await run(...)` does, in an ordinary function
 
+init()  # rclpy.init(), made so that a cell can be run again
 voice = fresh(lambda: Node("voice"))
 words = voice.create_publisher(String, "/robot/voice", 10)
 words.publish("hello")
 
 # %% [markdown]
-# `publish` sends messages, and `"hello"` is a `str`. What it *is* comes last in the text, what it should be first. Put it into
-# a message: `words.publish(String(data="hello"))`.
+# `publish` takes messages, and `"hello"` is a `str`. The error names first what it expected, then what it got. Make a
+# message of it: `words.publish(String(data="hello"))`.
 
 # %% [markdown]
 # ### Two arguments of three
@@ -530,24 +391,23 @@ words.publish("hello")
 voice.create_publisher(String, "/robot/mood")
 
 # %% [markdown]
-# `qos_profile` is the third argument. QoS is quality of service, a matter of lesson 13. A plain number will do for it: the
-# depth. `voice.create_publisher(String, "/robot/mood", 10)`
+# `qos_profile` is the third argument. QoS is quality of service (lesson 13). A plain number, the depth, is enough:
+# `voice.create_publisher(String, "/robot/mood", 10)`.
 
 # %% [markdown]
-# ### The error that sends you the wrong way
+# ### An error that speaks of ROS 1
 
 # %% id="not-a-class" tags=["raises-exception"]
 voice.create_publisher("String", "/robot/mood", 10)
 
 # %% [markdown]
-# You never had a ROS 1 on this machine, so do not go looking for it. The text means: *this is no message class*. Here it
-# is the name in quotes. With the Python type `str` it says `type` in place of `str`. The cure is an import and no quotes:
-# `from std_msgs.msg import String`, and `create_publisher(String, ...)`.
+# Your program has no ROS 1 in it. The text means: *this is no message class*. Here it is the name in quotes. The fix is an
+# import and no quotes: `from std_msgs.msg import String`, and `create_publisher(String, ...)`.
 
 # %% [markdown]
 # ### One topic, two types
 #
-# `/robot/voice` carries `String`. In the same program somebody wants to send the loudness there.
+# `/robot/voice` carries `String`. Another part of the same program wants to publish the loudness there.
 
 # %% id="two-types"
 try:
@@ -556,11 +416,20 @@ except Exception as error:
     print(type(error).__name__, "·", str(error).split(", at ")[0])
 
 # %% [markdown]
-# `rt/robot/voice` is how DDS, the layer below, spells the topic, and `..._::Float32_` is the type that does not fit. That
-# was the kind case. When the two sit in **different** programs, nobody sees the clash. This program publishes the battery
-# as `Float32`, and the ear in this notebook expects `Float64`:
+# `rt/robot/voice` is how DDS spells the topic, and `..._::Float32_` is the type that does not fit. In two **different**
+# programs you get no error. This one publishes the battery as `Float32`, and the node in this notebook expects `Float64`:
+
 
 # %% id="two-types-two-programs"
+class Ear(Node):
+    """Keeps what arrives on one topic. (Subscriptions are lesson 04.)"""
+
+    def __init__(self, message_class, topic, depth=100):
+        super().__init__("ear")
+        self.heard = []
+        self.create_subscription(message_class, topic, self.heard.append, depth)
+
+
 from std_msgs.msg import Float64
 
 from lesson_nodes import humanoid_status_publisher
@@ -576,47 +445,15 @@ stop()
 ear.destroy_node()
 
 # %% [markdown]
-# Silence on both sides, no warning. If a topic is there and nothing comes, look at the types first: `topic_info` here,
-# `ros2 topic info --verbose` on a robot.
-
-# %% [markdown]
-# ### The right number, and still no meaning
-#
-# 0.8 on `/robot/battery`. Percent, or a share? Measured when? Of which battery? A `Float32` cannot say. It is good for
-# learning and for a quick try, and ROS itself advises against `std_msgs/Float32` and its brothers for anything that stays.
-# For what robots usually say there are messages with meaning:
-
-# %% id="with-meaning"
-from sensor_msgs.msg import BatteryState, JointState
-
-state = BatteryState()
-state.header.frame_id = "back_battery"
-state.percentage = 0.8  # a share, from 0 to 1: the definition says so
-state.voltage = 47.9
-state.power_supply_status = BatteryState.POWER_SUPPLY_STATUS_DISCHARGING
-state.present = True
-state.header.stamp = voice.get_clock().now().to_msg()
-for field in ("current", "temperature", "charge", "capacity", "design_capacity"):
-    setattr(state, field, math.nan)  # not measured: the definition says how to say so
-
-joints = JointState()
-joints.name = ["left_shoulder", "left_elbow"]
-joints.position = [0.3, -1.1]  # rad
-
-print("Float32 has:     ", ", ".join(Float32.get_fields_and_field_types()))
-print("BatteryState has:", ", ".join(list(BatteryState.get_fields_and_field_types())[:8]), "and more")
-print("JointState has:  ", ", ".join(JointState.get_fields_and_field_types()))
-
-# %% [markdown]
-# A time stamp, names, units that are written down, and "not known" can be told apart from zero, *if you say it*: these
-# fields, too, begin with 0.0, and nobody has measured 0 °C. Dashboards, loggers and planners of other people understand
-# these messages without asking you. They are filled like every other message, field by field.
+# No message, and no warning on either side: that is how Fast DDS, the DDS of this build, treats two types. If a topic has
+# a publisher and nothing arrives, compare the types: with `topic_info` here, `ros2 topic info --verbose` on a robot.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A robot that speaks. The publisher is made once, in `__init__`. And the method looks at what it is given,
-# *before* it makes a message. Whoever gives it nonsense gets an error, and can do something about it.
+# **Worked.** A robot that speaks. It makes the publisher once, in `__init__`. The method checks what it is given *before*
+# it makes a message. A caller that passes nonsense gets an error, and can react.
+
 
 # %%
 class Speech(Node):
@@ -640,7 +477,9 @@ class Speech(Node):
 
 speech = fresh(Speech)
 ear = fresh(Ear, String, "/robot/speech")
-spin_for(ear, seconds=5, until=lambda: speech.speech_publisher.get_subscription_count() == 1)
+spin_for(
+    ear, seconds=5, until=lambda: speech.speech_publisher.get_subscription_count() == 1
+)
 for text in ("mind the step", 42, "  ", "good morning"):
     try:
         speech.say(text)
@@ -650,10 +489,13 @@ spin_for(ear, seconds=5, until=lambda: len(ear.heard) == 2)
 print("heard:", [message.data for message in ear.heard])
 
 # %% [markdown]
-# **Faded.** A robot that drives. `drive` gets two numbers of any kind, and sends a `Twist`. There are two things
-# to do. Until then the cell runs, and says so.
+# **Faded.** A robot that drives. `drive` gets two numbers of any kind, and publishes a `Twist`. Two places are blank. Until
+# you fill them in, the cell says so.
 
 # %%
+import numpy as np
+
+
 class Wheels(Node):
     """Tells the wheels how fast to drive and turn.
 
@@ -676,38 +518,47 @@ if wheels.command_publisher is ...:
     print("Make the publisher and set the two fields, then run this cell again.")
 else:
     ear = fresh(Ear, Twist, "/robot/wheels")
-    spin_for(ear, seconds=5, until=lambda: wheels.command_publisher.get_subscription_count() == 1)
+    spin_for(
+        ear,
+        seconds=5,
+        until=lambda: wheels.command_publisher.get_subscription_count() == 1,
+    )
     wheels.drive(np.float32(0.5), -1)
     spin_for(ear, seconds=5, until=lambda: ear.heard)
-    print("forward", ear.heard[0].linear.x, "turn", ear.heard[0].angular.z, "- there should be 0.5 and -1.0")
+    print(
+        "forward",
+        ear.heard[0].linear.x,
+        "turn",
+        ear.heard[0].angular.z,
+        "- there should be 0.5 and -1.0",
+    )
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/03_publishers_and_messages.ipynb) you write a battery report that never lies:
-# every number arrives, and nothing that is no number gets out.
+# every number arrives, and what is not a number is refused.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. On the stock ROS of this course, a node publishes `Float32(data=np.float32(55.5))`. What does a listener get?**
+# **1. In this build, a node publishes `Float32(data=np.float32(55.5))`. What arrives?**
 #
 # <details><summary>a) 55.5</summary>
 #
-# ✗ One would think so: 32 bits here and there. But what ROS reads is the inside of a Python float, and `np.float32` is
-# none.
+# ✗ Both have 32 bits. But this build reads the memory of a Python float, and `np.float32` is not a Python float.
 #
 # </details>
 # <details><summary>b) 0.0</summary>
 #
-# ✓ Yes, and no error on the way. `float(...)` around it, and 55.5 arrives.
+# ✓ Yes, and without an error. With the Ubuntu packages the process may abort. Write `float(...)` around it.
 #
 # </details>
 # <details><summary>c) Nothing: `publish` raises an error</summary>
 #
-# ✗ It would, if field checks had been on before `std_msgs.msg` was imported. On stock ROS they are off.
+# ✗ It would, if field checks had been on before `std_msgs.msg` was imported. By default they are off.
 #
 # </details>
 #
-# **2. A robot shall turn to the right on the spot. Which `Twist`?**
+# **2. A robot must turn to the right on the spot. Which `Twist`?**
 #
 # <details><summary>a) `command.angular.z = -0.5`, all the rest as it is</summary>
 #
@@ -725,21 +576,21 @@ else:
 #
 # </details>
 #
-# **3. A camera publishes with depth 100, a busy listener has depth 1. What does the listener find after a second?**
+# **3. A publisher offers `String` on `/robot/voice`. Another program subscribes there with `Float32`. What happens?**
 #
-# <details><summary>a) All the pictures of that second</summary>
+# <details><summary>a) The second program gets an error</summary>
 #
-# ✗ They wait at the listener, and it has room for one.
-#
-# </details>
-# <details><summary>b) The picture at which the camera stopped, to wait for the listener</summary>
-#
-# ✗ `publish` comes back at once, whoever listens.
+# ✗ Only within one program. Two programs do not check each other's types.
 #
 # </details>
-# <details><summary>c) The latest picture</summary>
+# <details><summary>b) The text arrives as a number</summary>
 #
-# ✓ The depth of the listener decides. And for pictures one is a good choice: who wants to see the past?
+# ✗ Nothing is converted, and nothing arrives.
+#
+# </details>
+# <details><summary>c) No message arrives, and neither program reports it</summary>
+#
+# ✓ Fast DDS does not connect them. `topic_info` shows both types.
 #
 # </details>
 #
@@ -757,7 +608,7 @@ else:
 # </details>
 # <details><summary>c) An error, because the variable comes too late</summary>
 #
-# ✗ Nobody looks at it any more, so nobody complains either.
+# ✗ The class does not read the variable again, so there is no error.
 #
 # </details>
 #
@@ -775,7 +626,7 @@ else:
 # </details>
 # <details><summary>c) ROS sends floats as text, rounded to a few digits</summary>
 #
-# ✗ It sends four bytes, and they hold about seven digits. Nothing is written as text.
+# ✗ It sends four bytes, and they hold about seven digits.
 #
 # </details>
 
@@ -790,15 +641,15 @@ else:
 #
 # <details><summary>What a good answer contains</summary>
 #
-# First look at the wire, not at the code: does 0.0 really arrive on the topic, and does only one node publish there?
-# If so, print `type(level)` beside `level` right before `publish`, or start the node with
-# `ROS_PYTHON_CHECK_FIELDS=1`: the line that gives a field something else than a float then raises an error. Suspects
-# are an `int` when the charge is a whole number, `None` when the library has no value, and `np.float32` from the
-# smoothing. The mending: one place where values come in, `float(level)` for numbers, an error for everything else,
-# `math.isfinite` against nan. Making it stay: a test that publishes each of these kinds and looks at what arrives,
-# and the checks switched on in the tests. Good answers ask what the node should do when there is no value (an error,
-# silence, or a message that can say "not known", such as `BatteryState`), and warn of an assistant that proposes type
-# hints: ROS does not read them.
+# First look at the topic, not at the code: does 0.0 really arrive, and does only one node publish there? If so, print
+# `type(level)` right before `publish`, or start the node with `ROS_PYTHON_CHECK_FIELDS=1`. The line that gives a field
+# something other than a float then raises an error. Suspects are an `int` when the charge is a whole number, `None` when
+# the library has no value, and `np.float32` from the smoothing. The fix is one place where values come in: `float(level)`
+# for numbers, an error for everything else, `math.isfinite` against nan. A test publishes each of these kinds, and looks at
+# what arrives. Good answers also ask what the node must do when there is no value.
+#
+# Check in the reply: type hints do not help here, rclpy does not read them. And setting the variable with `os.environ`
+# after the imports does nothing.
 #
 # </details>
 
@@ -806,13 +657,15 @@ else:
 # ## Take away
 #
 # - `create_publisher(MessageClass, "/topic", depth)`, once, in `__init__`; then `publish(message)`, as often as you like.
-# - A float field wants a Python float. An int, `np.float32`, `None` or a text goes out as 0.0 or worse, without a word:
-#   `float(...)`.
-# - `ROS_PYTHON_CHECK_FIELDS=1` makes ROS look, if it is set before the message class is imported.
-# - 32 bits hold about seven digits: never `==`, always "close to".
-# - One topic, one type. In two programs, two types on one topic are silent. For what stays, take messages with meaning.
+# - A float field needs a Python float. An int, `np.float32`, `None` or a text arrives as 0.0 or worse, or aborts the
+#   program, depending on the build. Write `float(...)`.
+# - `ROS_PYTHON_CHECK_FIELDS=1` makes rclpy check, if it is set before the message class is imported.
+# - 32 bits hold about seven digits: never compare with `==`, use `math.isclose`.
+# - One topic, one type. Two programs with two types on one topic are silent.
 #
 # **Before:** [02 · Nodes](02_nodes.ipynb)
+#
+# **Deeper:** [03 · Deeper: queues, pictures and messages with meaning](03_publishers_and_messages_deeper.ipynb)
 #
 # **Next:** [04 · Subscriptions and callbacks](04_subscriptions_and_callbacks.ipynb): the other end of the topic.
 #

@@ -1,10 +1,10 @@
 # %% [markdown]
 # # 04 · Subscriptions and callbacks
 #
-# A robot that only speaks walks into walls. To hear its own sensors, it subscribes, and says what is to be done with
-# each message that comes.
+# A robot that only publishes walks into walls. To react to its own sensors, it subscribes, and says what to do with each
+# message that comes.
 #
-# - **Minutes:** 40
+# - **Minutes:** 45
 # - **You need:** lessons [00](00_start_here.ipynb) to 03: a node, a publisher, a message
 # - **You will be able to:** subscribe to a topic, write the callback that handles its messages, say when it is called
 #   and when it is not, choose how many messages may wait, and tell how old a message is
@@ -13,7 +13,7 @@
 
 # %% [markdown]
 # Watch the robot. It walks up to a wall and away from it, again and again. One program measures how far the wall is,
-# twenty times a second. The other one listens, and raises the robot's arms when the wall comes close.
+# twenty times a second. The other one subscribes, and raises the robot's arms when the wall comes close.
 
 # %%
 from lesson_nodes import careful_robot, distance_sensor
@@ -24,7 +24,7 @@ await watch_robot(seconds=8, ease=0.1)
 stop()
 
 # %% [markdown]
-# The second program has no timer and no loop. All it does, it does because a message came:
+# The second program has no timer and no loop. It acts only when a message comes:
 #
 # ```python
 # self.create_subscription(Float32, "/robot/distance", self.on_distance, 10)
@@ -35,7 +35,7 @@ stop()
 #
 # The first line is the **subscription**: which type, which topic, what to call, and how many messages may wait. The
 # method is the **callback**: you write it, and rclpy calls it, once for each message. Set `close_m` to `2.5` above and
-# run the cell again. Is this robot careful, or afraid?
+# run the cell again.
 
 # %% [markdown] prediction="five-distances"
 # ## Predict
@@ -49,16 +49,15 @@ stop()
 # time.sleep(1.0)
 # ```
 #
-# You have seen that programs call `rclpy.spin(node)`, and that notebooks use `run(node)`. Here, nobody spins `sensor`,
-# and nobody spins `guard`. The black box spins, as a program should. After that second, who has handled the five
-# messages?
+# Programs call `rclpy.spin(node)`, notebooks `run(node)`. Here, neither `sensor` nor `guard` is spun. The black box spins,
+# as a program should. After that second, which nodes have handled the five messages?
 #
-# - **a** Nobody: publishing needs spin, so nothing was sent.
+# - **a** None: publishing needs spin, so nothing was sent.
 #   when `by_black_box == 0 and by_guard_before_spin == 0`
 #   ✗ `publish` hands the message to DDS, which sends it from threads of its own. It needs no spin.
 # - **b** Only the black box. When `guard` is spun later, it handles its five, too.
 #   when `by_black_box == 5 and by_guard_before_spin == 0 and by_guard == 5`
-#   ✓ The messages arrived at both. They waited in the queue of `guard` until somebody spun it.
+#   ✓ The messages arrived at both. They waited in the queue of `guard` until it was spun.
 # - **c** Both: a callback is called as soon as its message arrives.
 #   when `by_black_box == 5 and by_guard_before_spin == 5`
 #   ✗ A message that arrives goes into a queue. Its callback runs later, in a thread that spins the node.
@@ -129,7 +128,9 @@ for distance in (2.0, 1.6, 1.2, 0.8, 0.4):
     sensor.publisher.publish(Float32(data=distance))
 time.sleep(1.0)
 
-kept = topic_echo("/black_box/kept", count=1, nodes=[]).messages[0].data  # nodes=[]: none of ours is spun
+kept = (
+    topic_echo("/black_box/kept", count=1, nodes=[]).messages[0].data
+)  # nodes=[]: none of ours is spun
 heard_before_spin = len(guard.heard)
 print("kept by the black box:   ", kept)
 print("callbacks of the guard:  ", len(guard.heard))
@@ -153,18 +154,17 @@ stop()
 # %% [markdown]
 # ## Look inside
 #
-# Two things happened that look like one. Messages **arrive**: DDS, the layer below, has threads of its own that send,
-# receive, and find other programs. Python is not asked. And messages are **handled**: your callback runs, in your
-# thread, at a moment when that thread is inside `spin`. Between the two there is a **queue**.
+# Two things happened that look like one. First, messages **arrive**: DDS has threads of its own that send and receive.
+# Second, messages are **handled**: your callback runs, in your thread, while that thread is inside `spin`. Between the two
+# there is a **queue**.
 #
-# We can see both. A callback may take a second argument: what rclpy knows *about* the message, such as when it was
-# sent and when it was received. This guard notes when each message was received, and when its callback was called. We
-# publish ten distances in two seconds, and spin only after that.
+# A callback may take a second argument, with what rclpy knows *about* the message, such as when it was received. This guard
+# notes that time, and the time of its callback. We publish ten distances in two seconds, and spin only after that.
 
 
 # %%
 class TimedGuard(Node):
-    """Notes when each message was received, and when it was handled (s, by the clock on the wall)."""
+    """Notes when each message was received, and when it was handled (s)."""
 
     def __init__(self) -> None:
         super().__init__("timed_guard")
@@ -187,8 +187,12 @@ for number in range(10):
 spun_at = time.time()
 await run(timed, seconds=5, until=lambda: len(timed.handled) == 10)
 
-print("received before anybody spun:", sum(moment < spun_at for moment in timed.received))
-print("handled before anybody spun: ", sum(moment < spun_at for moment in timed.handled))
+print(
+    "received before anybody spun:", sum(moment < spun_at for moment in timed.received)
+)
+print(
+    "handled before anybody spun: ", sum(moment < spun_at for moment in timed.handled)
+)
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -197,36 +201,37 @@ rows = {"handled": timed.handled, "received": timed.received, "published": publi
 fig, axes = figure(6.4, 2.0)
 for row, (label, moments) in enumerate(rows.items()):
     times = [moment - began for moment in moments]
-    axes.plot(times, [row] * len(times), "|", markersize=16, markeredgewidth=3, label=label)
+    axes.plot(
+        times, [row] * len(times), "|", markersize=16, markeredgewidth=3, label=label
+    )
 axes.axvline(spun_at - began, color="#787878", linestyle="--", zorder=0)
 axes.text(spun_at - began + 0.04, 1.5, "spin begins", va="center")
 axes.text(spun_at - began + 0.04, 0, "all ten at once", va="center")
 axes.set(xlabel="seconds", yticks=range(3), xlim=(-0.1, 3.1), ylim=(-0.6, 2.6))
+axes.set_title("received at once, handled when spin begins")
 axes.set_yticklabels(rows)
 axes.grid(axis="y", visible=False)
 show(
     fig,
-    "ten messages: each is received when it is published, and all ten are handled when spin begins, at 2 s",
+    "ten messages: each is received when it is published, and all ten are handled "
+    "when spin begins, at 2 s",
 )
 
 # %% [markdown]
-# The upper two rows are the same: sending and receiving go on without spin. In the lowest row, all ten stand in one
-# place, at two seconds, when `run` began. **Publish needs no spin. Receiving needs no spin. Your callback does.** You
-# will read that a node must spin before it can publish; you have just seen it publish without.
+# The upper two rows are the same: sending and receiving go on without spin. In the lowest row, all ten callbacks run at two
+# seconds, when `run` began. **Publish needs no spin. Receiving needs no spin. Your callback does.**
 #
-# `rclpy.spin(node)` is a loop: is a message waiting? Take it out of the queue, call the callback with it, look again.
-# One callback after the other, never two at once, and each in the order in which the messages came. That is why you
-# need no locks in a node like this, and why a slow callback holds up all others.
-#
-# So you never call a callback yourself, and you never ask for the next message. You say once what is to be done, and
-# then you let the node work.
+# `rclpy.spin(node)` is a loop: take a waiting message out of a queue, call its callback, repeat. It runs one callback at a
+# time, never two at once. Messages of *one* subscription are handled in the order in which they came. Between different
+# subscriptions no order is promised. So you need no locks in such a node, and a slow callback delays all others.
 
 # %% [markdown]
 # ### A myth, tested
 #
-# In many examples you find `self.subscription = self.create_subscription(...)`, and below it a line which says that
-# this is to be kept, or the garbage collector will take the subscription away. The guards above have kept nothing. Let
-# us ask the collector:
+# The official tutorial writes `self.subscription = self.create_subscription(...)`, and below it
+# `self.subscription  # prevent unused variable warning`. That comment is about a warning of linters. Many readers take it
+# for a rule: keep it, or the garbage collector removes the subscription. The guards above kept nothing. We run the
+# collector:
 
 # %% id="nothing-kept"
 import gc
@@ -238,17 +243,16 @@ print("the guard still hears:", guard.heard[-1], "m")
 print("subscriptions that its node keeps:", len(list(guard.subscriptions)))
 
 # %% [markdown]
-# All survive: the node keeps its subscriptions, as it keeps its publishers and timers. Keep one yourself if you want to
-# end it later, with `self.destroy_subscription(self.subscription)`.
+# The node keeps its subscriptions, publishers and timers. Keep one yourself if you want to end it later, with
+# `self.destroy_subscription(self.subscription)`.
 
 # %% [markdown] prediction="how-many-may-wait"
 # ## Change it
 #
 # ### Experiment 1: how many may wait
 #
-# The last argument of `create_subscription` is the **depth** of the queue. A camera publishes 60 pictures, numbered
-# from 1 to 60, while three readers are busy elsewhere. One has a depth of 1, one of 10, one of 100. Then they
-# read. What do they get?
+# The last argument of `create_subscription` is the **subscription's queue depth**. A camera publishes 60 pictures, numbered
+# from 1 to 60, while three readers are busy. Their depths are 1, 10 and 100. Then they are spun. What do they get?
 #
 # - **a** Numbers 51 to 60, for all three: the rest is gone after a moment.
 #   when `middle == 10 and deep == 10`
@@ -285,7 +289,9 @@ class Reader(Node):
         super().__init__(f"reader_{depth}")
         self.depth = depth
         self.numbers: list[int] = []
-        self.create_subscription(Int32, "/camera/picture_number", self.on_picture, depth)
+        self.create_subscription(
+            Int32, "/camera/picture_number", self.on_picture, depth
+        )
 
     def on_picture(self, message: Int32) -> None:
         self.numbers.append(message.data)
@@ -298,11 +304,17 @@ while camera.publisher.get_subscription_count() < len(readers):
 
 for number in range(1, 61):
     camera.publisher.publish(Int32(data=number))
-await run(readers, seconds=10, until=lambda: all(reader.numbers[-1:] == [60] for reader in readers))
+await run(
+    readers,
+    seconds=10,
+    until=lambda: all(reader.numbers[-1:] == [60] for reader in readers),
+)
 
 for reader in readers:
     span = f"{reader.numbers[0]} to {reader.numbers[-1]}"
-    print(f"depth {reader.depth:>3}: {len(reader.numbers):>2} of 60, from number {span}")
+    print(
+        f"depth {reader.depth:>3}: {len(reader.numbers):>2} of 60, from number {span}"
+    )
 reveal(
     "how-many-may-wait",
     shallow=len(readers[0].numbers),
@@ -316,29 +328,34 @@ fig, axes = figure(6.4, 1.9)
 for row, reader in enumerate(readers):
     lost = sorted(set(range(1, 61)) - set(reader.numbers))
     axes.plot(lost, [row] * len(lost), "x", color="#787878", alpha=0.6, markersize=4)
-    axes.plot(reader.numbers, [row] * len(reader.numbers), "o", color="#208a3c", markersize=5)
-axes.set(xlabel="number of the picture", yticks=range(3), xlim=(0, 61), ylim=(-0.6, 2.6))
+    axes.plot(
+        reader.numbers, [row] * len(reader.numbers), "o", color="#208a3c", markersize=5
+    )
+axes.set(
+    xlabel="number of the picture", yticks=range(3), xlim=(0, 61), ylim=(-0.6, 2.6)
+)
+axes.set_title("a full queue drops its oldest messages (×)")
 axes.set_yticklabels([f"depth {reader.depth}" for reader in readers])
 axes.grid(axis="y", visible=False)
 show(
     fig,
-    "60 pictures: with depth 1 only the last is read, with depth 10 the last ten, with depth 100 all; x is lost",
+    "60 pictures: with depth 1 only the last is read, with depth 10 the last ten, "
+    "with depth 100 all; x is lost",
 )
 
 # %% [markdown]
-# Nothing warns you. A queue that is full drops its *oldest* message, and the newest is always in it. Both beliefs are
-# wrong: that messages are lost when nobody looks (all 60 were there for the reader with depth 100), and that they are
-# all kept (they are kept up to the depth).
+# Nothing warns you. A full queue drops its *oldest* message, so the newest is always in it. All 60 pictures reached the
+# reader with depth 100, although it was busy: a message is not lost because no callback runs.
 #
-# The sender has a depth as well, the last argument of `create_publisher`. It is another matter (lesson 03): so many
-# messages it keeps for sending again. The camera got 100, so that nothing here can depend on it.
+# The publisher has a queue depth as well, for sending again; the deeper notebook of lesson 03 measures it. Here the camera
+# got 100, so that it plays no role.
 
 # %% [markdown] prediction="age-of-a-message"
 # ### Experiment 2: how old is a message
 #
-# So, always a large depth? The distance sensor is back: a message every 0.05 s. Handling one takes this guard 0.2 s, so
-# it can only do every fourth. It gets a depth of 50, and works for four seconds. How old is the distance that it
-# handles last?
+# So, always a large depth? The distance sensor publishes every 0.05 s. Handling a message takes this guard 0.2 s, so it can
+# handle every fourth one only. It has a depth of 50, and works for four seconds. How old is the last distance that it
+# handles?
 #
 # - **a** More than a second, and it gets worse.
 #   when `last_age_s >= 1.0`
@@ -355,12 +372,12 @@ show(
 predict("age-of-a-message")
 
 # %% [markdown]
-# `info` tells when the message was sent, in nanoseconds. So its age is the time now, minus that.
+# `info` says when the message was sent, in nanoseconds. Its age is the time now, minus that.
 
 
 # %%
 class SlowGuard(Node):
-    """Takes 0.2 s to think about each distance, and notes how old the distance was when it began."""
+    """Takes 0.2 s for each distance, and notes how old it was at the start."""
 
     def __init__(self, depth: int) -> None:
         super().__init__(f"slow_guard_{depth}")
@@ -370,7 +387,9 @@ class SlowGuard(Node):
 
     def on_distance(self, message: Float32, info: dict) -> None:
         self.ages_s.append((time.time_ns() - info["source_timestamp"]) / 1e9)
-        self.travels_s.append((info["received_timestamp"] - info["source_timestamp"]) / 1e9)
+        self.travels_s.append(
+            (info["received_timestamp"] - info["source_timestamp"]) / 1e9
+        )
         time.sleep(0.2)
 
 
@@ -384,11 +403,20 @@ stop()
 # %%
 fig, axes = figure(6.4, 2.6)
 for depth, marker, line in ((50, "s", "--"), (1, "o", "-")):
-    axes.plot(guards[depth].ages_s, label=f"depth {depth}", marker=marker, markersize=4, linestyle=line)
-axes.set(xlabel="callback", ylabel="age of its message (s)", xticks=range(0, 21, 5))
-axes.legend(loc="upper left")
+    ages = guards[depth].ages_s
+    axes.plot(ages, marker=marker, markersize=4, linestyle=line)
+    axes.text(len(ages) - 0.5, ages[-1], f"depth {depth}", va="center")
+axes.set(
+    xlabel="callback",
+    ylabel="age of its message (s)",
+    xticks=range(0, 21, 5),
+    xlim=(-1, 25),
+)
+axes.set_title("in a deep queue, messages grow old")
 show(
-    fig, "with depth 50 the messages grow older and older, up to seconds; with depth 1 all are fresh"
+    fig,
+    "with depth 50 the messages grow older and older, up to seconds; with depth 1 "
+    "all are fresh",
 )
 
 # %% id="message-age"
@@ -396,17 +424,20 @@ from statistics import median
 
 deep, shallow = guards[50], guards[1]
 print("depth 50: the last distance was older than a second:", deep.ages_s[-1] > 1.0)
-print("depth  1: half of them were younger than 0.2 s:     ", median(shallow.ages_s) < 0.2)
-print("of that, time on the way was less than 0.1 s:       ", median(deep.travels_s) < 0.1)
+print(
+    "depth  1: half of them were younger than 0.2 s:     ", median(shallow.ages_s) < 0.2
+)
+print(
+    "of that, time on the way was less than 0.1 s:       ", median(deep.travels_s) < 0.1
+)
 reveal("age-of-a-message", last_age_s=deep.ages_s[-1])
 
 # %% [markdown]
-# The way from one program to the other takes about a millisecond. The rest is waiting in the queue: each callback takes
-# out one message, while four new ones come in. It gets worse until the queue is full. Then the age stays at 50 messages
-# times 0.05 s, which is 2.5 s.
+# Travel takes about a millisecond. The rest is waiting: each callback takes out one message, while four new ones come in.
+# The age grows until the queue is full, up to 50 messages times 0.05 s, which is 2.5 s.
 #
-# A robot that walks one meter in a second believes that the wall is more than two meters further away than it is. With
-# a depth of 1 it skips three of four distances, and knows where it is. Which is right depends on the message:
+# A robot that walks 1 m/s then believes that the wall is more than two meters further away than it is. With a depth of 1
+# it skips three of four distances, and knows where it is. Which is right depends on the message:
 #
 # | the message | depth | because |
 # |---|---|---|
@@ -418,8 +449,8 @@ reveal("age-of-a-message", last_age_s=deep.ages_s[-1])
 # %% [markdown] prediction="wrong-hint"
 # ### Experiment 3: what the type hint does
 #
-# In `on_distance(self, message: Float32)` the hint says what will come. Somebody copies the callback of another
-# node, and its hint says `String`. The subscription still says `Float32`. What will the callback get?
+# In `on_distance(self, message: Float32)` the hint says what will come. You copy the callback of another node, and its
+# hint says `String`. The subscription still says `Float32`. What will the callback get?
 #
 # - **a** Nothing: `create_subscription` raises an error, because the two do not fit.
 #   ✗ `create_subscription` looks at the type that it is given, and at how many arguments the callback takes. It does
@@ -447,7 +478,9 @@ class MixedUp(Node):
         self.create_subscription(Float32, "/robot/distance", self.on_status, 10)
 
     def on_status(self, message: String) -> None:
-        self.got.append(f"a {type(message).__name__} with a {type(message.data).__name__}")
+        self.got.append(
+            f"a {type(message).__name__} with a {type(message.data).__name__}"
+        )
 
 
 mixed_up = fresh(MixedUp)
@@ -457,10 +490,9 @@ print("the callback got", mixed_up.got[0])
 reveal("wrong-hint", got=mixed_up.got[0])
 
 # %% [markdown]
-# What comes is decided by the first argument of `create_subscription`, and by nothing else. The hint is not looked at
-# when the program runs. It is for those who read: you, your editor (type `message.` and it lists the fields), and mypy,
-# in lesson 07. A hint that lies is worse than none. Had the callback called `message.data.upper()`, the editor would
-# have agreed, and the robot would have ended with `'float' object has no attribute 'upper'`.
+# The first argument of `create_subscription` decides what comes. The hint is for readers: you, your editor, and mypy in
+# lesson 07. Had the callback called `message.data.upper()`, the editor would have agreed, and the program would have ended
+# with `'float' object has no attribute 'upper'`.
 
 # %% [markdown]
 # ## When it goes wrong
@@ -484,9 +516,8 @@ class Counter(Node):
 counter = fresh(Counter)
 
 # %% [markdown]
-# A clear error, and at the right place: a callback has one argument, the message, or two, the message and what is
-# known about it. (`self` is not counted.) Take the message, even if you do not look at it:
-# `def on_distance(self, message: Float32)`.
+# The error is clear: a callback has one argument, the message, or two, the message and what is known about it. (`self` is
+# not counted.) Take the message, even if you do not use it: `def on_distance(self, message: Float32)`.
 #
 # **Parentheses, and things forgotten.** Three more calls that do not work. What does each of them say?
 
@@ -497,24 +528,31 @@ def on_distance(message: Float32) -> None:
 
 
 attempts = {
-    "on_distance()": lambda: guard.create_subscription(Float32, "/robot/distance", on_distance(), 10),
-    "no depth": lambda: guard.create_subscription(Float32, "/robot/distance", on_distance),
-    "float": lambda: guard.create_subscription(float, "/robot/distance", on_distance, 10),
+    "on_distance()": lambda: guard.create_subscription(
+        Float32, "/robot/distance", on_distance(), 10
+    ),
+    "no depth": lambda: guard.create_subscription(
+        Float32, "/robot/distance", on_distance
+    ),
+    "float": lambda: guard.create_subscription(
+        float, "/robot/distance", on_distance, 10
+    ),
 }
 for label, attempt in attempts.items():
     try:
         attempt()
     except (TypeError, AttributeError) as error:
-        print(f"{label}\n    {type(error).__name__}: {str(error).split('This')[0].strip()}")
+        print(
+            f"{label}\n    {type(error).__name__}:",
+            str(error).split("This")[0].strip(),
+        )
 
 # %% [markdown]
-# - `on_distance()` *calls* the function, now, without a message. Python complains before rclpy hears of it. Without the
-#   parentheses you hand over the function itself.
+# - `on_distance()` *calls* the function, now, without a message. Without the parentheses you pass the function itself.
 # - `qos_profile` is the depth: say how many may wait, mostly `10`.
-# - `float` is a type of Python. A topic carries messages: `Float32`. (The error goes on about ROS 1 and sourcing a
-#   workspace. Do not follow it there.)
+# - `float` is a type of Python. A topic carries messages: `Float32`. (The rest of the error speaks of ROS 1. Ignore it.)
 #
-# **Silence.** The names are right, the robot sends, the node is spun, and nothing comes.
+# **Silence.** The names are right, the robot publishes, the node is spun, and no message comes.
 
 # %% id="other-type"
 from std_msgs.msg import Float32MultiArray
@@ -528,7 +566,9 @@ class ArmWatcher(Node):
     def __init__(self, message_type: type) -> None:
         super().__init__("arm_watcher")
         self.heard = 0
-        self.create_subscription(message_type, "/robot/joint_positions", self.on_angles, 10)
+        self.create_subscription(
+            message_type, "/robot/joint_positions", self.on_angles, 10
+        )
 
     def on_angles(self, message: object) -> None:
         self.heard += 1
@@ -540,7 +580,7 @@ await run(watcher, seconds=2)
 print("callbacks in two seconds:", watcher.heard)
 
 # %% [markdown]
-# Twenty messages a second, and not one callback. Neither side gets an error or a warning. What do the tools say?
+# Twenty messages a second, and not one callback. With Fast DDS, as here, neither side gets an error or a warning.
 
 # %%
 from workbook.ros import topic_info
@@ -548,9 +588,9 @@ from workbook.ros import topic_info
 topic_info("/robot/joint_positions")
 
 # %% [markdown]
-# The robot sends arrays, and this node wants single numbers. Two programs are connected only if name **and** type are
-# the same. So when nothing comes, ask three things: is my node spun? Is the name right, letter by letter? Is the type
-# right? `topic_info` answers the last two.
+# The robot publishes arrays, and this node expects single numbers. Two programs are connected only if name **and** type are
+# the same. So when no message comes, ask three things: is my node spun? Is the name right? Is the type right? `topic_info`
+# answers the last two.
 
 # %%
 watcher = fresh(ArmWatcher, Float32MultiArray)
@@ -559,15 +599,14 @@ print("callbacks with the right type:", watcher.heard)
 stop()
 
 # %% [markdown]
-# Within *one* program rclpy refuses a second type on a topic. The error is an `RCLError` that speaks of an `invalid
-# allocator`; the true reason, `existing topic name ... with incompatible type`, is in the lines before it.
+# Within *one* program rclpy refuses a second type on a topic, as you saw in lesson 03.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A callback often listens on one topic and speaks on another. This one brakes. It says `stop` when the
-# wall is closer than half a meter, and `go` when the way is free again, and each of them once. For that it has to
-# remember what it said last. What a node remembers is an attribute.
+# **Worked.** A callback often handles one topic and publishes on another. This one brakes. It publishes `stop` when the wall
+# is closer than half a meter, and `go` when the way is free again, each of them once. So it must remember what it published
+# last, in an attribute.
 
 # %%
 STOP_BELOW_M = 0.5
@@ -600,7 +639,7 @@ await run(brake, seconds=5, until=lambda: len(brake.said) == 2)
 print(len(distances), "distances, and it said", brake.said)
 
 # %% [markdown]
-# **Faded.** A motor has a temperature sensor on `/motor/temperature` (`Float32`, in °C). The node below shall keep the
+# **Faded.** A motor has a temperature sensor on `/motor/temperature` (`Float32`, in °C). The node below keeps the
 # highest temperature so far. Fill in what is `...`. Until then the cell runs, and says what is missing.
 
 # %%
@@ -623,14 +662,22 @@ class Thermometer(Node):
 
 
 if TOPIC is ...:
-    print("Fill in the topic, the subscription and the callback, then run this cell again.")
+    print(
+        "Fill in the topic, the subscription and the callback, then run this cell "
+        "again."
+    )
 else:
     thermometer = fresh(Thermometer)
     motor = sensor.create_publisher(Float32, "/motor/temperature", 10)
     for celsius in (41.5, 63.0, 58.5):
         motor.publish(Float32(data=celsius))
     await run(thermometer, seconds=1)
-    print(thermometer.heard, "of 3 messages, the highest was", thermometer.highest, "and should be 63.0")
+    print(
+        thermometer.heard,
+        "of 3 messages, the highest was",
+        thermometer.highest,
+        "and should be 63.0",
+    )
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/04_subscriptions_and_callbacks.ipynb) you write a battery monitor. The
@@ -700,7 +747,7 @@ else:
 #
 # **4. A node subscribes to `/robot/battery` as `String`. Another program publishes `Float32` there. What happens?**
 #
-# <details><summary>a) Nothing, without a word; `topic_info` tells why</summary>
+# <details><summary>a) No message arrives, and no error is raised; `topic_info` shows why</summary>
 #
 # ✓ Silence is the usual sign of a wrong name or a wrong type.
 #
@@ -748,7 +795,7 @@ else:
 #
 # **Before:** [03 · Publishers and messages](03_publishers_and_messages.ipynb)
 #
-# **Next:** [05 · Timers](05_timers.ipynb), for what a robot does again and again without being told.
+# **Next:** [05 · Timers](05_timers.ipynb), for what a robot does again and again.
 #
 # **More:** [Writing a simple publisher and
 # subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html),

@@ -4,7 +4,7 @@
 # A robot that does something again and again, on time, is a robot with timers: its heartbeat, its balance, its
 # battery report.
 #
-# - **Minutes:** 35
+# - **Minutes:** 45
 # - **You need:** lesson 00, and to know that `publish` sends a message on a topic
 # - **You will be able to:** give a node work that repeats, turn a frequency into a period, run several rates in one
 #   node, and say what a slow callback does to them
@@ -75,7 +75,7 @@ predict("loop-and-timer")
 # %% [markdown]
 # ## Run it
 #
-# First the loop. `time.sleep(0.010)` plays the sensor, which lets us wait. We note the moment of each reading.
+# First the loop. `time.sleep(0.010)` stands for the sensor, which takes 10 ms. We note the time of each reading.
 
 # %%
 import time
@@ -149,8 +149,14 @@ from workbook.pictures.figures import figure, show
 from workbook.pictures.timeline import strip
 
 first = {"loop": loop_moments[:14], "timer": reader.moments[:14]}
-picture = strip(first, periods={"loop": PERIOD_S, "timer": PERIOD_S}, end=1.6, noun="readings")
-show(picture, "the first readings of loop and timer: the loop falls behind the plan, the timer stays on it")
+picture = strip(
+    first, periods={"loop": PERIOD_S, "timer": PERIOD_S}, end=1.6, noun="readings"
+)
+show(
+    picture,
+    "the first readings of loop and timer: the loop falls behind the plan, the timer "
+    "stays on it",
+)
 
 # %% [markdown]
 # The loop waits 0.1 s *after* the work is done. So one round is sleep **plus** work, and each round starts later than
@@ -167,23 +173,41 @@ from itertools import pairwise
 
 def lateness(moments):
     """How late each reading is (ms), if the first one was on time."""
-    return [1000 * (moment - moments[0] - PERIOD_S * n) for n, moment in enumerate(moments)]
+    return [
+        1000 * (moment - moments[0] - PERIOD_S * n) for n, moment in enumerate(moments)
+    ]
 
 
 fig, axes = figure(6.4, 2.6)
-axes.plot(lateness(loop_moments), label="loop that sleeps")
-axes.plot(lateness(reader.moments), label="timer", linestyle="--")
-axes.set(xlabel="reading", ylabel="late by (ms)")
-axes.legend(loc="upper left")
-show(fig, "the lateness of the loop grows with every reading; that of the timer does not grow")
+axes.plot(lateness(loop_moments))
+axes.plot(lateness(reader.moments), linestyle="--")
+axes.text(ROUNDS, lateness(loop_moments)[-1], "loop that sleeps", va="center")
+axes.text(ROUNDS, lateness(reader.moments)[-1], "timer", va="center")
+axes.set(
+    xlabel="reading",
+    ylabel="late by (ms)",
+    xlim=(-1, 64),
+    title="the loop falls behind, the timer does not",
+)
+show(
+    fig,
+    "the lateness of the loop grows with every reading; that of the timer does not "
+    "grow",
+)
 
 # %%
-print("the last reading of the loop was late by more than four periods:", lateness(loop_moments)[-1] > 400)
-print("the last reading of the timer was late by less than two:", lateness(reader.moments)[-1] < 200)
+print(
+    "the last reading of the loop was late by more than four periods:",
+    lateness(loop_moments)[-1] > 400,
+)
+print(
+    "the last reading of the timer was late by less than two:",
+    lateness(reader.moments)[-1] < 200,
+)
 
 # %% [markdown]
-# No timer is perfect. The operating system has other programs to serve, so a tick comes a little late, and the next one
-# seems early. This trembling is called **jitter**. It does not add up.
+# No timer is perfect. The operating system also serves other programs, so a tick comes a little late, and the next
+# interval is a little short. This is called **jitter**. It does not add up.
 
 # %%
 from workbook.pictures.timeline import histogram
@@ -196,14 +220,17 @@ show(
 
 # %%
 mean_ms = sum(intervals_ms) / len(intervals_ms)
-print("all intervals are exactly 100 ms:", all(interval == 100 for interval in intervals_ms))
+print(
+    "all intervals are exactly 100 ms:",
+    all(interval == 100 for interval in intervals_ms),
+)
 print("their mean is within 5 % of it:", abs(mean_ms - 100) < 5)
 
 # %% [markdown]
 # ### A myth, tested
 #
-# You will read that you must keep a timer in an attribute, as in `self.timer = self.create_timer(...)`, or Python will
-# throw it away. Above we kept nothing. Here we also ask the garbage collector to throw away all it can.
+# You may read that you must keep a timer in an attribute, as in `self.timer = self.create_timer(...)`, or the garbage
+# collector removes it. Above we kept nothing. Here we also run the collector.
 
 # %%
 import gc
@@ -227,15 +254,15 @@ await run(forgetful, seconds=5, until=lambda: forgetful.ticks == 5)
 print("ticks after the garbage collection:", forgetful.ticks)
 
 # %% [markdown]
-# It ticks. In rclpy the node keeps its timers. The rule is true for C++, where it comes from. An attribute is still
-# handy, if you want to stop the timer later with `self.timer.cancel()`.
+# It ticks: in rclpy the node keeps its timers. In C++ the rule is true. An attribute is still handy, if you want to stop
+# the timer later with `self.timer.cancel()`.
 
 # %% [markdown]
 # ## Change it
 #
-# Waiting a minute to count sixty ticks is dull. **Robot time** helps: a ROS node can take the time from a topic,
-# `/clock`, and not from the clock on the wall. `record` starts a program like this and publishes a `/clock` that runs
-# ten to twenty times as fast, so the node lives through a minute in a few seconds, and its timers cannot tell.
+# Counting sixty ticks takes a minute. **Simulated time** makes it faster: a ROS node can take the time from a topic,
+# `/clock`, and not from the computer's clock. `record` starts a program in this way, and publishes a `/clock` that runs ten
+# to twenty times as fast. So the node lives through a minute in a few seconds. We call this **robot time**.
 
 # %% [markdown] prediction="half-a-hertz"
 # ### Experiment 1: half a hertz
@@ -301,7 +328,13 @@ for hertz in (0.5, 1, 5, 100):
 predict("two-timers-due")
 
 # %%
-both = record(blink_and_beep, {BLINK: 1.0, BEEP: 2.0}, seconds=60, blink_period_s=1.0, beep_period_s=2.0)
+both = record(
+    blink_and_beep,
+    {BLINK: 1.0, BEEP: 2.0},
+    seconds=60,
+    blink_period_s=1.0,
+    beep_period_s=2.0,
+)
 print(len(arrivals(both, BLINK)), "blinks and", len(arrivals(both, BEEP)), "beeps")
 reveal(
     "two-timers-due",
@@ -310,12 +343,15 @@ reveal(
 )
 
 # %%
-ten_seconds = {name: [t for t in arrivals(both, name) if t < 10.5] for name in (BLINK, BEEP)}
+ten_seconds = {
+    name: [t for t in arrivals(both, name) if t < 10.5] for name in (BLINK, BEEP)
+}
 for name, moments in ten_seconds.items():
     print(name, "at", [round(moment) for moment in moments], "s")
 show(
     strip(ten_seconds, periods={BLINK: 1.0, BEEP: 2.0}, end=10.5),
-    "ten seconds of robot time: a blink every second, and a beep with every second blink",
+    "ten seconds of robot time: a blink every second, and a beep with every second "
+    "blink",
 )
 
 # %% [markdown]
@@ -326,7 +362,7 @@ show(
 # %% [markdown] prediction="the-long-beep"
 # ### Experiment 3: a callback that takes its time
 #
-# What if one is *not* done quickly? The node blinks every 0.2 s. Every 2 s it beeps, and this beep takes 1.1 s. In
+# What if one callback is *not* quick? The node blinks every 0.2 s. Every 2 s it beeps, and this beep takes 1.1 s. In
 # that time five blinks are due. What becomes of them?
 #
 # - **a** They all come in a burst when the beep is over.
@@ -350,7 +386,9 @@ predict("the-long-beep")
 
 # %%
 long_beep = {"blink_period_s": 0.2, "beep_period_s": 2.0, "beep_takes_s": 1.1}
-slow = record(blink_and_beep, {BLINK: 0.2, BEEP: 2.0}, seconds=8.5, clock="wall", **long_beep)
+slow = record(
+    blink_and_beep, {BLINK: 0.2, BEEP: 2.0}, seconds=8.5, clock="wall", **long_beep
+)
 
 blinks, beeps = arrivals(slow, BLINK), arrivals(slow, BEEP)
 show(
@@ -377,15 +415,15 @@ reveal(
 # Five blinks were due while the robot beeped, and four of them never came. When the beep is over, the blink timer sees
 # that it is late and ticks once. Then it goes back to its plan. Missed ticks are **dropped**.
 #
-# That is a kind design. A robot that has been busy wants to know its tilt *now*, not five times over what it should
-# have measured a while ago.
+# This design suits a robot. After a busy time it needs its tilt *now*, not five readings at once.
 #
-# But for 1.1 s this robot felt nothing. Keep callbacks short. What to do with work that is long is lesson 10.
+# But for 1.1 s this robot measured nothing. Keep callbacks short. Lesson 10 shows what to do with long work.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **A pair of parentheses too many.** What does this say?
+# **One pair of parentheses too many.** What does this say?
+
 
 # %% tags=["raises-exception"]
 class Eager(Node):
@@ -407,6 +445,7 @@ await run(eager, seconds=1)
 # being made. It returns `None`, and that is what the timer got as its callback. rclpy notices when the timer ticks for
 # the first time, not where the mistake is. Without the parentheses you hand over the method itself:
 
+
 # %%
 class Patient(Node):
     """Blinks ten times a second."""
@@ -425,7 +464,7 @@ await run(patient, seconds=5, until=lambda: patient.blinks == 3)
 print("blinks:", patient.blinks)
 
 # %% [markdown]
-# **Silence.** This node has a timer, all is spelled well, and nothing happens.
+# **Silence.** This node has a timer, every name is right, and nothing happens.
 
 # %%
 silent = fresh(Patient)
@@ -433,8 +472,8 @@ time.sleep(1.0)
 print("blinks after a second:", silent.blinks)
 
 # %% [markdown]
-# Nobody lets the node work. A timer is an entry in a list, and somebody has to look into it: `rclpy.spin(node)` in a
-# program, `run(node)` in these lessons. Here is the same node, with somebody who looks:
+# No executor serves the node. A timer only says when it is due. `rclpy.spin(node)` in a program, or `run(node)` in these
+# lessons, calls its callback. Here the same node is spun:
 
 # %%
 await run(silent, seconds=5, until=lambda: silent.blinks == 3)
@@ -472,7 +511,7 @@ await run(guide, seconds=4.25)
 print(guide.done.count("step"), "steps,", guide.done.count("look"), "looks")
 
 # %% [markdown]
-# **Faded.** The guide shall talk as well, at 0.8 Hz. Fill in what is `...`. Until then the cell runs, and says what is
+# **Faded.** The guide also talks, at 0.8 Hz. Fill in what is `...`. Until then the cell runs, and says what is
 # missing.
 
 # %%
@@ -519,7 +558,7 @@ else:
 # </details>
 # <details><summary>c) Once, after a quarter of a second</summary>
 #
-# ✗ A timer goes on until it is cancelled or its node is gone.
+# ✗ A timer goes on until it is canceled or its node is gone.
 #
 # </details>
 #
@@ -571,7 +610,7 @@ else:
 # ✓ The node keeps it. Your node still has to be spun, of course.
 #
 # </details>
-# <details><summary>c) It ticks once, because nobody can reach it any more</summary>
+# <details><summary>c) It ticks once, because your code cannot reach it any more</summary>
 #
 # ✗ You cannot reach it, but the node can: `node.timers` lists all it has.
 #
@@ -589,7 +628,7 @@ else:
 #
 # The distance timer is due every 50 ms. While a picture is saved, its ticks wait: the first one comes late, and up to
 # three are dropped. So there is a hole of up to a quarter of a second (the work and one period), once a second, and
-# no burst afterwards. Whether that matters depends on how fast the robot drives: at 1 m/s it is 25 cm. Ways out: make
+# no burst after it. Whether that matters depends on how fast the robot drives: at 1 m/s it is 25 cm. Ways out: make
 # the callback short (hand the picture to a thread or to another process that saves it), or let the two callbacks run
 # in different threads (another executor and callback group, lesson 10). Making the timer faster does not help. Good
 # answers also ask whether the picture must be saved on this robot at all.
@@ -600,7 +639,7 @@ else:
 # ## Take away
 #
 # - `create_timer(period, callback)`: the period is in seconds, and hertz is 1 divided by it.
-# - A timer keeps a plan. It trembles (jitter), but it does not drift; a loop that sleeps does.
+# - A timer keeps a plan. It has jitter, but it does not drift. A loop that sleeps does.
 # - One node can have many timers. They share one thread and take turns.
 # - A slow callback makes others late. Missed ticks are dropped, they do not come in a burst.
 # - Hand over the callback without parentheses, and spin the node.

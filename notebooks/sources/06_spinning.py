@@ -1,18 +1,17 @@
 # %% [markdown]
 # # 06 · Spinning
 #
-# A robot that nobody spins has ears and clocks, and does nothing: spinning is what lets its callbacks run.
+# A node that is not spun has timers and subscriptions, and does nothing. Spinning lets its callbacks run.
 #
-# - **Minutes:** 40
+# - **Minutes:** 50
 # - **You need:** lessons [04](04_subscriptions_and_callbacks.ipynb) and [05](05_timers.ipynb): what a subscription and
 #   a timer call
-# - **You will be able to:** say what `spin` and `spin_once` do, turn the crank of a node by hand, give every wait an
-#   end, and recognize five ways to get stuck
+# - **You will be able to:** say what `spin` and `spin_once` do, spin a node step by step, give every wait an end, and
+#   recognize five ways to get stuck
 # - **Left out:** several threads that share the work (lesson 10), services (lesson 12)
 
 # %% [markdown]
-# Here is a robot that you crank by hand. Both of its arms have timers. For two seconds we do nothing. Then we
-# turn the crank sixty times: each `spin_once` is one turn. Watch the arms.
+# Both arms of this robot have timers. For two seconds we do nothing. Then we call `spin_once` sixty times. Watch the arms.
 
 # %%
 import time
@@ -31,21 +30,21 @@ figure_of_it = LiveFigure("a humanoid robot that moves its arms while it is spun
 at_first = list(arms.angles)
 figure_of_it.show(humanoid.draw(arms.angles))
 time.sleep(2.0)
-print("moved while nobody turned the crank:", list(arms.angles) != at_first)
+print("moved while no one called spin_once:", list(arms.angles) != at_first)
 
 for _ in range(60):
     rclpy.spin_once(arms, timeout_sec=0.1)
     figure_of_it.show(humanoid.draw(arms.angles))
-print("moved while somebody did:", list(arms.angles) != at_first)
+print("moved while we did:             ", list(arms.angles) != at_first)
 
 # %% [markdown]
-# You were the engine of this robot. In a real program `rclpy.spin` turns the crank for you. This lesson is about what
-# happens in one turn.
+# Your calls drove this robot. In a real program `rclpy.spin` does that. This lesson is about what happens in one
+# iteration, one `spin_once`.
 
 # %% [markdown] prediction="five-words"
 # ## Predict
 #
-# A robot listens on `/robot/words`. Somebody says five words. They have arrived, and wait in the robot's queue. Then
+# A robot subscribes to `/robot/words`. Five words were published. They have arrived, and wait in the robot's queue. Then
 # this line runs, once:
 #
 # ```python
@@ -79,7 +78,7 @@ predict("five-words")
 # around, and it repeats each word that it hears. It keeps all that in a list, `robot.done`. For now both timers
 # are so slow that only the words matter.
 #
-# First we speak, and do not spin at all.
+# First we publish, and do not spin at all.
 
 # %% id="forgotten-spin"
 from rclpy.node import Node
@@ -104,7 +103,7 @@ def say(*words):
     end = time.monotonic() + 10.0
     while mouth.get_subscription_count() == 0:
         if time.monotonic() > end:
-            raise TimeoutError("nobody listens on /robot/words")
+            raise TimeoutError("no subscription on /robot/words")
         time.sleep(0.01)
     for word in words:
         mouth.publish(String(data=word))
@@ -117,8 +116,8 @@ time.sleep(1.0)
 print("heard after more than a second:", robot.done)
 
 # %% [markdown]
-# Silence. No error, no warning: this is what a **forgotten spin** looks like. Speaking worked, though: `publish` needs
-# nobody to spin. Now one turn of the crank, and then four more.
+# No callback, no error, no warning: this is what a **forgotten spin** looks like. Publishing worked, because `publish` needs
+# no spin. Now one iteration, and then four more.
 
 # %% id="one-is-not-all"
 rclpy.spin_once(robot, timeout_sec=0.5)
@@ -126,36 +125,34 @@ print("after one spin_once:", robot.done)
 reveal("five-words", heard=len(robot.done))
 
 # %%
-for turn in range(4):
+for call in range(4):
     rclpy.spin_once(robot, timeout_sec=0.5)
-    print(f"after {turn + 2}:", robot.done)
+    print(f"after {call + 2}:", robot.done)
 
 # %% [markdown]
 # ## Look inside
 #
-# A message that arrives does not call you. The DDS layer puts it into the queue of the subscription, in a thread of its
-# own, and that is all. A timer does not call you either: it only knows when it is due. Both wait until somebody asks.
-#
-# The one who asks is the **executor**. `rclpy.spin_once(node)` lends the node to it for one turn:
+# A message that arrives does not call your callback. DDS puts it into the subscription's queue, in a thread of its own. A
+# timer does not call your callback either: it only knows when it is due. Both wait for the **executor**.
+# `rclpy.spin_once(node)` gives the node to an executor for one iteration:
 #
 # 1. Is something ready: a message in a queue, a timer that is due? If not, wait until something is, or until the
 #    timeout is over.
-# 2. Take **one** ready thing and run its callback, in the very thread that called `spin_once`.
-# 3. Come back. It returns `None`, whether a callback ran or not.
+# 2. Take **one** ready thing and run its callback, in the thread that called `spin_once`.
+# 3. Return `None`, whether a callback ran or not.
 #
-# And `rclpy.spin(node)`? Leave out the book-keeping, and this is the whole of it:
+# `rclpy.spin(node)` is in essence:
 #
 # ```python
 # while rclpy.ok():
 #     executor.spin_once()
 # ```
 #
-# So spinning is no magic in the background. It is *your* thread, which goes round a loop. That is why it is called the
-# heartbeat of a node.
+# So spinning happens in *your* thread, and not in the background.
 #
-# Now with timers. The heart beats every 1.0 s, the robot looks around every 2.1 s, and three words are said. Then both
-# timers start anew (`reset`), and we look away for 2.2 s. Now much is ready: both timers are due and three words wait.
-# We turn the crank eight times, and note what ran in each turn and how long it waited.
+# Now with timers. The heart beats every 1.0 s, the robot looks around every 2.1 s, and three words are published. Both
+# timers start anew (`reset`), and we wait 2.2 s without spinning. Then both timers are due and three words wait. We call
+# `spin_once` eight times, and note what ran in each call and how long it waited.
 
 # %%
 robot = fresh(AttentiveRobot)
@@ -164,14 +161,14 @@ for timer in robot.timers:
     timer.reset()
 time.sleep(2.2)
 
-turns = []
-for turn in range(1, 9):
+calls = []
+for call in range(1, 9):
     before, began = len(robot.done), time.monotonic()
     rclpy.spin_once(robot, timeout_sec=2.0)
-    turns.append((turn, robot.done[before:], time.monotonic() - began))
+    calls.append((call, robot.done[before:], time.monotonic() - began))
 
-for turn, ran, _ in turns:
-    print(f"call {turn}: {len(ran)} callback: {', '.join(ran)}")
+for call, ran, _ in calls:
+    print(f"call {call}: {len(ran)} callback: {', '.join(ran)}")
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -179,68 +176,90 @@ from workbook.pictures.palette import AMBER, BLUE, GREEN, RED
 
 ROWS = {"heard": BLUE, "look": AMBER, "beat": GREEN}
 fig, (above, below) = figure(6.4, 3.6, rows=2)
-for turn, ran, waited in turns:
+for call, ran, waited in calls:
     kind, _, word = ran[0].partition(" ")
     row = list(ROWS).index(kind)
-    above.plot(turn, row, "s", markersize=16, color=ROWS[kind])
-    above.annotate(word, (turn, row - 0.75), ha="center", fontsize=9)
-    below.bar(turn, waited, color=BLUE, width=0.5)
-above.set(yticks=range(3), yticklabels=ROWS, ylim=(-1.0, 2.6), xticks=range(1, 9), xlim=(0.4, 8.6))
-below.set(xlabel="call of spin_once", ylabel="waited (s)", xticks=range(1, 9), xlim=(0.4, 8.6))
+    above.plot(call, row, "s", markersize=16, color=ROWS[kind])
+    above.annotate(word, (call, row - 0.75), ha="center", fontsize=9)
+    below.bar(call, waited, color=BLUE, width=0.5)
+above.set_title("one callback per call; when nothing is ready, the call waits")
+above.set(
+    yticks=range(3),
+    yticklabels=ROWS,
+    ylim=(-1.0, 2.6),
+    xticks=range(1, 9),
+    xlim=(0.4, 8.6),
+)
+below.set(
+    xlabel="call of spin_once", ylabel="waited (s)", xticks=range(1, 9), xlim=(0.4, 8.6)
+)
 for axes in (above, below):
     axes.grid(False, axis="x")
-show(fig, "calls 1 to 5 ran beat, look and three words at once; calls 6 to 8 waited for beat, beat and look")
+show(
+    fig,
+    "calls 1 to 5 ran beat, look and three words at once; calls 6 to 8 waited for "
+    "beat, beat and look",
+)
 
 # %%
-waits = [waited for _, _, waited in turns]
-print("each call ran one callback:", all(len(ran) == 1 for _, ran, _ in turns))
-print("the last three waited longer than the first five:", sum(waits[5:]) > sum(waits[:5]))
+waits = [waited for _, _, waited in calls]
+print("each call ran one callback:", all(len(ran) == 1 for _, ran, _ in calls))
+print(
+    "the last three waited longer than the first five:", sum(waits[5:]) > sum(waits[:5])
+)
 
 # %% [markdown]
-# Read it from left to right. Calls 1 and 2 take the timers, call 3 a word. Of the words one is taken each time, in the
-# order in which they came. From call 6 on nothing is ready any more, so `spin_once` *waits*, and wakes up on the very
-# moment at which the next timer is due.
+# Calls 1 and 2 run the timers' callbacks, calls 3 to 5 the words, in the order in which they came. From call 6 on nothing is
+# ready, so `spin_once` *waits*, and returns soon after the next timer is due.
 #
-# Which of the ready things comes first is the executor's business: in this version timers come before messages. Do not
-# build on it. Note also what is missing: the heart was due at 1.0 s *and* at 2.0 s, and beat once. You know
-# why from [lesson 05](05_timers.ipynb).
+# In this version timers come before messages. Do not build on that. Note what is missing: the heart was due at 1.0 s *and*
+# at 2.0 s, and beat once. You know why from [lesson 05](05_timers.ipynb).
+#
+# | executor | what it does |
+# |---|---|
+# | `SingleThreadedExecutor` | one thread, one callback at a time. `rclpy.spin` uses it |
+# | `MultiThreadedExecutor` | several threads (lesson 10) |
+# | `EventsExecutor` (`rclpy.experimental`) | never called a timer or a subscription in this build, when we tried it: do not use it here |
 
 # %% [markdown]
 # ## Change it
 #
-# What follows can get stuck, on purpose. So each piece runs as a program of its own behind a **watchdog**, which ends
-# it when nothing has come from it for four seconds. `try_out` prints what the program said, and how it ended.
+# What follows can get stuck, on purpose. So each piece runs as a program of its own behind a **watchdog**, which ends it when
+# it has printed nothing for four seconds. The pieces are the functions of
+# [lesson_nodes/ways_to_spin.py](../lesson_nodes/ways_to_spin.py). `try_out` shows one of them, runs it with a new node, and
+# says how it ended.
 
 # %%
+import inspect
+
+from lesson_nodes import ways_to_spin
 from workbook.lesson import run_program
 
-HEAD = """
-import threading
-import time
 
-import rclpy
-from rclpy.node import Node
-from rclpy.task import Future
-
-rclpy.init()
-node = Node("robot")
-"""
-
-
-def try_out(code, interrupt_at=None):
-    """Run a program; print its words (of a traceback only the error), and how it ended."""
-    seen = run_program(HEAD + code, silence=4.0, interrupt_at=interrupt_at)
+def try_out(way, *numbers, interrupt_at=None, show_code=True):
+    """Show a function, run it as a program; print its words and how it ended."""
+    if show_code:
+        print(inspect.getsource(way))
+    seen = run_program(
+        ways_to_spin,
+        arguments=[way.__name__, *map(str, numbers)],
+        silence=4.0,
+        interrupt_at=interrupt_at,
+    )
     for line in seen.log.splitlines():
         if line.strip() and not line.startswith((" ", "Traceback")):
             print("  |", line)
     if seen.ended_by == "bench":
         print("the watchdog had to end it")
     else:
-        print("it ended with", f"signal {seen.signal}" if seen.signal else f"exit code {seen.exit}")
+        print(
+            "it ended with",
+            f"signal {seen.signal}" if seen.signal else f"exit code {seen.exit}",
+        )
     return seen
 
 
-_ = try_out('print("I am", node.get_name())')
+_ = try_out(ways_to_spin.with_timeout, 0.5)
 
 # %% [markdown] prediction="no-timeout"
 # ### Experiment 1: no timeout
@@ -260,94 +279,85 @@ _ = try_out('print("I am", node.get_name())')
 predict("no-timeout")
 
 # %% id="no-timeout"
-seen = try_out("""
-print("before", flush=True)
-rclpy.spin_once(node)
-print("after", flush=True)
-""")
+seen = try_out(ways_to_spin.no_timeout)
 reveal("no-timeout", came_back="after" in seen.log)
 
 # %% [markdown]
-# "once" means *one callback*, not *one look*. Without a timeout it waits for that callback as long as it takes. Here
-# nothing will ever be ready, so that is forever. The word "after" never comes.
+# "once" means *one callback*. Without a timeout it waits for that callback as long as it takes. Here nothing will ever be
+# ready, so it never returns. As long as a node has a timer, you do not notice this fault.
 #
-# Mind that this bug hides: as long as the robot has a timer, something is ready soon. It shows when the robot falls
-# silent.
-
-# %%
-_ = try_out("""
-print("before", flush=True)
-rclpy.spin_once(node, timeout_sec=0.5)  # turn this knob
-print("after", flush=True)
-""")
-
-# %% [markdown]
-# In a notebook, in a test, in every program that has something else to do: **always give `timeout_sec`**.
+# In a notebook, in a test, in every program with other work to do: **always give `timeout_sec`**.
 
 # %% [markdown] prediction="timeout-zero"
-# ### Experiment 2: the other end of the knob
+# ### Experiment 2: a timeout of 0
 #
-# If waiting is dangerous, why wait at all? With `timeout_sec=0` the call only looks, and comes back at once. Three
-# loops serve the same 10 Hz timer until it has ticked twenty times, with timeouts of 0, 0.01 and 0.1 s. What do you
+# If waiting is dangerous, why wait at all? With `timeout_sec=0` the call only polls, and returns at once. Three loops serve the same 10 Hz timer until it has ticked twenty times, with timeouts of 0, 0.01 and 0.1 s. What do you
 # expect of the first?
 #
 # - **a** It takes as long, and keeps a processor busy all the time.
 #   when `soonest_s > 1.9 and times_as_many_calls > 5`
 #   ✓ The ticks come when they are due, so it takes as long. In between, the loop never sleeps.
-# - **b** It takes as long, and hardly more work: looking costs nothing.
+# - **b** It takes as long, and hardly more work: polling costs nothing.
 #   when `soonest_s > 1.9 and times_as_many_calls <= 5`
 #   ✗ Each call asks the middleware what is ready. One call is cheap, many thousands a second are not.
-# - **c** It has its twenty ticks before the others, for it looks more often.
+# - **c** It has its twenty ticks before the others, because it polls more often.
 #   when `soonest_s <= 1.9`
-#   ✗ The timer decides when a tick is due. To ask more often does not bring it forward.
+#   ✗ The timer decides when a tick is due. Polling more often does not make it due earlier.
 
 # %%
 predict("timeout-zero")
 
 # %%
-METER = """
-ticks = []
-node.create_timer(0.1, lambda: ticks.append(1))
-turns, busy, begin = 0, time.process_time(), time.monotonic()
-while len(ticks) < 20:
-    rclpy.spin_once(node, timeout_sec=TIMEOUT)
-    turns += 1
-print(turns, time.monotonic() - begin, time.process_time() - busy)
-"""
+print(inspect.getsource(ways_to_spin.twenty_ticks))
 
 meters = {}
 for timeout_s in (0, 0.01, 0.1):
-    seen = run_program(HEAD + METER.replace("TIMEOUT", str(timeout_s)))
+    seen = run_program(ways_to_spin, arguments=["twenty_ticks", str(timeout_s)])
     meters[timeout_s] = tuple(map(float, seen.log.split()[-3:]))
 
 fig, axes = figure(6.4, 2.4)
-for row, (turn_count, took_s, busy_s) in enumerate(meters.values()):
+for row, (iterations, took_s, busy_s) in enumerate(meters.values()):
     share = busy_s / took_s
     axes.barh(row, 100 * share, color=GREEN if row else RED, height=0.55)
-    axes.annotate(f" {turn_count:,.0f} turns", (100 * share, row), va="center", fontsize=9)
+    axes.annotate(
+        f" {iterations:,.0f} iterations", (100 * share, row), va="center", fontsize=9
+    )
 names = [f"timeout_sec={timeout_s}" for timeout_s in meters]
-axes.set(yticks=range(3), yticklabels=names, xlabel="share of one processor (%)", xlim=(0, 135))
+axes.set(
+    yticks=range(3),
+    yticklabels=names,
+    xlabel="share of one processor (%)",
+    xlim=(0, 135),
+)
 axes.set_xticks(range(0, 101, 25))
+axes.set_title("a timeout of 0 keeps a processor busy")
 axes.grid(False, axis="y")
 axes.invert_yaxis()
-show(fig, "the loop with timeout 0 takes most of a processor for thousands of turns, the others hardly anything")
+show(
+    fig,
+    "the loop with timeout 0 takes most of a processor for thousands of iterations, "
+    "the others hardly anything",
+)
 
 # %% id="busy-loop"
 soonest = min(took_s for _, took_s, _ in meters.values())
-print("nobody had twenty ticks before two seconds were over:", soonest > 1.9)
-rounds = {timeout_s: turn_count for timeout_s, (turn_count, _, _) in meters.items()}
-print("timeout 0 went round more than 5 times as often as 0.1 s:", rounds[0] > 5 * rounds[0.1])
+print("no loop had twenty ticks before two seconds were over:", soonest > 1.9)
+rounds = {timeout_s: iterations for timeout_s, (iterations, _, _) in meters.items()}
+print(
+    "timeout 0 went round more than 5 times as often as 0.1 s:",
+    rounds[0] > 5 * rounds[0.1],
+)
 reveal("timeout-zero", soonest_s=soonest, times_as_many_calls=rounds[0] / rounds[0.1])
 
 # %% [markdown]
-# This is called a **busy loop**. On a robot with a battery it is a heater. And a longer timeout makes nothing slower: a
-# callback that becomes ready ends the wait at once, as you saw in the stepper. A timeout is how long you can stand
-# *nothing* to happen. It is no period.
+# This is called a **busy loop**. On a robot it empties the battery. A longer timeout makes nothing slower: a callback that
+# becomes ready ends the wait at once. A timeout is the longest you are willing to wait when nothing happens. It is not a
+# period.
 
 # %% [markdown] prediction="after-spin"
 # ### Experiment 3: what comes after `spin`
 #
-# The robot shall park its arm at the end:
+# The robot must park its arm at the end:
 #
 # ```python
 # rclpy.spin(node)
@@ -359,7 +369,7 @@ reveal("timeout-zero", soonest_s=soonest, times_as_many_calls=rounds[0] / rounds
 # - **a** At once: `spin` starts the node in the background, and the program goes on.
 #   when `parked_by_itself`
 #   ✗ `spin` runs in this thread, and returns only when the context is shut down. There is no background.
-# - **b** When somebody presses Ctrl-C.
+# - **b** After Ctrl-C.
 #   when `parked_after_ctrl_c and not parked_by_itself`
 #   ✗ Ctrl-C does end `spin`, but with the exception `KeyboardInterrupt`. The line after it is skipped.
 # - **c** Never.
@@ -371,20 +381,10 @@ reveal("timeout-zero", soonest_s=soonest, times_as_many_calls=rounds[0] / rounds
 predict("after-spin")
 
 # %% id="after-spin"
-PARK = """
-def tick():
-    print("tick", flush=True)
-    timer.cancel()
-
-timer = node.create_timer(0.2, tick)
-rclpy.spin(node)
-print("arm parked", flush=True)
-"""
-
-print("nobody presses Ctrl-C:")
-alone = try_out(PARK)
+print("without Ctrl-C:")
+alone = try_out(ways_to_spin.park_after_spin)
 print("\nCtrl-C after the first tick:")
-seen = try_out(PARK, interrupt_at="tick")
+seen = try_out(ways_to_spin.park_after_spin, interrupt_at="tick", show_code=False)
 print("\nthe arm was parked:", "arm parked" in seen.log)
 reveal(
     "after-spin",
@@ -393,227 +393,100 @@ reveal(
 )
 
 # %% [markdown]
-# `spin` does not come back while ROS is up. And on Ctrl-C it does not come back either: it is *left*, by a
-# `KeyboardInterrupt`, and the line after it is jumped over. What must be done at the end belongs in `finally`:
+# `spin` does not return while the context is up. On Ctrl-C it does not return either: it raises `KeyboardInterrupt`, which
+# skips the next line. What must be done at the end belongs in `finally`:
 
 # %%
-_ = try_out(
-    """
-def tick():
-    print("tick", flush=True)
-    timer.cancel()
-
-timer = node.create_timer(0.2, tick)
-try:
-    rclpy.spin(node)
-except KeyboardInterrupt:
-    pass
-finally:
-    print("arm parked", flush=True)
-    rclpy.try_shutdown()
-""",
-    interrupt_at="tick",
-)
+_ = try_out(ways_to_spin.park_in_finally, interrupt_at="tick")
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Spinning inside a callback.** A planner needs a map. Another callback of the same node will deliver it, after 0.3 s.
-# "I wait for it right here", thinks the planner, in its own callback.
+# **Spinning inside a callback.** A planner needs a map. Another callback of the same node will deliver it, after 0.3 s. The
+# planner waits for it in its own callback.
 
 # %% id="spin-in-callback"
-_ = try_out("""
-map_is_there = Future()
-node.create_timer(0.3, lambda: map_is_there.done() or map_is_there.set_result("a map"))
-
-def plan():
-    planner.cancel()
-    rclpy.spin_until_future_complete(node, map_is_there, timeout_sec=1.0)
-    print("after 1 s of waiting in the callback:", map_is_there.done(), flush=True)
-
-planner = node.create_timer(0.1, plan)
-end = time.monotonic() + 2.0
-while time.monotonic() < end:
-    rclpy.spin_once(node, timeout_sec=0.1)
-print("when the callback was over:", map_is_there.done(), flush=True)
-""")
+_ = try_out(ways_to_spin.wait_in_callback)
 
 # %% [markdown]
-# `spin_until_future_complete(node, future)` spins until somebody gives the **future** its result: a slot for a value
-# that is still to come. But the callbacks of a node take turns. As long as `plan` runs, none of its sisters may, the
-# one that delivers the map included. Without the timeout, this program would stand still for good, and no error would
-# say so.
+# A **future** is a slot for a value that is still to come. `spin_until_future_complete(node, future)` spins until it has its
+# result. But only one callback of this node runs at a time. While `plan` runs, the one that delivers the map cannot.
+# Without the timeout, this program would hang, and no error would say so.
 #
-# The way out: do not wait. Say what is to be done *when* the map is there, and come back:
+# The fix: do not wait. Say what to do *when* the map is there, and return:
 
 # %%
-_ = try_out("""
-map_is_there = Future()
-node.create_timer(0.3, lambda: map_is_there.done() or map_is_there.set_result("a map"))
-
-def plan():
-    planner.cancel()
-    map_is_there.add_done_callback(lambda future: print("planning with", future.result(), flush=True))
-
-planner = node.create_timer(0.1, plan)
-rclpy.spin_until_future_complete(node, map_is_there)
-rclpy.spin_once(node, timeout_sec=0.1)
-""")
+_ = try_out(ways_to_spin.go_on_later)
 
 # %% [markdown]
-# At the top level of a program, outside of callbacks, `spin_until_future_complete` is a good tool. You see it here.
+# Outside of callbacks, as in the last lines above, `spin_until_future_complete` is a good tool.
 #
-# **A rate that nobody feeds.** From ROS 1, or from a colleague, comes this loop:
+# **A rate without a spin.** This loop is a habit from ROS 1:
 
 # %% id="rate-on-main-thread"
-_ = try_out("""
-rate = node.create_rate(10)
-for _ in range(5):
-    print("step", flush=True)
-    rate.sleep()
-""")
+_ = try_out(ways_to_spin.rate_without_spin)
 
 # %% [markdown]
-# One step, and then silence. A rate is a timer in disguise: its `sleep` waits until that timer ticks. Timers tick while
-# somebody spins, and the only one who could is asleep. It works beside a thread that spins. A timer with a callback, as
-# in lesson 05, needs no second thread.
+# One step, and then nothing. A rate waits for a timer of the node. Timers are served while a thread spins, and the only
+# thread sleeps. Use a timer with a callback, as in lesson 05.
 #
 # **Two spins.** Two arms, two nodes, so two threads that spin?
 
 # %% id="two-spins"
-_ = try_out("""
-other = Node("other")
-ticks = {"robot": 0, "other": 0}
-
-def count(name):
-    ticks[name] += 1
-
-node.create_timer(0.1, lambda: count("robot"))
-other.create_timer(0.1, lambda: count("other"))
-
-first = threading.Thread(target=rclpy.spin, args=(node,), name="spin 1")
-second = threading.Thread(target=rclpy.spin, args=(other,), name="spin 2")
-first.start()
-time.sleep(0.5)
-second.start()
-time.sleep(1.0)
-print("robot ticks:", ticks["robot"] > 0, flush=True)
-print("other keeps ticking:", ticks["other"] > 3, flush=True)
-rclpy.shutdown()
-""")
+_ = try_out(ways_to_spin.two_spins)
 
 # %% [markdown]
-# `generator already executing` is Python's way to say: two threads are inside of one executor. Unless you hand it another
-# one, `rclpy.spin` uses the same **global executor** each time, and that one cannot be shared. The second thread
-# dies, its node is deaf, and the program goes on as if nothing had happened.
+# `generator already executing` means: two threads are inside one executor. Without an executor of its own, `rclpy.spin` uses
+# the **global executor**, and that one cannot be shared. The second thread dies, its node is deaf, and the program goes on.
 #
 # One executor can serve many nodes. One thread is enough:
 
 # %%
-_ = try_out("""
-from rclpy.executors import SingleThreadedExecutor
-
-other = Node("other")
-ticks = {"robot": 0, "other": 0}
-
-def count(name):
-    ticks[name] += 1
-
-node.create_timer(0.1, lambda: count("robot"))
-other.create_timer(0.1, lambda: count("other"))
-
-executor = SingleThreadedExecutor()
-executor.add_node(node)
-executor.add_node(other)
-end = time.monotonic() + 1.0
-while time.monotonic() < end:
-    executor.spin_once(timeout_sec=0.1)
-print("both tick:", min(ticks.values()) > 0)
-""")
+_ = try_out(ways_to_spin.one_executor)
 
 # %% [markdown]
-# **A thread left behind.** One thread that spins, while the main program does something else: that is fine, and common.
-# But how does it end?
+# **A thread left behind.** One thread spins, while the main program does something else. That is common. But how does it
+# end?
 
 # %% id="thread-at-exit" tags=["nbval-ignore-output"]
-LEFT = """
-node.create_timer(0.05, lambda: None)
-threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()
-time.sleep(0.5)
-print("the work is done", flush=True)
-"""
-left_behind = try_out(LEFT)
+left_behind = try_out(ways_to_spin.thread_left_behind)
 
 # %%
 print("it did its work:", "the work is done" in left_behind.log)
 print("and then it crashed:", left_behind.signal is not None)
 
 # %% [markdown]
-# The work is done, and then the program *aborts*. When Python goes down, it takes the thread away in the middle of C++
-# code that is not prepared for it: `terminate called without an active exception`, or once in a while another last cry,
-# depending on what the thread was at. In a terminal you see `Aborted (core dumped)`, and a service manager sees a crash at
-# each stop. A node without timers may get away with it, which makes it a nasty bug.
+# The work is done, and then the program *aborts*: at its end, Python stops the thread in the middle of C++ code. You see
+# `terminate called without an active exception` or another error, and a service manager sees a crash at each stop.
 #
-# Whoever starts a thread ends it: first shut the executor down, so that `spin` comes back, then wait for the thread.
+# Code that starts a thread must also end it. First shut the executor down, so that `spin` returns. Then wait for the thread.
 
 # %%
-_ = try_out("""
-from rclpy.executors import SingleThreadedExecutor
-
-node.create_timer(0.05, lambda: None)
-executor = SingleThreadedExecutor()
-executor.add_node(node)
-thread = threading.Thread(target=executor.spin)
-thread.start()
-time.sleep(0.5)
-print("the work is done", flush=True)
-executor.shutdown()  # spin comes back
-thread.join()        # wait until it has
-rclpy.shutdown()
-""")
+_ = try_out(ways_to_spin.thread_ended)
 
 # %% [markdown]
-# **A timer that takes every turn.** It is due every 10 ms, and its callback takes 20 ms. So it is always ready. Five
-# messages wait, and we spin for two seconds. In the first loop a turn may wait for all the time that is left, in the second
-# for 50 ms.
+# **A timer that takes every iteration.** It is due every 10 ms, and its callback takes 20 ms. So it is always ready. Five
+# messages wait, and we spin for two seconds: first with all the time that is left as the timeout, then with 50 ms.
 
 # %% id="unfair-turns"
-BUSY = """
-from std_msgs.msg import String
-
-heard = []
-node.create_timer(0.01, lambda: time.sleep(0.02))
-node.create_subscription(String, "/robot/words", lambda message: heard.append(message.data), 10)
-mouth = node.create_publisher(String, "/robot/words", 10)
-while mouth.get_subscription_count() == 0:
-    time.sleep(0.01)
-for word in ("stop", "wait", "turn", "wave", "walk"):
-    mouth.publish(String(data=word))
-time.sleep(0.2)  # by now the words are there, and the timer is overdue
-
-end = time.monotonic() + 2.0
-while (left := end - time.monotonic()) > 0:
-    rclpy.spin_once(node, timeout_sec=TIMEOUT)
-print("heard:", len(heard), "of 5")
-"""
-
 print("timeout_sec=left")
-_ = try_out(BUSY.replace("TIMEOUT", "left"))
-print("timeout_sec=0.05")
-_ = try_out(BUSY.replace("TIMEOUT", "0.05"))
+_ = try_out(ways_to_spin.busy_timer, 0)
+print("\ntimeout_sec=0.05")
+_ = try_out(ways_to_spin.busy_timer, 0.05, show_code=False)
 
 # %% [markdown]
-# When several things are ready, the executor serves all of them, one per call, before it looks again: timers first, then
-# subscriptions. But it begins a new round whenever it is called with *another timeout* than the time before. With `left`
-# that is each time, and each round begins with the timer. So give it the same timeout in each turn. (And a timer whose
-# callback takes longer than its period is a bug of its own: lesson 10.)
+# When several things are ready, the executor serves all of them, one per call, before it checks again. But it starts again
+# with the first timer when the timeout *differs* from the one before. With `left` that is each time. So use the same timeout
+# in each iteration. (A timer whose callback takes longer than its period is a fault by itself: lesson 10.)
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** "Wait until the robot has heard a word, but at most two seconds." Three things make such a loop
-# safe: a condition that ends it, a moment that ends it, and waits that are short and never longer than what is left.
-# (What is left is worked out once per turn, and looked at. A *negative* timeout waits for good, as none at all does.)
+# **Worked.** "Wait until the robot has heard a word, but at most two seconds." Three things make such a loop safe: a condition
+# that ends it, a time that ends it, and short waits with the *same* timeout. It may end one wait later than asked. Where
+# that matters, use `min(left, 0.1)`: then only the last wait is shorter. Compute `left` once per iteration, and check it: a
+# *negative* timeout waits forever.
+
 
 # %%
 def wait_until(node, is_so, seconds):
@@ -628,18 +501,25 @@ def wait_until(node, is_so, seconds):
 
 
 robot = fresh(slow_robot)
-print("heard a word in half a second of silence:", wait_until(robot, lambda: robot.done, 0.5))
+print(
+    "heard a word in half a second of silence:",
+    wait_until(robot, lambda: robot.done, 0.5),
+)
 say("stop", "wait")
-print("heard a word when there were some:       ", wait_until(robot, lambda: robot.done, 2.0))
+print(
+    "heard a word when there were some:       ",
+    wait_until(robot, lambda: robot.done, 2.0),
+)
 print(robot.done)
 
 # %% [markdown]
-# It came back after the first word, and left the second one in the queue. That is what the condition said.
+# It returned after the first word, and left the second one in the queue. That is what the condition said.
 #
 # **Faded.** Now all three words are wanted. Fill in what is `...`. Until then the cell runs, and says what is missing.
 
 # %%
-all_three = ...  # TODO: a function without arguments that says whether the robot has done three things
+# TODO: a function without arguments: has the robot done three things?
+all_three = ...
 
 robot = fresh(slow_robot)
 say("turn", "wave", "walk")
@@ -649,8 +529,8 @@ else:
     print("heard all three:", wait_until(robot, all_three, 2.0), robot.done)
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/06_spinning.ipynb) you write a pump: let a node work for so many seconds,
-# and come back. It is judged by a robot with timers, a burst of words, slow callbacks, and a robot that says nothing.
+# **Your own.** In the [exercise](../exercises/06_spinning.ipynb) you write a function that lets a node work for some seconds, and then
+# returns. It is judged by a robot with timers, a burst of words, slow callbacks, and a robot that says nothing.
 
 # %% [markdown]
 # ## Check yourself
@@ -669,7 +549,7 @@ else:
 # </details>
 # <details><summary>c) Twelve</summary>
 #
-# ✓ Ten messages and two ticks are twelve callbacks. And more, if the timers fall due again meanwhile.
+# ✓ Ten messages and two ticks are twelve callbacks. And more, if the timers are due again meanwhile.
 #
 # </details>
 #
@@ -677,7 +557,7 @@ else:
 #
 # <details><summary>a) At once</summary>
 #
-# ✓ The message ends the wait. The timeout says how long the loop can stand silence.
+# ✓ The message ends the wait. The timeout counts only when nothing comes.
 #
 # </details>
 # <details><summary>b) At the end of the half second</summary>
@@ -714,7 +594,7 @@ else:
 #
 # <details><summary>a) <code>rclpy.spin(left)</code>, and in the next line <code>rclpy.spin(right)</code></summary>
 #
-# ✗ The next line is not reached while ROS is up, and Ctrl-C jumps over it. `right` is never spun.
+# ✗ The next line is not reached while the context is up, and Ctrl-C skips it. `right` is never spun.
 #
 # </details>
 # <details><summary>b) Two threads, one with <code>rclpy.spin(left)</code> and one with <code>rclpy.spin(right)</code></summary>
@@ -733,7 +613,7 @@ else:
 #
 # Discuss this with a colleague or an AI assistant:
 #
-# > My program reads a joystick in a loop (`while True: read, publish, sleep 20 ms`) and shall also react to
+# > My program reads a joystick in a loop (`while True: read, publish, sleep 20 ms`) and must also react to
 # > `/emergency_stop`. Where do I put the spinning? Compare at least three ways.
 #
 # <details><summary>What a good answer contains</summary>
@@ -751,11 +631,11 @@ else:
 # %% [markdown]
 # ## Take away
 #
-# - Callbacks run while somebody spins, in the thread of the one who spins, and at no other time.
+# - Callbacks run only while a thread spins the node, and in that thread.
 # - `spin_once` runs one callback, and returns nothing; `spin` is a loop of it that ends with ROS.
-# - Give every `spin_once` a timeout that fits: none at all, or a negative one, blocks for good; 0 burns a processor.
-# - Do not spin or sleep inside a callback. Come back, and let another callback go on.
-# - One executor can serve many nodes. Whoever spins in a thread shuts the executor down and joins the thread.
+# - Give every `spin_once` the same short timeout. None, or a negative one, blocks forever; 0 keeps a processor busy.
+# - Do not spin or sleep inside a callback. Return, and let another callback go on.
+# - One executor can serve many nodes. If you spin in a thread, shut the executor down and join the thread.
 #
 # **Before:** [05 · Timers](05_timers.ipynb)
 #

@@ -4,7 +4,7 @@
 # A robot is many programs that must find each other, and agree on what they promise each other; when they do not, it
 # stands still, and no program has crashed.
 #
-# - **Minutes:** 50
+# - **Minutes:** 60
 # - **You need:** lessons 03 to 05: publishers, subscriptions, timers
 # - **You will be able to:** say why a subscription hears nothing, let a late program have the last status at once, keep
 #   the first message from being lost, and notice when somebody falls silent

@@ -73,3 +73,8 @@ def test_what_comes_next_is_a_lesson_that_exists() -> None:
     assert title.startswith("10")
     assert (ROOT / "exercises" / link).resolve().is_file()
     assert what_comes_next(ROOT, lessons[-1]) == ("", "")
+
+
+def test_an_optional_notebook_is_not_what_comes_next() -> None:
+    assert (ROOT / "notebooks" / "01_the_context_deeper.ipynb").is_file()
+    assert what_comes_next(ROOT, "01_the_context")[0].startswith("02")

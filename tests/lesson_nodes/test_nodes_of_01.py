@@ -9,7 +9,7 @@ from rclpy.context import Context
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.signals import SignalHandlerOptions
 
-from lesson_nodes import night_guard, radio_robot
+from lesson_nodes import ends_of_spin, interrupted_sleep, last_words, night_guard, radio_robot, three_mains
 from lesson_nodes.radio_robot import RadioRobot
 from tests.lesson_nodes.ending import ended_well
 from workbook.criteria.vocabulary.known_errors import ended_in_order
@@ -84,3 +84,26 @@ def test_robots_hear_their_own_domain_only() -> None:
     assert robots["hall"].others() == ["kitchen"]
     assert robots["garden"].others() == []
     assert robots["garden"].moments("garden")
+
+
+@pytest.mark.parametrize(
+    ("name", "parks", "code"), [("hopeful", False, 130), ("careful", True, 1), ("seasoned", True, 0)]
+)
+def test_three_mains_end_as_the_lesson_says(name: str, parks: bool, code: int) -> None:
+    end = run_program(three_mains, arguments=[name], interrupt_at="round 1")
+    assert ("arms parked" in end.log) == parks
+    assert end.exit == code or ended_in_order(end.exit, end.log), end.log
+
+
+def test_a_spin_ends_with_the_exception_of_its_cause() -> None:
+    log = run_program(ends_of_spin, arguments=["Ctrl-C (SIGINT)", "rclpy.spin"]).log
+    assert log.strip().splitlines()[-2:] == ["ok: False", "KeyboardInterrupt"]
+
+
+def test_last_words_get_out_only_where_python_alone_handles_the_signal() -> None:
+    assert "said good night" in run_program(last_words, arguments=["NO"], interrupt_at="round 1").log
+    assert "said good night" not in run_program(last_words, arguments=["ALL"], interrupt_at="round 1").log
+
+
+def test_an_interrupted_program_has_no_context() -> None:
+    assert "in a program, the context is ok: False" in run_program(interrupted_sleep).log

@@ -31,7 +31,7 @@ def read_lesson(tree: Tree, stem: str) -> Document:
     shown = tree.name(path)
     cells = []
     predictions: list[Prediction] = []
-    lines = [place for place, line in enumerate(text.splitlines(), start=1) if line.startswith("# %%")]
+    lines = [place for place, line in enumerate(text.splitlines(), start=1) if re.match(r"# %%(\s|$)", line)]
     for number, read in enumerate(jupytext.reads(text, fmt="py:percent").cells, start=1):
         metadata = dict(read.metadata)
         metadata.pop("lines_to_next_cell", None)

@@ -77,7 +77,7 @@ def install(prefix: Path, python: str) -> list[Path]:
         prefix / "share" / "jupyter" / "lab" / "settings" / "overrides.json": json.dumps(
             LAB_SETTINGS, indent=2
         ),
-        prefix / "etc" / "jupyter" / "jupyter_server_config.d" / "rclpy-workbook-home.json": json.dumps(
+        prefix / "etc" / "jupyter" / "jupyter_server_config.d" / "rclpy-workbook.json": json.dumps(
             SERVER_SETTINGS, indent=1
         ),
         kernels / "kernel.json": json.dumps(kernel_spec(python), indent=1),

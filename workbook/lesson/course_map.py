@@ -12,7 +12,7 @@ from pathlib import Path
 
 from workbook.exercise.course import course_folder
 from workbook.exercise.definition import load_exercise
-from workbook.exercise.source import stems
+from workbook.exercise.source import DEEPER, stems
 from workbook.lesson.best_answers import hands_in_another
 from workbook.lesson.progress import LessonProgress, all_progress
 
@@ -78,6 +78,11 @@ class LessonState:
     touched: float
 
     @property
+    def is_optional(self) -> bool:
+        """Whether this goes deeper than its lesson: nobody has to read it."""
+        return self.stem.endswith(DEEPER)
+
+    @property
     def is_read(self) -> bool:
         """Whether nine in ten of its code cells were run one by one."""
         done, of = self.cells
@@ -112,8 +117,11 @@ class CourseMap:
 
     @property
     def next_lesson(self) -> LessonState | None:
-        """The unfinished lesson that was worked on last, else the first unfinished one; None when all is done."""
-        unfinished = [one for one in self.lessons if not one.is_done]
+        """The unfinished lesson that was worked on last, else the first unfinished one; None when all is done.
+
+        Optional ones are never next.
+        """
+        unfinished = [one for one in self.lessons if not one.is_done and not one.is_optional]
         return max(unfinished, key=lambda one: one.touched, default=None)
 
     @property
@@ -136,13 +144,14 @@ class CourseMap:
 
     @property
     def sums(self) -> dict[str, tuple[float, float]]:
-        """Done, of how many: lessons read, predictions made, exercises solved, points."""
+        """Done, of how many: lessons read, predictions made, exercises solved, points. Optional ones do not count."""
         of = self.exercises
+        lessons = [one for one in self.lessons if not one.is_optional]
         return {
-            "lessons read": (sum(one.is_read for one in self.lessons), len(self.lessons)),
+            "lessons read": (sum(one.is_read for one in lessons), len(lessons)),
             "predictions made": (
-                sum(one.predictions[0] for one in self.lessons),
-                sum(one.predictions[1] for one in self.lessons),
+                sum(one.predictions[0] for one in lessons),
+                sum(one.predictions[1] for one in lessons),
             ),
             "exercises solved": (sum(one.solved for one in of), len(of)),
             "points": (sum(one.points[0] for one in of), sum(one.points[1] for one in of)),

@@ -147,13 +147,13 @@ def values(recording: Recording, topic: str, field: str = "data") -> list[object
 
 
 def run_program(
-    code: str,
+    program: Program,
     seconds: float = 30.0,
     arguments: Sequence[str] = (),
     interrupt_at: str | None = None,
     silence: float | None = None,
 ) -> ProcessRecord:
-    """Run a piece of code as its own program behind a watchdog, and return how it ended.
+    """Run a program behind a watchdog, and return how it ended. `program`: a module, a path, or code as text.
 
     The program is ended after `seconds` at the latest, so nothing in it can hang the notebook. With `silence` it is
     ended when it has printed nothing for so many seconds after its first output: the time to start does not
@@ -161,6 +161,7 @@ def run_program(
     domain of its own. Where rclpy itself spoiled the end (see `shutdown_overtaken` and `without_executors_end`), the
     program is run once more.
     """
+    code = program if isinstance(program, str) else program_file(program).read_text(encoding="utf-8")
     ended = _run_once(code, seconds, arguments, interrupt_at, silence)
     log = ended.log + ended.end_log
     if shutdown_overtaken(log) or without_executors_end(log) != log:

@@ -1,0 +1,27 @@
+"""Sends itself Ctrl-C while it sleeps, and says what became of the context.
+
+Run it with ``python -m lesson_nodes.interrupted_sleep``.
+"""
+
+import os
+import signal
+import time
+
+import rclpy
+
+
+def main() -> None:
+    """Start ROS, sleep, be interrupted, and look at the context half a second later."""
+    rclpy.init()
+    try:
+        os.kill(os.getpid(), signal.SIGINT)
+        time.sleep(5)
+    except KeyboardInterrupt:
+        print("interrupted")
+    time.sleep(0.5)
+    print("in a program, the context is ok:", rclpy.ok())
+    rclpy.try_shutdown()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,204 @@
+"""Small programs that spin one node, well or badly. Lesson 06 shows each and runs it behind a watchdog.
+
+Run one with ``python -m lesson_nodes.ways_to_spin no_timeout``; numbers after the name are its arguments.
+"""
+
+import sys
+import threading
+import time
+from collections.abc import Callable
+
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.node import Node
+from rclpy.task import Future
+from std_msgs.msg import String
+
+
+def no_timeout(node: Node) -> None:
+    """Wait for a callback that never comes."""
+    print("before", flush=True)
+    rclpy.spin_once(node)
+    print("after", flush=True)
+
+
+def with_timeout(node: Node, timeout_s: float) -> None:
+    """Wait for a callback, but not for long."""
+    print("before", flush=True)
+    rclpy.spin_once(node, timeout_sec=timeout_s)
+    print("after", flush=True)
+
+
+def twenty_ticks(node: Node, timeout_s: float) -> None:
+    """Serve a timer until it has ticked twenty times, and print iterations, seconds, and seconds of processor time."""
+    ticks = []
+    node.create_timer(0.1, lambda: ticks.append(1))
+    iterations, busy, begin = 0, time.process_time(), time.monotonic()
+    while len(ticks) < 20:
+        rclpy.spin_once(node, timeout_sec=timeout_s)
+        iterations += 1
+    print(iterations, time.monotonic() - begin, time.process_time() - busy)
+
+
+def park_after_spin(node: Node) -> None:
+    """Park the arm in the line after spin."""
+
+    def tick() -> None:
+        print("tick", flush=True)
+        timer.cancel()
+
+    timer = node.create_timer(0.2, tick)
+    rclpy.spin(node)
+    print("arm parked", flush=True)
+
+
+def park_in_finally(node: Node) -> None:
+    """Park the arm in finally."""
+
+    def tick() -> None:
+        print("tick", flush=True)
+        timer.cancel()
+
+    timer = node.create_timer(0.2, tick)
+    try:
+        rclpy.spin(node)
+    except KeyboardInterrupt:
+        pass
+    finally:
+        print("arm parked", flush=True)
+        rclpy.try_shutdown()
+
+
+def wait_in_callback(node: Node) -> None:
+    """Wait for the map inside a callback: another callback of the same node delivers it."""
+    map_is_there: Future = Future()
+    node.create_timer(0.3, lambda: map_is_there.done() or map_is_there.set_result("a map"))
+
+    def plan() -> None:
+        planner.cancel()
+        rclpy.spin_until_future_complete(node, map_is_there, timeout_sec=1.0)
+        print("after 1 s of waiting in the callback:", map_is_there.done(), flush=True)
+
+    planner = node.create_timer(0.1, plan)
+    end = time.monotonic() + 2.0
+    while time.monotonic() < end:
+        rclpy.spin_once(node, timeout_sec=0.1)
+    print("when the callback was over:", map_is_there.done(), flush=True)
+
+
+def go_on_later(node: Node) -> None:
+    """Say in the callback what to do when the map is there, and return."""
+    map_is_there: Future = Future()
+    node.create_timer(0.3, lambda: map_is_there.done() or map_is_there.set_result("a map"))
+
+    def plan() -> None:
+        planner.cancel()
+        map_is_there.add_done_callback(lambda future: print("planning with", future.result(), flush=True))
+
+    planner = node.create_timer(0.1, plan)
+    rclpy.spin_until_future_complete(node, map_is_there)
+    rclpy.spin_once(node, timeout_sec=0.1)
+
+
+def rate_without_spin(node: Node) -> None:
+    """Sleep by a rate in the only thread."""
+    rate = node.create_rate(10)
+    for _ in range(5):
+        print("step", flush=True)
+        rate.sleep()
+
+
+def two_spins(node: Node) -> None:
+    """Spin two nodes in two threads, both with the global executor."""
+    other = Node("other")
+    ticks = {"robot": 0, "other": 0}
+
+    def count(name: str) -> None:
+        ticks[name] += 1
+
+    node.create_timer(0.1, lambda: count("robot"))
+    other.create_timer(0.1, lambda: count("other"))
+    first = threading.Thread(target=rclpy.spin, args=(node,), name="spin 1")
+    second = threading.Thread(target=rclpy.spin, args=(other,), name="spin 2")
+    first.start()
+    time.sleep(0.5)
+    second.start()
+    time.sleep(1.0)
+    print("robot ticks:", ticks["robot"] > 0, flush=True)
+    print("other keeps ticking:", ticks["other"] > 3, flush=True)
+    rclpy.shutdown()
+
+
+def one_executor(node: Node) -> None:
+    """Spin two nodes in one thread, with one executor."""
+    other = Node("other")
+    ticks = {"robot": 0, "other": 0}
+
+    def count(name: str) -> None:
+        ticks[name] += 1
+
+    node.create_timer(0.1, lambda: count("robot"))
+    other.create_timer(0.1, lambda: count("other"))
+    executor = SingleThreadedExecutor()
+    executor.add_node(node)
+    executor.add_node(other)
+    end = time.monotonic() + 1.0
+    while time.monotonic() < end:
+        executor.spin_once(timeout_sec=0.1)
+    print("both tick:", min(ticks.values()) > 0)
+
+
+def thread_left_behind(node: Node) -> None:
+    """Leave a thread that spins to itself."""
+    node.create_timer(0.05, lambda: None)
+    threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()
+    time.sleep(0.5)
+    print("the work is done", flush=True)
+
+
+def thread_ended(node: Node) -> None:
+    """End the thread that spins: first its executor, then the thread."""
+    node.create_timer(0.05, lambda: None)
+    executor = SingleThreadedExecutor()
+    executor.add_node(node)
+    thread = threading.Thread(target=executor.spin)
+    thread.start()
+    time.sleep(0.5)
+    print("the work is done", flush=True)
+    executor.shutdown()  # spin returns
+    thread.join()  # wait until it has
+    rclpy.shutdown()
+
+
+def busy_timer(node: Node, slice_s: float) -> None:
+    """Spin for 2 s beside a timer that is always due. `slice_s`: the timeout; 0 means all the time that is left."""
+    heard: list[str] = []
+    node.create_timer(0.01, lambda: time.sleep(0.02))
+
+    def hear(message: String) -> None:
+        heard.append(message.data)
+
+    node.create_subscription(String, "/robot/words", hear, 10)
+    publisher = node.create_publisher(String, "/robot/words", 10)
+    while publisher.get_subscription_count() == 0:
+        time.sleep(0.01)
+    for word in ("stop", "wait", "turn", "wave", "walk"):
+        publisher.publish(String(data=word))
+    time.sleep(0.2)  # by now the words are there, and the timer is overdue
+    end = time.monotonic() + 2.0
+    while (left := end - time.monotonic()) > 0:
+        rclpy.spin_once(node, timeout_sec=slice_s or left)
+    print("heard:", len(heard), "of 5")
+
+
+WAYS: dict[str, Callable[..., None]] = {
+    way.__name__: way
+    for way in (
+        no_timeout, with_timeout, twenty_ticks, park_after_spin, park_in_finally, wait_in_callback, go_on_later,
+        rate_without_spin, two_spins, one_executor, thread_left_behind, thread_ended, busy_timer,
+    )
+}  # fmt: skip
+
+if __name__ == "__main__":
+    rclpy.init()
+    WAYS[sys.argv[1]](Node("robot"), *map(float, sys.argv[2:]))

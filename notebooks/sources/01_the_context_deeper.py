@@ -1,0 +1,249 @@
+# %% [markdown]
+# # 01 · Deeper: signals, threads and UDP ports
+#
+# A robot in the field is not ended by Ctrl-C, but by a service manager. And its last message must get out in time.
+#
+# - **Minutes:** 20
+# - **You need:** lesson [01](01_the_context.ipynb)
+# - **You will be able to:** say what comes out of `spin` for each way to end a program, and publish a last message on
+#   Ctrl-C
+# - **Left out:** lifecycle nodes, what `spin` does inside (lesson 06)
+
+# %% [markdown]
+# Everything here is optional. Later lessons do not depend on it.
+
+# %% [markdown] prediction="sigterm"
+# ## Predict
+#
+# `systemctl stop` and `docker stop` do not send SIGINT, as Ctrl-C does. They send another signal, **SIGTERM**. What comes
+# out of `rclpy.spin(guard)` on SIGTERM?
+#
+# - **a** `KeyboardInterrupt`, as for Ctrl-C
+#   when `came_out == 'KeyboardInterrupt'`
+#   ✗ Python turns only SIGINT, the signal of Ctrl-C, into a `KeyboardInterrupt`.
+# - **b** Nothing: Linux ends the process at once.
+#   ✗ That is what Linux does with a program that has no handler for SIGTERM. `rclpy.init` installs one.
+# - **c** `ExternalShutdownException`
+#   when `came_out == 'ExternalShutdownException'`
+#   ✓ rclpy shuts the context down on SIGTERM, and `spin` raises this exception because its context has ended.
+
+# %%
+from workbook.lesson import predict, reveal
+
+predict("sigterm")
+
+# %% [markdown]
+# ## Run it
+#
+# This program spins a guard until something ends the spin: Ctrl-C, SIGTERM, or `rclpy.shutdown()` in another thread.
+
+# %%
+import inspect
+
+from lesson_nodes import ends_of_spin
+
+print(inspect.getsource(ends_of_spin.main))
+
+# %% id="what-comes-out-of-spin" tags=["nbval-ignore-output"]
+from workbook.lesson import run_program
+
+came_out, still_ok = {}, set()
+for cause in ends_of_spin.CAUSES:
+    for way in ends_of_spin.WAYS:
+        log = run_program(ends_of_spin, arguments=[cause, way]).log.strip().splitlines()
+        came_out[cause, way] = log[-1]
+        still_ok.add(log[-2])
+        print(f"{cause:<21} {way:<14} {log[-1]}")
+
+# %%
+on_sigterm = {what for (cause, _), what in came_out.items() if cause == "SIGTERM"}
+on_ctrl_c = {
+    what for (cause, _), what in came_out.items() if cause.startswith("Ctrl-C")
+}
+print("Ctrl-C always comes as KeyboardInterrupt:", on_ctrl_c == {"KeyboardInterrupt"})
+print("SIGTERM ever comes as KeyboardInterrupt: ", "KeyboardInterrupt" in on_sigterm)
+print("the context afterwards, in all six runs: ", *still_ok)
+
+# %% tags=["nbval-ignore-output"]
+reveal("sigterm", came_out=came_out["SIGTERM", "rclpy.spin"])
+
+# %%
+print("SIGTERM and Ctrl-C come out alike:", on_sigterm == on_ctrl_c)
+
+# %% [markdown]
+# So a good `main` catches two exceptions. `ExternalShutdownException` means that the context was shut down from outside
+# while you were spinning. In each case the context is down after that, so `try_shutdown` is right at the end.
+#
+# When another thread shuts the context down, `rclpy.spin` may notice it between two iterations. Then it returns, without
+# any exception. What must happen in every case belongs in `finally`.
+#
+# SIGTERM is a race in this rclpy: the signal wakes up `spin` a moment *before* it shuts the context down. In some runs you
+# see an `RCLError`, and an idle node may even sleep on. Use SIGINT where you can choose. Launch files send it first. In a
+# service file, write `KillSignal=SIGINT`.
+
+# %% [markdown]
+# ## Look inside
+#
+# When can other programs find yours? A program that uses DDS receives on **UDP ports** of its domain. The next cell makes
+# a context, a node, and ends both. Meanwhile a thread asks Linux a hundred times a second whether these ports are open.
+
+# %%
+import threading
+import time
+
+import rclpy
+from rclpy.context import Context
+from rclpy.node import Node
+from workbook.ros.domains import dds_port_range, lease_domain, udp_ports_in_use
+
+watched: list[tuple[float, bool, bool]] = []
+marks: dict[str, float] = {}
+over = threading.Event()
+lease = lease_domain()  # a domain that no other program uses
+context = Context()
+began = time.monotonic()
+
+
+def watch() -> None:
+    ports = dds_port_range(lease.domain_id)
+    while not over.wait(0.01):
+        is_open = not udp_ports_in_use().isdisjoint(ports)
+        watched.append((time.monotonic() - began, context.ok(), is_open))
+
+
+def step(name, action) -> None:
+    """Do something, and give the watcher half a second to see it."""
+    marks[name] = time.monotonic() - began
+    action()
+    time.sleep(0.5)
+
+
+watcher = threading.Thread(target=watch)
+watcher.start()
+step("Context()", lambda: None)
+step("init", lambda: rclpy.init(context=context, domain_id=lease.domain_id))
+porter: list[Node] = []
+step("Node(…)", lambda: porter.append(Node("porter", context=context)))
+step("shutdown", lambda: rclpy.shutdown(context=context))
+step("destroy_node", lambda: porter[0].destroy_node())
+over.set()
+watcher.join()
+lease.release()
+
+# %%
+from workbook.pictures.figures import figure, show
+
+fig, (ok_axes, port_axes) = figure(6.6, 3.2, rows=2)
+moments = [moment for moment, _, _ in watched]
+ok_axes.step(moments, [ok for _, ok, _ in watched], linewidth=2.4)
+port_axes.step(
+    moments, [is_open for _, _, is_open in watched], color="#208a3c", linewidth=2.4
+)
+titles = (
+    "context.ok() is true from init to shutdown",
+    "UDP ports are open while there is a node",
+)
+for axes, title in zip((ok_axes, port_axes), titles, strict=True):
+    axes.set(
+        yticks=[0, 1],
+        yticklabels=["no", "yes"],
+        ylim=(-0.25, 1.25),
+        xticklabels=[],
+        title=title,
+    )
+    for moment in marks.values():
+        axes.axvline(moment, color="#787878", linewidth=1, linestyle=":")
+ok_axes.set_xticks([])
+port_axes.set_xticks(list(marks.values()), list(marks))
+port_axes.tick_params(axis="x", rotation=20)
+show(
+    fig,
+    "context.ok() is true from init to shutdown; UDP ports are open from the first "
+    "node to its end",
+)
+
+# %%
+names = list(marks)
+for what, following in zip(names, [*names[1:], None], strict=True):
+    end = marks[following] if following else float("inf")
+    _, ok, is_open = [sample for sample in watched if marks[what] < sample[0] < end][-1]
+    print(f"after {what:<13} ok: {ok!s:<6} UDP ports open: {is_open}")
+
+# %% [markdown]
+# `init` alone tells other programs nothing. The ports open with the first **node**, and they close when the last one is
+# destroyed. (You may read that `init` connects and `shutdown` disconnects. In this build it is a little different.)
+
+# %% [markdown]
+# ## When it goes wrong
+#
+# **The last message that no program receives.** The guard wants to publish "good night", in the `except` of Ctrl-C.
+
+# %%
+from lesson_nodes import last_words
+
+print(inspect.getsource(last_words.main))
+
+
+# %% id="last-words"
+def show_end(log: str) -> None:
+    for line in log.strip().splitlines():
+        if line.startswith(("the context", "said", "Failed", "rclpy")) or line.endswith(
+            "good night"
+        ):
+            print("   ", line.split(", at ")[0])
+
+
+for handled_by in ("ALL", "NO"):
+    print(
+        "rclpy handles Ctrl-C:"
+        if handled_by == "ALL"
+        else "Python alone handles Ctrl-C:"
+    )
+    show_end(
+        run_program(last_words, arguments=[handled_by], interrupt_at="round 1").log
+    )
+
+# %% [markdown]
+# rclpy shuts the context down in a thread of its own, while Python raises the exception. Half a second later it is down
+# for sure. The log line still reaches your terminal, but the publisher raises.
+#
+# With `SignalHandlerOptions.NO`, rclpy leaves the signal to Python, and the context stays up until *you* shut it down.
+# There is a price: a node without a timer does not wake up on Ctrl-C, and SIGTERM ends the process at once.
+#
+# **In these notebooks it is different.** Here only Python handles SIGINT, which is what the stop button (■) sends. So your
+# nodes survive it. We press the button from within, and then run the same lines as a program:
+
+# %% id="interrupt-in-the-kernel"
+import os
+import signal
+
+from lesson_nodes import interrupted_sleep
+
+rclpy.try_shutdown()
+rclpy.init()
+try:
+    os.kill(os.getpid(), signal.SIGINT)
+    time.sleep(5)
+except KeyboardInterrupt:
+    print("interrupted")
+print("in the notebook, the context is ok:", rclpy.ok())
+
+print(run_program(interrupted_sleep).log.strip())
+rclpy.try_shutdown()
+
+# %% [markdown]
+# The same lines, and two answers. So do not conclude from a notebook how a program ends. Run it as a program.
+
+# %% [markdown]
+# ## Take away
+#
+# - On Ctrl-C, `spin` raises `KeyboardInterrupt`. On SIGTERM, mostly `ExternalShutdownException`. Catch both.
+# - If another thread shuts the context down, `rclpy.spin` may simply return. Clean up in `finally`.
+# - Other programs can find yours from its first node on, and until its last node is destroyed.
+# - After Ctrl-C the context is down. To publish a last message, use `SignalHandlerOptions.NO`.
+#
+# **Before:** [01 · The context](01_the_context.ipynb)
+#
+# **Next:** [02 · Nodes](02_nodes.ipynb)
+#
+# **More:** what [rclpy](https://docs.ros.org/en/jazzy/p/rclpy/) offers.
