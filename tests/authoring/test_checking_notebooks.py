@@ -324,7 +324,7 @@ def lights(course: Tree) -> Path:
 
 def test_links_to_the_neighbors_are_stale_until_they_are_built(course: Tree) -> None:
     path = lights(course)
-    stale = "the **Before:** and **Next:** lines are not those of the neighbors: run `make notebooks`"
+    stale = "the **Before:**, **Deeper:** and **Next:** lines are not those of the neighbors: run `make notebooks`"
     assert [words for words in told(course) if stale in words] == [
         f"notebooks/sources/21_beeps.py:177: {stale}",
         f"notebooks/sources/22_lights.py:177: {stale}",

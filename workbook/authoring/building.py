@@ -14,6 +14,7 @@ from workbook.authoring.lesson_lists import note_run_times
 from workbook.authoring.pages import write_pages
 from workbook.authoring.predictions import write_sealed
 from workbook.authoring.running import run
+from workbook.authoring.size import write_sizes
 from workbook.authoring.tree import AuthoringError, Tree
 from workbook.exercise.museum import BrokenMuseum
 
@@ -45,6 +46,8 @@ def build(
 
     for stem in write_links(tree):
         say(f"links      {tree.name(tree.sources / f'{stem}.py')}")
+    for stem in write_sizes(tree):
+        say(f"minutes    {tree.name(tree.sources / f'{stem}.py')}")
     with ThreadPoolExecutor(max_workers=max(1, jobs)) as pool:
         for good, words in pool.map(attempt(lesson), lessons):
             failed += not good

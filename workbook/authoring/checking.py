@@ -19,10 +19,12 @@ from workbook.authoring.pages import check_pages
 from workbook.authoring.placement import misplaced
 from workbook.authoring.predictions import foreign_sealed, prediction_violations, sealed_violations
 from workbook.authoring.requirements import stale_exceptions, table_violations
+from workbook.authoring.size import size_violations
 from workbook.authoring.staleness import dead_links, stale
 from workbook.authoring.template import shape_violations
 from workbook.authoring.tree import AuthoringError, Tree
 from workbook.authoring.violations import Violation
+from workbook.exercise.source import DEEPER
 
 
 def check(tree: Tree) -> list[Violation]:
@@ -49,10 +51,13 @@ def check_lesson(tree: Tree, stem: str) -> Iterator[Violation]:
     except AuthoringError as error:
         yield Violation(name, str(error).removeprefix(name).lstrip(":, "))
         return
-    has_exercise = any(other[:2] == stem[:2] for other in tree.exercise_stems())
+    is_deeper = stem.endswith(DEEPER)
+    has_exercise = not is_deeper and any(other[:2] == stem[:2] for other in tree.exercise_stems())
+    text = path.read_text(encoding="utf-8")
     for line, words in (
-        *shape_violations(wanted.cells, int(stem[:2]), has_exercise=has_exercise),
-        *link_violations(tree, stem, path.read_text(encoding="utf-8")),
+        *shape_violations(wanted.cells, int(stem[:2]), has_exercise=has_exercise, is_deeper=is_deeper),
+        *size_violations(tree, stem, text, wanted),
+        *link_violations(tree, stem, text),
         *prediction_violations(wanted),
         *compared_enough(wanted),
         *dead_links(tree, tree.notebooks, wanted),

@@ -1,4 +1,4 @@
-"""The links from a lesson to its neighbors: the `**Before:**` and `**Next:**` lines, kept right in its text."""
+"""The links from a lesson to its neighbors: its `**Before:**`, `**Deeper:**` and `**Next:**` lines, kept right."""
 
 import re
 from collections.abc import Iterator
@@ -10,6 +10,7 @@ LAST = "you have reached the last lesson that there is at the moment."
 _PARAGRAPH = r"^# \*\*{name}:\*\*(?:.*\n)(?:# \S.*\n)*"
 _BEFORE = re.compile(_PARAGRAPH.format(name="Before"), re.MULTILINE)
 _NEXT = re.compile(_PARAGRAPH.format(name="Next"), re.MULTILINE)
+_DEEPER = re.compile(_PARAGRAPH.format(name="Deeper"), re.MULTILINE)
 _EMPTY_LINES = re.compile(r"(?:#\n){2,}\Z")
 _LESSON_LINK = re.compile(r"\[(?P<text>[^\]]*)\]\((?P<stem>(?P<number>\d\d)_\w+)\.ipynb\)")
 _YOU_NEED = re.compile(r"^# - \*\*You need:\*\*")
@@ -43,8 +44,8 @@ def lesson_link(tree: Tree, stem: str) -> str:
 
 
 def neighbors(tree: Tree, stem: str) -> tuple[Neighbor | None, Neighbor | None]:
-    """The lessons before and after this one."""
-    stems = tree.lesson_stems()
+    """The lessons before and after this one. A deeper notebook comes after its lesson, and leads to the next one."""
+    stems = tree.main_stems()
     before = [other for other in stems if other < stem][-1:]
     after = [other for other in stems if other > stem][:1]
 
@@ -54,24 +55,32 @@ def neighbors(tree: Tree, stem: str) -> tuple[Neighbor | None, Neighbor | None]:
     return found(before), found(after)
 
 
-def linked(text: str, before: Neighbor | None, after: Neighbor | None) -> str:
-    """The text of a lesson with the right links. What the author wrote around the link to the next lesson stays."""
+def linked(text: str, before: Neighbor | None, after: Neighbor | None, deeper: Neighbor | None = None) -> str:
+    """The text of a lesson with the right links. What the author wrote around the links onward stays."""
     text = _BEFORE.sub("", text)
+    optional = _DEEPER.search(text)
+    text = _DEEPER.sub("", text)
     found = _NEXT.search(text)
     if found is None:  # the shape of a lesson demands the line; there is nothing to put right
         return text
     lines = f"# **Before:** {before.link}\n#\n" if before else ""
+    if deeper is not None:
+        lines += _onward("Deeper", optional[0] if optional else "", deeper) + "#\n"
     start = _EMPTY_LINES.sub("#\n", text[: found.start()])
-    return start + lines + _next(found[0], after) + text[found.end() :]
+    onward = _onward("Next", found[0], after) if after else f"# **Next:** {LAST}\n"
+    return start + lines + onward + text[found.end() :]
 
 
-def _next(paragraph: str, after: Neighbor | None) -> str:
-    if after is None:
-        return f"# **Next:** {LAST}\n"
+def _onward(name: str, paragraph: str, there: Neighbor) -> str:
     link = _LESSON_LINK.search(paragraph)
-    if link is None or link["stem"] != after.stem:
-        return f"# **Next:** {after.link}\n"
-    return paragraph[: link.start()] + after.link + paragraph[link.end() :]
+    if link is None or link["stem"] != there.stem:
+        return f"# **{name}:** {there.link}\n"
+    return paragraph[: link.start()] + there.link + paragraph[link.end() :]
+
+
+def _links_put_right(tree: Tree, stem: str, text: str) -> str:
+    deeper = tree.deeper_stem(stem)
+    return linked(text, *neighbors(tree, stem), Neighbor(deeper, title_of(tree, deeper)) if deeper else None)
 
 
 def write_links(tree: Tree) -> list[str]:
@@ -80,7 +89,7 @@ def write_links(tree: Tree) -> list[str]:
     for stem in tree.lesson_stems():
         path = tree.sources / f"{stem}.py"
         text = path.read_text(encoding="utf-8")
-        right = linked(text, *neighbors(tree, stem))
+        right = _links_put_right(tree, stem, text)
         if right != text:
             path.write_text(right, encoding="utf-8")
             changed.append(stem)
@@ -89,12 +98,15 @@ def write_links(tree: Tree) -> list[str]:
 
 def link_violations(tree: Tree, stem: str, text: str) -> Iterator[tuple[int, str]]:
     """Links to neighbors that are out of date, and lessons under "You need" that do not come earlier (line, words)."""
-    right = linked(text, *neighbors(tree, stem))
+    right = _links_put_right(tree, stem, text)
     if right != text:
         given, wanted = text.splitlines(), right.splitlines()
         pairs = enumerate(zip(given, wanted, strict=False), start=1)
         line = next((number for number, (one, other) in pairs if one != other), len(given))
-        yield line, "the **Before:** and **Next:** lines are not those of the neighbors: run `make notebooks`"
+        yield (
+            line,
+            "the **Before:**, **Deeper:** and **Next:** lines are not those of the neighbors: run `make notebooks`",
+        )
     for number, words in enumerate(text.splitlines(), start=1):
         if not _YOU_NEED.search(words):
             continue

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from workbook.authoring.lesson_lists import PLANNED, RUN_TIMES, list_page, table
 from workbook.authoring.museum_pages import GLOSSARY, MUSEUM, glossary_page, museum_page, museum_violations
+from workbook.authoring.size import TOO_LARGE
 from workbook.authoring.tree import AuthoringError, Tree
 from workbook.authoring.violations import Violation
 from workbook.authoring.vocabulary_list import vocabulary
@@ -13,7 +14,7 @@ from workbook.exercise.museum import BrokenMuseum, load_museum
 
 LIST = "README.md"
 PAGES = (MUSEUM, GLOSSARY, LIST)
-BESIDE_LESSONS = ("museum", PLANNED, RUN_TIMES)
+BESIDE_LESSONS = ("museum", PLANNED, RUN_TIMES, TOO_LARGE)
 """What else lies in the folder of the lessons' texts."""
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from workbook.authoring.pages import BESIDE_LESSONS, PAGES
 from workbook.authoring.tree import Tree, entries
 from workbook.authoring.violations import Violation
-from workbook.exercise.source import STEM
+from workbook.exercise.source import DEEPER, STEM
 
 
 def misplaced(tree: Tree) -> Iterator[Violation]:
@@ -26,7 +26,13 @@ def misplaced(tree: Tree) -> Iterator[Violation]:
         (tree.requirements, ".toml", exercises, ()),
         (tree.mutants, ".toml", exercises, ()),
     ]
-    for stems, folder in ((lessons, tree.sources), (exercises, tree.solutions)):
+    for stem in (*lessons, *exercises):
+        if stem.endswith(DEEPER) and (stem in exercises or stem.removesuffix(DEEPER) not in lessons):
+            yield Violation(
+                tree.name((tree.solutions if stem in exercises else tree.sources) / f"{stem}.py"),
+                "a notebook …_deeper goes with the lesson of the same name, and has no exercise of its own",
+            )
+    for stems, folder in ((tree.main_stems(), tree.sources), (exercises, tree.solutions)):
         for one, other in pairwise(stems):
             if one[:2] == other[:2]:
                 yield Violation(tree.name(folder / f"{other}.py"), f"number {one[:2]} is taken by {one}")

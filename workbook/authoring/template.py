@@ -13,6 +13,8 @@ FACTS = ("Minutes", "You need", "You will be able to", "Left out")
 QUESTIONS = range(3, 6)
 EXPERIMENTS = range(2, 4)
 TAKE_AWAY_LINES = 5
+DEEPER_NEEDS = ("Predict", "Run it", "Look inside", "Take away")
+"""The sections that an optional deeper notebook needs."""
 OFFICIAL = "https://docs.ros.org/"
 GOOD_ANSWER = "What a good answer contains"
 
@@ -35,6 +37,8 @@ class Section:
     number: int
     """Number of the lesson."""
     has_exercise: bool
+    is_deeper: bool = False
+    """Part of an optional notebook that goes deeper than its lesson."""
 
     @property
     def line(self) -> int:
@@ -55,13 +59,18 @@ class Section:
 Rule = Callable[[Section], Iterable[str]]
 
 
-def shape_violations(cells: Sequence[Cell], number: int, *, has_exercise: bool) -> Iterator[tuple[int, str]]:
-    """What keeps these cells from being a lesson: line of the text, and words. Empty when they are one."""
+def shape_violations(
+    cells: Sequence[Cell], number: int, *, has_exercise: bool, is_deeper: bool = False
+) -> Iterator[tuple[int, str]]:
+    """What keeps these cells from being a lesson: line of the text, and words. Empty when they are one.
+
+    A deeper notebook may leave out sections, and has as many experiments as it likes.
+    """
     yield from _headings_open_cells(cells)
-    sections = split(cells, number, has_exercise=has_exercise)
+    sections = split(cells, number, has_exercise=has_exercise, is_deeper=is_deeper)
     found = [section.title for section in sections[1:]]
     if found != list(SHAPE):
-        yield from ((0, words) for words in _order(found))
+        yield from ((0, words) for words in _order(found, DEEPER_NEEDS if is_deeper else tuple(SHAPE)))
     by_title = {section.title: section for section in sections}
     for title, rules in {OPENING: _OPENING_RULES, **SHAPE}.items():
         section = by_title.get(title)
@@ -80,7 +89,9 @@ def shape_violations(cells: Sequence[Cell], number: int, *, has_exercise: bool) 
             )
 
 
-def split(cells: Sequence[Cell], number: int, *, has_exercise: bool) -> list[Section]:
+def split(
+    cells: Sequence[Cell], number: int, *, has_exercise: bool, is_deeper: bool = False
+) -> list[Section]:
     """The sections in order; the first is the opening, before any `## ` heading."""
     groups: list[tuple[str, list[Cell]]] = [(OPENING, [])]
     for cell in cells:
@@ -88,14 +99,14 @@ def split(cells: Sequence[Cell], number: int, *, has_exercise: bool) -> list[Sec
         if heading is not None:
             groups.append((heading, []))
         groups[-1][1].append(cell)
-    return [Section(title, tuple(inside), number, has_exercise) for title, inside in groups]
+    return [Section(title, tuple(inside), number, has_exercise, is_deeper) for title, inside in groups]
 
 
-def _order(found: list[str]) -> Iterator[str]:
+def _order(found: list[str], needed: Sequence[str]) -> Iterator[str]:
     for title in SHAPE:
-        if title not in found:
+        if title not in found and title in needed:
             yield f"the section '## {title}' is missing"
-        elif found.count(title) > 1:
+        if found.count(title) > 1:
             yield f"the section '## {title}' is there more than once"
     for title in found:
         if title not in SHAPE:
@@ -116,9 +127,10 @@ def _headings_open_cells(cells: Sequence[Cell]) -> Iterator[tuple[int, str]]:
 
 def _opening(section: Section) -> Iterator[str]:
     first = section.cells[0] if section.cells else Cell("code", "")
-    title = f"# {section.number:02d} · "
+    title = f"# {section.number:02d} · {'Deeper: ' if section.is_deeper else ''}"
     if first.kind != "markdown" or not first.source.startswith(title):
-        yield f"the first cell must begin with the title, '{title}Timers' for example"
+        example = "clocks" if section.is_deeper else "Timers"
+        yield f"the first cell must begin with the title, '{title}{example}' for example"
         return
     body = [line for line in first.source.split("\n")[1:] if line.strip()]
     if not body or body[0].startswith("- "):
@@ -164,11 +176,13 @@ def _experiments(section: Section) -> Iterator[str]:
             groups.append((started[0][4:].strip(), []))
         if groups:
             groups[-1][1].append(cell)
-    if len(groups) not in EXPERIMENTS:
+    if len(groups) not in EXPERIMENTS and not section.is_deeper:
         yield f"needs two or three experiments, each under a '### ' heading; it has {len(groups)}"
     for title, cells in groups:
         code = [cell for cell in cells if cell.kind == "code"]
         guess = next((place for place, cell in enumerate(code) if _PREDICT.search(cell.source)), None)
+        if guess is None and section.is_deeper:
+            continue
         if guess is None:
             yield f"the experiment {title!r} needs a prediction of its own, predict('late-joiner')"
         elif guess == len(code) - 1:
@@ -231,7 +245,7 @@ def _talks(section: Section) -> Iterator[str]:
 
 def _takes_away(section: Section) -> Iterator[str]:
     lines = re.findall(r"^- \S", section.markdown, re.MULTILINE)
-    if len(lines) != TAKE_AWAY_LINES:
+    if len(lines) != TAKE_AWAY_LINES and not section.is_deeper:
         yield f"needs exactly five lines that begin with '- ', it has {len(lines)}"
     if not re.search(r"^\*\*Next:\*\* \S", section.markdown, re.MULTILINE):
         yield "needs the line '**Next:** …' with the next lesson"

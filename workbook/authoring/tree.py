@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from workbook.exercise.source import STEM
+from workbook.exercise.source import DEEPER, STEM
 
 IGNORED_NAMES = ("__pycache__",)
 """Left by tools. Names that begin with a dot are ignored as well."""
@@ -93,6 +93,15 @@ class Tree:
     def lesson_stems(self) -> tuple[str, ...]:
         """The stem (NN_slug) of every lesson that has a text, sorted."""
         return stems_in(self.sources, ".py")
+
+    def main_stems(self) -> tuple[str, ...]:
+        """The stems of the lessons that everybody takes, without the deeper notebooks beside them."""
+        return tuple(stem for stem in self.lesson_stems() if not stem.endswith(DEEPER))
+
+    def deeper_stem(self, stem: str) -> str | None:
+        """The stem of the optional notebook that goes deeper than this lesson, if there is one."""
+        deeper = f"{stem}{DEEPER}"
+        return deeper if deeper in self.lesson_stems() else None
 
     def exercise_stems(self) -> tuple[str, ...]:
         """The stem (NN_slug) of every exercise that has a source, sorted."""

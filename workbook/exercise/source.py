@@ -41,6 +41,8 @@ from workbook.exercise.solution_parts import split_answer
 from workbook.exercise.source_header import split_header, typed_fields
 
 STEM = re.compile(r"(?P<number>\d\d)_(?P<slug>[a-z][a-z0-9_]*)")
+DEEPER = "_deeper"
+"""Ends the stem of an optional notebook that goes deeper than its lesson, such as `01_the_context_deeper`."""
 HINT_NAMES = ("nudge", "pointer", "sketch")
 DEFAULT_LIVE = "%start"
 

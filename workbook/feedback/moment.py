@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, cast
 
+from workbook.exercise.source import DEEPER
 from workbook.recording.recording import Recording
 
 POSES = 5
@@ -53,7 +54,8 @@ def _points(number: float) -> str:
 
 def what_comes_next(course: Path, stem: str) -> tuple[str, str]:
     """Title and link, as seen from the exercise, of the lesson after it; both empty after the last one."""
-    later = [path for path in sorted((course / "notebooks").glob("[0-9][0-9]_*.ipynb")) if path.stem > stem]
+    lessons = sorted((course / "notebooks").glob("[0-9][0-9]_*.ipynb"))
+    later = [path for path in lessons if path.stem > stem and not path.stem.endswith(DEEPER)]
     if not later:
         return "", ""
     cells = json.loads(later[0].read_text(encoding="utf-8"))["cells"]

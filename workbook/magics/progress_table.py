@@ -8,7 +8,7 @@ from pathlib import Path
 
 from workbook.exercise.course import course_folder
 from workbook.exercise.definition import load_exercise
-from workbook.exercise.source import stems
+from workbook.exercise.source import DEEPER, stems
 from workbook.lesson.best_answers import hands_in_another
 from workbook.lesson.progress import LessonProgress, all_progress
 from workbook.templating import render
@@ -32,6 +32,8 @@ class LessonRow:
     points: tuple[float, float] | None
     tries: int
     solved: bool
+    optional: bool = False
+    """A notebook that goes deeper than its lesson."""
 
     @property
     def read(self) -> str:
@@ -90,20 +92,23 @@ class ProgressTable:
     @property
     def summary(self) -> str:
         """One sentence with the sums."""
-        read = sum(row.cells[0] >= row.cells[1] for row in self.rows if row.cells[1])
+        lessons = [row for row in self.rows if not row.optional]
+        read = sum(row.cells[0] >= row.cells[1] for row in lessons if row.cells[1])
         exercises = [row for row in self.rows if row.points is not None]
         solved = sum(row.solved for row in exercises)
         points = sum(row.points[0] for row in exercises if row.points is not None)
         most = sum(row.points[1] for row in exercises if row.points is not None)
         return (
-            f"{read} of {len(self.rows)} lessons read to the end, {solved} of {len(exercises)} exercises solved, "
+            f"{read} of {len(lessons)} lessons read to the end, {solved} of {len(exercises)} exercises solved, "
             f"{points:g} of {most:g} points."
         )
 
     @property
     def next_step(self) -> str:
-        """The first lesson that is not done yet."""
+        """The first lesson that is not done yet. Nobody has to read an optional notebook."""
         for row in self.rows:
+            if row.optional:
+                continue
             if row.cells[0] < row.cells[1]:
                 return f"Go on with: {row.title}"
             if row.points is not None and not row.solved:
@@ -171,6 +176,7 @@ def progress_table(
                 points=points,
                 tries=progress.tries,
                 solved=progress.solved,
+                optional=path.stem.endswith(DEEPER),
             )
         )
     return ProgressTable(rows, [stem for stem in sorted(exercises) if hands_in_another(stem, answers)])

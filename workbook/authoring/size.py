@@ -1,0 +1,145 @@
+"""How large a lesson is: words of open text, words in folds, cells, and the minutes that it takes a reader.
+
+Open text is what a reader sees at once: markdown without code, and the question and options of a prediction. In folds
+are the answers to questions, and the explanations that a prediction shows after the run.
+"""
+
+import math
+import re
+import tomllib
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from workbook.authoring.document import Cell, Document
+from workbook.authoring.lesson import read_lesson
+from workbook.authoring.tree import AuthoringError, Tree
+
+WORDS_PER_MINUTE = 180
+LIMITS = {"open words": 2_000, "words in folds": 1_200, "cells": 60}
+TOO_LARGE = "too_large.toml"
+STEP = 5
+"""Minutes are rounded up to a multiple of this: nobody reads to the minute."""
+_FENCE = re.compile(r"^(?P<fence>`{3,}|~{3,}).*?^(?P=fence)", re.MULTILINE | re.DOTALL)
+_COMMAND = re.compile(r"^    .*$", re.MULTILINE)
+_FOLD = re.compile(r"<details>(?P<inside>.*?)</details>", re.DOTALL)
+_TAG = re.compile(r"</?[a-z]+>")
+_TARGET = re.compile(r"\]\([^)]*\)")
+_QUESTION = re.compile(r"^\*\*\d\. ", re.MULTILINE)
+_ASKS_ONLY = re.compile(r"\A(?:\s*from workbook\.lesson import [^\n]+\n+)?\s*predict\([^)]*\)\s*\Z")
+_MINUTES = re.compile(r"(?P<before>^# - \*\*Minutes:\*\* )(?P<number>\d+)$", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Size:
+    """What a reader has to read, run and answer in a lesson."""
+
+    open_words: int
+    fold_words: int
+    cells: int
+    runs: int
+    """Code cells to run and understand: all but those that only ask for a prediction."""
+    asked: int
+    """Predictions and questions."""
+
+    @property
+    def over(self) -> dict[str, int]:
+        """What is over its limit, by name."""
+        found = {"open words": self.open_words, "words in folds": self.fold_words, "cells": self.cells}
+        return {name: number for name, number in found.items() if number > LIMITS[name]}
+
+    @property
+    def minutes(self) -> int:
+        """Reading, a minute for each cell that is run, and one for each prediction and question."""
+        reading = (self.open_words + self.fold_words) / WORDS_PER_MINUTE
+        return STEP * math.ceil((reading + self.runs + self.asked) / STEP)
+
+
+def size_of(lesson: Document) -> Size:
+    """The size of a lesson, from its text alone."""
+    markdown = [_prose(cell) for cell in lesson.cells if cell.kind == "markdown"]
+    folds = [fold["inside"] for text in markdown for fold in _FOLD.finditer(text)]
+    folds += [option.why for prediction in lesson.predictions for option in prediction.options]
+    code = [cell for cell in lesson.cells if cell.kind == "code"]
+    return Size(
+        open_words=sum(words(_FOLD.sub(" ", text)) for text in markdown),
+        fold_words=sum(map(words, folds)),
+        cells=len(lesson.cells),
+        runs=sum(not _ASKS_ONLY.match(cell.source) for cell in code),
+        asked=len(lesson.predictions) + sum(len(_QUESTION.findall(text)) for text in markdown),
+    )
+
+
+def words(text: str) -> int:
+    """How many words a text has: what holds a letter or a digit. Tags and targets of links are none."""
+    bare = _TARGET.sub("]", _TAG.sub(" ", text))
+    return sum(any(letter.isalnum() for letter in word) for word in bare.split())
+
+
+def with_minutes(text: str, minutes: int) -> str:
+    """The text of a lesson with these minutes in its first cell."""
+    return _MINUTES.sub(rf"\g<before>{minutes}", text, count=1)
+
+
+def minutes_in(text: str) -> int | None:
+    """The minutes that the text of a lesson gives, None where it gives none."""
+    found = _MINUTES.search(text)
+    return int(found["number"]) if found else None
+
+
+def _prose(cell: Cell) -> str:
+    return _COMMAND.sub("", _FENCE.sub("", cell.source))
+
+
+def write_sizes(tree: Tree) -> list[str]:
+    """Put the minutes of all lessons right, and lower what is kept of lessons that are too large.
+
+    Returns the stems whose text changed.
+    """
+    changed, kept, left = [], still_too_large(tree), {}
+    for stem in tree.lesson_stems():
+        path = tree.sources / f"{stem}.py"
+        text = path.read_text(encoding="utf-8")
+        try:
+            size = size_of(read_lesson(tree, stem))
+        except AuthoringError:  # told when the lesson itself is built
+            left[stem] = kept.get(stem, {})
+            continue
+        if (right := with_minutes(text, size.minutes)) != text:
+            path.write_text(right, encoding="utf-8")
+            changed.append(stem)
+        allowed = kept.get(stem, {})
+        left[stem] = {name: min(size.over[name], most) for name, most in allowed.items() if name in size.over}
+    if left != kept and kept:
+        _keep(tree, left)
+    return changed
+
+
+def still_too_large(tree: Tree) -> dict[str, dict[str, int]]:
+    """What lessons from before the limits may still have: by stem, the name of a limit and a number."""
+    path = tree.sources / TOO_LARGE
+    return tomllib.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
+
+
+def size_violations(tree: Tree, stem: str, text: str, lesson: Document) -> Iterator[tuple[int, str]]:
+    """A lesson that is too large, or says other minutes than it takes: line of its text, and words."""
+    size = size_of(lesson)
+    kept = still_too_large(tree).get(stem, {})
+    for name, number in size.over.items():
+        most = max(kept.get(name, 0), LIMITS[name])
+        if number > most:
+            yield 0, f"{number} {name}, {most} are the most: cut, or move a part to {stem}_deeper"
+    if (told := minutes_in(text)) is not None and told != size.minutes:
+        yield (
+            text[: text.index("**Minutes:**")].count("\n") + 1,
+            f"takes {size.minutes} minutes by its size, not {told}: run `make notebooks`",
+        )
+
+
+def _keep(tree: Tree, numbers: dict[str, dict[str, int]]) -> None:
+    lines = [
+        "# Lessons that are still too large, by how much; `make notebooks` lowers the numbers, nothing raises them."
+    ]
+    for stem, over in sorted(numbers.items()):
+        if over:
+            lines += ["", f"[{stem}]", *(f'"{name}" = {number}' for name, number in over.items())]
+    (tree.sources / TOO_LARGE).write_text("\n".join(lines) + "\n", encoding="utf-8")
