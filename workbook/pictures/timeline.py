@@ -89,9 +89,13 @@ def draw(
     start: float = 0.0,
     end: float | None = None,
     program_end: float | None = None,
+    now: float | None = None,
     width: float = WIDTH,
 ) -> bytes:
-    """Rows over one time axis from `start` to `end` (s), as PNG bytes. Without `end`, up to the last mark."""
+    """Rows over one time axis from `start` to `end` (s), as PNG bytes. Without `end`, up to the last mark.
+
+    `now` (s) draws an upright line there: a picture of a film.
+    """
     last = max((t for row in rows for t in row.times), default=start)
     stop = end if end is not None else last
     if not math.isfinite(stop) or stop <= start:
@@ -111,6 +115,8 @@ def draw(
         canvas.text((left - 14, y + 4.5), shorten(row.label, 220, 12.5), Font(size=12.5), align="right")
         canvas.text((right + 14, y + 4.5), note, Font(size=11.5))
         _row(canvas, axis, row, y, CYCLE[index % 3])
+    if now is not None:
+        canvas.line([(axis.clip(now), 4), (axis.clip(now), bottom)], Paint(width=1.6))
     if program_end is not None and start <= program_end <= stop:
         x = axis.x(program_end)
         canvas.line([(x, 4), (x, bottom)], Paint(stroke=RED, width=2))
