@@ -4,7 +4,7 @@
 # A robot meets your spelling mistake at night, on a slope, in the one branch that nobody tried; a type checker meets it
 # while you type.
 #
-# - **Minutes:** 40
+# - **Minutes:** 55
 # - **You need:** lessons [00](00_start_here.ipynb) to 06, and to have seen a hint such as `level: float` before
 # - **You will be able to:** annotate a node, let mypy read it, say what mypy can and cannot see in ROS code, and make
 #   wrong messages an error before the robot runs

@@ -4,7 +4,7 @@
 # A robot that falls silent is a robot that nobody can help: every real one says, again and again, "I am well, and this
 # is what is left in my battery".
 #
-# - **Minutes:** 45
+# - **Minutes:** 55
 # - **You need:** lesson [05](05_timers.ipynb), and what a node, a publisher and a message are
 # - **You will be able to:** build a node with two topics at two rates, send numbers that really arrive, say who is
 #   listening, notice a node that has gone deaf, and end one on Ctrl-C with exit code 0

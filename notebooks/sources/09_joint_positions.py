@@ -3,7 +3,7 @@
 #
 # A planner, a safety monitor and a picture on your screen all need to know the same thing: where are the joints now?
 #
-# - **Minutes:** 40
+# - **Minutes:** 45
 # - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb)
 # - **You will be able to:** publish an array of joint angles, choose its rate with a reason, use it in a subscriber,
 #   and say what a higher rate costs

@@ -3,7 +3,7 @@
 #
 # A robot that feels nothing while it thinks falls over in the middle of a good idea.
 #
-# - **Minutes:** 40
+# - **Minutes:** 45
 # - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb), and what a thread is:
 #   a second line of execution in the same program
 # - **You will be able to:** say what a slow callback does to the rest of a node, give slow work a place of its own,

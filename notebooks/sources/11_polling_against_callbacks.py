@@ -3,7 +3,7 @@
 #
 # A robot hand that looks for a touch twenty times a second crushes the egg in between.
 #
-# - **Minutes:** 35
+# - **Minutes:** 40
 # - **You need:** lessons [05](05_timers.ipynb) and [10](10_slow_callbacks.ipynb)
 # - **You will be able to:** tell polling from callbacks when you see it, measure what polling costs in time, in lost
 #   messages and in processor time, and turn a loop that looks into callbacks
