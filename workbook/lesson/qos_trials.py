@@ -127,7 +127,9 @@ def _greet(
 def found_picture(here_ms: list[float], plain_ms: list[float], description: str) -> Still:
     """How long newcomers took to find their listener, as two histograms over one axis."""
     fig, (upper, lower) = figure(6.4, 3.6, rows=2)
-    steps = [10 ** (power / 4) for power in range(15)]  # 1 ms to 3 s, each 1.8 times as long as the one before
+    steps = [
+        10 ** (power / 4) for power in range(15)
+    ]  # 1 ms to 3 s, each 1.8 times as long as the one before
     for axes, title, times in (
         (upper, f"in this workbook: {_slowest(here_ms)}", here_ms),
         (lower, f"with Fast DDS as it comes: {_slowest(plain_ms)}", plain_ms),

@@ -1,4 +1,4 @@
-"""Recordings played back as pictures that move without a running program: marks on lines, and robots that stand still."""
+"""Recordings played back as pictures that move without a running program: marks on lines, and robots."""
 
 import io
 import math
@@ -37,13 +37,15 @@ class Robot:
     trouble: str = "blocked"
 
 
-def played_back(rows: Sequence[Row], description: str, *, end: float, pace: float = 1.0) -> Still:
+def played_back(
+    rows: Sequence[Row], description: str, *, end: float, pace: float = 1.0, title: str = ""
+) -> Still:
     """Rows of a timeline, drawn as time goes by from 0 s to `end` (s). `pace`: seconds of them in one second."""
     frames = []
     counted = [row if row.note is not None else replace(row, note="") for row in rows]
     for now in moments(end, pace):
         seen = [_until(row, now) for row in counted]
-        frames.append(draw(seen, end=end, now=now))
+        frames.append(draw(seen, end=end, now=now, title=title))
     return Still(moving_png(frames, per_second=PER_SECOND, dots_per_pixel=2.0), description)
 
 
