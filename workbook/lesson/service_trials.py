@@ -63,9 +63,7 @@ def hearts_picture(recordings: dict[str, Recording], title: str, description: st
     rows = []
     for label, recording in recordings.items():
         goes, come = heart(recording), answers(recording)
-        note = (
-            f"{'✓' if goes == 'beats' else '✗'} heart {goes}, {'✓' if come == 'come' else '✗'} responses {come}"
-        )
+        note = f"{'✓' if goes == 'beats' else '✗'} heart {goes}, {'✓' if come == 'come' else '✗'} responses {come}"
         rows.append(_heart_row(recording, label, note))
     return Still(draw(rows, end=SECONDS, title=title), description)
 
