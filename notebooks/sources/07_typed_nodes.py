@@ -140,7 +140,7 @@ import time
 
 import rclpy
 from rclpy.node import Node
-from std_msgs.msg import Float32
+from std_msgs.msg import Float32, String
 
 rclpy.init()
 node = Node("vitals")

@@ -324,6 +324,7 @@ robots(
 # A robot counts its steps. Each foot has a timer, and both feet add to the same number:
 
 # %%
+import time
 
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
@@ -550,6 +551,7 @@ print("failures logged:", "several" if len(failures) > 2 else len(failures))
 # threads, and nothing shared but a list that only one side writes to.
 
 # %%
+from std_msgs.msg import String
 
 from workbook.lesson import run
 
