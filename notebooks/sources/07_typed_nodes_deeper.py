@@ -27,7 +27,7 @@
 #   ✗ mypy wants to know in which direction the type goes, and here it goes in only.
 # - **b** It wants the variable to be contravariant.
 #   when `complaints > 0 and names_it`
-#   ✓ A type that goes only in, as an argument, is contravariant: who accepts every message also accepts a Float32.
+#   ✓ A type that goes only in, as an argument, is contravariant.
 # - **c** It wants a bound, such as a base class of all messages.
 #   when `complaints > 0 and not names_it`
 #   ✗ A type variable needs no bound. ROS messages have no common base class in Python.

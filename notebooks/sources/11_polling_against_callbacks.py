@@ -160,7 +160,7 @@ for row, numbers in enumerate(rows.values()):
         marker, color = ("o", BLUE if row == 0 else GREEN) if number in numbers else ("x", RED)
         axes.plot(at, height, marker=marker, color=color, markersize=4)
 axes.set(xlim=(-0.03, 1.5), ylim=(-2.6, 0.6), xlabel="s", yticks=[0, -1, -2], yticklabels=list(rows))
-axes.set_title("polling finds one touch of each bunch", fontsize=11)
+axes.set_title("polling misses most touches of a bunch", fontsize=11)
 axes.grid(visible=False)
 show(
     fig,
@@ -169,7 +169,7 @@ show(
 
 # %% [markdown]
 # A cross is a touch that was not reported. The polling monitor keeps *the last* touch. When five come between two polls,
-# `monitor.last` holds the fifth. A poll can find only one touch of each bunch.
+# `monitor.last` holds the fifth. Each poll finds at most one touch.
 #
 # And it finds that one late. The time from an event to the reaction is called **latency**. The axis is logarithmic: each
 # step is ten times the one before.
@@ -184,9 +184,9 @@ axes.hist(first.late(first.polling), bins=edges, color=RED, alpha=0.6, hatch="//
 axes.axvline(50, linestyle="--", color=GREY)
 axes.set(xscale="log", xlabel="late by (ms)", ylabel="reports", xlim=(0.1, 1000))
 axes.set_xticks([0.1, 1, 10, 50, 100], ["0.1", "1", "10", "50", "100"])
-axes.text(0.12, 0.9, "by callback", color=GREEN, transform=axes.transAxes, weight="bold")
+axes.text(0.02, 0.9, "by callback", color=GREEN, transform=axes.transAxes, weight="bold")
 axes.text(0.78, 0.9, "by polling", color=RED, transform=axes.transAxes, weight="bold")
-axes.set_title("a callback reports within milliseconds, polling up to 50 ms late", fontsize=11)
+axes.set_title("a callback typically reports within milliseconds, polling up to 50 ms late", fontsize=11)
 show(fig, "how late the reports are: about a millisecond by callback, anything up to 50 ms by polling")
 
 # %% id="late"

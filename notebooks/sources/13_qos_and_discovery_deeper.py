@@ -5,8 +5,8 @@
 #
 # - **Minutes:** 20
 # - **You need:** lesson [13](13_qos_and_discovery.ipynb)
-# - **You will be able to:** keep the first message from being lost, say what discovery costs in time, and find out why
-#   two programs do not see each other
+# - **You will be able to:** keep the first message, say how long discovery takes, and find out why two programs do
+#   not see each other
 # - **Left out:** discovery servers, and settings of DDS for large networks
 
 # %% [markdown] prediction="first-words"
@@ -150,7 +150,7 @@ print("all of them found the listener:", min(here_ms) >= 0 and min(default_ms) >
 # - **b** 16: each pair has the same topic and type.
 #   when `hearing == 16`
 #   ✗ A request that is higher than the offer prevents the match.
-# - **c** 9: those where no request is higher than the offer.
+# - **c** 9: no request is higher than the offer.
 #   when `hearing == 9`
 #   ✓ For each policy three of the four combinations fit, and 3 × 3 is 9.
 
@@ -232,9 +232,8 @@ with lease_domain() as desk_a, lease_domain() as desk_b:
     print("desk A to desk B:", heard_between(desk_a, desk_b, LATCHED))
 
 # %% [markdown]
-# A tool is on one domain, too, so no tool shows this pair. *"It is not even listed"* means another domain
-# (`ROS_DOMAIN_ID`), another network, or a program that is not running. *"It is listed, but nothing arrives"* means QoS or
-# type.
+# A tool is on one domain, too, so no tool shows this pair. A topic that is not listed means another domain
+# (`ROS_DOMAIN_ID`), another network, or a program that is not running. A listed topic without messages means QoS or type.
 #
 # **Listed, and nothing arrives, with a container.** Fast DDS sends messages through shared memory (`/dev/shm`) if it
 # takes both programs to be on one machine. A container that shares its host's network, but not `/dev/shm`, looks like
