@@ -50,12 +50,12 @@ stop()
 # - **a** No time: the dashboard asks the node for the level.
 #   when `longest_wait_s < 0.5`
 #   ✗ On a topic nobody asks. A subscription gets the next message that is published.
-# - **b** 1 s: then the next message of this node comes.
-#   when `0.5 <= longest_wait_s < 1.5`
-#   ✗ After 1 s at most there is a status. The battery has a timer of its own, with a longer period.
-# - **c** 2 s: one period of the battery's timer.
+# - **b** 2 s: one period of the battery's timer.
 #   when `1.5 <= longest_wait_s < 2.6`
 #   ✓ Who just missed a message waits one period of that topic. The period is the longest wait.
+# - **c** 1 s: then the next message of this node comes.
+#   when `0.5 <= longest_wait_s < 1.5`
+#   ✗ After 1 s at most there is a status. The battery has a timer of its own, with a longer period.
 # - **d** 3 s: first comes the status, then the battery.
 #   when `longest_wait_s >= 2.6`
 #   ✗ The timers do not take turns. Each one is due by its own period.

@@ -124,18 +124,21 @@ def draw(
     if now is not None:
         canvas.line([(axis.clip(now), 4), (axis.clip(now), bottom)], Paint(width=1.6))
     if program_end is not None and start <= program_end <= stop:
-        x = axis.x(program_end)
-        canvas.line([(x, 4), (x, bottom)], Paint(stroke=RED, width=2))
-        room = width - x - 8
-        words = shorten("✗ the program ended here", max(room, x - 8), 11.5, bold=True)
-        fits = text_width(words, 11.5, bold=True) <= room
-        canvas.text(
-            (x + 6 if fits else x - 6, bottom + 32),
-            words,
-            Font(size=11.5, bold=True, color=RED),
-            align="left" if fits else "right",
-        )
+        _mark_end(canvas, axis.x(program_end), bottom)
     return canvas.png()
+
+
+def _mark_end(canvas: Canvas, x: float, bottom: float) -> None:
+    canvas.line([(x, 4), (x, bottom)], Paint(stroke=RED, width=2))
+    room = canvas.width - x - 8
+    words = shorten("✗ the program ended here", max(room, x - 8), 11.5, bold=True)
+    fits = text_width(words, 11.5, bold=True) <= room
+    canvas.text(
+        (x + 6 if fits else x - 6, bottom + 32),
+        words,
+        Font(size=11.5, bold=True, color=RED),
+        align="left" if fits else "right",
+    )
 
 
 def histogram(
