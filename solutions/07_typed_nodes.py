@@ -211,11 +211,13 @@ if __name__ == "__main__":
 # What mypy understands: [typing, in the documentation of Python](https://docs.python.org/3/library/typing.html)
 # %% [hint]
 # - To mypy, a publisher of rclpy accepts every message. So do not annotate your attribute as a `Publisher`. Describe
-#   what you need: something with `publish` for one type. That is a `Protocol` with a type variable, as in the lesson.
-# - A function with `kind: type[Message]` that returns `Sends[Message]` connects the two types.
+#   what you need: something with `publish` for one type. That is a `Protocol`, as in the lesson. One for each message is
+#   enough.
+# - For all messages at once: a function with `kind: type[Message]` that returns `Sends[Message]` (optional notebook
+#   07, deeper).
 # - For two words and no other, use `Literal["operational", "error"]`. `get_args` returns the words at run time.
-# - The hint `float` accepts `42`, but the message then sends 0.0. `float("87.5")` accepts a text. So check first
-#   (`isinstance`), then convert.
+# - The hint `float` accepts `42`. The message then sends 0.0, or with the Ubuntu packages may crash the program. And
+#   `float("87.5")` accepts a text. So check first (`isinstance`), then convert.
 #
 # Nodes, publishers and messages: [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html)
 # %% [hint]

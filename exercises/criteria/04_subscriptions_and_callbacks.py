@@ -30,7 +30,7 @@ AT_THE_END = (
     85.5, 6553.5, 85.25, 84.5, 84.5, 84.25, 83.75, -0.125, 83.5, 82.75, 81.5, 80.25, 79.75, 78.5, 77.25, 120.0,
 )  # fmt: skip
 READINGS = (*BEFORE_PAUSE, *AFTER_PAUSE, *AT_THE_SAME_MOMENT, *AT_THE_END)
-OTHERS = (73.0, -40.0, 72.5)  # not among the readings: whoever passes one on has heard the other robot
+OTHERS = (73.0, -40.0, 72.5)  # not among the readings: an answer that passes one on has heard the other robot
 BEGIN_S, APART_S, SAME_MOMENT_S = 0.5, 0.1, 0.01
 PAUSE_S, OTHERS_AFTER_S = 1.0, 0.55
 

@@ -1,7 +1,7 @@
 # %% [markdown]
 # # 09 · The joint positions
 #
-# A planner, a safety monitor and a picture on your screen all need to know the same thing: where are the joints now?
+# A planner, a safety monitor and a picture on your screen all need the joint angles. How often should a robot publish them?
 #
 # - **Minutes:** 45
 # - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb)
@@ -52,7 +52,7 @@ await knob(joint_position_publisher, "period_s", 0.5, between=(0.05, 2.0), secon
 # ## Predict
 #
 # The battery of lesson 08 is published at 0.5 Hz, one message every 2 s. Suppose we publish the joint angles of the
-# *waving* robot just as slowly, and somebody draws the robot from the last message that arrived.
+# *waving* robot just as slowly, and a program draws the robot from the last message that arrived.
 #
 # How wrong is that drawing at worst? The elbow swings by about 1 rad (57°) from one end to the other.
 #
@@ -89,8 +89,8 @@ print("arrived at", arrivals(slow, TOPIC), "s")
 print("values per message:", {len(angles) for angles in values(slow, TOPIC)})
 
 # %% [markdown]
-# We know how the robot really moves: the lesson node computes every pose with `waving(t)`. So we can compare the
-# elbow with what the last message says of it.
+# We know how the robot really moves: the lesson node computes every pose with `waving(t)`. So we can compare the real elbow
+# with the last message.
 
 # %%
 import numpy as np
@@ -116,33 +116,32 @@ print(f"the elbow swings by {swing:.1f} rad; at 0.5 Hz the last message is wrong
 
 # %%
 from workbook.pictures.figures import figure, show
+from workbook.pictures.palette import AMBER, BLUE
 
 fig, axes = figure(7.2, 2.8)
-axes.plot(moments, truth, label="where the elbow is")
-axes.step(moments, last_known(slow), where="post", label="what the last message says")
-axes.set(xlabel="robot time (s)", ylabel="left elbow (rad)")
-axes.legend(loc="upper right")
+axes.plot(moments, truth, color=BLUE)
+axes.step(moments, last_known(slow), where="post", color=AMBER)
+axes.set(xlabel="robot time (s)", ylabel="left elbow (rad)", xlim=(2, 18))
+axes.text(14.2, 0.8, "the real elbow", color=BLUE, weight="bold")
+axes.text(14.2, 0.15, "the last message", color=AMBER, weight="bold")
+axes.set_title("at 0.5 Hz the last message is often wrong by the whole swing", fontsize=11)
 show(fig, "the elbow swings quickly while the last known angle changes only every two seconds")
 
 # %% [markdown]
 # ## Look inside
 #
-# Look at your prediction again.
+# Your prediction was about the worst error, as a share of the swing:
 
 # %%
 reveal("the-slow-drawing", share_of_the_swing=float(worst / swing))
 
 # %% [markdown]
-# A message is a snapshot. Between two snapshots a subscriber knows nothing: DDS delivers, it does not guess. The elbow
-# waves 0.8 times a second and is read every 2 s, so it has time to go to the other end and back before the next
-# message.
-#
-# The battery is different. The status publisher of lesson 08 drains it by at most 0.5 % in 2 s, so the last
+# Between two messages a subscriber knows nothing new: DDS delivers, it does not guess. The elbow swings 0.8 times a second.
+# In 2 s it can go to the other end and back. The battery is different: it drains by at most 0.5 % in 2 s, so the last
 # message is never wrong by more than that.
 #
-# This is the rule behind every rate on a robot: **publish as fast as the value changes in a way that somebody needs to
-# know**. Batteries: once every few seconds. Joints that a planner uses: 10 to 100 Hz. Motor control inside the joint:
-# 1000 Hz and more, and not over a Python topic.
+# **Publish as fast as the value changes in a way that a subscriber needs to know.** Batteries: once every few seconds.
+# Joints that a planner uses: 10 to 100 Hz. Motor control inside the joint: 1000 Hz and more, and not over a Python topic.
 #
 # The message type is `Float32MultiArray`: a list of 32-bit floats with an optional `layout` that describes rows and
 # columns. It has no joint names. Sender and receiver must agree on the order, as we did in the table above.
@@ -151,13 +150,14 @@ reveal("the-slow-drawing", share_of_the_swing=float(worst / swing))
 from std_msgs.msg import Float32MultiArray
 
 message = Float32MultiArray(data=waving(0.25))
-print(len(message.data), "values, stored as", type(message.data).__name__, "of type", repr(message.data.typecode))
+kind = type(message.data).__name__
+print(len(message.data), "values, stored as", kind, "of type", repr(message.data.typecode))
 print("left elbow sent:", waving(0.25)[ELBOW])
 print("left elbow kept:", message.data[ELBOW])
 
 # %% [markdown]
-# The two numbers differ in the eighth digit: a Python `float` has 64 bits and the field has 32. For an angle that is
-# less than a hair's breadth. Only never compare such values with `==`.
+# The two numbers differ in the eighth digit: a Python `float` has 64 bits and the field has 32. For an angle that does not
+# matter. But never compare such values with `==`.
 
 # %% [markdown] prediction="ten-hertz"
 # ## Change it
@@ -188,15 +188,14 @@ print("less than a third" if worst_of_fast < worst / 3 else "a third or more")
 reveal("ten-hertz", share_of_the_error=float(worst_of_fast / worst))
 
 # %% [markdown]
-# So the answer to the first question of the exercise is measured, not felt: joints change by radians in a second, the
-# battery by a fraction of a percent. The joints deserve the faster topic. The exercise asks for 0.5 Hz all the same,
-# because there the angles are simulated and nobody steers by them.
+# Joints change by radians in a second, the battery by a fraction of a percent. So the joints need the faster topic. The
+# exercise asks for 0.5 Hz all the same: there the angles are simulated, and no program steers by them.
 
 # %% [markdown] prediction="the-hand-tracker"
 # ### Experiment 2: a subscriber that uses the angles
 #
-# How high is the left hand? From shoulder and elbow angle and the lengths of upper arm and forearm one can compute it.
-# The node below listens to the angles and publishes the height of the hand above the shoulder, in meters.
+# The node below subscribes to the angles. It computes how high the left hand is above the shoulder, in meters, and
+# publishes that. It has no timer.
 #
 # It spins in this notebook while the waving robot runs in its own process. In five seconds, with 20 messages per
 # second, how many heights will it publish?
@@ -216,7 +215,6 @@ predict("the-hand-tracker")
 
 # %%
 import math
-import time
 
 from rclpy.node import Node
 from std_msgs.msg import Float32
@@ -234,16 +232,16 @@ class HandTracker(Node):
     def __init__(self) -> None:
         super().__init__("hand_tracker")
         self.heights: list[float] = []
-        self.moments: list[float] = []
         self.height_pub = self.create_publisher(Float32, "/robot/left_hand_height", 10)
-        self.create_subscription(Float32MultiArray, "/robot/joint_positions", self.on_joints, 10)
+        self.create_subscription(
+            Float32MultiArray, "/robot/joint_positions", self.on_joints, 10
+        )
 
     def on_joints(self, msg: Float32MultiArray) -> None:
         shoulder = msg.data[JOINTS.index("left_shoulder")]
         elbow = msg.data[JOINTS.index("left_elbow")]
         height = -UPPER_ARM * math.cos(shoulder) - FOREARM * math.cos(shoulder + elbow)
         self.heights.append(height)
-        self.moments.append(time.monotonic())
         self.height_pub.publish(Float32(data=height))
 
 
@@ -258,33 +256,33 @@ reveal("the-hand-tracker", heights=len(tracker.heights))
 
 # %%
 fig, axes = figure(7.2, 2.4)
-axes.plot(np.array(tracker.moments) - tracker.moments[0], tracker.heights, ".-")
-axes.set(xlabel="real time since the first height (s)", ylabel="hand above shoulder (m)")
+axes.plot(range(1, len(tracker.heights) + 1), tracker.heights, ".-", color=BLUE)
+axes.set(xlabel="number of the message", ylabel="hand above shoulder (m)")
+axes.set_title("each message becomes one height", fontsize=11)
 show(fig, "the height of the waving hand, computed from the joint angles, goes up and down")
 
 # %% [markdown]
-# A hundred heights in about five seconds, one for each message. The subscriber needs no timer: a message *is* its
-# clock. This is how most of a robot works. A node takes one topic, makes something more useful of it, and publishes
-# that.
+# One height for each message. The subscriber needs no timer: each message triggers its callback. Most of a robot works like
+# this: a node subscribes to one topic, computes something more useful, and publishes that.
 
 # %% [markdown] prediction="a-hundred-hertz"
 # ### Experiment 3: 100 Hz instead of 0.5 Hz
 #
-# What does it cost to be generous? We run the publisher at three rates, each for four real seconds in a process of
-# its own, and read from the operating system how much processor time it took.
+# What does a higher rate cost? We run the publisher at three rates, each in a process of its own. The operating system says
+# how much processor time it took, after it has started up.
 #
 # At 100 Hz there are 200 times as many messages as at 0.5 Hz. The processor time of the program will be:
 #
 # - **a** about 200 times as much
 #   when `times_as_much >= 200`
-#   ✗ Most of what a program costs at 0.5 Hz is not its messages but its start, which is there only once.
+#   ✗ At 0.5 Hz much of the processor time does not go to messages. DDS works in the background at any rate.
 # - **b** the same
 #   when `times_as_much <= 1`
 #   ✗ To fill a message, serialize it and send it is work, and 100 Hz does it 200 times as often.
-# - **c** more, but far less than 200 times as much
+# - **c** more, but less than 200 times as much
 #   when `1 < times_as_much < 200`
-#   ✓ Each message costs a little. But the start of the program costs the same at any rate, and at 0.5 Hz it is nearly
-#   all.
+#   ✓ Each message costs a little. But the background work of DDS costs the same at any rate, and at 0.5 Hz it is a
+#   large part.
 
 # %%
 predict("a-hundred-hertz")
@@ -300,10 +298,15 @@ for hz in (0.5, 10, 100):
 # %% tags=["nbval-ignore-output"]
 from workbook.lesson import processor_seconds
 
-used = {hz: processor_seconds(joint_position_publisher, seconds=4, period_s=1 / hz) for hz in (0.5, 10.0, 100.0)}
-for hz, busy in used.items():
-    print(f"{hz:>5} Hz: {100 * busy / 4:5.1f} % of one core, the start of the node included")
-each_ms = 1000 * (used[100.0] - used[0.5]) / (4 * 99.5)
+SECONDS = {0.5: 10.0, 10.0: 4.0, 100.0: 4.0}  # longer where there is less to measure
+used = {}
+for hz, seconds in SECONDS.items():
+    busy = processor_seconds(
+        joint_position_publisher, seconds=seconds, with_start=False, period_s=1 / hz
+    )
+    used[hz] = busy / seconds  # share of one core
+    print(f"{hz:>5} Hz: {100 * used[hz]:5.1f} % of one core")
+each_ms = 1000 * (used[100.0] - used[0.5]) / 99.5
 print(f"what one more message costs: {each_ms:.1f} ms")
 
 # %%
@@ -313,18 +316,19 @@ reveal("a-hundred-hertz", times_as_much=used[100.0] / used[0.5])
 
 # %%
 fig, axes = figure(5.2, 2.4)
-bars = axes.bar([f"{hz:g} Hz" for hz in used], [100 * busy / 4 for busy in used.values()])
-axes.bar_label(bars, fmt="%.0f %%")
+bars = axes.bar([f"{hz:g} Hz" for hz in used], [100 * busy for busy in used.values()], color=BLUE)
+axes.bar_label(bars, fmt="%.1f %%")
+axes.set_title("200 times the messages cost less than 200 times the work", fontsize=11)
 axes.set(ylabel="one core, busy (%)")
 axes.margins(y=0.2)
-show(fig, "processor time of the publisher at 0.5, 10 and 100 Hz: it grows, but far less than the number of messages")
+show(fig, "processor time of the publisher at 0.5, 10 and 100 Hz: it grows, but less than the number of messages")
 
 # %% [markdown]
-# At 0.5 Hz nearly all of it has nothing to do with messages: a context and a node are made, and DDS keeps in touch
-# with others. Then each message costs about the same, here between half a millisecond and a whole one. So ten times
-# the messages cost ten times as much. 100 Hz is affordable for *one* publisher. But every subscriber pays as well,
-# and a robot has many topics. Two hundred times the data for an angle that nobody reads faster than once a second is
-# waste. And a Python node that is busy with one topic is late for the others: that is lesson 10.
+# The start of the program is not in these numbers. At 0.5 Hz much of it is background work: DDS keeps in touch with
+# other programs. Each message adds about the same, so at high rates the cost grows with the rate.
+#
+# 100 Hz is affordable for *one* publisher. But every subscriber pays as well, and a robot has many topics. And a Python
+# node that is busy with one topic is late for the others (lesson 10).
 
 # %% [markdown]
 # ## When it goes wrong
@@ -339,8 +343,7 @@ joint_pub = node.create_publisher(Float32MultiArray, "/robot/joint_positions", 1
 joint_pub.publish(waving(0.0))
 
 # %% [markdown]
-# The publisher wants an object of its message class. Put the list into the `data` field of one:
-# `Float32MultiArray(data=angles)`.
+# `publish` needs a message. Put the list into its `data` field: `Float32MultiArray(data=angles)`.
 #
 # **One number instead of twelve.** The field is an array, also for a single value.
 
@@ -348,12 +351,11 @@ joint_pub.publish(waving(0.0))
 Float32MultiArray(data=1.57)
 
 # %% [markdown]
-# The message tries to walk through what it is given, element by element. A list with one element is what is wanted:
-# `[1.57]`.
+# The field needs a sequence, so write a list with one element: `[1.57]`.
 #
-# **Eleven values, degrees, NaN.** These raise nothing at all: for ROS they are an array of floats like any other.
-# Only somebody who *uses* the angles can notice. Here is the pose with the left arm stretched out to the side, once in
-# radians and once with the same number in degrees.
+# **Eleven values, degrees, NaN.** These raise nothing: for ROS they are an array of floats like any other. Only a program
+# that *uses* the angles can notice. Here is the left arm stretched out to the side, once in radians and once with the same
+# number in degrees.
 
 # %%
 from workbook.lesson import robot
@@ -461,7 +463,7 @@ else:
 # </details>
 # <details><summary>c) As fast as the loop can go</summary>
 #
-# ✗ Every subscriber pays for every message. A rate that nobody needs takes time from those who do.
+# ✗ Every subscriber pays for every message. A rate without need takes time from other topics.
 #
 # </details>
 #
@@ -528,8 +530,8 @@ else:
 #
 # <details><summary>What a good answer contains</summary>
 #
-# One topic at the fastest rate that somebody really needs; slower users drop or sample what they do not want (queue depth
-# 1, or a timer that reads the last message). Three topics of the same thing can disagree. The cost of a message is paid
+# One topic at the fastest rate that is really needed. Slower users sample it, with queue depth 1 or a timer that reads the
+# last message. Three topics of the same thing can disagree. The cost of a message is paid
 # by each subscriber, so a slow one in Python may want its own, thinned topic. And a real robot would use
 # `sensor_msgs/JointState`, which carries names, positions, velocities and a time stamp.
 #

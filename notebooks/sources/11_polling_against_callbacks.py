@@ -1,19 +1,18 @@
 # %% [markdown]
 # # 11 · Polling against callbacks
 #
-# A robot hand that looks for a touch twenty times a second crushes the egg in between.
+# A robot hand closes around an egg, and has to stop at the touch. Does it poll for the touch, or does a callback report it?
 #
 # - **Minutes:** 40
 # - **You need:** lessons [05](05_timers.ipynb) and [10](10_slow_callbacks.ipynb)
 # - **You will be able to:** tell polling from callbacks when you see it, measure what polling costs in time, in lost
-#   messages and in processor time, and turn a loop that looks into callbacks
+#   messages and in processor time, and turn a loop that polls into callbacks
 # - **Left out:** how much of a queue is right for which data (lesson 13), real-time systems
 
 # %% [markdown]
-# You wait for a parcel. You can go to the door every five minutes and look. Or you install a bell.
-#
-# Going to look is called **polling**. The bell is a **callback**: somebody else calls *you*. Here is a robot with both.
-# The skin of its hand numbers each touch and reports it. Two monitors want to know.
+# To check again and again whether something happened is called **polling**. With a **callback**, rclpy calls your code when
+# it happens. Here is a robot with both. The skin of its hand numbers each touch and publishes it. Two monitors report
+# touches: one polls, one has a callback.
 
 # %%
 from lesson_nodes import callback_monitor, polling_monitor, touch_sensor
@@ -30,10 +29,10 @@ stop()
 # %% [markdown] prediction="the-touches"
 # ## Predict
 #
-# When people first hear of callbacks, many ask: why not simply a loop? Here are both monitors in short:
+# Many beginners ask why a loop is not enough. Here are both monitors in short:
 #
 # ```python
-# # A: a loop that looks                            # B: a callback
+# # A: a loop that polls                            # B: a callback
 # def keep(message):                                def on_touch(message):
 #     monitor.last = message.data                       report(message.data)
 #
@@ -45,20 +44,20 @@ stop()
 #     time.sleep(0.05)
 # ```
 #
-# In A a second thread spins the node, so `keep` is called for each touch. The loop itself only looks.
+# In A a second thread spins the node, so `keep` is called for each touch. The loop itself only polls.
 #
-# The hand closes around things: there are pauses, and then several touches in one moment. 120 touches in about five
-# seconds. In that time A looks about 100 times. How many of the 120 touches does A report?
+# The hand closes around things: there are pauses, and then several touches in one moment. In about five seconds there are
+# 120 touches, and A polls about 100 times. How many of the 120 touches does A report?
 #
 # - **a** Fewer than half.
 #   when `reported < sent / 2`
-#   ✓ The touches come in bunches, and of each bunch the loop sees only the last touch. The others are overwritten.
-# - **b** About 100: one with each look.
+#   ✓ The touches come in bunches, and of each bunch the loop finds only the last touch. The others are overwritten.
+# - **b** About 100: one with each poll.
 #   when `sent / 2 <= reported < sent`
-#   ✗ The loop does look about 100 times. But most looks fall into a pause and find nothing new.
+#   ✗ The loop does poll about 100 times. But most polls fall into a pause and find nothing new.
 # - **c** All 120, some of them a little late.
 #   when `reported == sent`
-#   ✗ `monitor.last` has room for one touch. Of several that come between two looks, only the last one is left.
+#   ✗ `monitor.last` has room for one touch. Of several that come between two polls, only the last one is left.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -68,8 +67,8 @@ predict("the-touches")
 # %% [markdown]
 # ## Run it
 #
-# A referee listens to all three. Each ROS message carries the moment at which it was sent; a callback with a second
-# argument gets to see it. So the referee can tell how long each monitor took, however busy the referee itself is.
+# A referee subscribes to all three topics. Each message carries the time at which it was sent, and a callback with a second
+# argument receives it. So the referee knows how late each report was, however busy the referee itself is.
 
 # %%
 from rclpy.node import Node
@@ -116,7 +115,7 @@ async def match(touches=TOUCHES, **polling):
     await run(
         referee, seconds=40, until=lambda: len(referee.touched) == len(set(referee.callback)) == touches
     )
-    await run(referee, seconds=0.5)  # for those who come late
+    await run(referee, seconds=0.5)  # for late reports
     stop()
     return referee
 
@@ -139,7 +138,7 @@ reveal("the-touches", reported=len(first.polling), sent=TOUCHES)
 # %% [markdown]
 # ## Look inside
 #
-# Here are the first touches. Those that came in one moment stand above each other.
+# Here are the first touches. Touches of one moment are drawn above each other.
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -161,6 +160,7 @@ for row, numbers in enumerate(rows.values()):
         marker, color = ("o", BLUE if row == 0 else GREEN) if number in numbers else ("x", RED)
         axes.plot(at, height, marker=marker, color=color, markersize=4)
 axes.set(xlim=(-0.03, 1.5), ylim=(-2.6, 0.6), xlabel="s", yticks=[0, -1, -2], yticklabels=list(rows))
+axes.set_title("polling misses most touches of a bunch", fontsize=11)
 axes.grid(visible=False)
 show(
     fig,
@@ -168,26 +168,25 @@ show(
 )
 
 # %% [markdown]
-# A cross is a touch that nobody reported. The polling monitor keeps *the last* touch. When five come between two looks,
-# the fifth is in `monitor.last`, and the other four were there only for a moment. It is not a matter of bad luck: of each
-# bunch a look can find one.
+# A cross is a touch that was not reported. The polling monitor keeps *the last* touch. When five come between two polls,
+# `monitor.last` holds the fifth. Each poll finds at most one touch.
 #
-# And what it finds, it finds late. The time from an event to the reaction is called **latency**. The next picture has
-# both monitors on one axis, each step ten times the one before:
+# And it finds that one late. The time from an event to the reaction is called **latency**. The axis is logarithmic: each
+# step is ten times the one before.
 
 # %%
 import numpy as np
 
 fig, axes = figure(6.4, 2.6)
 edges = np.logspace(-1, 2, 37)
-axes.hist(first.late(first.callback), bins=edges, label="by callback", color=GREEN, alpha=0.85)
-axes.hist(
-    first.late(first.polling), bins=edges, label="by polling, every 50 ms", color=RED, alpha=0.6, hatch="//"
-)
+axes.hist(first.late(first.callback), bins=edges, color=GREEN, alpha=0.85)
+axes.hist(first.late(first.polling), bins=edges, color=RED, alpha=0.6, hatch="//")
 axes.axvline(50, linestyle="--", color=GREY)
 axes.set(xscale="log", xlabel="late by (ms)", ylabel="reports", xlim=(0.1, 1000))
 axes.set_xticks([0.1, 1, 10, 50, 100], ["0.1", "1", "10", "50", "100"])
-axes.legend(loc="upper right")
+axes.text(0.02, 0.9, "by callback", color=GREEN, transform=axes.transAxes, weight="bold")
+axes.text(0.78, 0.9, "by polling", color=RED, transform=axes.transAxes, weight="bold")
+axes.set_title("a callback typically reports within milliseconds, polling up to 50 ms late", fontsize=11)
 show(fig, "how late the reports are: about a millisecond by callback, anything up to 50 ms by polling")
 
 # %% id="late"
@@ -196,27 +195,40 @@ print("polling is typically late by 10 ms or more:", by_polling >= 10)
 print("callbacks are at least four times as quick:", by_callback < by_polling / 4)
 
 # %% [markdown]
-# With polling, a touch waits for the next look: sometimes 50 ms, sometimes nothing, on average half the sleep. With a
-# callback it waits for nobody. The executor sleeps *in the operating system*, which wakes it when a message arrives.
-# That is the bell.
+# With polling, a touch waits for the next poll: on average half the sleep. With a callback it does not wait. The executor
+# sleeps *in the operating system*, which wakes it when a message arrives.
+#
+# What does that mean for the egg? The film takes the typical latency of each monitor from this run. The fingers close at
+# 100 mm/s and stop at the report. The shell breaks when it is squeezed by more than 2 mm.
+
+# %%
+from workbook.pictures.egg import squeeze
+
+squeeze(
+    {
+        "by callback": median(first.late(first.callback)),
+        "by polling, every 50 ms": median(first.late(first.polling)),
+    },
+    "two eggs in slow motion: the fingers that hear of the touch by callback stop; those that poll crush the egg",
+)
 
 # %% [markdown] prediction="looking-more-often"
 # ## Change it
 #
-# ### Experiment 1: look more often
+# ### Experiment 1: poll more often
 #
-# The obvious remedy: sleep for 5 ms in place of 50. What follows?
+# Let the loop sleep for 5 ms in place of 50. What follows?
 #
 # - **a** Quick now, and nothing is missed any more.
 #   when `times_as_late < 0.5 and reported >= sent * 2 / 3`
-#   ✗ It is quicker. But the touches of a bunch still overwrite each other before the next look.
+#   ✗ It is quicker. But the touches of a bunch still overwrite each other before the next poll.
 # - **b** Quick now, but most touches are missed all the same.
 #   when `times_as_late < 0.5 and reported < sent * 2 / 3`
-#   ✓ Less time passes until the next look. But there is still room for one touch only, and a bunch is over within a
+#   ✓ Less time passes until the next poll. But there is still room for one touch only, and a bunch is over within a
 #   moment.
 # - **c** As slow as before, but nothing is missed.
 #   when `times_as_late >= 0.5`
-#   ✗ A touch waits until the loop looks again. With a shorter sleep that is sooner.
+#   ✗ A touch waits until the loop polls again. With a shorter sleep that is sooner.
 
 # %%
 predict("looking-more-often")
@@ -230,7 +242,8 @@ def added_by_polling(of):
     return median(of.late(of.polling)) - median(of.late(of.callback))
 
 
-print("polling adds less than half of what it added before:", added_by_polling(often) < added_by_polling(first) / 2)
+quicker = added_by_polling(often) < added_by_polling(first) / 2
+print("polling adds less than half of what it added before:", quicker)
 print("fewer than two thirds seen:", len(often.polling) < TOUCHES * 2 / 3)
 reveal(
     "looking-more-often",
@@ -240,26 +253,24 @@ reveal(
 )
 
 # %% [markdown]
-# Ten times as many looks, and hardly any touch more. The five touches of a bunch lie less than a millisecond apart. No
-# sleep is short enough for that, as long as there is room for one touch only.
+# Ten times as many polls, and most touches are still missed. The five touches of a bunch lie less than a millisecond
+# apart. No sleep is short enough for that while there is room for one touch only.
 
 # %% [markdown] prediction="no-sleep"
 # ### Experiment 2: do not sleep at all
 #
-# Then leave the sleep away! `while rclpy.ok(): monitor.look()`, as fast as the processor can. Compared with the callback,
-# this is
+# Now the loop has no sleep: `while rclpy.ok(): monitor.look()`. You know from lesson 06 that such a loop keeps a processor
+# busy. But is it quick? Compared with the callback, its reports come
 #
-# - **a** quicker, since it looks a million times a second, and that costs a whole processor;
-#   when `not is_later and times_the_processor_time > 10`
-#   ✗ It does cost a whole processor. But the loop holds Python's lock, the GIL, and the thread that receives has to
-#   wait for it.
-# - **b** the same: a loop that finds nothing does no work.
-#   when `times_the_processor_time <= 10`
-#   ✗ To look is work as well, and this loop looks without a pause. Only a thread that sleeps costs nothing.
-# - **c** slower, *and* it costs a whole processor;
-#   when `is_later and times_the_processor_time > 10`
-#   ✓ The loop never rests, and keeps Python's lock, the GIL, from the thread that receives. So the touch comes in
-#   later.
+# - **a** sooner: the loop polls a million times a second, and a callback has to be woken;
+#   when `times_as_late < 0.8`
+#   ✗ The loop holds Python's lock, the GIL, and the thread that receives has to wait for it.
+# - **b** at about the same time;
+#   when `0.8 <= times_as_late <= 1.2`
+#   ✗ Both need the thread that receives. Beside a loop without a sleep, that thread gets its turns late.
+# - **c** later.
+#   when `times_as_late > 1.2`
+#   ✓ The loop keeps the GIL from the thread that receives, so the touch itself comes in later.
 
 # %%
 predict("no-sleep")
@@ -278,7 +289,8 @@ used = {
 fig, axes = figure(6.4, 1.8)
 bars = axes.barh(list(used), list(used.values()), color=[GREEN, BLUE, RED], height=0.6)
 axes.bar_label(bars, [f"{seconds:.2f} s" for seconds in used.values()], padding=4)
-axes.set(xlabel="processor time (s) in 3 s without a touch", xlim=(0, 3.6))
+axes.set(xlabel="processor time (s) in 3 s without a touch, start-up not counted", xlim=(0, 3.6))
+axes.set_title("without a sleep, polling keeps a processor busy", fontsize=11)
 axes.grid(visible=False)
 axes.invert_yaxis()
 show(fig, "processor time: little by callback and with a sleep, nearly all of a processor without a sleep")
@@ -290,34 +302,30 @@ print(
     "without a sleep, it needs at least ten times the processor time:",
     used["polling without a sleep"] > 10 * used["by callback"],
 )
-reveal(
-    "no-sleep",
-    is_later=slower,
-    times_the_processor_time=used["polling without a sleep"] / used["by callback"],
-)
+times_as_late = median(restless.late(restless.polling)) / median(restless.late(restless.callback))
+reveal("no-sleep", times_as_late=times_as_late)
 
 # %% [markdown]
-# It looks without a pause, and is *slower* than the callback, which sleeps until it is woken. Why? The loop holds
-# Python's lock, the GIL, and the thread that receives has to beg for a turn: a few milliseconds each time. Whoever
-# asks "is it there yet?" all the time keeps the postman from the door.
+# It polls without a pause, and is *slower* than the callback, which sleeps until it is woken. The loop holds Python's lock,
+# the GIL, and starves the thread that receives: each turn comes a few milliseconds late.
 #
-# And the processor that it burns is missing elsewhere. On a battery robot it is missing as minutes of walking.
+# The processor time also comes out of the battery. That is walking time the robot does not get back.
 
 # %% [markdown] prediction="keep-them-all"
 # ### Experiment 3: keep them all
 #
-# A better remedy: not `monitor.last = …`, but a queue, which a look empties. We go back to a sleep of 50 ms. Now polling
+# Instead of `monitor.last = …`, the monitor now has a queue, which each poll empties. The sleep is 50 ms again. Now polling
 # is
 #
 # - **a** complete, but late;
 #   when `is_complete and late_ms >= 10`
-#   ✓ The queue keeps every touch. The loop finds them with its next look, up to 50 ms later.
+#   ✓ The queue keeps every touch. The loop finds them with its next poll, up to 50 ms later.
 # - **b** as good as the callback;
 #   when `is_complete and late_ms < 10`
 #   ✗ Nothing is missed any more. But each touch still waits in the queue until the loop wakes up.
 # - **c** quick, but not complete.
 #   when `not is_complete`
-#   ✗ The queue has room for all touches that come between two looks. The delay comes from the sleep.
+#   ✗ The queue has room for all touches that come between two polls. The delay comes from the sleep.
 
 # %%
 predict("keep-them-all")
@@ -333,22 +341,20 @@ reveal(
 )
 
 # %% [markdown]
-# Nothing is lost any more. But now you have built by hand what the subscription has anyway: it *is* a queue, and the
-# executor calls you as soon as something is in it. The loop adds nothing but the delay.
+# Nothing is lost any more. But you have built by hand what the subscription already has: a queue, and an executor that runs
+# your callback as soon as a message is in it. The loop adds only the delay.
 #
-# **When looking is right.** There is an honest use of it. A controller that steers five times a second does not want
-# to know of every distance that the sensor has sent. It wants the *newest*, at *its own* moments. So it keeps the
-# last value in a callback, and a
-# **timer** looks at it. Then "only the last one" is a feature.
+# **When polling is right.** A controller that steers five times a second does not need every distance that the sensor
+# sent. It needs the *newest*, at *its own* moments. So a callback keeps the last value, and a **timer** reads it.
 #
-# Ask yourself: is each message an **event** (a touch, a button, an alarm), or is it a **state** of which only the newest
-# counts (a distance, a temperature)? Events want a callback that acts. States may be looked at.
+# Is each message an **event** (a touch, a button, an alarm), or a **state** of which only the newest counts (a distance, a
+# temperature)? For an event, act in the callback. A state can be read by a timer.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **The loop that spins.** Somebody has read that a node must be spun, and that `timeout_sec=0` does not wait. So the loop
-# spins without waiting. This runs as a program of its own and counts, once with 0 and once with 0.1:
+# **The loop that spins without waiting.** With `timeout_sec=0`, `spin_once` does not wait (lesson 06). This program counts
+# the iterations, once with 0 and once with 0.1:
 
 # %%
 from workbook.lesson import run_program
@@ -384,12 +390,11 @@ print("with 0, more than ten times as many rounds for the same 15 ticks:", greed
 print("and they cost more processor time:", greedy[2] > calm[2])
 
 # %% [markdown]
-# No error, the ticks come, and the fan begins to howl. `timeout_sec=0` is right where something else waits already, as
-# the event loop of a window does. In a loop of its own give it a time, 0.1 for example: it returns earlier if there is
-# something to do. Better still, `rclpy.spin(node)`, and no loop at all.
+# `timeout_sec=0` is right where something else waits already, such as the event loop of a window. In a loop of your own use
+# 0.1, for example: it returns earlier if there is something to do. `rclpy.spin(node)` needs no loop at all.
 #
-# **The loop that sleeps for good.** ROS has a sleep of its own, for loops with a rate. It is in many old examples. What
-# does this program print?
+# **The loop that sleeps forever.** ROS has a sleep for loops with a rate. It is in many old examples. What does this program
+# print?
 
 # %% id="rate"
 RATE = """
@@ -410,27 +415,26 @@ print("looks:", outcome.log.count("look "))
 print("ended by:", "the watchdog" if outcome.ended_by == "bench" else "itself")
 
 # %% [markdown]
-# Not one look, and no error. `rate.sleep()` waits for a *timer* of the node. Timers tick when somebody spins, and the only
-# one who could spin is asleep. The watchdog had to end it.
+# The loop never got past its first sleep, and there is no error. `rate.sleep()` waits for a *timer* of the node. Timers tick
+# while the node is spun, and the only thread is asleep. The watchdog had to end it.
 #
-# A rate works if *another thread* spins the node. But then you have two threads, a loop and a lock to think of, to do
-# what one line does: `node.create_timer(0.1, look)`.
+# A rate works if *another thread* spins the node. One line does the same without threads: `node.create_timer(0.1, look)`.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A walking robot has a loop that looks at two things. Which is an event, and which is a state?
+# **Worked.** A walking robot has a loop that polls two things. Which is an event, and which is a state?
 #
 # ```python
 # while rclpy.ok():
 #     rclpy.spin_once(node, timeout_sec=0)
-#     if node.last_button != node.seen_button:      # somebody has pressed the stop button
+#     if node.last_button != node.seen_button:      # the stop button was pressed
 #         ...
 #     steer(node.last_distance)                     # how far is the wall?
 #     time.sleep(0.2)
 # ```
 #
-# The button is an event: a callback that acts. The distance is a state: a callback that keeps, and a timer that looks.
+# The button is an event: the callback acts. The distance is a state: the callback keeps it, and a timer reads it.
 
 # %%
 from std_msgs.msg import Float32, String
@@ -455,7 +459,7 @@ class Walker(Node):
         self.distance = message.data  # a state: keep the newest
 
     def steer(self) -> None:
-        if self.distance is not None:  # before the first message nobody knows where the wall is
+        if self.distance is not None:  # unknown before the first message
             self.steered_by.append(self.distance)
 
 
@@ -475,25 +479,25 @@ print("stops:", walker.stops)
 print("steers by:", walker.steered_by[-1])
 
 # %% [markdown]
-# A value that is kept says nothing of its age. If the sensor dies, this robot steers by its last word for ever. So note
-# the time with the value, and stop when it is too old (lesson 13).
+# A kept value does not show its age. If the sensor stops, this robot steers by the last value forever. So keep the time with
+# the value, and stop when it is too old (lesson 13).
 
 # %% [markdown]
-# **Faded.** This door robot polls a bell. Two visitors ring within one sleep, and one of them is left standing. Turn it
-# into a callback that acts. There are two places with a TODO.
+# **Faded.** This reception robot polls a call button. Two visitors call within one sleep, and one of them is not greeted.
+# Turn it into a callback that acts. There are two places with a TODO.
 
 
 # %%
-class DoorRobot(Node):
-    """Greets whoever rings."""
+class ReceptionRobot(Node):
+    """Greets each visitor who calls."""
 
     def __init__(self) -> None:
-        super().__init__("door_robot")
+        super().__init__("reception_robot")
         self.last = ""
         self.greeted: list[str] = []
-        self.create_subscription(String, "/door/bell", self.on_bell, 10)
+        self.create_subscription(String, "/reception/call", self.on_call, 10)
 
-    def on_bell(self, message: String) -> None:
+    def on_call(self, message: String) -> None:
         self.last = message.data
         # TODO: greet the visitor here, at once, with self.greet(...)
 
@@ -501,19 +505,20 @@ class DoorRobot(Node):
         self.greeted.append(visitor)
 
 
-door = fresh(DoorRobot)
-bell = world.create_publisher(String, "/door/bell", 10)
-await run(world, until=lambda: bell.get_subscription_count() == 1)
-bell.publish(String(data="Ada"))
-bell.publish(String(data="Grace"))
+reception = fresh(ReceptionRobot)
+calling = world.create_publisher(String, "/reception/call", 10)
+await run(world, until=lambda: calling.get_subscription_count() == 1)
+calling.publish(String(data="Ada"))
+calling.publish(String(data="Grace"))
 
-for _ in range(3):  # TODO: away with these four lines, `await run(door, seconds=1)` is enough
-    await run(door, seconds=0.3)
-    if door.last and door.last not in door.greeted:
-        door.greet(door.last)
+for _ in range(3):  # TODO: replace these four lines by `await run(reception, seconds=1)`
+    await run(reception, seconds=0.3)
+    if reception.last and reception.last not in reception.greeted:
+        reception.greet(reception.last)
 
-print("greeted:", door.greeted)
-print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebody is still at the door")
+print("greeted:", reception.greeted)
+both = reception.greeted == ["Ada", "Grace"]
+print("everyone was greeted" if both else "one visitor still waits")
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/11_polling_against_callbacks.ipynb) you get a monitor that polls, and turn it
@@ -522,7 +527,7 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 # %% [markdown]
 # ## Check yourself
 #
-# **1. A loop sleeps for 0.2 s between two looks. How late does it notice an event, on average?**
+# **1. A loop sleeps for 0.2 s between two polls. How late does it notice an event, on average?**
 #
 # <details><summary>a) About 0.1 s</summary>
 #
@@ -531,7 +536,7 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 # </details>
 # <details><summary>b) 0.2 s</summary>
 #
-# ✗ That is the worst case: the event came just after a look.
+# ✗ That is the worst case: the event came just after a poll.
 #
 # </details>
 # <details><summary>c) It depends on how often events come</summary>
@@ -540,11 +545,11 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 #
 # </details>
 #
-# **2. A callback stores `self.last`, a loop looks at it every millisecond. Can it miss a message?**
+# **2. A callback stores `self.last`, a loop polls it every millisecond. Can it miss a message?**
 #
 # <details><summary>a) No, ROS keeps messages until they are read</summary>
 #
-# ✗ Up to the moment at which your callback has run. Then the message is yours, and you overwrote it.
+# ✗ Only until your callback has run. After that the message is in your attribute, and you overwrote it.
 #
 # </details>
 # <details><summary>b) No, a millisecond is shorter than any pause between messages</summary>
@@ -554,29 +559,29 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 # </details>
 # <details><summary>c) Yes, if two come within one sleep</summary>
 #
-# ✓ Room for one is room for one. You saw it with 5 ms.
+# ✓ There is room for one message. You saw it with 5 ms.
 #
 # </details>
 #
 # **3. Why does a node that waits in `rclpy.spin` need almost no processor time?**
 #
-# <details><summary>a) It looks only a few times a second</summary>
+# <details><summary>a) It polls only a few times a second</summary>
 #
 # ✗ Then it would be late, as polling is. It was late by a millisecond.
 #
 # </details>
 # <details><summary>b) It sleeps until the operating system wakes it for a message or a timer</summary>
 #
-# ✓ That is the bell.
+# ✓ A thread that sleeps in the operating system uses no processor time.
 #
 # </details>
 # <details><summary>c) Because rclpy runs in a process of its own</summary>
 #
-# ✗ It runs in yours. What uses no processor is waiting.
+# ✗ It runs in yours.
 #
 # </details>
 #
-# **4. Where is it right to keep only the last value and look at it with a timer?**
+# **4. Where is it right to keep only the last value and read it with a timer?**
 #
 # <details><summary>a) The distance for a controller that steers five times a second</summary>
 #
@@ -588,9 +593,9 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 # ✗ An event. It must act at once, and each time.
 #
 # </details>
-# <details><summary>c) Parcels that shall be counted</summary>
+# <details><summary>c) Parcels that have to be counted</summary>
 #
-# ✗ Two between two looks would count as one.
+# ✗ Two between two polls would count as one.
 #
 # </details>
 
@@ -605,30 +610,26 @@ print("nobody is left standing" if door.greeted == ["Ada", "Grace"] else "somebo
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The bumper is an event: up to 20 ms late by looking, and two bumps within 20 ms are one. A callback is quicker and
-# complete. The camera is a state for most purposes: only the newest picture counts, so a queue of depth 1 and a
-# callback, or a timer at the pace of what uses it. The battery is slow, and looking fifty times a second finds
-# nothing new in 99 of 100 looks. The wish behind the loop is fair: one place, one order. An executor with one thread
-# gives you the one place as well: callbacks run one after the other, never at once, and no locks are needed. Neither
-# of the two gives you the order in which things happened: of what waits, the loop takes what it checks first, and the
-# executor takes timers before messages. Whoever needs the order compares time stamps. Good answers mention what the
-# loop does to the processor, and what happens when checking one of the three takes long (lesson 10): the loop stands
-# still for all three, just as callbacks in one thread do.
+# The bumper is an event: polling is up to 20 ms late, and two bumps within 20 ms become one. A callback is quicker and
+# complete. The camera is a state for most purposes: a queue of depth 1 and a callback, or a timer at the pace of its user.
+# The battery is slow, and 99 of 100 polls find nothing new. The wish behind the loop is one place and one order. An
+# executor with one thread also is one place: callbacks run one after another. Neither shows the order of events: the loop
+# takes what it checks first, and the executor takes timers before messages. For the order, compare time stamps. Good
+# answers mention the processor time, and that one slow check holds up all three (lesson 10).
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - Polling finds things late, by half the sleep on average, and finds one where several came.
-# - Looking more often makes it quicker and dearer, not complete. Without a sleep it is slow *and* dear.
-# - A callback is called as soon as a message is there, once for each, and waiting for it costs nothing.
-# - Events want a callback that acts. States may be kept, and looked at with a timer.
-# - `spin_once(timeout_sec=0)` in a loop burns a processor; `rate.sleep()` without somebody who spins never returns.
+# - Polling is late, by half the sleep on average, and finds one message where several came.
+# - Polling more often is quicker and costs more, and is not complete. Without a sleep it is slow *and* costly.
+# - A callback runs as soon as a message is there, once for each, and waiting for it costs nothing.
+# - For an event, act in the callback. A state can be kept, and read with a timer.
+# - `spin_once(timeout_sec=0)` in a loop wastes a processor; `rate.sleep()` never returns while no thread spins the node.
 #
 # **Before:** [10 · Slow callbacks](10_slow_callbacks.ipynb)
 #
-# **Next:** [12 · Services](12_services.ipynb): a question, and an answer to it.
+# **Next:** [12 · Services](12_services.ipynb): a request, and a response to it.
 #
-# **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html), who wait so that
-# you need not look.
+# **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html).

@@ -1,34 +1,49 @@
 # %% [markdown]
 # # 13 · QoS and discovery
 #
-# A robot is many programs that must find each other, and agree on what they promise each other; when they do not, it
-# stands still, and no program has crashed.
+# A dashboard is switched on hours after the robot. Why does it hear nothing, and how does it notice that the robot went
+# silent?
 #
-# - **Minutes:** 60
-# - **You need:** lessons 03 to 05: publishers, subscriptions, timers
-# - **You will be able to:** say why a subscription hears nothing, let a late program have the last status at once, keep
-#   the first message from being lost, and notice when somebody falls silent
-# - **Left out:** liveliness, lifespan and history (three more policies), discovery servers, settings of a certain DDS
+# - **Minutes:** 45
+# - **You need:** lessons [03](03_publishers_and_messages.ipynb) to 05: publishers, subscriptions, timers
+# - **You will be able to:** say why a subscription hears nothing, give a late program the last status at once, and
+#   notice when a publisher goes silent
+# - **Left out:** liveliness, lifespan and history (three more policies), discovery servers, settings of one DDS
 
 # %% [markdown]
-# Here are two programs. The first is a robot: it says its status once, and its heart beats four times a second. The
-# second one listens.
+# This robot publishes its status once, when it starts. Its heart beats four times a second. We record it for five
+# seconds. In the film, the robot moves a little at each beat that arrived.
 
 # %%
 from lesson_nodes import heartbeat, status_monitor
-from workbook.lesson import graph_picture, start, stop
+from workbook.lesson import arrivals, graph_picture, record, start, stop
+from workbook.pictures.moving import Robot, robots
 
+BEAT = "/robot/heartbeat"
+film = record(
+    heartbeat, {BEAT: 0.25}, seconds=5, clock="wall", beats_for_s=2.0, silent_for_s=2.0
+)
+robots(
+    [Robot("the robot", arrivals(film, BEAT), period=0.25, trouble="silent")],
+    "a robot moves for two seconds, then stands still with a red lamp, then moves again",
+    end=5.0,
+)
+
+# %% [markdown]
+# For two seconds the heart was silent. The program did not crash, and nothing was logged. Who notices? First, how does
+# a listener find this robot at all?
+
+# %%
 print("started", start(heartbeat))
 print("started", start(status_monitor))
 graph_picture()
 
 # %% [markdown]
-# Nobody told the monitor where the robot is. There is no address in the code, no port, and no server that knows them
-# all. Each program calls into the network when it starts: *I am here*. Those who hear it tell each other what they
-# publish and what they subscribe to. This is called **discovery**. DDS does it, the layer below ROS.
+# The monitor's code contains no address, no port and no server. Each program announces itself on the network when it
+# starts. The others reply with what they publish and what they subscribe to. This is called **discovery**. DDS does it,
+# the layer below ROS.
 #
-# An arrow in this picture is drawn where two names are the same. Whether anything travels along it is another question.
-# It is the question of this lesson.
+# The picture draws an arrow where two topic names are equal. An arrow does not prove that messages arrive.
 
 # %%
 stop()
@@ -36,7 +51,7 @@ stop()
 # %% [markdown] prediction="eight-beats"
 # ## Predict
 #
-# The heart of the robot is published like this. A lost beat does no harm, since the next one is near:
+# The robot publishes its heartbeat like this. A lost beat does no harm, because the next one comes soon:
 #
 # ```python
 # BEAT_QOS = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, ...)
@@ -63,8 +78,8 @@ stop()
 #   sides.
 # - **d** An exception: the two do not fit.
 #   ✗ Neither side gets an exception. Publisher and subscription are made as if all were well.
-# - **e** Nothing, and there is no word about it anywhere.
-#   ✗ Nothing arrives, but there is a word about it: a warning in the log of each side.
+# - **e** Nothing, and nothing is logged anywhere.
+#   ✗ Nothing arrives, but it is logged: each side gets a warning.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -74,8 +89,8 @@ predict("eight-beats")
 # %% [markdown]
 # ## Run it
 #
-# Both nodes live in this notebook now, so that we can look into them. First the robot works for eight beats. What has
-# arrived by then waits in the queue of the monitor, which works after that.
+# Now both nodes live in this notebook, so that we can inspect them. First the robot runs for eight beats. Messages that
+# have arrived by then wait in the monitor's queue. Then the monitor runs.
 
 # %%
 from lesson_nodes.heartbeat import Heartbeat
@@ -88,7 +103,7 @@ init()
 
 
 class Monitor(Node):
-    """Keeps the heartbeats that it hears."""
+    """Keeps the heartbeats that arrive."""
 
     def __init__(self, qos) -> None:
         super().__init__("monitor")
@@ -107,37 +122,39 @@ print("sent: ", robot.beats)
 print("heard:", len(monitor.heard))
 
 # %%
-print("subscriptions that the robot counts:", robot.beat_publisher.get_subscription_count())
-reveal("eight-beats", heard=len(monitor.heard), matched=robot.beat_publisher.get_subscription_count())
+matched = robot.beat_publisher.get_subscription_count()
+print("subscriptions that the robot counts:", matched)
+reveal("eight-beats", heard=len(monitor.heard), matched=matched)
 
 # %% [markdown]
 # ## Look inside
 #
-# With every publisher and every subscription goes a **QoS profile** (quality of service): a set of promises, called
-# **policies**. The publisher says what it **offers**. The subscription says what it **requests**. DDS compares the two,
-# and *matches* them only if every single offer is at least as good as the request.
+# Every publisher and every subscription has a **QoS profile** (quality of service): a set of **policies**. The publisher
+# says what it **offers**. The subscription says what it **requests**. DDS *matches* the two only if each offer is at
+# least as good as the request.
 #
-# The robot offered best effort. The monitor requested reliable. It did not say so, but a number is short for a whole
-# profile: `10` means `QoSProfile(depth=10)`, and what you do not name has a default.
+# The robot offered best effort, and the monitor requested reliable. `10` is short for `QoSProfile(depth=10)`. Everything
+# that you leave out has a default:
 
 # %%
 from rclpy.qos import QoSProfile, qos_profile_sensor_data
 
-for name, profile in (("10", QoSProfile(depth=10)), ("qos_profile_sensor_data", qos_profile_sensor_data)):
-    print(f"{name:<24}{profile.reliability.name}, {profile.durability.name}, depth {profile.depth}")
+for name, profile in (
+    ("10", QoSProfile(depth=10)),
+    ("qos_profile_sensor_data", qos_profile_sensor_data),
+):
+    print(f"{name:<24}{profile.reliability.name}, {profile.durability.name}")
 
 # %% [markdown]
-# | policy | less | more | what it promises |
+# | policy | lower | higher | what the lower one means / what the higher one means |
 # |---|---|---|---|
-# | reliability | `BEST_EFFORT` | `RELIABLE` | each message once; what gets lost is lost / sent again until it has arrived, as long as it is one of the last `depth` |
-# | durability | `VOLATILE` | `TRANSIENT_LOCAL` | only what is said from now on / the last messages, too, for those who come late (**late joiners**) |
-# | deadline | none | short | never longer than this from one message to the next |
+# | reliability | `BEST_EFFORT` | `RELIABLE` | each message is sent once / it is sent again until it has arrived, as long as it is one of the last `depth` |
+# | durability | `VOLATILE` | `TRANSIENT_LOCAL` | only messages from now on / late subscriptions also get the last messages |
+# | deadline | none | short | no promise / no more than this time between two messages |
 #
-# `depth` has no line of its own. It is the length of one's own queue, a private matter, and the other side never learns
-# of it.
+# `depth` is not in the table. It is the length of one side's own queue, and it is not compared.
 #
-# You need not learn this by heart, because rclpy can be asked. The first argument is what is offered, the second what
-# is requested:
+# You can ask rclpy whether two profiles fit. The first argument is the offer, the second is the request:
 
 # %% id="ask-rclpy"
 from lesson_nodes.heartbeat import BEAT_QOS
@@ -148,9 +165,8 @@ print(verdict.name)
 print(reason)
 
 # %% [markdown]
-# (`OK` would mean that they fit. `WARNING` means that they seem to, but something was left to the system.) On a
-# running robot you do not have the profiles at hand, but each node announces its own. `topic_info` collects them and
-# asks rclpy for every pair:
+# On a running robot you do not have the profiles in your code, but each node announces its own. `topic_info` collects
+# them and asks rclpy for every pair. With a ROS installation, `ros2 topic info -v` lists them.
 
 # %% id="topic-info"
 from workbook.ros import topic_info
@@ -159,7 +175,7 @@ for problem in topic_info("/robot/heartbeat").problems:
     print(problem)
 
 # %% [markdown]
-# Now the cure. The subscription requests less:
+# Here is the fix. The subscription requests less:
 
 # %%
 monitor = fresh(Monitor, qos_profile_sensor_data)
@@ -167,138 +183,47 @@ await run(robot, monitor, seconds=20, until=lambda: len(monitor.heard) == 8)
 print("heard:", len(monitor.heard))
 
 # %% [markdown]
-# ### All pairs, measured
+# Two common beliefs are wrong.
 #
-# Two policies with two values each make four profiles. Each of them may be offered, and each requested: sixteen pairs.
-# We make them all. Every publisher says one thing *before* its subscription exists, and five things after.
-
-# %%
-from itertools import product
-
-from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
-from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
-
-from workbook.lesson import spin_for
-
-PROFILES = {
-    f"{reliability.name}\n{durability.name}": QoSProfile(
-        depth=10, reliability=reliability, durability=durability
-    )
-    for reliability, durability in product(
-        (ReliabilityPolicy.BEST_EFFORT, ReliabilityPolicy.RELIABLE),
-        (DurabilityPolicy.VOLATILE, DurabilityPolicy.TRANSIENT_LOCAL),
-    )
-}
-
-silent_publisher = PublisherEventCallbacks(use_default_callbacks=False)  # fourteen warnings would be too many
-silent_subscription = SubscriptionEventCallbacks(use_default_callbacks=False)
-
-speaker, listener = fresh(Node, "speaker"), fresh(Node, "listener")
-publishers, heard = {}, {}
-for offered, requested in product(PROFILES, PROFILES):
-    pair = (offered, requested)
-    topic = f"/pair_{len(publishers)}"
-    heard[pair] = []
-    publishers[pair] = speaker.create_publisher(
-        String, topic, PROFILES[offered], event_callbacks=silent_publisher
-    )
-    publishers[pair].publish(String(data="old"))
-    listener.create_subscription(
-        String,
-        topic,
-        lambda message, pair=pair: heard[pair].append(message.data),
-        PROFILES[requested],
-        event_callbacks=silent_subscription,
-    )
-spin_for(speaker, listener, seconds=1.5)
-for publisher in publishers.values():
-    for _ in range(5):
-        publisher.publish(String(data="new"))
-spin_for(speaker, listener, seconds=1.5)
-print("pairs:", len(heard))
-
-# %%
-from workbook.pictures.figures import figure, show
-from workbook.pictures.palette import GREEN, RED
-
-names = list(PROFILES)
-fig, axes = figure(6.4, 3.6)
-for (offered, requested), messages in heard.items():
-    x, y = names.index(requested), names.index(offered)
-    new, old = messages.count("new"), messages.count("old")
-    words = f"✓ {new} new" + (f"\n+ {old} old" if old else "") if messages else "✗ nothing"
-    axes.text(x, y, words, ha="center", va="center", color=GREEN if messages else RED, weight="bold")
-axes.set(
-    xlim=(-0.5, 3.5),
-    ylim=(3.5, -0.5),
-    xlabel="requested by the subscription",
-    ylabel="offered by the publisher",
-)
-axes.set_xticks(range(4), names, fontsize=8)
-axes.set_yticks(range(4), names, fontsize=8)
-axes.grid(False)
-show(fig, "what arrived for each of sixteen pairs: nine hear the new messages, one of them the old one, too")
-
-# %% id="matrix"
-from rclpy.qos import QoSCompatibility
-
-hears = {pair: bool(messages) for pair, messages in heard.items()}
-foretold = {
-    (offered, requested): qos_check_compatible(PROFILES[offered], PROFILES[requested])[0]
-    != QoSCompatibility.ERROR
-    for offered, requested in heard
-}
-print("pairs that hear something:   ", sum(hears.values()))
-print("of these with equal QoS:     ", sum(hears[pair] for pair in hears if pair[0] == pair[1]))
-print("rclpy foretold all sixteen:  ", hears == foretold)
-print("pairs that got the old word: ", sum("old" in messages for messages in heard.values()))
-
-# %% [markdown]
-# Two myths are gone.
-#
-# - *"QoS must be equal on both sides."* Five of the nine pairs that hear differ. A publisher may always offer more than
-#   is requested.
-# - *"DDS says nothing about a mismatch."* You have read it above, on both sides: `requesting incompatible QoS` from the
-#   one, `offering incompatible QoS` from the other, and the name of the policy at the end. But it is a line in a log,
-#   not an exception. It comes once, and only if the node is spun. In a program that logs a lot nobody sees it.
-#
-# And one cell stands out. The old word came through only where *both* sides are reliable *and* transient local.
+# - *"QoS must be equal on both sides."* The offer must be at least as good as the request. A reliable publisher and a
+#   best effort subscription match.
+# - *"DDS does not report a mismatch."* It does: you read `requesting incompatible QoS` and `offering incompatible QoS`
+#   above. But each is one line in a log, it comes once, and only while the node is spun.
 
 # %% [markdown] prediction="late-dashboard"
 # ## Change it
 #
 # ### Experiment 1: the late dashboard
 #
-# A robot says three things when it starts, and then no more: `booting`, `standing`, `operational`. Its publisher is
-# transient local with `depth=1`. When that is long over, two dashboards open. The *plain* one subscribes with
-# `10`. The *latched* one asks for transient local, with `depth=10`. What do they know of the robot?
+# A robot publishes three words when it starts, and then no more: `booting`, `standing`, `operational`. Its publisher is
+# transient local with `depth=1`. Later, two dashboards open. The *plain* one subscribes with `10`. The *latched* one
+# requests transient local, with `depth=10`. What do they know about the robot?
 #
 # - **a** The plain one knows nothing, the latched one `operational`.
 #   when `plain_knows == 0 and latched_knows == 1`
-#   ✓ Only the latched one asks for what was said before. With `depth=1` the publisher keeps one message, the last
-#   one.
-# - **b** Both know `operational`: it is the last thing that was said.
+#   ✓ Only the latched one requests earlier messages. With `depth=1` the publisher keeps one message, the last one.
+# - **b** Both know `operational`: it is the last word that was published.
 #   when `plain_knows == 1 and latched_knows == 1`
-#   ✗ A volatile subscription gets only what is said after the match. Nothing was said after that.
-# - **c** Neither knows anything: nobody has said anything since they opened.
+#   ✗ A volatile subscription gets only messages from after the match. There were none.
+# - **c** Neither knows anything: nothing was published since they opened.
 #   when `plain_knows == 0 and latched_knows == 0`
-#   ✗ The publisher is transient local: it keeps its last message for subscriptions that ask for it.
+#   ✗ The publisher is transient local: it keeps its last message for subscriptions that request it.
 # - **d** The plain one knows nothing, the latched one all three.
 #   when `plain_knows == 0 and latched_knows == 3`
-#   ✗ The depth of the publisher decides how much is kept, and that is 1. The depth of the subscription does not
-#   matter here.
+#   ✗ The publisher's depth decides how much is kept, and that is 1. The subscription's depth does not matter here.
 
 # %%
 predict("late-dashboard")
 
 # %% id="late-dashboard"
 from lesson_nodes import early_speaker
+from rclpy.qos import DurabilityPolicy
 
 LATCHED = QoSProfile(depth=10, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
 class Dashboard(Node):
-    """Keeps what it has heard of the status."""
+    """Keeps the status words that arrive."""
 
     def __init__(self, name: str, qos) -> None:
         super().__init__(name)
@@ -309,7 +234,7 @@ class Dashboard(Node):
         self.known.append(message.data)
 
 
-robot.destroy_node()  # it says a status, too
+robot.destroy_node()  # it publishes a status, too
 start(early_speaker, depth=1)
 plain, latched = fresh(Dashboard, "plain", 10), fresh(Dashboard, "latched", LATCHED)
 await run(plain, latched, seconds=10, until=lambda: latched.known)
@@ -319,11 +244,10 @@ print("latched:", latched.known)
 reveal("late-dashboard", plain_knows=len(plain.known), latched_knows=len(latched.known))
 
 # %% [markdown]
-# The *publisher* keeps its last messages, as many as its depth, and hands them to each subscription that comes and asks
-# for them. Old hands call such a topic **latched**. It needs both sides: the publisher has to keep, the subscription
-# has to ask. And it needs reliable on both sides, as you saw in the picture.
+# The *publisher* keeps its last messages, as many as its depth. It hands them to each new subscription that requests
+# them. In ROS 1 such a topic was called **latched**. Both sides must be transient local, and both must be reliable.
 #
-# Turn the knob: how many does the robot keep?
+# How many does the robot keep? Change the depth of its publisher:
 
 # %%
 for depth in (1, 2, 3):
@@ -334,156 +258,15 @@ for depth in (1, 2, 3):
 stop()
 
 # %% [markdown]
-# For a *state* (status, map, robot description) depth 1 is right: only the last one is true. For a *stream* (camera,
-# heartbeat) leave it volatile: nobody wants a heartbeat of last Tuesday.
-
-# %% [markdown] prediction="first-words"
-# ### Experiment 2: the first words
-#
-# A program starts, makes a publisher, and in the next line says `hello`, `here`, `I am`. Then it waits until it has
-# found a listener, and ends. A listener has been there all the time, and both sides are reliable and volatile. We start
-# six such programs, one after another. How many of the eighteen words arrive?
-#
-# - **a** All 18: reliable means that nothing is lost.
-#   ✗ Reliable counts from the match on. What was said before the two had found each other is said to nobody.
-# - **b** Nobody can say. Sometimes none, sometimes many, in every run another number.
-#   ✓ `publish` does not wait for a listener. Whether the match comes before a word depends on the machine and the
-#   moment.
-# - **c** None: the listener is not yet known when the words are said.
-#   ✗ Discovery takes a while, but it runs beside your program. On a busy machine it can be faster than the next line.
-
-# %%
-predict("first-words")
-
-# %%
-import subprocess
-import sys
-
-
-def greet(programs, listener, environment=None, **parameters):
-    """Run newcomers, one after another; how long (ms) each took to find the listener."""
-    options = [item for name, value in parameters.items() for item in ("-p", f"{name}:={value}")]
-    command = [
-        sys.executable,
-        "-m",
-        "lesson_nodes.first_words",
-        "--ros-args",
-        "-r",
-        f"/robot/greeting:={listener}",
-    ]
-    found_ms = []
-    for _ in range(programs):
-        newcomer = subprocess.run(
-            [*command, *options], env=environment, capture_output=True, text=True, check=True
-        )
-        found_ms.append(float(newcomer.stdout))
-    return found_ms
-
-
-class Ears(Node):
-    """Listens to newcomers."""
-
-    def __init__(self, qos) -> None:
-        super().__init__("ears")
-        self.heard: list[str] = []
-        self.create_subscription(String, "/ears", self.on_word, qos)
-
-    def on_word(self, message: String) -> None:
-        self.heard.append(message.data)
-
-
-ears = fresh(Ears, 100)
-found_ms = greet(6, "/ears")
-await run(ears, seconds=0.5)
-print("newcomers:", len(found_ms))
-
-# %% id="first-words" tags=["nbval-ignore-output"]
-print(len(ears.heard), "of 18 words arrived")
-
-# %%
-print("all newcomers found the listener in the end:", all(ms >= 0 for ms in found_ms))
-reveal("first-words")
-
-# %% [markdown]
-# Run the two cells above a few times. Where this was written, between none and two thirds of the words arrived while
-# the machine had nothing else to do. With all processors busy it was all 18: the program was so slow itself that
-# discovery was faster. This is the kind of fault that is there at home and gone when you show it to somebody.
-#
-# `publish` asks nobody whether somebody listens. A word that is said before the match is said to nobody, and a volatile
-# publisher does not keep it. *Reliable* is a promise to those who are matched. Here are three cures:
-
-# %%
-CURES = {
-    "count": "ask get_subscription_count() until it is above 0",
-    "matched": "wait for the event that tells of a match",
-    "latched": "do not wait; keep the words (transient local on both sides)",
-}
-for cure, words in CURES.items():
-    keeps = cure == "latched"
-    ears = fresh(Ears, QoSProfile(depth=100, durability=LATCHED.durability) if keeps else 100)
-    found_ms += greet(4, "/ears", wait_for="nothing" if keeps else cure, latched=keeps)
-    await run(ears, seconds=10, until=lambda heard=ears.heard: len(heard) == 12)
-    print(f"{len(ears.heard)} of 12 arrived: {words}")
-
-# %% [markdown]
-# The event is the elegant one. You hand it over when you make the publisher, and the node calls it when it is spun:
-#
-# ```python
-# self.create_publisher(String, "/robot/greeting", 10, event_callbacks=PublisherEventCallbacks(matched=self.on_matched))
-# ```
-#
-# Two more words on these cures. The count says that *somebody* listens, not who. And a listener may learn of you a moment
-# later than you learn of it. A reliable publisher then sends again; with best effort the first words may still be lost.
-#
-# How long does it take to find each other? Every newcomer has told us. There is one thing to know: this workbook makes
-# discovery quick, by a few lines for DDS (`workbook/ros/loopback.xml`). They keep everything on this machine, and they let
-# every program repeat its call ten times a second. Out of the box a program that runs repeats it every three seconds. So
-# let us also ask six newcomers and a listener without these lines.
-
-# %%
-import os
-import signal
-
-from workbook.ros.domains import lease_domain
-
-without = {name: value for name, value in os.environ.items() if name != "FASTRTPS_DEFAULT_PROFILES_FILE"}
-with lease_domain() as aside:  # a domain without this notebook, which would answer quickly
-    stock = without | {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST", "ROS_DOMAIN_ID": str(aside.domain_id)}
-    command = [sys.executable, "-m", "lesson_nodes.status_monitor"]
-    there = subprocess.Popen(command, env=stock, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    there.stderr.readline()  # it says that it has started
-    stock_ms = greet(6, "/robot/status", environment=stock)
-    there.send_signal(signal.SIGINT)
-    there.communicate()
-print("newcomers in this workbook:", len(found_ms), " out of the box:", len(stock_ms))
-
-# %%
-fig, (upper, lower) = figure(6.4, 3.6, rows=2)
-steps = [10 ** (power / 4) for power in range(15)]  # 1 ms to 3 s, each 1.8 times as long as the one before
-for axes, title, times in ((upper, "in this workbook", found_ms), (lower, "out of the box", stock_ms)):
-    axes.hist(times, bins=steps)
-    axes.set(xscale="log", title=title, ylabel="newcomers", xlim=(1, 5000))
-    axes.set_xticks([1, 10, 100, 1000], ["1 ms", "10 ms", "0.1 s", "1 s"])
-    axes.yaxis.get_major_locator().set_params(integer=True)
-lower.set_xlabel("time until the listener was found")
-show(fig, "how long newcomers took to find the listener: from a few milliseconds to some seconds")
-
-# %%
-print("all in this workbook were found:", min(found_ms) >= 0)
-print("the slowest took more than twice as long as the fastest:", max(found_ms) > 2 * min(found_ms))
-
-# %% [markdown]
-# Where this was written, the newcomers of the workbook took 3 to 190 ms. Out of the box there were two heaps in a hundred
-# runs: about half found the listener within 3 to 100 ms, most of the others needed up to three seconds, as if they had to
-# wait for the next call. So a `time.sleep(1.0)` before the first message is right in one run and wrong in the next. Wait
-# for the match, not for a time.
+# For a *state* (status, map, robot description) depth 1 is right: only the last one is true. A *stream* (camera,
+# heartbeat) stays volatile: an old heartbeat says nothing about the robot now.
 
 # %% [markdown] prediction="the-silence"
-# ### Experiment 3: when somebody falls silent
+# ### Experiment 2: when a publisher goes silent
 #
-# A subscription calls you when something comes. Who calls you when nothing comes? The third line of the table does: the
-# **deadline**. The robot offers that never more than 0.5 s pass between two beats. A watcher requests 1.0 s. That asks
-# for less than is offered, so they match. It hands over a callback for the event that the deadline was missed:
+# A callback runs when a message arrives. What runs when no message arrives? The last line of the table helps: the
+# **deadline**. The robot offers at most 0.5 s between two beats. A watcher requests at most 1.0 s. That is less strict
+# than the offer, so they match. The watcher also gives a callback for the event that the deadline was missed:
 #
 # ```python
 # SubscriptionEventCallbacks(deadline=self.on_missed)
@@ -493,7 +276,7 @@ print("the slowest took more than twice as long as the fastest:", max(found_ms) 
 #
 # - **a** Never: no message, no callback.
 #   when `missed == 0`
-#   ✗ There is no message, but there is an event: DDS counts the time since the last message and reports when it is
+#   ✗ There is no message, but there is an event: DDS measures the time since the last message and reports when it is
 #   over.
 # - **b** Once, one second after the last beat.
 #   when `missed == 1`
@@ -513,10 +296,12 @@ predict("the-silence")
 import time
 
 from rclpy.duration import Duration
+from rclpy.event_handler import SubscriptionEventCallbacks
+from rclpy.qos import ReliabilityPolicy
 
 
 class Watcher(Node):
-    """Notes when it hears a beat, and when it has missed one for too long."""
+    """Notes each beat, and each missed deadline."""
 
     def __init__(self, deadline_s: float) -> None:
         super().__init__("watcher")
@@ -528,7 +313,9 @@ class Watcher(Node):
             "/robot/heartbeat",
             self.on_beat,
             QoSProfile(
-                depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, deadline=Duration(seconds=deadline_s)
+                depth=5,
+                reliability=ReliabilityPolicy.BEST_EFFORT,
+                deadline=Duration(seconds=deadline_s),
             ),
             event_callbacks=SubscriptionEventCallbacks(deadline=self.on_missed),
         )
@@ -540,56 +327,62 @@ class Watcher(Node):
         self.missed.append(time.monotonic() - self.began)
 
 
+def is_over() -> bool:
+    """Whether the heart beats again after a missed deadline."""
+    return bool(watcher.missed) and watcher.beats[-1] > watcher.missed[-1] + 1
+
+
 robot = fresh(Heartbeat, beats_for_s=2.0, silent_for_s=2.25)
 watcher = fresh(Watcher, 1.0)
-await run(
-    robot, watcher, seconds=20, until=lambda: watcher.missed and watcher.beats[-1] > watcher.missed[-1] + 1
-)
-print("the deadline was missed more than once in one silence:", len(watcher.missed) > 1)
+await run(robot, watcher, seconds=20, until=is_over)
+print("missed more than once in one silence:", len(watcher.missed) > 1)
 reveal("the-silence", missed=len(watcher.missed))
 
 # %%
-from workbook.pictures.timeline import strip
+from workbook.pictures.moving import played_back
+from workbook.pictures.timeline import Row
 
-show(
-    strip(
-        {"heartbeat": watcher.beats, "deadline missed": watcher.missed},
-        periods={"heartbeat": 0.25},
-        noun="marks",
-    ),
-    "heartbeats, then a silence in which the missed deadline is told after one second and after two",
+played_back(
+    [
+        Row("heartbeat", watcher.beats, period=0.25, start=0.0),
+        Row("deadline missed", watcher.missed),
+    ],
+    "heartbeats, then a silence: the missed deadline is reported after one second and again after two",
+    end=watcher.beats[-1],
 )
 
 # %%
 last_before = max(t for t in watcher.beats if t < watcher.missed[0])
 waits = [moment - last_before for moment in watcher.missed]
-print("the first call came after about 1 s:", 0.9 < waits[0] < 1.9)
-print("it came while nothing arrived:", all(moment < watcher.beats[-1] for moment in watcher.missed))
+print("the first event came after about 1 s:", 0.9 < waits[0] < 1.9)
+print("all events in the silence:", all(t < watcher.beats[-1] for t in watcher.missed))
 
 # %% [markdown]
-# The event comes when the time is over, and again each time it is over once more, until the next message. It counts
-# from the last message. So before the very first one there is no event at all: who has never been heard cannot fall
-# silent. And it tells nothing when the messages come back. That you see in `on_beat`.
+# The event comes when the time is over, and again after each further period, until the next message. Two limits:
 #
-# You can do the same with a timer that looks at the clock. It is a little more work, and needs no promise from the
-# other side.
+# - The time counts from the last message. Before the first message there is no event.
+# - No event says that messages are back. You see that in `on_beat`.
+#
+# A timer that checks the clock does the same. It needs a little more code, and no promise from the publisher.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **A deadline that nobody offers.** The status of our robot comes without a promise. Somebody wants to be told if it
-# stays away for a second. The robot says a word; will it be heard?
+# **A deadline that is not offered.** Our robot publishes its status without a deadline. This node requests one. The robot
+# then publishes a status. Does it arrive?
 
 
 # %% id="deadline-not-offered"
 class Impatient(Node):
-    """Wants the status to come at least once a second."""
+    """Requests a status at least once a second."""
 
     def __init__(self) -> None:
         super().__init__("impatient")
         self.heard: list[str] = []
         wish = QoSProfile(depth=1, deadline=Duration(seconds=1.0))
-        self.subscription = self.create_subscription(String, "/robot/status", self.on_status, wish)
+        self.subscription = self.create_subscription(
+            String, "/robot/status", self.on_status, wish
+        )
 
     def on_status(self, message: String) -> None:
         self.heard.append(message.data)
@@ -603,46 +396,30 @@ print("heard:", impatient.heard)
 print("publishers that it has found:", impatient.subscription.get_publisher_count())
 
 # %% [markdown]
-# Nothing, not even the status without the promise. A deadline is a request like the others. If it is not offered, there
-# is no match. The warning ends with the name of the policy: `DEADLINE`. Mend it on either side: let the publisher offer
-# one, or leave it out of the request and look at the clock yourself.
+# Nothing arrived. A deadline is a request like the others: if it is not offered, there is no match. The warning names
+# the policy at its end: `DEADLINE`. Offer it on the publisher, or do not request it and check the clock with a timer.
 
 # %% [markdown]
-# **The same topic, another type.** Somebody counts the beats and publishes the number under the same name.
-
-# %% id="other-type" tags=["raises-exception"]
-from std_msgs.msg import Float32
-
-
-class Counter(Node):
-    """Publishes numbers where there is text already."""
-
-    def __init__(self) -> None:
-        super().__init__("counter")
-        self.create_publisher(Float32, "/robot/heartbeat", 10)
-
-
-fresh(Counter)
-
-# %% [markdown]
-# Read the middle: `existing topic name rt/robot/heartbeat with incompatible type`. (`rt` stands for "ROS topic".) A
-# topic has one type. But only within *this* process somebody looked. (A subscription is refused as well, with words that
-# do not help: `invalid allocator`.) Now the same mistake with two processes. The robot speaks text in its own one:
+# **The same topic, another type.** In its own process, the robot publishes text. This node subscribes with `Float32`:
 
 # %% id="other-type-silence"
+from std_msgs.msg import Float32
+
 from workbook.ros import shutdown
 
-shutdown()  # so that nobody in this notebook knows the topics
+shutdown()  # a fresh start: within one process, a second type is refused
 init()
 
 
 class Deaf(Node):
-    """Wants numbers."""
+    """Subscribes with the wrong type."""
 
     def __init__(self) -> None:
         super().__init__("deaf")
         self.heard: list[float] = []
-        self.create_subscription(Float32, "/robot/heartbeat", self.on_number, qos_profile_sensor_data)
+        self.create_subscription(
+            Float32, "/robot/heartbeat", self.on_number, qos_profile_sensor_data
+        )
 
     def on_number(self, message: Float32) -> None:
         self.heard.append(message.data)
@@ -656,92 +433,52 @@ print(*topic_info("/robot/heartbeat").problems)
 stop()
 
 # %% [markdown]
-# No number, no exception, and this time no warning either. The two types are like two topics that happen to share a
-# name. If a topic is silent and there is no warning, compare the *types*: `topic_info` here, `ros2 topic info -v`
-# elsewhere. Give the number a name of its own, `/robot/beat_count`.
-
-# %% [markdown]
-# **Two domains.** The last silence is the deepest. Two robots of one class, two desks, and here everything is right: name,
-# type and QoS. Only the domain is not the same. (Lesson 01 has more about it.)
-
-# %% id="other-domain"
-import rclpy
-from rclpy.context import Context
-
-
-def heard_between(speaks_on, listens_on):
-    """Let a robot on one domain speak to one on another; what is heard."""
-    left, right = Context(), Context()
-    rclpy.init(context=left, domain_id=speaks_on.domain_id)
-    rclpy.init(context=right, domain_id=listens_on.domain_id)
-    speaker, listener = Node("speaker", context=left), Node("listener", context=right)
-    heard = []
-    publisher = speaker.create_publisher(String, "/robot/status", LATCHED)
-    listener.create_subscription(String, "/robot/status", lambda message: heard.append(message.data), LATCHED)
-    publisher.publish(String(data="operational"))
-    spin_for(listener, seconds=2.0)
-    rclpy.shutdown(context=left)
-    rclpy.shutdown(context=right)
-    return heard
-
-
-with lease_domain() as desk_a, lease_domain() as desk_b:
-    print("desk A to desk A:", heard_between(desk_a, desk_a))
-    print("desk A to desk B:", heard_between(desk_a, desk_b))
-
-# %% [markdown]
-# No tool will find this pair, since a tool is on one domain, too. `topic_info` on the domain of the listener shows
-# a topic without a publisher. So: *"it is not even listed"* means another domain (`ROS_DOMAIN_ID`), another
-# network, or not started. *"It is listed, but I hear nothing"* means QoS or type.
-#
-# **They see each other, and nothing comes.** This one needs two machines, or a container, so it is told in words.
-# Discovery goes over the network. But Fast DDS sends the messages themselves through shared memory, `/dev/shm`,
-# if it believes that both are on one machine. A container that shares the network of its host, but not `/dev/shm`, is
-# believed to be on the same machine: then every topic is listed, and no message arrives. The same happens when the two
-# programs belong to different users, or when a killed program has left its files there and `/dev/shm` is full. Share
-# `/dev/shm` and the user with the container (`--ipc=host`, `--user`), or forbid shared memory. This workbook
-# forbids it, and has one line in `workbook doctor` for each link of the chain: room in `/dev/shm`, UDP on this machine,
-# domains that nobody else holds, and at last two processes that really talk.
+# No number, no exception, and with Fast DDS no warning either. If a topic is silent and nothing is logged, compare the
+# *types*: with `topic_info` here, with `ros2 topic info -v` on a robot. Give the number a name of its own, such as
+# `/robot/beat_count`.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A panel at the door of the lab. It may be switched on at any time. It has to know the status at once, so it
-# requests what the robot offers: transient local. It is itself asked by others who come late, so it offers the same.
+# **Worked.** A panel beside the lab's entrance may be switched on at any time. It needs the last status at once, so it
+# requests what the robot offers: transient local. Others may subscribe to the panel later, so it offers the same.
 
 # %%
 STATE = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
 class Panel(Node):
-    """Shows the last status, and passes on whether one may enter."""
+    """Shows the last status, and publishes whether you may enter."""
 
     def __init__(self) -> None:
         super().__init__("panel")
         self.line = "unknown"
         self.create_subscription(String, "/robot/status", self.on_status, STATE)
-        self.door = self.create_publisher(String, "/panel/door", STATE)
+        self.sign = self.create_publisher(String, "/panel/sign", STATE)
 
     def on_status(self, message: String) -> None:
         self.line = message.data
-        self.door.publish(String(data="come in" if message.data == "operational" else "keep out"))
+        word = "come in" if message.data == "operational" else "keep out"
+        self.sign.publish(String(data=word))
 
 
-start(heartbeat, beats_for_s=3.0, silent_for_s=5.0)  # for the next cell: a heart with holes
+start(heartbeat, beats_for_s=3.0, silent_for_s=5.0)  # its heart pauses; the next cells use it
 panel = fresh(Panel)
 await run(panel, seconds=10, until=lambda: panel.line != "unknown")
 print("the panel knows:", panel.line)
 
 # %%
-late = fresh(Dashboard, "late", LATCHED)
-door = []
-late.create_subscription(String, "/panel/door", lambda message: door.append(message.data), STATE)
-await run(late, seconds=10, until=lambda: door)
-print("and whoever comes later reads:", door[-1])
+late = fresh(Node, "late")
+signs = []
+late.create_subscription(
+    String, "/panel/sign", lambda message: signs.append(message.data), STATE
+)
+await run(late, seconds=10, until=lambda: signs)
+print("a late listener reads:", signs[-1])
 
 # %% [markdown]
-# **Faded.** The panel shall also raise an alarm when the heart has been silent for more than 2 s, with a timer that looks
-# at the clock. Fill in what is `...`. Until then the cell runs, and says what is missing.
+# **Faded.** The panel also has to raise an alarm when the heart has been silent for more than 2 s, with a timer that
+# checks the clock. Fill in what is `...`. Until then the cell runs, and prints what is missing.
 
 # %%
 LIMIT_S = ...  # TODO: seconds of silence that are too long
@@ -754,15 +491,15 @@ class AlarmPanel(Panel):
         super().__init__()
         self.alarms: list[bool] = []
         self.beats = 0
-        self.last_beat = time.monotonic()  # no beat yet, but the silence is counted from here
+        self.last_beat = time.monotonic()  # no beat yet: count the silence from here
         # TODO: subscribe to /robot/heartbeat with a QoS that fits; the callback is self.on_beat
-        self.create_timer(0.25, self.look_at_the_clock)
+        self.create_timer(0.25, self.check_the_clock)
 
     def on_beat(self, message: String) -> None:
         self.beats += 1
         self.last_beat = time.monotonic()
 
-    def look_at_the_clock(self) -> None:
+    def check_the_clock(self) -> None:
         silent_s = time.monotonic() - self.last_beat
         self.alarms.append(silent_s > LIMIT_S)
 
@@ -772,15 +509,15 @@ if LIMIT_S is ...:
 else:
     alarm_panel = fresh(AlarmPanel)
     await run(alarm_panel, seconds=9)
-    print("beats heard:", alarm_panel.beats or "none: is the subscription there, and does its QoS fit?")
-    print("alarms:", alarm_panel.alarms.count(True), " all well:", alarm_panel.alarms.count(False))
+    print("beats heard:", alarm_panel.beats or "none: check the subscription and its QoS")
+    print("alarm:", alarm_panel.alarms.count(True), "times; no alarm:", alarm_panel.alarms.count(False))
 
 # %%
 stop()
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/13_qos_and_discovery.ipynb) you build a dashboard that comes late, knows the
-# last status at once, and raises an alarm within three seconds when the heart of the robot falls silent.
+# **Your own.** In the [exercise](../exercises/13_qos_and_discovery.ipynb) you build a dashboard that starts late. It knows
+# the last status at once, and raises an alarm within three seconds when the heart of the robot goes silent.
 
 # %% [markdown]
 # ## Check yourself
@@ -803,48 +540,47 @@ stop()
 #
 # </details>
 #
-# **2. A publisher offers reliable and transient local, a subscription requests best effort and volatile. What arrives?**
+# **2. A publisher offers reliable and transient local. A subscription requests best effort and volatile. What arrives?**
 #
 # <details><summary>a) Nothing, because the profiles differ</summary>
 #
-# ✗ They may differ. An offer has to be at least as good as the request, and this one is better twice.
+# ✗ They may differ. Each offer has to be at least as good as the request, and here both are better.
 #
 # </details>
-# <details><summary>b) All that is said from the match on</summary>
+# <details><summary>b) Every message from the match on</summary>
 #
-# ✓ Yes. It is one of the nine cells with a ✓ in the picture, and not the one with the old word.
-#
-# </details>
-# <details><summary>c) That, and the last message from before</summary>
-#
-# ✗ The publisher would hand it over, but only to those who request transient local.
+# ✓ Yes. The two match, and nothing from before was requested.
 #
 # </details>
+# <details><summary>c) These, and the last message from before</summary>
 #
-# **3. A program publishes `stop` right after `create_publisher`, and ends. All is reliable. Does the robot stop?**
-#
-# <details><summary>a) Yes, reliable means sent again until it has arrived</summary>
-#
-# ✗ At those who are matched. At this moment nobody is.
-#
-# </details>
-# <details><summary>b) Yes, if the program sleeps for a second before it ends</summary>
-#
-# ✗ After the message it is too late to wait: a volatile publisher has forgotten it.
-#
-# </details>
-# <details><summary>c) Perhaps: it depends on whether the match came before the message</summary>
-#
-# ✓ And that depends on the machine and on its mood. Wait for the match, then publish, then wait until it has arrived:
-# `publisher.wait_for_all_acked(Duration(seconds=1))`.
+# ✗ The publisher hands earlier messages only to subscriptions that request transient local.
 #
 # </details>
 #
-# **4. You request a deadline of 2 s, and the robot is still switched off. When is `on_missed` called first?**
+# **3. The map is published once, volatile. Your late node requests transient local. What does it get?**
 #
-# <details><summary>a) Not until something was heard, and then 2 s passed without a message</summary>
+# <details><summary>a) The map: your side asked for it</summary>
 #
-# ✓ A robot that never spoke needs a look of your own: a timer, and a line that says `unknown`.
+# ✗ The publisher has to keep it as well. A volatile publisher keeps nothing for late subscriptions.
+#
+# </details>
+# <details><summary>b) Nothing now, but the next map</summary>
+#
+# ✗ Not even that: volatile is less than transient local, so the two do not match.
+#
+# </details>
+# <details><summary>c) Nothing, and no later map either: they do not match</summary>
+#
+# ✓ Yes, and a warning names the policy, `DURABILITY`.
+#
+# </details>
+#
+# **4. You request a deadline of 2 s, and the robot is still switched off. When does `on_missed` run first?**
+#
+# <details><summary>a) 2 s without a message after the first message</summary>
+#
+# ✓ Before the first message there is no event. A timer that shows `unknown` covers that time.
 #
 # </details>
 # <details><summary>b) 2 s after the subscription was made</summary>
@@ -858,16 +594,17 @@ stop()
 #
 # </details>
 #
-# **5. `topic_info` lists publisher and subscriber, there is no warning, and nothing comes. What do you check first?**
+# **5. `topic_info` lists publisher and subscriber, nothing is logged, and nothing arrives. What do you check first?**
 #
 # <details><summary>a) The domain</summary>
 #
-# ✗ On another domain neither would be listed beside the other.
+# ✗ On another domain, neither would be listed beside the other.
 #
 # </details>
 # <details><summary>b) The types</summary>
 #
-# ✓ A mismatch of QoS is logged; one of types between two processes is not. After that: is the node spun?
+# ✓ A QoS mismatch is logged. A type mismatch between two processes is not, with Fast DDS. Then check that the node is
+# spun.
 #
 # </details>
 # <details><summary>c) The network cable</summary>
@@ -887,28 +624,27 @@ stop()
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The scan: best effort, volatile, a small depth. A scan that is sent again is old when it arrives, and over bad wireless
-# the repeats clog the channel. The map: reliable, transient local, depth 1 on the publisher, so that the tablet has it
-# as soon as it joins; and the tablet has to request it. The emergency stop: reliable, but that is not enough. A message
-# proves nothing when it stays away, so a stop is better built the other way round: the tablet sends "go on" as a
-# heartbeat with a deadline, and the robot stops when that falls silent. The tablet notices the loss by a deadline on the
-# scan or a heartbeat (offered by the robot, or they will not match), or by a timer that looks at the clock; it should
-# show how old its data are. Good answers mention that a deadline event counts from the first message only, that every
-# request must be covered by the offer, and that one should test it by pulling the plug.
+# **The scan:** best effort, volatile, a small depth. A scan that is sent again is old when it arrives, and the repeats
+# fill the channel. **The map:** reliable, transient local, depth 1 on the publisher, and requested by the tablet.
+# **The emergency stop:** reliable is not enough, because a stop that does not arrive stops nothing. Turn it around: the
+# tablet sends "go on" as a heartbeat, and the robot stops when that goes silent. **The loss:** a deadline on the scan,
+# offered by the robot, or a timer that checks the clock. The tablet should show how old its data are. Good answers say
+# that a deadline counts from the first message only, and that you test all this by pulling the plug.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - A publisher offers, a subscription requests. They match if every offer is at least as good as the request; equal they
-#   need not be.
-# - A mismatch is a line in the log of both sides, and silence. `qos_check_compatible` and `topic_info` say why.
-# - Transient local on both sides: whoever comes late has the last `depth` messages at once. Use it for states.
-# - Before the match a message is lost. Wait for `get_subscription_count()` or the matched event, not for a time.
-# - Silence calls nobody. Use a deadline, if it is offered, or a timer that looks at the clock.
+# - A publisher offers, a subscription requests. They match if each offer is at least as good as the request.
+# - A mismatch is one line in the log of both sides, and then silence. `qos_check_compatible` and `topic_info` say why.
+# - Transient local on both sides: a late subscription gets the last `depth` messages at once. Use it for states.
+# - A deadline has to be offered to be requested. A timer that checks the clock needs no offer.
+# - If two sides are listed and nothing arrives or is logged, compare the types.
 #
 # **Before:** [12 · Services](12_services.ipynb)
+#
+# **Deeper:** [13 · Deeper: discovery and the first messages](13_qos_and_discovery_deeper.ipynb)
 #
 # **Next:** [14 · Arrays and filters](14_arrays_and_filters.ipynb)
 #

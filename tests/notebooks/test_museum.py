@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 TREE = Tree(ROOT)
 MISTAKES = range(1, 49)
 """The list of beginners' mistakes that the course is built around."""
-IN_WORDS = {44: "13_qos_and_discovery"}
+IN_WORDS = {44: "13_qos_and_discovery_deeper"}
 """Mistakes that cannot be provoked on one machine: their lesson tells of them in words."""
 LATER = {9: "15", 46: "16"}
 """Mistakes whose lesson is still to be written."""

@@ -1,8 +1,8 @@
 """The colors of feedback: the palette for shapes, and for text a darker and a lighter variant of each color.
 
-No color has 4.5:1 on white and on the ground of a dark theme at once. So text is colored by CSS variables, `TEXT`, that
-whoever knows the theme sets: the card where JupyterLab or VS Code names it, a page for the theme of the browser. Where
-nobody does, `var()` falls back on the theme's own text color. A sign or a word always says the same as the color.
+No color has 4.5:1 on white and on the ground of a dark theme at once. So text is colored by CSS variables, `TEXT`.
+A card sets them where JupyterLab or VS Code names the theme, a page sets them for the theme of the browser. Where they
+are not set, `var()` falls back on the theme's own text color. A sign or a word always says the same as the color.
 """
 
 COLORS = {"passed": "#208a3c", "failed": "#dc3b3b", "partial": "#b06a00", "skipped": "#787878"}

@@ -20,6 +20,7 @@ AS_DUE = 0.1
 """A rate that is off by no more than this share is told as the rate that is due."""
 
 _ROW, _TOP, _LEFT, _RIGHT = 40.0, 12.0, 16.0, 16.0
+_TITLE = 20.0
 
 
 @dataclass(frozen=True)
@@ -28,6 +29,7 @@ class Row:
 
     `period` (s) is what was asked for: it gives the expected ticks and decides what a gap is. `start` and `end` bound
     the time in which marks could be seen; outside them nothing is missing. `note` stands at the right of the line.
+    Without `color` (of the palette) lines differ in color.
     """
 
     label: str
@@ -36,6 +38,7 @@ class Row:
     start: float | None = None
     end: float | None = None
     note: str | None = None
+    color: str | None = None
 
 
 def timeline(
@@ -89,15 +92,22 @@ def draw(
     start: float = 0.0,
     end: float | None = None,
     program_end: float | None = None,
+    now: float | None = None,
+    title: str = "",
     width: float = WIDTH,
 ) -> bytes:
-    """Rows over one time axis from `start` to `end` (s), as PNG bytes. Without `end`, up to the last mark."""
+    """Rows over one time axis from `start` to `end` (s), as PNG bytes. Without `end`, up to the last mark.
+
+    `now` (s) draws an upright line there: a picture of a film. `title` stands above, and states the finding.
+    """
     last = max((t for row in rows for t in row.times), default=start)
     stop = end if end is not None else last
     if not math.isfinite(stop) or stop <= start:
         stop = start + 1.0
-    bottom = _TOP + _ROW * max(1, len(rows))
+    top = _TOP + (_TITLE if title else 0.0)
+    bottom = top + _ROW * max(1, len(rows))
     canvas = Canvas(width, bottom + 40)
+    canvas.text((_LEFT, 17), shorten(title, width - 2 * _LEFT, 13.5, bold=True), Font(size=13.5, bold=True))
     labels = max((text_width(row.label, 12.5) for row in rows), default=0.0)
     left = _LEFT + min(labels, 220.0) + 14
     notes = [row.note if row.note is not None else _rate_words(row.times) for row in rows]
@@ -107,23 +117,28 @@ def draw(
         canvas.text((left, bottom - 12), "nothing was published", Font(size=12.5))
     _axis(canvas, axis, bottom)
     for index, (row, note) in enumerate(zip(rows, notes, strict=True)):
-        y = _TOP + _ROW * (index + 0.5)
+        y = top + _ROW * (index + 0.5)
         canvas.text((left - 14, y + 4.5), shorten(row.label, 220, 12.5), Font(size=12.5), align="right")
         canvas.text((right + 14, y + 4.5), note, Font(size=11.5))
-        _row(canvas, axis, row, y, CYCLE[index % 3])
+        _row(canvas, axis, row, y, row.color or CYCLE[index % 3])
+    if now is not None:
+        canvas.line([(axis.clip(now), 4), (axis.clip(now), bottom)], Paint(width=1.6))
     if program_end is not None and start <= program_end <= stop:
-        x = axis.x(program_end)
-        canvas.line([(x, 4), (x, bottom)], Paint(stroke=RED, width=2))
-        room = width - x - 8
-        words = shorten("✗ the program ended here", max(room, x - 8), 11.5, bold=True)
-        fits = text_width(words, 11.5, bold=True) <= room
-        canvas.text(
-            (x + 6 if fits else x - 6, bottom + 32),
-            words,
-            Font(size=11.5, bold=True),
-            align="left" if fits else "right",
-        )
+        _mark_end(canvas, axis.x(program_end), bottom)
     return canvas.png()
+
+
+def _mark_end(canvas: Canvas, x: float, bottom: float) -> None:
+    canvas.line([(x, 4), (x, bottom)], Paint(stroke=RED, width=2))
+    room = canvas.width - x - 8
+    words = shorten("✗ the program ended here", max(room, x - 8), 11.5, bold=True)
+    fits = text_width(words, 11.5, bold=True) <= room
+    canvas.text(
+        (x + 6 if fits else x - 6, bottom + 32),
+        words,
+        Font(size=11.5, bold=True),
+        align="left" if fits else "right",
+    )
 
 
 def histogram(

@@ -1,0 +1,109 @@
+# %% [markdown]
+# # 07 · Deeper: one typed publisher for all messages
+#
+# Lesson 07 wrote one `Protocol` for each message type. Can one description serve all of them?
+#
+# - **Minutes:** 5
+# - **You need:** lesson [07](07_typed_nodes.ipynb)
+# - **You will be able to:** write a generic Protocol, and a function whose result depends on the message class
+# - **Left out:** generic classes of your own that hold state
+
+# %% [markdown] prediction="one-letter-less"
+# ## Predict
+#
+# `Sends[Float32]` should mean "publishes Float32". The bracket needs a type variable, here `Taken`:
+#
+# ```python
+# Taken = TypeVar("Taken")
+#
+# class Sends(Protocol[Taken]):
+#     def publish(self, msg: Taken) -> None: ...
+# ```
+#
+# `Taken` appears only as an argument. What does `mypy --strict` say about these lines?
+#
+# - **a** Nothing: the class is complete.
+#   when `complaints == 0`
+#   ✗ mypy wants to know in which direction the type goes, and here it goes in only.
+# - **b** It wants the variable to be contravariant.
+#   when `complaints > 0 and names_it`
+#   ✓ A type that goes only in, as an argument, is contravariant.
+# - **c** It wants a bound, such as a base class of all messages.
+#   when `complaints > 0 and not names_it`
+#   ✗ A type variable needs no bound. ROS messages have no common base class in Python.
+
+# %%
+from workbook.lesson import check_types, predict, reveal
+
+predict("one-letter-less")
+
+# %% [markdown]
+# ## Run it
+
+# %%
+SENDS = '''\
+from typing import Protocol, TypeVar
+
+Taken = TypeVar("Taken")
+
+
+class Sends(Protocol[Taken]):
+    def publish(self, msg: Taken) -> None: ...
+'''
+report = check_types(SENDS)
+print(report)
+reveal("one-letter-less", complaints=len(report), names_it="contravariant" in str(report))
+
+# %% [markdown]
+# ## Look inside
+#
+# `contravariant=True` says that the type goes only in. A publisher that takes every message may stand where one for
+# `Float32` is expected, but not the other way round.
+#
+# `make_publisher` connects two hints. `Message` stands for one type, the same in both places: for `kind=Float32` the
+# result is a `Sends[Float32]`.
+
+# %%
+TYPED = '''\
+from typing import Protocol, TypeVar
+
+from rclpy.node import Node
+from std_msgs.msg import Float32, String
+
+Message = TypeVar("Message")
+Taken = TypeVar("Taken", contravariant=True)
+
+
+class Sends(Protocol[Taken]):
+    """Publishes messages of one type, and of no other."""
+
+    def publish(self, msg: Taken) -> None: ...
+
+
+def make_publisher(node: Node, kind: type[Message], topic: str) -> Sends[Message]:
+    """A publisher that accepts messages of `kind`."""
+    return node.create_publisher(kind, topic, 10)
+
+
+node = Node("vitals")
+battery = make_publisher(node, Float32, "/robot/battery")
+battery.publish(Float32(data=98.0))
+battery.publish(String(data="full"))
+'''
+check_types(TYPED)
+
+# %% [markdown]
+# Only the last line is wrong. From Python 3.12 on you can write `class Sends[Taken](Protocol)` and
+# `def make_publisher[Message](...)`, and leave out the two lines with `TypeVar`.
+
+# %% [markdown]
+# ## Take away
+#
+# - A generic Protocol describes many types at once; its type variable is contravariant if it goes only in.
+# - A function with `kind: type[Message]` and the result `Sends[Message]` makes one from the message class.
+#
+# **Before:** [07 · Typed nodes](07_typed_nodes.ipynb)
+#
+# **Next:** [08 · The humanoid status publisher](08_humanoid_status_publisher.ipynb)
+#
+# **More:** [Protocols in the documentation of mypy](https://mypy.readthedocs.io/en/stable/protocols.html).
