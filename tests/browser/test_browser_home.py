@@ -151,7 +151,7 @@ def test_the_first_start(page: LabPage, lab: StudentLab, artifacts: Path) -> Non
     expect(page.page.locator(f'img[alt^="{ROBOT}"]').first).to_be_in_viewport(ratio=0.99)
     page.page.screenshot(path=artifacts / "first_robot.png")
     check_layout(page)
-    check_traceback(page, page.cell("stop()"), artifacts)
+    check_traceback(page, page.panel.locator(".jp-CodeCell").nth(1), artifacts)
 
     close_tab(page, Path(FIRST).name)  # by mistake: it asks, and what was written is kept
     dialog = page.page.locator(".jp-Dialog")
