@@ -153,7 +153,7 @@ def test_a_flood_is_counted_and_reported_in_part() -> None:
         publisher.__dict__["_workbook_tap"].allowance = 1.0
         reporting.published(publisher, b"\0" * (tap.LONGEST + 1))
         (last,) = wire.reports()
-        assert sum(one.count for one in (*reports, last)) == 1001
+        assert sum(one.number for one in (*reports, last)) == 1001
         assert last.data == b"" and last.size == tap.LONGEST + 1
     finally:
         wire.close()

@@ -186,7 +186,8 @@ class PanelObserver:
         pause: float | None = None
         while True:
             wire = self._watch.wire.socket if self._watch is not None else None
-            ready, _, _ = select.select([0, wire] if wire is not None else [0], [], [], pause)
+            sources: list[Any] = [0] if wire is None else [0, wire]
+            ready, _, _ = select.select(sources, [], [], pause)
             if 0 in ready and not self._obey():
                 break
             if self._watch is not None:

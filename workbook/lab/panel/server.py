@@ -65,12 +65,12 @@ class ObserverProcess:
             await self._process.wait()
 
 
-class PanelSocket(WebSocketMixin, WebSocketHandler, JupyterHandler):  # type: ignore[misc]
+class PanelSocket(WebSocketMixin, WebSocketHandler, JupyterHandler):
     """One open panel. It says {"kernel": ID} and {"echo": TOPIC}, and hears what the observer tells."""
 
     auth_resource = "kernels"
 
-    @ws_authenticated  # type: ignore[untyped-decorator]
+    @ws_authenticated
     async def get(self) -> None:
         """Open the connection, for those who may."""
         await super().get()
@@ -90,7 +90,7 @@ class PanelSocket(WebSocketMixin, WebSocketHandler, JupyterHandler):  # type: ig
         self._passing = asyncio.ensure_future(self._pass_on(self._observer))
         self._follow()
 
-    async def on_message(self, message: str) -> None:
+    async def on_message(self, message: str | bytes) -> None:
         """Another notebook is in front, or a topic is to be echoed."""
         said = json.loads(message)
         if "kernel" in said:

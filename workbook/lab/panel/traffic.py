@@ -24,11 +24,11 @@ _CREDENTIALS = struct.Struct("3i")
 
 
 class PublishedMessage(NamedTuple):
-    """A message that a program has published: `count` of that topic since its report before, at `moment` (s)."""
+    """A message that a program has published: the `number` of that topic since the report before, at `moment` (s)."""
 
     topic: str
     type_name: str
-    count: int
+    number: int
     moment: float
     size: int
     data: bytes
@@ -63,7 +63,7 @@ class Wire:
 
     def reports(self) -> list[PublishedMessage]:
         """What has come since; nothing from other users of this machine."""
-        found = []
+        found: list[PublishedMessage] = []
         while self.socket is not None and len(found) < 500:
             try:
                 packet, ancillary, _, _ = self.socket.recvmsg(
@@ -101,7 +101,7 @@ class Traffic:
 
     def add(self, report: PublishedMessage, text: str) -> None:
         """Take in a message and its text."""
-        self._count += report.count
+        self._count += report.number
         self._moments.append((report.moment, self._count))
         while report.moment - self._moments[0][0] > WINDOW_S and len(self._moments) > 3:
             self._moments.popleft()

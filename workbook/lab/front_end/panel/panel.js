@@ -383,6 +383,7 @@
     for (const sheet of ['panel.css', 'contrast.css']) {
       document.head.append(make('link', {rel: 'stylesheet', href: new URL(sheet, here).href}));
     }
+    return {};
   };
 
   window._JUPYTERLAB = window._JUPYTERLAB || {};
