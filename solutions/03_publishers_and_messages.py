@@ -19,9 +19,9 @@
 # # Exercise 03 · A battery report that never lies
 #
 # Last night the guide robot drove home in the middle of a tour. Its log said 64 % charge, but its battery topic said
-# 0.0. The charge came from a new driver as an `int`, and the node put it into a float field. In the morning it happened
-# again: the cable was loose, the driver returned `None`, and the node sent 0.0. An empty battery and a bug looked the
-# same. (With the Ubuntu packages of ROS, the node may crash instead of sending 0.0.)
+# 0.0. The charge came from a new driver as an `int`, and the node put it into a float field. That can crash the node, as
+# with the Ubuntu packages of ROS, or send 0.0, as in this build. In the morning it happened again: the cable was loose, the
+# driver returned `None`, and the node sent 0.0. An empty battery and a bug looked the same.
 #
 # Write the node again, so that `/robot/battery` carries only values that were really measured.
 #
