@@ -98,6 +98,7 @@ STEADY_FIRST, STEADY_LAST = range(SETTLED, STANDS), range(RESTART + SETTLED, len
 STEADY = (*STEADY_FIRST, *STEADY_LAST)
 MOVING = tuple(range(STANDS + SETTLED, STANDS + MOVES))
 WITH_NAN = range(min(NAN_AT), STILL_UNTIL)
+MOVED_ON = RESTART - 5  # the answers just before the restart may be mixed with what came after it
 STARTS = (range(RESTART), range(RESTART, len(SAMPLES)))
 
 BEGIN_S = 0.5
@@ -274,7 +275,8 @@ def delay_bounded(recording: Recording) -> Verdict:
             "delay-bounded.too-late",
             f"while the joints move, the angles are {behind_s:.3f} s behind",
             f"at most {LONGEST_DELAY_S} s, where a message comes every {PERIOD_S} s",
-            "The filter looks back too far: its window is too long, or its cutoff frequency too low.",
+            "The filter looks back too far: its window is too long, or its cutoff frequency too low. Or it limits how "
+            "far an angle may go with each message.",
             "A moving average of N messages is (N - 1) / 2 messages behind. Let it look back less, and look at the "
             "noise again.",
         )
@@ -306,16 +308,26 @@ def survives_nan(recording: Recording) -> Verdict:
     by_place = first_answers(recording)
     bad = [
         place
-        for place in WITH_NAN
+        for place in range(min(NAN_AT), RESTART)
         if place in by_place and not all(math.isfinite(angle) for angle in by_place[place].angles)
     ]
-    if bad and bad[-1] > max(NAN_AT):
+    if bad and bad[-1] == max(place for place in by_place if place < RESTART):
         return see.failed(
             "survives-nan.never-leaves",
             f"a NaN came in with {shown(min(NAN_AT))}; {see.count(len(bad), 'answer')} since then say NaN, the last "
             f"of them for {shown(bad[-1])}",
             FINITE,
             "NaN got into the memory of the filter. Whatever is computed from NaN is NaN, so there it stays.",
+            "Before the filter, put the last good angle of that joint in the place of each NaN: np.isfinite(position).",
+        )
+    if not set(bad) <= set(NAN_AT):
+        return see.failed(
+            "survives-nan.in-the-window",
+            f"{see.count(len(bad), 'answer')} with NaN, the first of them for {shown(bad[0])}, but only "
+            f"{see.count(len(NAN_AT), 'message')} with NaN came in",
+            FINITE,
+            "NaN got into the memory of the filter, and stays until it falls out at the end of the window. A "
+            "comparison such as angle == math.nan never finds it: NaN is not equal to itself.",
             "Before the filter, put the last good angle of that joint in the place of each NaN: np.isfinite(position).",
         )
     if bad:
@@ -562,10 +574,10 @@ def begins_anew_each_second(recording: Recording) -> bool:
 
 def lost_after_nan(recording: Recording) -> Verdict | None:
     """A failed verdict for a joint that is not followed any more when it moves after NaN; None if all are."""
-    answer, behind_s = first_answers(recording).get(RESTART - 1), delay_of(recording)
+    answer, behind_s = first_answers(recording).get(MOVED_ON), delay_of(recording)
     if answer is None or behind_s is None or not behind_s <= FAR_BEHIND_S:
         return None
-    truth = SAMPLES[RESTART - 1].truth
+    truth = SAMPLES[MOVED_ON].truth
     off = [abs(angle - at) for angle, at in zip(answer.angles, truth, strict=True)]
     worst = max(range(len(JOINTS)), key=off.__getitem__)
     if off[worst] <= FOLLOWS_RAD:
@@ -799,8 +811,17 @@ def why_beside(recording: Recording) -> Verdict | None:
     gain = sum(one * at for one, at in zip(means, FIRST_POSE, strict=True)) / sum(
         at * at for at in FIRST_POSE
     )
-    fits = [abs(one - gain * at) <= NOISE_RAD for one, at in zip(means, FIRST_POSE, strict=True)]
-    if all(fits):
+    allowed = NOISE_RAD * max(1.0, abs(gain))
+    if max(abs(one - gain * at) for one, at in zip(means, FIRST_POSE, strict=True)) <= allowed:
+        if abs(gain) < NEAR_RAD:
+            return see.failed(
+                "filters.nothing-left",
+                f"{saw}; all answers are about 0",
+                expected,
+                "What is constant is taken away with the noise, for example because a mean is subtracted. Or the "
+                "array that is published was never filled.",
+                "Give it the same angle again and again: just that angle must come out.",
+            )
         return see.failed(
             "filters.gain",
             f"{saw}; all answers are about {gain:.2g} times the angle",
@@ -842,6 +863,15 @@ def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verd
             "Only some of the joints go through the filter.",
             "Filter the whole array, or make one filter for each name.",
         )
+    if stands_still(recording):
+        return see.failed(
+            "noise-reduced.stands-still",
+            f"{saw}; the answers do not change from message to message",
+            LITTLE_LEFT,
+            "The answer keeps an old value until a new one is far from it (a dead band). It is calm, but as far beside "
+            "the joint as that old value was.",
+            "Let each measurement count a little: take a mean of the last ones, or go a part of the way to each.",
+        )
     if whole > NEARLY_ALL:
         return see.failed(
             "noise-reduced.none",
@@ -861,6 +891,14 @@ def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verd
         "A moving average of N messages leaves 1/sqrt(N) of the noise. Let it look back farther, and look at the delay "
         "again.",
     )
+
+
+def stands_still(recording: Recording) -> bool:
+    """Whether the answers for most joints keep one value where the joints stand first."""
+    by_place = first_answers(recording)
+    rows = [by_place[place].angles for place in STEADY_FIRST if place in by_place]
+    still = [max(column) - min(column) <= SAME_RAD for column in zip(*rows, strict=True)]
+    return 2 * sum(still) > len(JOINTS)
 
 
 def as_they_went_in(raw: Sequence[int]) -> str:

@@ -202,8 +202,7 @@ print("the view of a million values costs less than 50 times that of 12:", many[
 
 # %% [markdown]
 # For twelve joints, write what reads best: `.tolist()`. For images and scans, avoid every loop over single numbers.
-
-# %% [markdown]
+#
 # ### A filter inside a callback
 #
 # A **filter** computes a quieter value from this measurement and earlier ones. A callback gets one message at a time
