@@ -33,6 +33,7 @@ TYPICALLY_S = 0.15
 LEAST_CHANGE_RAD = 0.005  # root mean square, between what comes in and what goes out: less is no filter
 SAME_RAD = 0.001  # root mean square: the same angle, but for rounding
 NEARLY_ALL = 0.95  # of the noise: who leaves more takes nothing away
+MORE_THAN_ALL = 1.2  # of the noise: no weak filter leaves so much, something else is added
 FOLLOWS_RAD = 0.3  # so near is an angle to a joint that has moved on after NaN
 FAR_BEHIND_S = 0.4  # a filter so late would be farther away than that by itself
 STARTING = 8  # messages after a start that must be near
@@ -710,6 +711,18 @@ def why_missing(recording: Recording, missing: list[int]) -> Verdict:
             error.because,
             error.try_this,
         )
+    typical = statistics.median(
+        answer.t - SAID_AT[place] for place, answer in first_answers(recording).items()
+    )
+    if typical > AT_ONCE_S:
+        return see.failed(
+            "every-one-answered.falls-behind",
+            f"{saw}. Those that came were typically {typical:.1f} s after their messages",
+            ONE_EACH,
+            "The callback sleeps or computes longer than the time between two messages, so they pile up.",
+            "Take the sleep out of the callback: it is called for each message, and answers it at once.",
+            about_time=True,
+        )
     return missing_for_a_reason(saw, missing) or see.failed(
         "every-one-answered.missing",
         saw,
@@ -811,7 +824,7 @@ def why_beside(recording: Recording) -> Verdict | None:
     gain = sum(one * at for one, at in zip(means, FIRST_POSE, strict=True)) / sum(
         at * at for at in FIRST_POSE
     )
-    allowed = NOISE_RAD * max(1.0, abs(gain))
+    allowed = LARGEST_NOISE_RAD * max(1.0, abs(gain))
     if max(abs(one - gain * at) for one, at in zip(means, FIRST_POSE, strict=True)) <= allowed:
         if abs(gain) < NEAR_RAD:
             return see.failed(
@@ -843,16 +856,6 @@ def why_beside(recording: Recording) -> Verdict | None:
 def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verdict:
     """Why so much of the noise is left."""
     raw = [joint for joint in not_filtered(recording, SAME_RAD) if left[joint] >= NEARLY_ALL]
-    first, last = noise_left(recording, STEADY_FIRST), noise_left(recording, STEADY_LAST)
-    if first is not None and last is not None and first[0] <= MOST_NOISE < NEARLY_ALL <= last[0]:
-        return see.failed(
-            "noise-reduced.not-after-restart",
-            f"before the restart, {first[0]:.0%} of the noise is left, and after it {last[0]:.0%}",
-            LITTLE_LEFT,
-            "After the restart nothing is filtered: each message looks like a restart, because the last stamp is not "
-            "updated; or the memory is given up at the restart, and never kept again.",
-            "Store the stamp of every message. After the first one that is before it, filter as usual.",
-        )
     worst = max(range(len(JOINTS)), key=left.__getitem__)
     saw = f"{whole:.1%} of the noise is left, at {JOINTS[worst]} {left[worst]:.1%}"
     if raw:
@@ -863,22 +866,16 @@ def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verd
             "Only some of the joints go through the filter.",
             "Filter the whole array, or make one filter for each name.",
         )
-    if stands_still(recording):
-        return see.failed(
-            "noise-reduced.stands-still",
-            f"{saw}; the answers do not change from message to message",
-            LITTLE_LEFT,
-            "The answer keeps an old value until a new one is far from it (a dead band). It is calm, but as far beside "
-            "the joint as that old value was.",
-            "Let each measurement count a little: take a mean of the last ones, or go a part of the way to each.",
-        )
-    if whole > NEARLY_ALL:
+    of_its_own_kind = why_begun_anew(recording, saw) or why_no_filter(recording, saw)
+    if of_its_own_kind is not None:
+        return of_its_own_kind
+    if whole > NEARLY_ALL or max(left) > MORE_THAN_ALL:
         return see.failed(
             "noise-reduced.none",
             saw,
             LITTLE_LEFT,
             "The memory of the filter is not carried on from call to call, so each call begins with what it remembered "
-            "at the start; or something behind the filter adds as much as it takes away, such as rounding.",
+            "at the start; or something behind the filter adds as much as it takes away.",
             "Give the filter in each call the memory that it handed back in the last one, and publish its result as it "
             "is.",
         )
@@ -890,6 +887,54 @@ def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verd
         "what is new too large.",
         "A moving average of N messages leaves 1/sqrt(N) of the noise. Let it look back farther, and look at the delay "
         "again.",
+    )
+
+
+def why_begun_anew(recording: Recording, saw: str) -> Verdict | None:
+    """A failed verdict for a filter that begins anew where it must not; None if that is not seen."""
+    first, last = noise_left(recording, STEADY_FIRST), noise_left(recording, STEADY_LAST)
+    if first is not None and last is not None and first[0] <= MOST_NOISE:
+        if NEARLY_ALL <= last[0] <= MORE_THAN_ALL:
+            return see.failed(
+                "noise-reduced.not-after-restart",
+                f"before the restart, {first[0]:.0%} of the noise is left, and after it {last[0]:.0%}",
+                LITTLE_LEFT,
+                "After the restart nothing is filtered: each message looks like a restart, because the last stamp is "
+                "not updated; or the memory is given up at the restart, and never kept again.",
+                "Store the stamp of every message. After the first one that is before it, filter as usual.",
+            )
+    if not begins_anew_each_second(recording):
+        return None
+    return see.failed(
+        "noise-reduced.begins-anew",
+        f"{saw}; at each full second the filter begins anew, and an unfiltered angle comes out",
+        LITTLE_LEFT,
+        "The stamps are compared by their nanosec alone, which begins again with each second.",
+        "Compare both parts together: (sec, nanosec) as a pair, or sec * 10**9 + nanosec.",
+    )
+
+
+def why_no_filter(recording: Recording, saw: str) -> Verdict | None:
+    """A failed verdict for what makes an angle calm, and is no filter: rounding, a dead band; None if it is neither."""
+    by_place = first_answers(recording)
+    rows = [by_place[place].angles for place in STEADY if place in by_place]
+    if all(abs(10.0 * angle - round(10.0 * angle)) < 10.0 * SAME_RAD for row in rows for angle in row):
+        return see.failed(
+            "noise-reduced.rounded",
+            f"{saw}; every angle is a multiple of 0.1 rad",
+            LITTLE_LEFT,
+            "The angles are rounded. That is calm until an angle is between two steps, and adds an error of its own.",
+            "Publish the result of the filter as it is.",
+        )
+    if not stands_still(recording):
+        return None
+    return see.failed(
+        "noise-reduced.stands-still",
+        f"{saw}; the answers do not change from message to message",
+        LITTLE_LEFT,
+        "The answer keeps an old value until a new one is far from it (a dead band). It is calm, but as far beside "
+        "the joint as that old value was.",
+        "Let each measurement count a little: take a mean of the last ones, or go a part of the way to each.",
     )
 
 

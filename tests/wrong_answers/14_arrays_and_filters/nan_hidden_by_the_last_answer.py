@@ -2,7 +2,7 @@
 # loses: survives_nan
 # cause: survives-nan.not-followed
 # replaces: angles = np.where(np.isfinite(angles), angles, self.last_good)
-# self.last_good = angles
+# replaces: self.last_good = angles
 
 # replaces: message.position = filtered[0].tolist()
 self.last_good = np.where(np.isfinite(filtered[0]), filtered[0], self.last_good)

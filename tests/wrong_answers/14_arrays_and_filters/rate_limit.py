@@ -3,4 +3,4 @@
 # loses: delay_bounded
 # cause: delay-bounded.too-late
 # replaces: old if math.isnan(new) else old + PART * (new - old)
-old if math.isnan(new) else old + min(max(PART * (new - old), -0.012), 0.012)
+old if math.isnan(new) else old + min(max(PART * (new - old), -0.018), 0.018)
