@@ -711,9 +711,9 @@ def why_missing(recording: Recording, missing: list[int]) -> Verdict:
             error.because,
             error.try_this,
         )
-    typical = statistics.median(
-        answer.t - SAID_AT[place] for place, answer in first_answers(recording).items()
-    )
+    by_place, words = first_answers(recording), see.said(recording, RAW.name)
+    waited = [by_place[place].t - word.t for place, word in enumerate(words) if place in by_place]
+    typical = statistics.median(waited) if waited else 0.0
     if typical > AT_ONCE_S:
         return see.failed(
             "every-one-answered.falls-behind",
