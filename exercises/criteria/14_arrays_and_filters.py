@@ -30,7 +30,12 @@ NEAR_RAD = 0.1  # so near is an angle to the joint at a start, and while NaN com
 AT_ONCE_S = 0.5
 SHARE_AT_ONCE = 0.9  # of the messages: the others may have been kept waiting by a busy machine
 TYPICALLY_S = 0.15
-LEAST_CHANGE = 0.25  # of the noise: less is no filter
+LEAST_CHANGE_RAD = 0.005  # root mean square, between what comes in and what goes out: less is no filter
+SAME_RAD = 0.001  # root mean square: the same angle, but for rounding
+NEARLY_ALL = 0.95  # of the noise: who leaves more takes nothing away
+MORE_THAN_ALL = 1.2  # of the noise: no weak filter leaves so much, something else is added
+FOLLOWS_RAD = 0.3  # so near is an angle to a joint that has moved on after NaN
+FAR_BEHIND_S = 0.4  # a filter so late would be farther away than that by itself
 STARTING = 8  # messages after a start that must be near
 SETTLED = 20  # messages after a start or a movement until noise and delay are measured
 
@@ -38,8 +43,9 @@ SETTLED = 20  # messages after a start or a movement until noise and delay are m
 FIRST_POSE = (0.5, -0.6, 1.2, 0.9, -1.1, 0.8, -0.7, 1.0, -0.5, 0.6, -0.9, 0.7)
 SPEEDS = (0.5, -0.4, 0.5, 0.4, -0.5, 0.5, -0.4, 0.4, -0.5, 0.5, -0.4, 0.5)
 TURNED = (-0.6, 0.5, -0.7, -0.8, 0.6, -0.5, 0.7, -0.6, 0.5, -0.8, 0.6, -0.5)
-STANDS, MOVES, STANDS_AGAIN, AFTER_RESTART = 46, 34, 44, 36  # messages
+STANDS, MOVES, STANDS_AGAIN, MOVES_BACK, AFTER_RESTART = 46, 34, 44, 24, 36  # messages
 FIRST_STAMP_S = 40.0
+STAMP_AFTER_RESTART_S = 0.45  # its fraction is above that of the last stamp before (47.35 s)
 NAN_AT: Mapping[int, tuple[int, ...]] = {
     # message: joints whose encoder gives NaN
     STANDS + MOVES + 24: (3,),
@@ -63,8 +69,9 @@ def samples() -> tuple[Sample, ...]:
     """All messages, in order: the board is switched on, works, and is switched off and on again."""
     dice = random.Random(14)
     made = []
-    for place in range(STANDS + MOVES + STANDS_AGAIN + AFTER_RESTART):
-        moving_s = PERIOD_S * min(max(place - STANDS + 1, 0), MOVES)
+    for place in range(RESTART + AFTER_RESTART):
+        forth, back = min(max(place - STANDS + 1, 0), MOVES), min(max(place - STILL_UNTIL + 1, 0), MOVES_BACK)
+        moving_s = PERIOD_S * (forth - back)
         again = place - RESTART
         truth = tuple(
             start + speed * moving_s + (turned if again >= 0 else 0.0)
@@ -77,18 +84,23 @@ def samples() -> tuple[Sample, ...]:
         ]
         for joint in NAN_AT.get(place, ()):
             measured[joint] = math.nan
-        ticks = again + 1 if again >= 0 else place + round(FIRST_STAMP_S / PERIOD_S)
+        begin_s = FIRST_STAMP_S if again < 0 else STAMP_AFTER_RESTART_S
+        ticks = round(begin_s / PERIOD_S) + (place if again < 0 else again)
         in_ns = ticks * round(PERIOD_S * 1e9)
         made.append(Sample((in_ns // 10**9, in_ns % 10**9), truth, tuple(measured)))
     return tuple(made)
 
 
-RESTART = STANDS + MOVES + STANDS_AGAIN
+STILL_UNTIL = STANDS + MOVES + STANDS_AGAIN
+RESTART = STILL_UNTIL + MOVES_BACK
 SAMPLES = samples()
 PLACE_OF = {sample.stamp: place for place, sample in enumerate(SAMPLES)}
-STEADY = (*range(SETTLED, STANDS), *range(RESTART + SETTLED, len(SAMPLES)))
+STEADY_FIRST, STEADY_LAST = range(SETTLED, STANDS), range(RESTART + SETTLED, len(SAMPLES))
+STEADY = (*STEADY_FIRST, *STEADY_LAST)
 MOVING = tuple(range(STANDS + SETTLED, STANDS + MOVES))
-WITH_NAN = range(min(NAN_AT), RESTART)
+WITH_NAN = range(min(NAN_AT), STILL_UNTIL)
+MOVED_ON = RESTART - 5  # the answers just before the restart may be mixed with what came after it
+STARTS = (range(RESTART), range(RESTART, len(SAMPLES)))
 
 BEGIN_S = 0.5
 SAID_AT = tuple(round(BEGIN_S + place * PERIOD_S, 2) for place in range(len(SAMPLES)))
@@ -144,7 +156,8 @@ def answers_come(recording: Recording) -> Verdict:
         "answers-come.nothing",
         nothing,
         ONE_EACH,
-        "Either nobody spins the node, so the callback never runs, or the callback does not publish.",
+        "Either nobody spins the node, so the callback never runs, or the callback does not publish. Or it is spun by "
+        "rclpy.experimental.EventsExecutor, whose spin() never calls back in this build of rclpy.",
         "Spin the node with rclpy.spin(node), and publish inside the callback.",
         about_time=True,
     )
@@ -203,8 +216,21 @@ def every_one_answered(recording: Recording) -> Verdict:
 
 @criterion(points=0, title="It filters", needs=[labels_kept])
 def filters(recording: Recording) -> Verdict:
-    if len(not_filtered(recording)) < len(JOINTS):
+    beside = why_beside(recording)
+    if beside is not None:
+        return beside
+    if len(not_filtered(recording, LEAST_CHANGE_RAD)) < len(JOINTS):
         return see.passed("what comes out is not what went in")
+    left = noise_left(recording, STEADY)
+    if len(not_filtered(recording, SAME_RAD)) < len(JOINTS) and left is not None and left[0] < NEARLY_ALL:
+        return see.failed(
+            "filters.too-weak",
+            f"the angles come out nearly as they went in: {left[0]:.0%} of the noise is left",
+            f"{LITTLE_LEFT}; angles that differ from what came by less than {LEAST_CHANGE_RAD} rad (root mean "
+            "square) count as passed on",
+            "The filter takes too much of what is new: its weight for that is near 1, or its cutoff frequency is high.",
+            "Let it look back farther, or give what is new a smaller weight, such as 0.3.",
+        )
     return see.failed(
         "filters.passes-through",
         "the angles come out as they went in",
@@ -217,43 +243,32 @@ def filters(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="At most 55 % of the noise is left", needs=[filters])
 def noise_reduced(recording: Recording) -> Verdict:
-    errors = errors_at(recording, STEADY)
-    if errors is None:
+    found = noise_left(recording, STEADY)
+    if found is None:
         return too_few("noise-reduced.too-few-answers")
-    left = [
-        root_mean_square(errors[joint]) / root_mean_square(measured_noise(joint))
-        for joint in range(len(JOINTS))
-    ]
+    whole, left = found
     if not all(math.isfinite(one) for one in left):
         return no_numbers("noise-reduced.no-number")
-    whole = math.sqrt(
-        sum(root_mean_square(row) ** 2 for row in errors)
-        / sum(root_mean_square(measured_noise(joint)) ** 2 for joint in range(len(JOINTS)))
-    )
-    worst = max(range(len(JOINTS)), key=left.__getitem__)
-    off = statistics.fmean(errors[worst])
-    if abs(off) > LARGEST_NOISE_RAD:
+    joint, off = farthest(recording, STEADY_LAST)
+    if off > LARGEST_NOISE_RAD:
         return see.failed(
-            "noise-reduced.beside-the-joint",
-            f"{JOINTS[worst]} stands still, and the answers say typically {abs(off):.2f} rad beside it",
+            "noise-reduced.beside-after-restart",
+            f"a second after the restart, the answers for {JOINTS[joint]} are still typically {off:.2f} rad beside it",
             LITTLE_LEFT,
-            "The filter does not keep what is constant: its weights do not add up to 1, it mixes joints, or it still "
-            "remembers something old.",
-            "Give it the same angle again and again: it must come out. Filter along time, each joint for itself.",
+            "The filter has not got to the joint: it still remembers where the joint was before, or it began with "
+            "zeros, or its result is no longer used.",
+            "At a restart, fill the memory of the filter with the first message, and go on as before.",
         )
-    if whole > MOST_NOISE or left[worst] > MOST_NOISE_OF_ONE:
-        return why_noisy(whole, left, not_filtered(recording))
+    if whole > MOST_NOISE or max(left) > MOST_NOISE_OF_ONE:
+        return why_noisy(recording, whole, left)
     return see.passed(f"{whole:.0%} of the noise is left")
 
 
 @criterion(points=1, title="The angles are at most 0.27 s behind", needs=[filters])
 def delay_bounded(recording: Recording) -> Verdict:
-    errors = errors_at(recording, MOVING)
-    if errors is None:
+    behind_s = delay_of(recording)
+    if behind_s is None:
         return too_few("delay-bounded.too-few-answers")
-    behind_s = -sum(speed * statistics.fmean(row) for speed, row in zip(SPEEDS, errors, strict=True)) / sum(
-        speed * speed for speed in SPEEDS
-    )
     if not math.isfinite(behind_s):
         return no_numbers("delay-bounded.no-number")
     if behind_s > LONGEST_DELAY_S:
@@ -261,7 +276,8 @@ def delay_bounded(recording: Recording) -> Verdict:
             "delay-bounded.too-late",
             f"while the joints move, the angles are {behind_s:.3f} s behind",
             f"at most {LONGEST_DELAY_S} s, where a message comes every {PERIOD_S} s",
-            "The filter looks back too far: its window is too long, or its cutoff frequency too low.",
+            "The filter looks back too far: its window is too long, or its cutoff frequency too low. Or it limits how "
+            "far an angle may go with each message.",
             "A moving average of N messages is (N - 1) / 2 messages behind. Let it look back less, and look at the "
             "noise again.",
         )
@@ -270,23 +286,21 @@ def delay_bounded(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="It begins where the joints are", needs=[filters])
 def begins_near(recording: Recording) -> Verdict:
-    return near(
-        recording,
-        range(STARTING),
-        "begins-near.swings-in",
-        "The filter begins with zeros in its memory, and needs a while to get away from there.",
-        "Fill the memory with the first message: for sosfilt, zi = sosfilt_zi(sos) times the first angle.",
-    )
+    return near_at_start(recording, 0, None)
 
 
 @criterion(points=1, title="It notices the restart, and begins anew", needs=[filters])
 def restart_noticed(recording: Recording) -> Verdict:
-    return near(
-        recording,
-        range(RESTART, RESTART + STARTING),
-        "restart-noticed.remembers",
-        "The joints were turned while the board was off. The filter still remembers where they were before.",
-        "When a stamp is before the last one, fill the memory of the filter anew, as at the start.",
+    verdict = near_at_start(recording, RESTART, SAMPLES[RESTART - 1].truth)
+    if verdict.ok or not begins_anew_each_second(recording):
+        return verdict
+    return see.failed(
+        "restart-noticed.nanosec-alone",
+        f"{verdict.saw}. But at each full second the filter began anew",
+        verdict.expected,
+        "The stamps are compared by their nanosec alone, which begins again with each second. The restart went "
+        "unnoticed, because there nanosec grew.",
+        "Compare both parts together: (sec, nanosec) as a pair, or sec * 10**9 + nanosec.",
     )
 
 
@@ -295,16 +309,26 @@ def survives_nan(recording: Recording) -> Verdict:
     by_place = first_answers(recording)
     bad = [
         place
-        for place in WITH_NAN
+        for place in range(min(NAN_AT), RESTART)
         if place in by_place and not all(math.isfinite(angle) for angle in by_place[place].angles)
     ]
-    if bad and bad[-1] > max(NAN_AT):
+    if bad and bad[-1] == max(place for place in by_place if place < RESTART):
         return see.failed(
             "survives-nan.never-leaves",
             f"a NaN came in with {shown(min(NAN_AT))}; {see.count(len(bad), 'answer')} since then say NaN, the last "
             f"of them for {shown(bad[-1])}",
             FINITE,
             "NaN got into the memory of the filter. Whatever is computed from NaN is NaN, so there it stays.",
+            "Before the filter, put the last good angle of that joint in the place of each NaN: np.isfinite(position).",
+        )
+    if not set(bad) <= set(NAN_AT):
+        return see.failed(
+            "survives-nan.in-the-window",
+            f"{see.count(len(bad), 'answer')} with NaN, the first of them for {shown(bad[0])}, but only "
+            f"{see.count(len(NAN_AT), 'message')} with NaN came in",
+            FINITE,
+            "NaN got into the memory of the filter, and stays until it falls out at the end of the window. A "
+            "comparison such as angle == math.nan never finds it: NaN is not equal to itself.",
             "Before the filter, put the last good angle of that joint in the place of each NaN: np.isfinite(position).",
         )
     if bad:
@@ -315,13 +339,18 @@ def survives_nan(recording: Recording) -> Verdict:
             "NaN goes through to the answer.",
             "Before the filter, put the last good angle of that joint in the place of each NaN: np.isfinite(position).",
         )
+    lost = lost_after_nan(recording)
+    if lost is not None:
+        return lost
     return near(
         recording,
         WITH_NAN,
-        "survives-nan.other-angle",
-        "In the place of NaN, the filter gets a number that has nothing to do with the joint, such as 0; or joints "
-        "without NaN are changed as well.",
-        "Put the last good angle of the same joint in its place, and leave the other joints alone.",
+        (
+            "survives-nan.other-angle",
+            "In the place of NaN, the filter gets a number that has nothing to do with the joint, such as 0; or joints "
+            "without NaN are changed as well.",
+            "Put the last good angle of the same joint in its place, and leave the other joints alone.",
+        ),
     )
 
 
@@ -393,9 +422,39 @@ def errors_at(recording: Recording, places: Sequence[int]) -> list[list[float]] 
     ]
 
 
-def measured_noise(joint: int) -> list[float]:
-    """The noise (rad) of a joint where it is judged."""
-    return [SAMPLES[place].measured[joint] - SAMPLES[place].truth[joint] for place in STEADY]
+def noise_left(recording: Recording, places: Sequence[int]) -> tuple[float, list[float]] | None:
+    """What is left of the noise (1.0: all of it): of all joints together and of each; None if too few answers came."""
+    errors = errors_at(recording, places)
+    if errors is None:
+        return None
+    came = [
+        root_mean_square([SAMPLES[at].measured[joint] - SAMPLES[at].truth[joint] for at in places])
+        for joint in range(len(JOINTS))
+    ]
+    left = [root_mean_square(row) for row in errors]
+    return root_mean_square(left) / root_mean_square(came), [
+        one / other for one, other in zip(left, came, strict=True)
+    ]
+
+
+def farthest(recording: Recording, places: Sequence[int]) -> tuple[int, float]:
+    """The joint whose answers to these messages are on average farthest beside it, and how far (rad)."""
+    errors = errors_at(recording, places)
+    if errors is None:
+        return 0, 0.0
+    off = [abs(statistics.fmean(row)) for row in errors]
+    worst = max(range(len(JOINTS)), key=off.__getitem__)
+    return worst, off[worst]
+
+
+def delay_of(recording: Recording) -> float | None:
+    """How late the angles are while the joints move (s); None if too few answers came."""
+    errors = errors_at(recording, MOVING)
+    if errors is None:
+        return None
+    return -sum(speed * statistics.fmean(row) for speed, row in zip(SPEEDS, errors, strict=True)) / sum(
+        speed * speed for speed in SPEEDS
+    )
 
 
 def root_mean_square(numbers: Sequence[float]) -> float:
@@ -408,30 +467,150 @@ def shown(place: int) -> str:
     return f"message {place + 1} (stamp {sec + nanosec / 1e9:.2f} s)"
 
 
-def near(recording: Recording, places: Sequence[int], cause: str, because: str, try_this: str) -> Verdict:
+Words = tuple[str, str, str]
+"""A cause, the likely reason, and one thing to try."""
+
+ZEROS_AT_START: Words = (
+    "begins-near.swings-in",
+    "The filter begins with zeros in its memory, and needs a while to get away from there.",
+    "Fill the memory with the first message: for sosfilt, zi = sosfilt_zi(sos) times the first angle.",
+)
+ELSEWHERE_AT_START: Words = (
+    "begins-near.elsewhere",
+    "At the start, the memory of the filter does not hold the angles of the first message.",
+    "Fill the memory with the first message, for each joint by itself.",
+)
+REMEMBERS: Words = (
+    "restart-noticed.remembers",
+    "The joints were turned while the board was off. The filter still remembers where they were before.",
+    "When a stamp is before the last one, fill the memory of the filter anew, as at the start.",
+)
+ZEROS_AGAIN: Words = (
+    "restart-noticed.zeros",
+    "After the restart, there are zeros in the memory of the filter, or in its answers.",
+    "Fill the memory with the first message after the restart, by the same lines as at the start.",
+)
+ELSEWHERE_AGAIN: Words = (
+    "restart-noticed.elsewhere",
+    "After the restart, the memory of the filter does not hold the angles of the first message since then.",
+    "When a stamp is before the last one, fill the memory of the filter anew, as at the start.",
+)
+
+
+def near(recording: Recording, places: Sequence[int], words: Words) -> Verdict:
     """Whether the answers to these messages are near the joints."""
     by_place = first_answers(recording)
     known = [place for place in places if place in by_place]
     if 2 * len(known) < len(places):
         return too_few("near.too-few-answers")
-    for place in known:
+    bad = first_far(by_place, known)
+    if bad is None:
+        return see.passed(f"within {NEAR_RAD} rad at every joint")
+    place, joint = bad
+    cause, because, try_this = words
+    return see.failed(
+        cause,
+        f"{shown(place)}: {JOINTS[joint]} is at {SAMPLES[place].truth[joint]:.2f} rad, and the answer "
+        f"says {by_place[place].angles[joint]:.2f}",
+        f"an angle within {NEAR_RAD} rad of the joint, for each joint, from {shown(places[0])} on",
+        because,
+        try_this,
+    )
+
+
+def first_far(by_place: Mapping[int, Answered], places: Sequence[int]) -> tuple[int, int] | None:
+    """The first of these messages whose answer is not near, and the joint; None if all are near."""
+    for place in places:
         for joint, angle in enumerate(by_place[place].angles):
-            off = abs(angle - SAMPLES[place].truth[joint])
-            if not off <= NEAR_RAD:
-                return see.failed(
-                    cause,
-                    f"{shown(place)}: {JOINTS[joint]} is at {SAMPLES[place].truth[joint]:.2f} rad, and the answer "
-                    f"says {angle:.2f}",
-                    f"an angle within {NEAR_RAD} rad of the joint, for each joint, from {shown(places[0])} on",
-                    because,
-                    try_this,
-                )
-    return see.passed(f"within {NEAR_RAD} rad at every joint")
+            if not abs(angle - SAMPLES[place].truth[joint]) <= NEAR_RAD:
+                return place, joint
+    return None
+
+
+def near_at_start(recording: Recording, start: int, before: Sequence[float] | None) -> Verdict:
+    """Whether the first answers after a start are near. `before`: where the joints (rad) were last, if anywhere."""
+    by_place = first_answers(recording)
+    known = [place for place in range(start, start + SETTLED) if place in by_place][:STARTING]
+    if 2 * len(known) < STARTING:
+        return too_few("near.too-few-answers")
+    bad = first_far(by_place, known)
+    if bad is None:
+        return see.passed(f"within {NEAR_RAD} rad at every joint")
+    truth, angles = SAMPLES[bad[0]].truth, by_place[bad[0]].angles
+    zeros = pulled(angles, truth, [0.0] * len(JOINTS))
+    if before is None:
+        return near(recording, known, ZEROS_AT_START if zeros <= NEAR_RAD else ELSEWHERE_AT_START)
+    back = pulled(angles, truth, before)
+    if min(zeros, back) > NEAR_RAD:
+        return near(recording, known, ELSEWHERE_AGAIN)
+    return near(recording, known, ZEROS_AGAIN if zeros < back else REMEMBERS)
+
+
+def pulled(angles: Sequence[float], truth: Sequence[float], to: Sequence[float]) -> float:
+    """How badly (rad, root mean square) the angles fit a part of the way from where the joints are to `to`."""
+    way = [end - begin for begin, end in zip(truth, to, strict=True)]
+    off = [angle - at for angle, at in zip(angles, truth, strict=True)]
+    if not all(map(math.isfinite, off)):
+        return math.inf
+    part = sum(one * other for one, other in zip(off, way, strict=True)) / sum(one * one for one in way)
+    if part <= 0.0:
+        return math.inf
+    return root_mean_square([one - part * other for one, other in zip(off, way, strict=True)])
+
+
+def begins_anew_each_second(recording: Recording) -> bool:
+    """Whether the filter begins anew whenever nanosec begins again, and at no other message that is judged."""
+    by_place = first_answers(recording)
+
+    def as_it_came(place: int) -> bool:
+        return all(
+            abs(angle - came) <= SAME_RAD
+            for angle, came in zip(by_place[place].angles, SAMPLES[place].measured, strict=True)
+        )
+
+    known = [place for place in range(1, STILL_UNTIL) if place in by_place and place not in NAN_AT]
+    anew = [place for place in known if as_it_came(place)]
+    return bool(anew) and anew == [place for place in known if SAMPLES[place].stamp[1] == 0]
+
+
+def lost_after_nan(recording: Recording) -> Verdict | None:
+    """A failed verdict for a joint that is not followed any more when it moves after NaN; None if all are."""
+    answer, behind_s = first_answers(recording).get(MOVED_ON), delay_of(recording)
+    if answer is None or behind_s is None or not behind_s <= FAR_BEHIND_S:
+        return None
+    truth = SAMPLES[MOVED_ON].truth
+    off = [abs(angle - at) for angle, at in zip(answer.angles, truth, strict=True)]
+    worst = max(range(len(JOINTS)), key=off.__getitem__)
+    if off[worst] <= FOLLOWS_RAD:
+        return None
+    return see.failed(
+        "survives-nan.not-followed",
+        f"after the NaN, {JOINTS[worst]} has moved to {truth[worst]:.2f} rad, and the answer says "
+        f"{answer.angles[worst]:.2f}",
+        f"an angle within {FOLLOWS_RAD} rad of the joint when it moves again",
+        "NaN got into the memory of the filter, and there it stays. What is published in its place, such as 0 or the "
+        "last answer, only hides it.",
+        "Replace NaN before the filter, not behind it: by the last good angle of that joint, see np.isfinite.",
+    )
 
 
 def at_once(recording: Recording) -> Verdict:
-    """All messages were answered, in order; whether at once."""
+    """All messages were answered, in order; whether at once.
+
+    Robot time waits for a callback that sleeps or computes. So there the real time from each message to its answer
+    counts, and who takes longer than a period is judged in real time.
+    """
     said_at = [word.t for word in see.said(recording, RAW.name)]
+    took_s = real_seconds(recording)
+    if recording.clock == "simulated" and took_s > PERIOD_S:
+        return see.failed(
+            "every-one-answered.too-slow",
+            f"an answer takes {took_s:.2f} s on average, and a message comes every {PERIOD_S} s",
+            f"typically within {TYPICALLY_S} s, and {SHARE_AT_ONCE:.0%} of them within {AT_ONCE_S} s",
+            "The callback sleeps or computes long.",
+            "Take the sleep out of the callback: it is called for each message, and answers it at once.",
+            about_time=True,
+        )
     waited = [answer.t - at for at, answer in zip(said_at, answers(recording), strict=False)]
     late = [one for one in waited if one > AT_ONCE_S]
     typical = statistics.median(waited)
@@ -443,9 +622,16 @@ def at_once(recording: Recording) -> Verdict:
         f"{AT_ONCE_S} s after it",
         f"typically within {TYPICALLY_S} s, and {SHARE_AT_ONCE:.0%} of them within {AT_ONCE_S} s",
         "Messages are collected and answered later, by a timer or in groups; or the callback sleeps or computes long.",
-        "Publish each answer inside the callback, at once.",
+        "Publish each answer inside the callback, at once, and let nothing in it sleep.",
         about_time=True,
     )
+
+
+def real_seconds(recording: Recording) -> float:
+    """How long (s of real time) an answer takes on average; all messages were answered, in order."""
+    arrivals = recording.topic(FILTERED.name).arrivals
+    pairs = zip(see.said(recording, RAW.name), arrivals, strict=False)
+    return statistics.fmean(arrival.published - word.wall for word, arrival in pairs)
 
 
 # --- why it is not as it should be --------------------------------------------------------------------------
@@ -525,6 +711,18 @@ def why_missing(recording: Recording, missing: list[int]) -> Verdict:
             error.because,
             error.try_this,
         )
+    by_place, words = first_answers(recording), see.said(recording, RAW.name)
+    waited = [by_place[place].t - word.t for place, word in enumerate(words) if place in by_place]
+    typical = statistics.median(waited) if waited else 0.0
+    if typical > AT_ONCE_S:
+        return see.failed(
+            "every-one-answered.falls-behind",
+            f"{saw}. Those that came were typically {typical:.1f} s after their messages",
+            ONE_EACH,
+            "The callback sleeps or computes longer than the time between two messages, so they pile up.",
+            "Take the sleep out of the callback: it is called for each message, and answers it at once.",
+            about_time=True,
+        )
     return missing_for_a_reason(saw, missing) or see.failed(
         "every-one-answered.missing",
         saw,
@@ -563,10 +761,19 @@ def missing_for_a_reason(saw: str, missing: list[int]) -> Verdict | None:
             "Use only this message and those before it, and publish in each call of the callback.",
             about_time=True,
         )
-    if missing == [*range(len(missing))]:
+    if missing == [*STARTS[1]]:
+        return see.failed(
+            "every-one-answered.none-after-restart",
+            f"{saw}, and it was the first after the restart: none of those after it was answered",
+            ONE_EACH,
+            "Messages whose stamp is not after the last one are dropped. But after a restart, all stamps are small.",
+            "When a stamp is before the last one, begin anew, and answer.",
+            about_time=True,
+        )
+    if all(are_first(start, missing) for start in STARTS):
         return see.failed(
             "every-one-answered.first-left-out",
-            f"{saw}; after {see.count(len(missing), 'message')}, the answers begin",
+            f"{saw}; after a start, the answers begin late",
             ONE_EACH,
             "The filter waits until its memory is full, or the first messages only fill it.",
             "Fill the memory with the first message as often as it has room, and answer from the first one on.",
@@ -575,8 +782,14 @@ def missing_for_a_reason(saw: str, missing: list[int]) -> Verdict | None:
     return None
 
 
-def not_filtered(recording: Recording) -> list[int]:
-    """The joints whose angles come out as they went in, where the joints stand still and no NaN comes."""
+def are_first(start: range, missing: list[int]) -> bool:
+    """Whether no message after a start is missing but the first ones."""
+    here = [place for place in missing if place in start]
+    return here == [*start[: len(here)]] and len(here) < len(start)
+
+
+def not_filtered(recording: Recording, change_rad: float) -> list[int]:
+    """The joints whose angles change by at most so much (root mean square), where they stand still and no NaN comes."""
     by_place = first_answers(recording)
     known = [place for place in STEADY if place in by_place]
     return [
@@ -586,29 +799,83 @@ def not_filtered(recording: Recording) -> list[int]:
         and root_mean_square(
             [by_place[place].angles[joint] - SAMPLES[place].measured[joint] for place in known]
         )
-        <= LEAST_CHANGE * NOISE_RAD
+        <= change_rad
     ]
 
 
-def why_noisy(whole: float, left: Sequence[float], raw: Sequence[int]) -> Verdict:
-    """Why so much of the noise is left. `raw`: the joints that are not filtered."""
+def why_beside(recording: Recording) -> Verdict | None:
+    """Why what comes out is beside the joints where they stood first, a second after the start; None if it is not."""
+    joint, off = farthest(recording, STEADY_FIRST)
+    if not off > LARGEST_NOISE_RAD:
+        return None
+    by_place = first_answers(recording)
+    rows = [by_place[place].angles for place in STEADY_FIRST if place in by_place]
+    means = [statistics.fmean(column) for column in zip(*rows, strict=True)]
+    saw = f"{JOINTS[joint]} stands at {FIRST_POSE[joint]:.2f} rad, and the answers say typically {means[joint]:.2f}"
+    expected = f"the angle of each joint, without its noise: at most {MOST_NOISE:.0%} of that is left"
+    if all(float(angle).is_integer() for row in rows for angle in row):
+        return see.failed(
+            "filters.whole-numbers",
+            f"{saw}; every angle is a whole number",
+            expected,
+            "The angles go through an array of whole numbers, such as np.zeros(12, dtype=int), or through int().",
+            "Make the array with np.zeros(12), which holds numbers with a fraction.",
+        )
+    gain = sum(one * at for one, at in zip(means, FIRST_POSE, strict=True)) / sum(
+        at * at for at in FIRST_POSE
+    )
+    allowed = LARGEST_NOISE_RAD * max(1.0, abs(gain))
+    if max(abs(one - gain * at) for one, at in zip(means, FIRST_POSE, strict=True)) <= allowed:
+        if abs(gain) < NEAR_RAD:
+            return see.failed(
+                "filters.nothing-left",
+                f"{saw}; all answers are about 0",
+                expected,
+                "What is constant is taken away with the noise, for example because a mean is subtracted. Or the "
+                "array that is published was never filled.",
+                "Give it the same angle again and again: just that angle must come out.",
+            )
+        return see.failed(
+            "filters.gain",
+            f"{saw}; all answers are about {gain:.2g} times the angle",
+            expected,
+            "The weights of the filter do not add up to 1, or the angles are in another unit, or the filter began at "
+            "zero and is still on its way a second later.",
+            "Give it the same angle again and again: just that angle must come out.",
+        )
+    return see.failed(
+        "filters.mixes-joints",
+        saw,
+        expected,
+        "The answer for one joint is made of the angles of others: all joints share one memory, or the filter runs "
+        "along the joints and not along time, or angles and names are in another order.",
+        "Give each joint a memory of its own. In an array of messages, time is axis 0, and the joints are axis 1.",
+    )
+
+
+def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verdict:
+    """Why so much of the noise is left."""
+    raw = [joint for joint in not_filtered(recording, SAME_RAD) if left[joint] >= NEARLY_ALL]
     worst = max(range(len(JOINTS)), key=left.__getitem__)
     saw = f"{whole:.1%} of the noise is left, at {JOINTS[worst]} {left[worst]:.1%}"
     if raw:
         return see.failed(
             "noise-reduced.some-joints",
-            f"{saw}: {see.count(len(raw), 'joint')} of {len(JOINTS)} come out as they went in, {JOINTS[raw[0]]} first",
+            f"{saw}: {as_they_went_in(raw)}",
             LITTLE_LEFT,
             "Only some of the joints go through the filter.",
             "Filter the whole array, or make one filter for each name.",
         )
-    if whole > 0.95:
+    of_its_own_kind = why_begun_anew(recording, saw) or why_no_filter(recording, saw)
+    if of_its_own_kind is not None:
+        return of_its_own_kind
+    if whole > NEARLY_ALL or max(left) > MORE_THAN_ALL:
         return see.failed(
             "noise-reduced.none",
             saw,
             LITTLE_LEFT,
             "The memory of the filter is not carried on from call to call, so each call begins with what it remembered "
-            "at the start; or something behind the filter adds as much as it takes away, such as rounding.",
+            "at the start; or something behind the filter adds as much as it takes away.",
             "Give the filter in each call the memory that it handed back in the last one, and publish its result as it "
             "is.",
         )
@@ -621,6 +888,69 @@ def why_noisy(whole: float, left: Sequence[float], raw: Sequence[int]) -> Verdic
         "A moving average of N messages leaves 1/sqrt(N) of the noise. Let it look back farther, and look at the delay "
         "again.",
     )
+
+
+def why_begun_anew(recording: Recording, saw: str) -> Verdict | None:
+    """A failed verdict for a filter that begins anew where it must not; None if that is not seen."""
+    first, last = noise_left(recording, STEADY_FIRST), noise_left(recording, STEADY_LAST)
+    if first is not None and last is not None and first[0] <= MOST_NOISE:
+        if NEARLY_ALL <= last[0] <= MORE_THAN_ALL:
+            return see.failed(
+                "noise-reduced.not-after-restart",
+                f"before the restart, {first[0]:.0%} of the noise is left, and after it {last[0]:.0%}",
+                LITTLE_LEFT,
+                "After the restart nothing is filtered: each message looks like a restart, because the last stamp is "
+                "not updated; or the memory is given up at the restart, and never kept again.",
+                "Store the stamp of every message. After the first one that is before it, filter as usual.",
+            )
+    if not begins_anew_each_second(recording):
+        return None
+    return see.failed(
+        "noise-reduced.begins-anew",
+        f"{saw}; at each full second the filter begins anew, and an unfiltered angle comes out",
+        LITTLE_LEFT,
+        "The stamps are compared by their nanosec alone, which begins again with each second.",
+        "Compare both parts together: (sec, nanosec) as a pair, or sec * 10**9 + nanosec.",
+    )
+
+
+def why_no_filter(recording: Recording, saw: str) -> Verdict | None:
+    """A failed verdict for what makes an angle calm, and is no filter: rounding, a dead band; None if it is neither."""
+    by_place = first_answers(recording)
+    rows = [by_place[place].angles for place in STEADY if place in by_place]
+    if all(abs(10.0 * angle - round(10.0 * angle)) < 10.0 * SAME_RAD for row in rows for angle in row):
+        return see.failed(
+            "noise-reduced.rounded",
+            f"{saw}; every angle is a multiple of 0.1 rad",
+            LITTLE_LEFT,
+            "The angles are rounded. That is calm until an angle is between two steps, and adds an error of its own.",
+            "Publish the result of the filter as it is.",
+        )
+    if not stands_still(recording):
+        return None
+    return see.failed(
+        "noise-reduced.stands-still",
+        f"{saw}; the answers do not change from message to message",
+        LITTLE_LEFT,
+        "The answer keeps an old value until a new one is far from it (a dead band). It is calm, but as far beside "
+        "the joint as that old value was.",
+        "Let each measurement count a little: take a mean of the last ones, or go a part of the way to each.",
+    )
+
+
+def stands_still(recording: Recording) -> bool:
+    """Whether the answers for most joints keep one value where the joints stand first."""
+    by_place = first_answers(recording)
+    rows = [by_place[place].angles for place in STEADY_FIRST if place in by_place]
+    still = [max(column) - min(column) <= SAME_RAD for column in zip(*rows, strict=True)]
+    return 2 * sum(still) > len(JOINTS)
+
+
+def as_they_went_in(raw: Sequence[int]) -> str:
+    """Which joints are not filtered, in words."""
+    if len(raw) == 1:
+        return f"1 joint of {len(JOINTS)} comes out as it went in, {JOINTS[raw[0]]}"
+    return f"{len(raw)} joints of {len(JOINTS)} come out as they went in, {JOINTS[raw[0]]} first"
 
 
 def too_few(cause: str) -> Verdict:

@@ -8,7 +8,7 @@
 #   [09](09_joint_positions.ipynb)
 # - **You will be able to:** turn a message into an array and back, say when the two share their memory, run a filter
 #   inside a callback, and weigh noise against delay
-# - **Left out:** images (lesson 15), Kalman filters, messages at irregular moments
+# - **Left out:** images (lesson 15), Kalman filters, messages that come at irregular intervals
 
 # %% [markdown]
 # How much noise can you take out of a measurement, and what do you pay for it? Look at the robot. It waves slowly, but
@@ -45,7 +45,7 @@ stop()
 #   ✗ Fields of a message can be written to, by their name and through an array that shares their memory.
 # - **c** `9.0`: array and message share their memory.
 #   when `first > 1.0`
-#   ✓ The array looks at the memory of the message. What is written into one stands in the other.
+#   ✓ The array looks at the memory of the message, so each shows what was written into the other.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -73,26 +73,75 @@ reveal("array-of-a-message", first=message.position[0])
 # ## Look inside
 #
 # `np.asarray` made a **view**: an array that has no memory of its own and looks at that of the message. `np.array` made
-# a **copy**. A view costs nothing, but whatever you write into it, you write into the message. If two callbacks or
-# another node in your process use the same message, they see your changes.
+# a **copy**. A view costs almost nothing, but whatever you write into it, you write into the message.
 #
-# So take `np.asarray` to read, and `np.array` as soon as you write.
-#
-# This works because rclpy keeps a field of numbers in an `array.array` from Python's standard library: numbers side by
-# side, without a Python object for each. NumPy can look at such memory directly. The type of the field decides the
-# **dtype**, the type of the numbers in the array.
+# So take `np.asarray` to read, and `np.array` as soon as you write. Who sees a change that you make? Two subscriptions
+# in one process hear the same topic. The first callback writes through a view:
 
-# %% id="dtypes"
-from std_msgs.msg import Float32MultiArray
+# %% id="own-object"
+from rclpy.node import Node
+from workbook.lesson import fresh, init, run
 
-for one in (JointState(position=[0.1]), Float32MultiArray(data=[0.1])):
-    field = one.position if isinstance(one, JointState) else one.data
-    array_of_it = np.asarray(field)
-    print(f"{type(one).__name__:<18} {array_of_it.dtype}  {array_of_it.item()}")
+init()
+ENCODERS = "/encoders/joint_states"
+
+
+class TwoReaders(Node):
+    """Two subscriptions for one topic. The first writes into what it gets."""
+
+    def __init__(self) -> None:
+        super().__init__("two_readers")
+        self.got = {"writer": [], "reader": []}
+        self.create_subscription(JointState, ENCODERS, self.write, 50)
+        self.create_subscription(JointState, ENCODERS, self.read, 50)
+
+    def write(self, message: JointState) -> None:
+        np.asarray(message.position)[:] = 9.0
+        self.got["writer"].append(message)
+
+    def read(self, message: JointState) -> None:
+        self.got["reader"].append(message)
+
+
+start(noisy_joints)
+two = fresh(TwoReaders)
+await run(two, seconds=60, until=lambda: min(map(len, two.got.values())) >= 5)
+stop()
+print("the first callback reads 9.0: ", all(one.position[0] == 9.0 for one in two.got["writer"]))
+print("the second callback reads 9.0:", any(one.position[0] == 9.0 for one in two.got["reader"]))
 
 # %% [markdown]
-# And back? These notebooks check fields, and then a message refuses an array of NumPy. There are two ways that always
-# work: `.tolist()`, and an `array.array` made from the bytes of the array.
+# rclpy makes a new Python object for **each subscription**. Other callbacks and other nodes do not see your change. Those
+# who get *this* object from you do: a list in which you keep it, a method to which you pass it, a publisher.
+#
+# The view works because rclpy keeps a field of numbers whose **length may vary** in an `array.array` from Python's
+# standard library: numbers side by side, without a Python object for each. A field of **fixed length** is a NumPy array
+# already. The type of the field decides the **dtype**, the type of the numbers in the array.
+
+# %% id="dtypes"
+from sensor_msgs.msg import Imu, LaserScan
+from std_msgs.msg import Float32MultiArray
+
+scan = LaserScan(ranges=[0.1, float("inf"), 2.5])
+for name, field in {
+    "JointState.position": JointState(position=[0.1]).position,
+    "Float32MultiArray.data": Float32MultiArray(data=[0.1]).data,
+    "LaserScan.ranges": scan.ranges,
+    "Imu.orientation_covariance": Imu().orientation_covariance,
+}.items():
+    array_of_it = np.asarray(field)
+    print(f"{name:<27} {type(field).__name__:<8} {array_of_it.dtype}  {array_of_it[0]}")
+
+ranges = np.asarray(scan.ranges)
+print("nearest obstacle:", ranges[np.isfinite(ranges)].min(), "m")
+
+# %% [markdown]
+# `Float32MultiArray` and `LaserScan` hold 32-bit numbers, so 0.1 comes back rounded. A laser scanner says `inf` where it
+# sees nothing.
+#
+# And back? A field of fixed length takes an array of NumPy. A field of variable length refuses it while **field checks**
+# are on, as in these notebooks; a node that you start with `ros2 run` has them off, and accepts it. Two ways always work:
+# `.tolist()`, and an `array.array` made from the bytes of the array.
 
 # %% id="and-back"
 import array
@@ -149,20 +198,22 @@ for way in ("out", "in"):
     print("   over 10 times the cost of one piece: ", many[slow] > 10 * many[quick])
     print("   over 1000 times the cost of 12 values:", many[slow] > 1000 * few[slow])
 view = "out, in one piece"
-print("a million values, one view: less than 50 times 12:", many[view] < 50 * few[view])
+print("the view of a million values costs less than 50 times that of 12:", many[view] < 50 * few[view])
 
 # %% [markdown]
 # For twelve joints, write what reads best: `.tolist()`. For images and scans, avoid every loop over single numbers.
-
-# %% [markdown]
+#
 # ### A filter inside a callback
 #
 # A **filter** computes a quieter value from this measurement and earlier ones. A callback gets one message at a time
 # and forgets everything when it returns. So the filter needs a **memory** that outlives the callback: an attribute.
 #
 # Here are two filters for one number. The moving average remembers the last measurements. The **Butterworth** filter
-# lets slow movements pass, and holds back what is faster than its cutoff frequency. It feeds its own results back, and
-# SciPy's `sosfilt` hands us its memory `zi`, which we give back in the next call.
+# lets slow movements pass, and holds back what is faster than its cutoff frequency. It feeds its own results back.
+#
+# In `butter(2, ...)`, 2 is the **order**. A higher order separates slow from fast more sharply, and is later. SciPy
+# splits a filter into *second-order sections*, `sos`, because these stay exact in computing: order 2 is one section.
+# `sosfilt` hands us its memory `zi`, two numbers for each section, and we give it back in the next call.
 
 # %%
 from collections import deque
@@ -184,7 +235,7 @@ class MovingAverage:
 
 
 class Butterworth:
-    """Lets pass what is slower than the cutoff frequency."""
+    """Passes movements slower than the cutoff frequency, and holds back faster ones."""
 
     def __init__(self, cutoff_hz: float) -> None:
         self.sos = butter(2, cutoff_hz, fs=RATE_HZ, output="sos")
@@ -198,19 +249,15 @@ class Butterworth:
 
 
 # %% [markdown]
-# Now on the live topic. The node below filters the left elbow of each message, at once, with both.
+# Now on the live topic. The node below filters the left elbow of each message, at once, with both. The plot is live, and
+# does not slow the node: callbacks only store numbers, and `each_frame` draws four times a second *between* callbacks.
 
 # %%
-from rclpy.node import Node
-
 from lesson_nodes.joint_position_publisher import JOINTS
-from workbook.lesson import fresh, init, run
+from workbook.pictures.figures import figure, render, show
+from workbook.pictures.live import LiveFigure
 
-init()
 ELBOW = JOINTS.index("left_elbow")
-
-
-ENCODERS = "/encoders/joint_states"
 
 
 class ElbowFilter(Node):
@@ -234,7 +281,19 @@ class ElbowFilter(Node):
 
 start(noisy_joints)
 elbow = fresh(ElbowFilter)
-await run(elbow, seconds=60, until=lambda: len(elbow.stamps) >= 140)
+live = LiveFigure("the left elbow, live: noisy dots, and the average of nine as a calm line")
+
+
+def draw():
+    fig, axes = figure(7.2, 2.4)
+    axes.plot(elbow.stamps[-60:], elbow.seen["measured"][-60:], ".", color="#787878")
+    axes.plot(elbow.stamps[-60:], elbow.seen["average"][-60:], color="#2f78d0")
+    axes.set(xlabel="stamp (s)", ylabel="left elbow (rad)", title="The average of nine, live")
+    live.show(render(fig))
+
+
+await run(elbow, seconds=60, until=lambda: len(elbow.stamps) >= 140, each_frame=draw, fps=4)
+live.finish()
 stop()
 
 # %% id="calmer"
@@ -248,7 +307,6 @@ print("one result for each message:", lengths == {len(elbow.stamps)})
 # %%
 from lesson_nodes.joint_position_publisher import waving
 from lesson_nodes.noisy_joints import WAVES_PER_SECOND
-from workbook.pictures.figures import figure, show
 
 truth = [waving(t, WAVES_PER_SECOND)[ELBOW] for t in elbow.stamps]
 fig, axes = figure(7.2, 3.2)
@@ -283,7 +341,8 @@ show(fig, "noisy dots around a slow wave; both filtered curves are smooth, and l
 #   ✓ Four times as many messages leave half of the noise. The delay grows from 1.5 to 7.5 messages.
 # - **b** A quarter of the noise, and four times the delay.
 #   when `noise_ratio < 0.4 and delay_ratio > 3.0 and delay_ratio < 4.5`
-#   ✗ Noise goes down with the square root of the number of messages, and the root of 4 is 2.
+#   ✗ Noise goes down with the square root of the number of messages, and the root of 4 is 2. The delay is that of the
+#   middle message: (4 − 1)/2 = 1.5 and (16 − 1)/2 = 7.5, five times as much.
 # - **c** A quarter of the noise, and the same delay: computing a mean takes no time.
 #   when `noise_ratio < 0.4 and delay_ratio < 3.0`
 #   ✗ The delay does not come from computing. A mean of old and new values is about the time in their middle.
@@ -343,6 +402,35 @@ show(fig, "noise against delay: both filters fall from little delay to little no
 # %% [markdown]
 # Neither filter gets into the lower left corner. **Choose by what the robot can afford.** A balance controller cannot use
 # an angle that is 0.3 s old. A display can.
+#
+# Is there a filter without delay that looks back only? A **Savitzky–Golay** filter puts a straight line through the last
+# messages, and takes its end. Here is one of 19 messages, on noise, on a ramp, and on a step from 0 to 1.
+
+# %% id="line-through-the-last"
+from scipy.signal import savgol_coeffs
+
+weights = savgol_coeffs(19, polyorder=1, pos=18, use="dot")
+
+
+class Line(MovingAverage):
+    """A straight line through the last 19 measurements, and its end."""
+
+    def step(self, value: float) -> float:
+        if not self.last:
+            self.last.extend([value] * 19)
+        self.last.append(value)
+        return float(weights @ np.array(self.last))
+
+
+step = Line(19)
+after_step = [step.step(value) for value in [0.0] * 19 + [1.0] * 25]
+print(
+    f"{abs(delay(Line(19))):.1f} messages behind on a ramp, {100 * noise_left(Line(19)):.0f} % of the noise left"
+)
+print(f"after a step to 1.0 it says up to {max(after_step):.1f}")
+
+# %% [markdown]
+# The price is **overshoot**: when the joint stops or turns around, the line goes on for a while.
 
 # %% [markdown] prediction="message-fifty-again"
 # ### Experiment 2: a filter without delay
@@ -423,9 +511,24 @@ for name, one in filters.items():
     print(f"{name}: {number} results are NaN, the last one too: {last}")
 
 # %% [markdown]
-# NaN leaves a moving average with the window. A filter with feedback computes each result from earlier results, and
-# whatever is computed from NaN is NaN. Such a filter is called **IIR**, *infinite impulse response*, and here the name
-# is meant literally. Ask `np.isfinite` *before* the filter, and put the last good value in the place of each NaN.
+# NaN leaves this moving average after five messages, because each mean is computed anew from the window. A filter with
+# feedback computes each result from earlier results, and whatever is computed from NaN is NaN. Such a filter is called
+# **IIR**, *infinite impulse response*: what came in once has an effect forever. A moving average can have feedback, too.
+# This one saves work with a running sum: it adds the newest value and subtracts the oldest.
+
+# %% id="running-sum"
+window, total, results = deque([0.5] * 5), 5 * 0.5, []
+for value in with_nan:
+    window.append(value)
+    total += value - window.popleft()
+    results.append(total / 5)
+print(
+    f"running sum: {sum(map(math.isnan, results))} results are NaN, the last one too: {math.isnan(results[-1])}"
+)
+
+# %% [markdown]
+# NaN − NaN is NaN, so it stays in the sum. For each filter: ask `np.isfinite` *before* it, and put the last good value
+# in the place of each NaN.
 #
 # **The filter swings in.** The memory begins with zeros, and the joint stands at 0.9 rad:
 
@@ -449,7 +552,7 @@ angles[:] = [0.9, 1.7, -0.4]
 print(angles)
 
 # %% [markdown]
-# NumPy cuts the angles off and prints nothing. `np.zeros(3)` makes an array of `float64`.
+# NumPy drops the fraction of each angle, without an error or a warning. `np.zeros(3)` makes an array of `float64`.
 #
 # **A message with a view cannot grow.** As long as a view looks at its memory, an `array.array` keeps its size:
 
@@ -494,8 +597,20 @@ stamps = {stamp for stamp, _ in scope.measured}
 print("stamps kept:", all(stamp in stamps for stamp, _ in scope.filtered))
 
 # %% [markdown]
-# **Faded.** Exponential smoothing remembers one array: each time, it goes a part of the way from the last result to
-# what is measured. The lines with `...` are yours.
+# **Twelve joints and `sosfilt`.** One call filters them all along time, `axis=0`. The memory has one state for each joint.
+
+# %% id="twelve-states"
+at_rest = sosfilt_zi(sos)  # 1 section, 2 numbers
+angles = np.linspace(-1.0, 1.0, 12)
+memory = at_rest[:, :, np.newaxis] * angles  # 1 section, 2 numbers, 12 joints
+filtered, memory = sosfilt(sos, angles[np.newaxis], axis=0, zi=memory)
+print("memory of one joint:", at_rest.shape, "and of twelve:", memory.shape)
+print("begun where the joints are:", np.allclose(filtered[0], angles))
+
+# %% [markdown]
+# **Faded.** Exponential smoothing remembers its last result. With each message, the result moves a fixed part of the way
+# toward what is measured. The lines with `...` are yours. With `PART = 0.25`, it should be 3.0 messages behind and leave
+# about 38 % of the noise.
 
 # %%
 PART = ...  # TODO: between 0 (very calm, very late) and 1 (no filter), such as 0.25
@@ -531,7 +646,7 @@ else:
 #
 # <details><summary>a) Nothing, `angles` is a new array</summary>
 #
-# ✗ `np.asarray` makes a view. The message now holds degrees, for everybody who uses this object.
+# ✗ `np.asarray` makes a view. The message now holds degrees, for all code that uses this object.
 #
 # </details>
 # <details><summary>b) The message itself</summary>
@@ -541,7 +656,7 @@ else:
 # </details>
 # <details><summary>c) The messages that other programs receive</summary>
 #
-# ✗ Other programs get copies of their own, through DDS.
+# ✗ Each subscription gets an object of its own, in other programs and in this one.
 #
 # </details>
 #

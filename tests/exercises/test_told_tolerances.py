@@ -110,8 +110,11 @@ def test_14_tells_how_much_noise_and_delay_is_left_and_how_near_an_angle_must_be
     assert f"the angles are at most {applied['LONGEST_DELAY_S']:g} s behind" in told
     starting = f"each of the first {applied['STARTING']} answers is within {applied['NEAR_RAD']:g} rad"
     assert told.count(f"{starting} of the joint") == 2
-    assert f"each angle is a finite number, within {applied['NEAR_RAD']:g} rad of the joint" in told
-    assert f"typically within {applied['TYPICALLY_S']:g} s" in told
+    assert f"within {applied['NEAR_RAD']:g} rad of the joint as long as the joints stand still" in told
+    assert f"within {applied['FOLLOWS_RAD']:g} rad when they have moved on" in told
+    assert f"at least half of the answers come within {applied['TYPICALLY_S']:g} s" in told
+    assert f"differ from what came by at most {applied['LEAST_CHANGE_RAD']:g} rad (root mean square)" in told
+    assert f"more than {applied['LARGEST_NOISE_RAD']:g} rad beside a joint" in told
     assert round(10 * applied["SHARE_AT_ONCE"]) == 9
     assert f"nine of ten within {applied['AT_ONCE_S']:g} s" in told
 
@@ -123,8 +126,24 @@ def test_14_tells_what_the_encoders_say() -> None:
     assert f"{1 / applied['PERIOD_S']:.0f} messages a second: names" in told
     assert f"publishes {len(applied['SAMPLES'])} messages" in told
     assert f"a second ({applied['SETTLED']} messages) after a start or a change" in told
-    stands_again = range(applied["STANDS"] + applied["MOVES"], applied["RESTART"])
+    stands_again = range(applied["STANDS"] + applied["MOVES"], applied["STILL_UNTIL"])
     assert all(place in stands_again for place in applied["NAN_AT"])
+
+
+def test_14_measures_noise_in_the_standstills_that_it_tells() -> None:
+    applied, told = constants("14_arrays_and_filters"), task("14_arrays_and_filters")
+    assert "in the first standstill and after the restart, at most" in told
+    restart, settled = applied["RESTART"], applied["SETTLED"]
+    assert set(applied["STEADY"]) == {
+        *range(settled, applied["STANDS"]),
+        *range(restart + settled, len(applied["SAMPLES"])),
+    }
+
+
+def test_14_restarts_where_neither_nanosec_alone_nor_rising_stamps_show_it() -> None:
+    applied = constants("14_arrays_and_filters")
+    before, after = (applied["SAMPLES"][applied["RESTART"] + n].stamp for n in (-1, 0))
+    assert after < before and after[1] > before[1]
 
 
 def test_02_tells_how_far_a_rate_may_be_off() -> None:

@@ -1,7 +1,7 @@
 # No answers until the window is full.
 # on: right/moving_average.py
-# loses: every_one_answered, begins_near, restart_noticed
-# cause: every-one-answered.missing
+# loses: every_one_answered
+# cause: every-one-answered.first-left-out
 # replaces: self.window.extend([angles] * WINDOW)
 self.window.clear()
 self.window.append(angles)

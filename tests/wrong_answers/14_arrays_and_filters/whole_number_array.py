@@ -1,6 +1,7 @@
 # The array is made for whole numbers: 0.9 rad becomes 0.
-# loses: noise_reduced, begins_near, restart_noticed, survives_nan, delay_bounded
-# cause: noise-reduced.beside-the-joint
+# loses: filters
+# skips: noise_reduced, delay_bounded, begins_near, restart_noticed, survives_nan
+# cause: filters.whole-numbers
 # replaces: message.position = filtered[0].tolist()
 rounded = np.zeros(angles.size, dtype=int)
 rounded[:] = filtered[0]
