@@ -12,8 +12,10 @@ from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import Image
 from std_msgs.msg import Float32MultiArray
 
-from workbook.scenes.desk import Box, DeskCamera, Scene, encoded, on_desk
+from workbook.scenes.desk import DeskCamera
+from workbook.scenes.encodings import encoded
 from workbook.scenes.pinhole import Pinhole
+from workbook.scenes.scene import Box, Scene, on_desk
 
 PERIOD_S = 1 / 30
 WIDTH = 640

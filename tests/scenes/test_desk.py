@@ -3,9 +3,11 @@
 import numpy as np
 import pytest
 
-from workbook.scenes.desk import BALL_RADIUS_M, Box, DeskCamera, Scene, encoded, on_desk
+from workbook.scenes.desk import DeskCamera
+from workbook.scenes.encodings import encoded
 from workbook.scenes.painting import Picture, paint_sphere
 from workbook.scenes.pinhole import Pinhole, Vector
+from workbook.scenes.scene import BALL_RADIUS_M, Box, Scene, on_desk
 
 SMALL = Pinhole(160, 120, 140.0)
 JOINTS = (0.0, 0.0, 0.9, 0.9, 0.8, 0.8, *[0.0] * 6)
@@ -126,5 +128,16 @@ def test_encodings_and_padding() -> None:
             assert (pixels == wanted).all()
         else:
             assert np.abs(pixels[..., 0] - picture.astype(float).mean(axis=2)).mean() < 10
-    with pytest.raises(ValueError, match="mono16"):
-        encoded(picture, "mono16")
+    with pytest.raises(ValueError, match="not '32FC1'"):
+        encoded(picture, "32FC1")
+
+
+def test_numbers_of_16_bits_and_brightness_with_color_differences() -> None:
+    picture = DeskCamera(SMALL, 15).picture(FULL, 1)
+    gray = picture @ np.array([0.299, 0.587, 0.114])
+    data, step = encoded(picture, "mono16")
+    assert step == 320
+    assert np.frombuffer(data, "<u2").reshape(120, 160) == pytest.approx(257 * gray, abs=1)
+    data, step = encoded(picture, "yuv422_yuy2", padding=2)
+    assert step == 322
+    assert np.frombuffer(data, np.uint8).reshape(120, 322)[:, :320:2] == pytest.approx(gray, abs=1)

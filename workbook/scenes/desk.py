@@ -2,21 +2,15 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
-import numpy.typing as npt
 
 from workbook.scenes.painting import Color, Patch, Picture, paint_limb, paint_polygon, paint_sphere
 from workbook.scenes.pinhole import Pinhole, Vector
+from workbook.scenes.scene import BALL_RADIUS_M, DESK_M, Box, Scene
 
-Place = tuple[float, float, float]
-
-DESK_M = -0.45
-"""How high the desk is, seen from the camera."""
 DESK_EDGE_M = 1.6
-BALL_RADIUS_M = 0.04
 ORANGE: Color = (235.0, 120.0, 25.0)
 BLUE: Color = (25.0, 120.0, 235.0)
 BRICK: Color = (225.0, 105.0, 25.0)
@@ -41,37 +35,6 @@ NEAREST_M = 0.1
 """What is nearer in front of the camera is not painted."""
 NOISE_SPARE = 65_536
 """The noise of a picture begins at one of so many places in a table: two pictures hardly ever get the same."""
-
-
-@dataclass(frozen=True)
-class Box:
-    """A brick on the desk: the middle of its bottom (m, axes of the robot), its edges (m), turned by `turn` (rad)."""
-
-    at: tuple[float, float]
-    size: Place = (0.05, 0.14, 0.05)
-    turn: float = 0.0
-
-
-@dataclass(frozen=True)
-class Scene:
-    """What there is to see at one moment. Places in the robot's axes (m): x forward, y left, z up, from the camera.
-
-    `joints`: the twelve angles of `/robot/joint_positions` (rad); None: no arms. `pan`: how far the head is turned to
-    the left (rad). `light`: 1 is a bright day, 0.3 an evening. `warm`: above 1 reddish, below 1 bluish light.
-    """
-
-    ball: Place | None = None
-    blue_ball: Place | None = None
-    boxes: tuple[Box, ...] = ()
-    joints: Sequence[float] | None = None
-    pan: float = 0.0
-    light: float = 1.0
-    warm: float = 1.0
-
-
-def on_desk(forward: float, left: float) -> Place:
-    """The center of a ball that lies on the desk, `forward` and `left` of the camera (m)."""
-    return forward, left, DESK_M + BALL_RADIUS_M
 
 
 class DeskCamera:
@@ -115,26 +78,6 @@ class DeskCamera:
         lit += self._noise[start : start + lit.size].reshape(lit.shape)
         np.clip(lit, 0, 255, out=lit)
         return lit.astype(np.uint8)
-
-
-def encoded(picture: Picture, encoding: str, padding: int = 0) -> tuple[bytes, int]:
-    """The bytes of `Image.data` and the length of a row (`step`), with `padding` unused bytes behind each row.
-
-    Raises ValueError for other encodings than rgb8, bgr8 and mono8.
-    """
-    if encoding == "rgb8":
-        pixels = picture
-    elif encoding == "bgr8":
-        pixels = picture[..., ::-1]
-    elif encoding == "mono8":
-        pixels = np.rint(picture @ np.array([0.299, 0.587, 0.114])).astype(np.uint8)[..., np.newaxis]
-    else:
-        raise ValueError(f"rgb8, bgr8 or mono8, not {encoding!r}")
-    height, width, channels = pixels.shape
-    step = width * channels + padding
-    rows: npt.NDArray[np.uint8] = np.full((height, step), 0xAA, dtype=np.uint8)
-    rows[:, : width * channels] = pixels.reshape(height, -1)
-    return rows.tobytes(), step
 
 
 def _empty_desk(camera: Pinhole) -> Picture:
