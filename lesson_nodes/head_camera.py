@@ -4,12 +4,14 @@ Run it with ``python -m lesson_nodes.head_camera`` and end it with Ctrl-C.
 """
 
 import math
+from typing import Any
 
+import cv2
 import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from rclpy.qos import qos_profile_sensor_data
-from sensor_msgs.msg import Image
+from sensor_msgs.msg import CompressedImage, Image
 from std_msgs.msg import Float32MultiArray
 
 from workbook.scenes.desk import DeskCamera
@@ -42,10 +44,12 @@ def light_at(seconds: float) -> float:
 
 
 class HeadCamera(Node):
-    """Publishes what the robot sees. Each run with the same seed brings the same pictures.
+    """Publishes what the robot sees; `settings` go to the Node. The same seed brings the same pictures.
 
     Topics:
         /camera/image (sensor_msgs/Image): pictures of `width` by 3/4 `width` pixels, best effort.
+
+        /camera/image/compressed (sensor_msgs/CompressedImage): the same as JPEG, if `jpeg_quality` is above 0.
 
     Subscriptions:
         /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles (rad). The neck turns the camera to the left;
@@ -57,37 +61,34 @@ class HeadCamera(Node):
         encoding (str): rgb8, bgr8 or mono8.
         padding (int): Unused bytes at the end of each row.
         seed (int): Which noise the sensor has.
+        jpeg_quality (int): Quality of the compressed pictures, from 1 to 100; 0: none are published.
 
     Raises:
         ValueError: The period is not a positive number, or the width or the encoding is none that there is.
     """
 
-    def __init__(
-        self,
-        period_s: float = PERIOD_S,
-        width: int = WIDTH,
-        encoding: str = "rgb8",
-        padding: int = 0,
-        seed: int = SEED,
-    ) -> None:
-        super().__init__("head_camera")
-        period_s = self.declare_parameter("period_s", period_s).value
-        if not 0.0 < period_s < math.inf:
-            raise ValueError(f"The period is the time between two pictures in seconds, not {period_s}.")
-        width = self.declare_parameter("width", width).value
+    def __init__(self, **settings: Any) -> None:
+        super().__init__("head_camera", **settings)
+        self.period_s: float = self.declare_parameter("period_s", PERIOD_S).value
+        if not 0.0 < self.period_s < math.inf:
+            raise ValueError(f"The period is the time between two pictures in seconds, not {self.period_s}.")
+        width: int = self.declare_parameter("width", WIDTH).value
         if not 16 <= width <= 1920 or width % 4:
             raise ValueError(f"The width is a multiple of 4 from 16 to 1920, not {width}.")
-        self.encoding = self.declare_parameter("encoding", encoding).value
+        self.encoding: str = self.declare_parameter("encoding", "rgb8").value
         if self.encoding not in ("rgb8", "bgr8", "mono8"):
             raise ValueError(f"The encoding is rgb8, bgr8 or mono8, not {self.encoding!r}.")
-        self.padding = self.declare_parameter("padding", padding).value
-        self.period_s = period_s
-        self.camera = DeskCamera(pinhole(width), self.declare_parameter("seed", seed).value)
+        self.padding: int = self.declare_parameter("padding", 0).value
+        self.camera = DeskCamera(pinhole(width), self.declare_parameter("seed", SEED).value)
+        self.jpeg_quality: int = self.declare_parameter("jpeg_quality", 0).value
         self.joints: tuple[float, ...] = AT_REST
         self.count = 0
         self.image_publisher = self.create_publisher(Image, TOPIC, qos_profile_sensor_data)
+        self.jpeg_publisher = self.create_publisher(
+            CompressedImage, f"{TOPIC}/compressed", qos_profile_sensor_data
+        )
         self.create_subscription(Float32MultiArray, "/robot/joint_positions", self.on_joints, 10)
-        self.timer = self.create_timer(period_s, self.publish_picture)
+        self.timer = self.create_timer(self.period_s, self.publish_picture)
 
     def on_joints(self, message: Float32MultiArray) -> None:
         """Move head and hands."""
@@ -106,6 +107,11 @@ class HeadCamera(Node):
         image.height, image.width = picture.shape[:2]
         image.encoding = self.encoding
         self.image_publisher.publish(image)
+        if self.jpeg_quality > 0:
+            jpeg = CompressedImage(header=image.header, format="rgb8; jpeg compressed bgr8")
+            bgr = cv2.cvtColor(picture, cv2.COLOR_RGB2BGR)
+            jpeg.data = cv2.imencode(".jpg", bgr, [cv2.IMWRITE_JPEG_QUALITY, self.jpeg_quality])[1].tobytes()
+            self.jpeg_publisher.publish(jpeg)
         self.count += 1
 
 

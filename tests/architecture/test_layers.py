@@ -125,12 +125,12 @@ def test_criteria_import_the_vocabulary_and_messages_only(path: Path) -> None:
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "lesson_nodes").glob("*.py")), ids=label)
-def test_lesson_nodes_import_rclpy_messages_and_scenes_only(path: Path) -> None:
+def test_lesson_nodes_import_ros_scenes_numpy_and_opencv_only(path: Path) -> None:
     for name in imported(path):
         top = name.split(".")[0]
         if name.startswith("workbook.scenes"):
             continue
-        assert top in {"rclpy", "lesson_nodes"} | MESSAGES | set(sys.stdlib_module_names), name
+        assert top in {"rclpy", "lesson_nodes", "cv2", "numpy"} | MESSAGES | set(sys.stdlib_module_names), name
 
 
 def test_no_path_of_a_machine_and_no_registry_host_is_tracked() -> None:
