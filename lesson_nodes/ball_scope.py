@@ -16,6 +16,7 @@ from sensor_msgs.msg import Image
 
 Picture = npt.NDArray[np.uint8]
 KEPT = 30
+FILM_EVERY, FILM_LENGTH = 5, 60
 
 
 class BallScope(Node):
@@ -27,12 +28,15 @@ class BallScope(Node):
 
     Attributes:
         pictures: Pairs of a stamp (s) and a picture, RGB. Only the last ones are kept.
+        film: Every fifth picture, RGB, up to 60 of them.
         directions: Pairs of a stamp (s) and a direction, all of them.
     """
 
     def __init__(self) -> None:
         super().__init__("ball_scope")
         self.pictures: deque[tuple[float, Picture]] = deque(maxlen=KEPT)
+        self.film: list[Picture] = []
+        self.count = 0
         self.directions: list[tuple[float, tuple[float, float, float]]] = []
         self.create_subscription(Image, "/camera/image", self.on_image, qos_profile_sensor_data)
         self.create_subscription(Vector3Stamped, "/robot/ball_direction", self.on_direction, 50)
@@ -43,6 +47,9 @@ class BallScope(Node):
         picture = rows[:, : 3 * image.width].reshape(image.height, image.width, 3)
         stamp = image.header.stamp
         self.pictures.append((stamp.sec + stamp.nanosec / 1e9, picture))
+        if self.count % FILM_EVERY == 0 and len(self.film) < FILM_LENGTH:
+            self.film.append(picture)
+        self.count += 1
 
     def on_direction(self, message: Vector3Stamped) -> None:
         """Write down a direction."""

@@ -25,7 +25,7 @@ SEED = 15
 TOPIC = "/camera/image"
 FOCAL_OF_WIDTH = 0.875
 AT_REST = (0.0, 0.0, 0.8, 0.8, 0.8, 0.8, 0.06, 0.06, 0.0, 0.06, 0.06, 0.0)
-BRICKS = (Box((1.05, 0.45), turn=0.4), Box((1.1, -0.5), turn=-0.5))
+BRICKS = (Box((1.25, 0.5), turn=0.4), Box((1.3, -0.55), turn=-0.5))
 
 
 def pinhole(width: int) -> Pinhole:

@@ -36,6 +36,8 @@ LEAST_SHARE = 0.8
 TYPICALLY_S, AT_ONCE_S, SHARE_AT_ONCE = 0.1, 0.4, 0.9
 NEAR_DEG = 2.5
 """A wrong direction that is so near to something else was probably taken from there."""
+MOST = 0.6
+"""Which share of what is wrong must look like a reason."""
 PADDING = 32
 BRIGHT = 0.7
 KNOWN = ("rgb8", "bgr8")
@@ -215,29 +217,26 @@ def refuses_others(recording: Recording) -> Verdict:
     expected = (
         "no direction for them, a line in the log with the name of the encoding, and a node that lives on"
     )
+    silent = silent_since(recording, saw, expected)
+    if silent is not None:
+        return silent
     by_place = first_answers(recording)
-    if not any(place > FIRST_OTHER for place in by_place) and any(place < FIRST_OTHER for place in by_place):
-        return see.failed_by_error(
-            recording, f"{saw}, and after the first of them nothing came any more", expected
-        ) or see.failed(
-            "refuses-others.silent-since",
-            f"{saw}, and after the first of them nothing came any more",
-            expected,
-            "The node ends itself, or stops answering, when it meets an encoding that it cannot read.",
-            "Log a line and return from the callback. The next picture may be readable again.",
-            about_time=True,
-        )
     guessed = [place for place in OTHERS if place in by_place]
-    if guessed:
-        said_none = all(by_place[place].length < LENGTH_SLACK for place in guessed)
+    if guessed and all(by_place[place].length < LENGTH_SLACK for place in guessed):
         return see.failed(
-            "refuses-others.says-no-ball" if said_none else "refuses-others.guesses",
+            "refuses-others.says-no-ball",
+            f"{saw}, and {len(guessed)} of them were answered with (0, 0, 0)",
+            expected,
+            'The node says "no ball" where it could not look. Whoever listens takes that for a look at the desk.',
+            RETURN_EARLY,
+        )
+    if guessed:
+        return see.failed(
+            "refuses-others.guesses",
             f"{saw}, and {len(guessed)} of them were answered",
             expected,
-            'The node says "no ball" where it could not look. Whoever listens takes that for a look at the desk.'
-            if said_none
-            else "The node reads bytes of another encoding as if they were red, green and blue.",
-            "At the beginning of the callback: if the encoding is none that you can read, log a line and return.",
+            "The node reads bytes of another encoding as if they were red, green and blue.",
+            RETURN_EARLY,
         )
     unnamed = [name for name in names if name not in recording.process.log]
     if unnamed:
@@ -253,22 +252,22 @@ def refuses_others(recording: Recording) -> Verdict:
 
 @criterion(points=2, title="In good light, an rgb8 picture leads to the right direction", needs=[stamps_kept])
 def direction_right(recording: Recording) -> Verdict:
-    return directions(recording, IN_GOOD_LIGHT, "direction-right")
+    return directions(recording, IN_GOOD_LIGHT)
 
 
 @criterion(points=1, title="The direction is right in changing light", needs=[direction_right])
 def light_changes(recording: Recording) -> Verdict:
-    return directions(recording, IN_DIM_LIGHT, "light-changes")
+    return directions(recording, IN_DIM_LIGHT)
 
 
 @criterion(points=1, title="The direction is right for bgr8", needs=[stamps_kept])
 def bgr_right(recording: Recording) -> Verdict:
-    return directions(recording, IN_BGR, "bgr-right")
+    return directions(recording, IN_BGR)
 
 
 @criterion(points=1, title="The direction is right for rows with padding", needs=[direction_right])
 def padding_right(recording: Recording) -> Verdict:
-    return directions(recording, PADDED, "padding-right")
+    return directions(recording, PADDED)
 
 
 @criterion(points=1, title="Where there is no ball, it says so", needs=[stamps_kept])
@@ -294,8 +293,27 @@ def no_ball_said(recording: Recording) -> Verdict:
         f"picture {place + 1} shows no orange ball, and the answer is {shown(answer.vector)}; so it is for "
         f"{see.count(len(wrong), 'picture')} of {len(known)}"
     )
-    because, try_this, cause = why_a_ball(wrong, first_answers(recording))
-    return see.failed(f"no-ball-said.{cause}", saw, expected, because, try_this)
+    reason = why_a_ball(wrong, first_answers(recording))
+    return see.failed(reason.cause, saw, expected, reason.because, reason.try_this)
+
+
+RETURN_EARLY = "At the beginning of the callback: if you cannot read the encoding, log a line and return."
+
+
+def silent_since(recording: Recording, saw: str, expected: str) -> Verdict | None:
+    """Why nothing came since the first picture in another encoding; None if something came."""
+    by_place = first_answers(recording)
+    if any(place > FIRST_OTHER for place in by_place) or not any(place < FIRST_OTHER for place in by_place):
+        return None
+    saw = f"{saw}, and after the first of them nothing came any more"
+    return see.failed_by_error(recording, saw, expected) or see.failed(
+        "refuses-others.silent-since",
+        saw,
+        expected,
+        "The node ends itself, or stops answering, when it meets an encoding that it cannot read.",
+        "Log a line and return from the callback. The next picture may be readable again.",
+        about_time=True,
+    )
 
 
 # --- what came back -----------------------------------------------------------------------------------------
@@ -401,11 +419,11 @@ def shown(vector: Vector) -> str:
 # --- whether directions are right ---------------------------------------------------------------------------
 
 
-def directions(recording: Recording, places: Iterable[int], criterion_id: str) -> Verdict:
+def directions(recording: Recording, places: Iterable[int]) -> Verdict:
     """Whether the directions for these pictures are those of the ball."""
     known = known_answers(recording, places)
     if known is None:
-        return too_few(f"{criterion_id}.too-few-answers")
+        return too_few("direction.too-few-answers")
     wrong = [(place, answer) for place, answer in known if not is_right(place, answer)]
     if not wrong:
         worst = max(off_deg(answer.vector, ball_of(place)) for place, answer in known)
@@ -419,9 +437,9 @@ def directions(recording: Recording, places: Iterable[int], criterion_id: str) -
     )
     if math.isfinite(off):
         saw += f", {off:.1f}° beside it"
-    cause, because, try_this = why_wrong(wrong)
+    reason = why_wrong(wrong)
     expected = f"a vector of length 1, within {WITHIN_DEG}° of the middle of the orange ball"
-    return see.failed(f"{criterion_id}.{cause}", saw, expected, because, try_this)
+    return see.failed(reason.cause, saw, expected, reason.because, reason.try_this)
 
 
 def is_right(place: int, answer: Answered) -> bool:
@@ -432,17 +450,32 @@ def is_right(place: int, answer: Answered) -> bool:
 Wrong = list[tuple[int, Answered]]
 
 
-def why_wrong(wrong: Wrong) -> tuple[str, str, str]:
-    """Cause, likely misconception and advice for directions that are wrong."""
-    for share, cause, because, try_this, fits in REASONS:
-        if sum(fits(place, answer) for place, answer in wrong) >= share * len(wrong):
-            return cause, because, try_this
-    return (
-        "beside",
+@dataclass(frozen=True)
+class Reason:
+    """Why directions are wrong, and whether one direction looks like it."""
+
+    cause: str
+    because: str
+    try_this: str
+    fits: Callable[[int, Answered], bool]
+
+
+def why_wrong(wrong: Wrong) -> Reason:
+    """The first reason that fits most of the directions that are wrong."""
+    return first_that_fits(REASONS, wrong) or Reason(
+        "direction.beside",
         "Something else than the ball was taken, or only a part of it; or the pixel was not turned into a direction "
         "with the focal length and the middle that the task names.",
         "Draw the mask of what you take for orange, for one such picture, and mark the pixel that you found.",
+        lambda place, answer: True,
     )
+
+
+def first_that_fits(reasons: Iterable[Reason], wrong: Wrong) -> Reason | None:
+    for reason in reasons:
+        if sum(reason.fits(place, answer) for place, answer in wrong) >= MOST * len(wrong):
+            return reason
+    return None
 
 
 def flipped(x: float, y: float) -> Callable[[int, Answered], bool]:
@@ -481,90 +514,78 @@ def of_an_earlier_picture(place: int, answer: Answered) -> bool:
     return any(off_deg(answer.vector, ball_of(one)) <= 0.4 for one in before)
 
 
-Reason = tuple[float, str, str, str, Callable[[int, Answered], bool]]
-REASONS: tuple[Reason, ...] = (
-    (
-        0.6,
-        "no-number",
+REASONS = (
+    Reason(
+        "direction.no-number",
         "NaN or infinity: something was divided by zero, such as the sum of an empty mask.",
         "Ask first whether there is a ball; a vector of length 0 has no direction.",
         lambda place, answer: not all(map(math.isfinite, answer.vector)),
     ),
-    (
-        0.6,
-        "no-ball",
+    Reason(
+        "direction.no-ball",
         "The ball was not found. The range of colors does not fit this light, the bytes were read in another order of "
         "rows or colors, or the ball was taken for too small or not round.",
         "Look at the pixels of the ball in such a picture, in the color space that you use: which bounds exclude them?",
         lambda place, answer: answer.length < LENGTH_SLACK,
     ),
-    (
-        0.6,
-        "not-of-length-one",
+    Reason(
+        "direction.not-of-length-one",
         "The direction is right, but the vector has another length than 1.",
         "Divide the vector by its length: ray / np.linalg.norm(ray).",
         lambda place, answer: off_deg(answer.vector, ball_of(place)) <= WITHIN_DEG,
     ),
-    (
-        0.6,
-        "a-pixel",
+    Reason(
+        "direction.a-pixel",
         "The vector holds the column and the row of the ball. That is a place in the picture, not a direction.",
         "Pinhole model: x = (column - 79.5) / 140, y = (row - 59.5) / 140, z = 1, and then divide by the length.",
         is_a_pixel,
     ),
-    (
-        0.6,
-        "blue-ball",
+    Reason(
+        "direction.blue-ball",
         "The direction is that of the blue ball. Red and blue are exchanged: the picture was read in the other order "
         "of colors.",
         "Look at image.encoding in each picture: rgb8 begins with red, bgr8 with blue. OpenCV's own functions expect "
         "BGR.",
         lambda place, answer: off_deg(answer.vector, blue_of(place)) <= NEAR_DEG,
     ),
-    (
-        0.6,
-        "brick",
+    Reason(
+        "direction.brick",
         "The direction is that of the brick. It has the color of the ball, but another outline.",
         "Keep only what is round: compare the area of an outline with that of the smallest circle around it.",
         lambda place, answer: off_deg(answer.vector, brick_of(place)) <= NEAR_DEG,
     ),
-    (
-        0.6,
-        "x-to-the-left",
+    Reason(
+        "direction.x-to-the-left",
         "Left and right are exchanged.",
         "x points to the right, as columns do: x = (column - 79.5) / 140.",
         flipped(-1.0, 1.0),
     ),
-    (
-        0.6,
-        "y-up",
+    Reason(
+        "direction.y-up",
         "Above and below are exchanged.",
         "y points down, as rows do: y = (row - 59.5) / 140.",
         flipped(1.0, -1.0),
     ),
-    (
-        0.6,
-        "axes-of-the-robot",
+    Reason(
+        "direction.axes-of-the-robot",
         "The vector is right in the axes of a robot: x forward, y to the left, z up. The task asks for those of the "
         "camera.",
         "Publish x to the right, y down, z forward.",
         in_axes_of_the_robot,
     ),
-    (
-        0.6,
-        "from-the-corner",
+    Reason(
+        "direction.from-the-corner",
         "Column and row are counted from the corner of the picture. But straight ahead is its middle.",
         "Subtract the middle first: x = (column - 79.5) / 140, y = (row - 59.5) / 140.",
         from_the_corner,
     ),
-    (
-        0.6,
-        "earlier-picture",
+    Reason(
+        "direction.earlier-picture",
         "The direction is that of an earlier picture: the ball was there a moment before.",
         "Compute the direction from the picture that the callback was called with, and publish it with its header.",
         of_an_earlier_picture,
     ),
-)  # fmt: skip
+)
 
 
 def why_silent(recording: Recording, expected: str) -> Verdict:
@@ -581,48 +602,60 @@ def why_silent(recording: Recording, expected: str) -> Verdict:
     )
 
 
-def why_a_ball(wrong: Wrong, by_place: dict[int, Answered]) -> tuple[str, str, str]:
-    """Likely misconception, advice and cause for a ball that is none."""
+def why_a_ball(wrong: Wrong, by_place: dict[int, Answered]) -> Reason:
+    """Why a ball was said to be where none is."""
     before = [place for place in by_place if place < WITHOUT_BALL[0] and place in WITH_BALL]
-    last = by_place[max(before)].vector if before else None
     several = {answer.vector for _, answer in wrong}
-    if sum(off_deg(answer.vector, brick_of(place)) <= NEAR_DEG for place, answer in wrong) >= 0.6 * len(
-        wrong
-    ):
-        return (
-            "The brick was taken for the ball. It has the color of the ball, but another outline.",
-            "Keep only what is round: compare the area of an outline with that of the smallest circle around it.",
-            "brick",
-        )
-    if sum(off_deg(answer.vector, blue_of(place)) <= NEAR_DEG for place, answer in wrong) >= 0.4 * len(wrong):
-        return (
-            "The blue ball was taken for the ball.",
-            "Look at the order of the colors in image.encoding, and keep only what is orange.",
-            "blue-ball",
-        )
-    if last is not None and last in several and len(several) <= 4:
-        return (
-            "The last direction is published again when no ball is found. The ball may be anywhere by then.",
-            "Publish (0, 0, 0): a new Vector3Stamped with the header of this picture.",
-            "repeated",
-        )
-    if not all(math.isfinite(one) for _, answer in wrong for one in answer.vector):
-        return (
-            "NaN or infinity in place of (0, 0, 0): something was divided by zero.",
-            "Ask first whether there is a ball. If not, leave the vector at (0, 0, 0).",
-            "no-number",
-        )
-    if len(several) == 1:
-        return (
-            "The same direction stands for every picture without a ball.",
-            "Publish (0, 0, 0): a new Vector3Stamped with the header of this picture.",
-            "constant",
-        )
-    return (
-        "Something else was taken for the ball: the biggest or brightest thing in the picture, a hand, or noise.",
-        "Ask for color, size and outline, and say (0, 0, 0) when nothing fits.",
-        "something-else",
-    )
+    if before and by_place[max(before)].vector in several and len(several) <= 4:
+        return REPEATED
+    if not all(math.isfinite(one) for vector in several for one in vector):
+        return NO_NUMBER
+    return CONSTANT if len(several) == 1 else first_that_fits(GHOSTS, wrong) or SOMETHING_ELSE
+
+
+def always(place: int, answer: Answered) -> bool:
+    return True
+
+
+NEW_MESSAGE = "Publish (0, 0, 0): a new Vector3Stamped with the header of this picture."
+REPEATED = Reason(
+    "no-ball-said.repeated",
+    "The last direction is published again when no ball is found. The ball may be anywhere by then.",
+    NEW_MESSAGE,
+    always,
+)
+NO_NUMBER = Reason(
+    "no-ball-said.no-number",
+    "NaN or infinity in place of (0, 0, 0): something was divided by zero.",
+    "Ask first whether there is a ball. If not, leave the vector at (0, 0, 0).",
+    always,
+)
+CONSTANT = Reason(
+    "no-ball-said.constant",
+    "The same direction stands for every picture without a ball.",
+    NEW_MESSAGE,
+    always,
+)
+SOMETHING_ELSE = Reason(
+    "no-ball-said.something-else",
+    "Something else was taken for the ball: the biggest or brightest thing in the picture, a hand, or noise.",
+    "Ask for color, size and outline, and say (0, 0, 0) when nothing fits.",
+    always,
+)
+GHOSTS = (
+    Reason(
+        "no-ball-said.brick",
+        "The brick was taken for the ball. It has the color of the ball, but another outline.",
+        "Keep only what is round: compare its area with that of the smallest circle around it.",
+        lambda place, answer: off_deg(answer.vector, brick_of(place)) <= NEAR_DEG,
+    ),
+    Reason(
+        "no-ball-said.blue-ball",
+        "The blue ball was taken for the ball.",
+        "Look at the order of the colors in image.encoding, and keep only what is orange.",
+        lambda place, answer: off_deg(answer.vector, blue_of(place)) <= NEAR_DEG,
+    ),
+)
 
 
 # --- why stamps and times are not as they should be ---------------------------------------------------------

@@ -22,14 +22,10 @@ from workbook.lesson.films import alone, beside, show_film
 
 init()
 print("started", start(head_camera, width=320))
-scope, shots = fresh(BallScope), []
-await run(
-    scope,
-    seconds=6,
-    each_frame=lambda: shots.append(alone(scope.pictures[-1][1])) if scope.pictures else None,
-    fps=6,
-)
+scope = fresh(BallScope)
+await run(scope, seconds=60, until=lambda: len(scope.film) >= 36)
 stop()
+shots = [alone(picture) for picture in scope.film]
 show_film(shots, "an orange ball rolls to and fro between gray hands and bricks, while the light changes", 6)
 
 # %% [markdown]
@@ -150,15 +146,16 @@ def find_ball(pixels):
 from workbook.pictures.figures import figure, show
 
 column, row = find_ball(pixels)
+small = cv2.resize(pixels, (160, 120), interpolation=cv2.INTER_AREA)
 fig, axes = figure(8.0, 2.4, columns=3)
 for axis, drawn, title in zip(
-    axes, (pixels, orange_of(pixels), pixels), ("what the camera sees", "what is orange", "what is round, too"), strict=True
+    axes, (small, orange_of(small), small), ("what the camera sees", "what is orange", "what is round, too"), strict=True
 ):
-    axis.imshow(drawn, cmap="gray")
+    axis.imshow(drawn, cmap="gray", interpolation="nearest")
     axis.set_title(title)
     axis.set(xticks=[], yticks=[])
     axis.grid(False)
-axes[2].plot(column, row, "+", color="white", markersize=18, markeredgewidth=2)
+axes[2].plot(column / 4, row / 4, "+", color="white", markersize=18, markeredgewidth=2)
 show(fig, "three pictures: the desk; white spots on black where ball and bricks are; a cross in the middle of the ball")
 
 # %% [markdown]
@@ -191,7 +188,7 @@ for column in (0, 639):
 #
 # Now close the loop. For each picture, the node finds the ball and turns the neck a part of the way. The camera hears
 # the new angle and turns. The next picture shows how much is still missing. Watch: the ball rolls, and stays in the
-# middle. The drawing is flat, so the robot on the right tilts its head instead of turning it.
+# near the middle. The drawing is flat, so the robot on the right tilts its head instead of turning it.
 
 # %%
 from std_msgs.msg import Float32MultiArray
@@ -206,15 +203,17 @@ class HeadFollower(Node):
 
     def __init__(self, qos) -> None:
         super().__init__("head_follower")
-        self.joints, self.beside, self.pixels = list(AT_REST), [], None
+        self.joints, self.beside, self.film = list(AT_REST), [], []
         self.publisher = self.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
         self.create_subscription(Image, "/camera/image", self.on_image, qos)
 
     def on_image(self, image: Image) -> None:
-        self.pixels = to_pixels(image).copy()
-        ball = find_ball(self.pixels)
+        pixels = to_pixels(image)
+        ball = find_ball(pixels)
         if ball is None:
             return
+        if len(self.beside) % 5 == 0:  # for the film below
+            self.film.append((cv2.resize(pixels, (320, 240)), [*self.joints]))
         x, _, z = direction(*ball)
         self.beside.append(abs(ball[0] - MIDDLE[0]))
         neck = self.joints[0] - PART * math.atan2(x, z)  # the neck turns to the left, x points to the right
@@ -239,20 +238,14 @@ print("pictures of the follower:", len(deaf.beside))
 
 # %%
 start(head_camera)
-follower, shots = fresh(HeadFollower, qos_profile_sensor_data), []
-
-
-def shoot():
-    """Keep a picture of what the robot sees, and of the robot."""
-    if follower.pixels is not None:
-        small = cv2.resize(follower.pixels, (320, 240), interpolation=cv2.INTER_AREA)
-        cv2.line(small, (160, 0), (160, 239), (255, 255, 255), 1)
-        shots.append(beside(small, follower.joints))
-
-
-await run(follower, seconds=8, each_frame=shoot, fps=5)
+follower = fresh(HeadFollower, qos_profile_sensor_data)
+await run(follower, seconds=90, until=lambda: len(follower.film) >= 40)
 stop()
-show_film(shots, "left: the desk moves past, and the ball stays at the white line; right: the robot's head tilts", 5)
+shots = []
+for small, joints in follower.film:
+    cv2.line(small, (160, 0), (160, 239), (255, 255, 255), 1)
+    shots.append(beside(small, joints))
+show_film(shots, "left: the desk moves past, and the ball stays near the white line; right: the robot's head tilts", 6)
 
 # %% id="follows"
 settled = follower.beside[len(follower.beside) // 3 :]

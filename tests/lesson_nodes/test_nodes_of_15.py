@@ -133,3 +133,13 @@ def test_the_scope_keeps_pictures_without_padding_and_directions() -> None:
     stamp, picture = scope.pictures[-1]
     assert (picture == pixels_of(published[0])).all()
     assert scope.directions == [(stamp, (0.0, 0.0, 1.0))]
+
+
+def test_the_film_of_the_scope_holds_every_fifth_picture() -> None:
+    node, published = camera()
+    scope = BallScope()
+    for _ in range(7):
+        node.publish_picture()
+        scope.on_image(published[-1])
+    assert len(scope.film) == 2
+    assert (scope.film[1] == pixels_of(published[5])).all()

@@ -4,7 +4,7 @@
 # after: super().__init__("ball_tracker")
 self.last = [0.0, 0.0, 1.0]
 # replaces: if ball is not None:
+# replaces:     answer.vector.x, answer.vector.y, answer.vector.z = direction(*ball)
 if ball is not None:
     self.last = direction(*ball)
-# replaces: answer.vector.x, answer.vector.y, answer.vector.z = direction(*ball)
 answer.vector.x, answer.vector.y, answer.vector.z = self.last

@@ -1,6 +1,6 @@
 # Publishes a Vector3, which has no header.
 # loses: topics
-# cause: x.y
+# cause: publishes.other-type
 # replaces: from geometry_msgs.msg import Vector3Stamped
 from geometry_msgs.msg import Vector3, Vector3Stamped
 # replaces: self.publisher = self.create_publisher(Vector3Stamped, "/robot/ball_direction", 10)
