@@ -184,7 +184,7 @@ for column in (0, 639):
     print(f"column {column}: {math.degrees(math.atan2(x, z)):.1f}° to the right")
 
 # %% [markdown]
-# ## The head follows
+# ### The head follows
 #
 # Now close the loop. For each picture, the node finds the ball and turns the neck a part of the way. The camera hears
 # the new angle and turns. The next picture shows how much is still missing. Watch: the ball rolls, and stays in the
