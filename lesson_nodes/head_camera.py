@@ -4,6 +4,7 @@ Run it with ``python -m lesson_nodes.head_camera`` and end it with Ctrl-C.
 """
 
 import math
+from array import array
 from typing import Any
 
 import cv2
@@ -103,14 +104,16 @@ class HeadCamera(Node):
         seconds = self.count * self.period_s
         scene = Scene(ball_at(seconds), None, BRICKS, self.joints, self.joints[0], light_at(seconds))
         picture = self.camera.picture(scene, self.count)
-        image.data, image.step = encoded(picture, self.encoding, self.padding)
+        data, image.step = encoded(picture, self.encoding, self.padding)
+        image.data = array("B", data)  # a field takes this as it is, and copies any other bytes one by one
         image.height, image.width = picture.shape[:2]
         image.encoding = self.encoding
         self.image_publisher.publish(image)
         if self.jpeg_quality > 0:
             jpeg = CompressedImage(header=image.header, format="rgb8; jpeg compressed bgr8")
             bgr = cv2.cvtColor(picture, cv2.COLOR_RGB2BGR)
-            jpeg.data = cv2.imencode(".jpg", bgr, [cv2.IMWRITE_JPEG_QUALITY, self.jpeg_quality])[1].tobytes()
+            _, coded = cv2.imencode(".jpg", bgr, [cv2.IMWRITE_JPEG_QUALITY, self.jpeg_quality])
+            jpeg.data = array("B", coded.tobytes())
             self.jpeg_publisher.publish(jpeg)
         self.count += 1
 

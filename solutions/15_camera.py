@@ -19,10 +19,10 @@
 # %% [markdown]
 # # Exercise 15 · Eyes on the ball
 #
-# Somebody throws a ball onto the desk, and the robot is to look at it. Its camera works, and takes 30 pictures a
-# second. What is missing is the node between the camera and the neck: it finds the ball in each picture, and says in
-# which direction it lies. A robot that is told of a ball where there is none reaches into the void. So the node must
-# also say when there is no ball.
+# A ball rolls over the desk, and the robot should look at it. Its camera works, and takes 30 pictures a second. The
+# node between the camera and the neck is missing. It finds the ball in each picture, and says in which direction it
+# lies. If it reports a ball that is not there, the robot reaches into the void. So the node must also say when there
+# is no ball.
 #
 # **About 45 minutes · difficulty 4 of 5 · 10 points.** You need lesson [15](../notebooks/15_camera.ipynb).
 #
@@ -37,8 +37,8 @@
 #
 # `Image` is in `sensor_msgs.msg`, `Vector3Stamped` in `geometry_msgs.msg`.
 #
-# **The scene.** The ball is orange. On the desk there are also a blue ball, a brick that is just as orange as the ball,
-# and now and then the robot's own gray hands. The light changes between bright and dim (four tenths of that), and gets a little warmer or colder.
+# **The scene.** The ball is orange. On the desk there are also a blue ball and a brick that is just as orange as the
+# ball. The robot's own gray hands come into view. The light changes between bright and dim (four tenths of that), and gets a little warmer or colder.
 # There is at most one orange ball, and it is never hidden in part. It is at least 9 pixels wide.
 #
 # **The camera.** It follows the pinhole model, with a focal length of 140 pixels. Column 79.5, row 59.5 looks straight
@@ -74,8 +74,7 @@
 #
 # "Good light" means bright light and no padding. Changing light and padding wait until the direction is right in good light.
 #
-# **Not part of it:** how far the ball is away, lenses, a ball that is hidden in part, the frame of the header, and how
-# your program ends on Ctrl-C.
+# **Not part of it:** how far the ball is away, lenses, a ball that is hidden in part, and how your program ends.
 # %% [answer]
 """Looks at the pictures of a camera, and publishes in which direction the orange ball lies."""
 

@@ -227,7 +227,7 @@ def refuses_others(recording: Recording) -> Verdict:
             "refuses-others.says-no-ball",
             f"{saw}, and {len(guessed)} of them were answered with (0, 0, 0)",
             expected,
-            'The node says "no ball" where it could not look. Whoever listens takes that for a look at the desk.',
+            'The node says "no ball" where it could not look. A listener takes that for a look at the desk.',
             RETURN_EARLY,
         )
     if guessed:
@@ -244,7 +244,7 @@ def refuses_others(recording: Recording) -> Verdict:
             "refuses-others.no-line",
             f"{saw}, and no line in the log names {unnamed[0]}",
             expected,
-            "The node drops these pictures without a word. Whoever looks for the fault finds nothing.",
+            "The node drops these pictures silently. An engineer who looks for the fault finds nothing.",
             'self.get_logger().error(f"... {image.encoding}"), with the encoding in the text.',
         )
     return see.passed(f"{saw}: refused, and logged")
@@ -464,8 +464,8 @@ def why_wrong(wrong: Wrong) -> Reason:
     """The first reason that fits most of the directions that are wrong."""
     return first_that_fits(REASONS, wrong) or Reason(
         "direction.beside",
-        "Something else than the ball was taken, or only a part of it; or the pixel was not turned into a direction "
-        "with the focal length and the middle that the task names.",
+        "Something else than the ball was taken, or only a part of it. Or the pixel was turned into a direction with "
+        "another focal length or middle than the task names.",
         "Draw the mask of what you take for orange, for one such picture, and mark the pixel that you found.",
         lambda place, answer: True,
     )
@@ -523,8 +523,8 @@ REASONS = (
     ),
     Reason(
         "direction.no-ball",
-        "The ball was not found. The range of colors does not fit this light, the bytes were read in another order of "
-        "rows or colors, or the ball was taken for too small or not round.",
+        "The ball was not found. The range of colors may not fit this light, or the bytes were read in another order "
+        "of rows or colors. Or the ball was taken for too small, or not round.",
         "Look at the pixels of the ball in such a picture, in the color space that you use: which bounds exclude them?",
         lambda place, answer: answer.length < LENGTH_SLACK,
     ),
@@ -597,7 +597,7 @@ def why_silent(recording: Recording, expected: str) -> Verdict:
         "no-ball-said.silent",
         "no picture without a ball was answered, and others were",
         expected,
-        'The node is silent when it finds no ball. Whoever listens cannot tell "no ball" from "no camera".',
+        'The node is silent when it finds no ball. A listener cannot tell "no ball" from "no camera".',
         "Publish (0, 0, 0) with the header of the picture: a new Vector3Stamped says just that.",
     )
 
@@ -679,7 +679,7 @@ def why_strange_stamps(strange: list[Answered], given: int) -> Verdict:
         saw.format(f"{strange[0].stamp_s:.2f} s"),
         PICTURE_STAMPS,
         "The node stamps its directions with its own clock, or loses a part of the stamp. But the stamp says when the "
-        "picture was taken, not when somebody had looked at it.",
+        "picture was taken, not when the node had looked at it.",
         "Copy the whole header: answer.header = image.header.",
     )
 
@@ -699,7 +699,7 @@ def one_behind(given: list[Answered]) -> Verdict | None:
         f"the directions are typically {here:.1f}° beside the ball, and {before:.1f}° beside where it was a picture "
         "earlier",
         PICTURE_STAMPS,
-        "A direction gets the stamp of the next picture: the picture before is kept and answered, or a new header is "
+        "A direction gets the stamp of the next picture. The picture before is kept and answered, or a new header is "
         "put on an old result.",
         "Use pixels and header of the same message.",
     )

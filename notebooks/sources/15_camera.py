@@ -1,13 +1,12 @@
 # %% [markdown]
 # # 15 · A camera
 #
-# A camera sends a million numbers, thirty times a second. A robot that wants to look at a ball needs two of them: how
-# far to the left or right, and how far up or down.
+# A camera sends a million numbers, thirty times a second. A robot that wants to look at a ball needs two numbers:
+# how far to the left or right, and how far up or down.
 #
 # - **Minutes:** 45
 # - **You need:** lessons [13](13_qos_and_discovery.ipynb) and [14](14_arrays_and_filters.ipynb)
-# - **You will be able to:** turn an `Image` into an array, find a ball in it with OpenCV, turn its pixel into a
-#   direction, let the head follow it, and say what a picture costs on the network
+# - **You will be able to:** find a ball in an `Image` with OpenCV, turn its pixel into a direction, and let the head follow
 # - **Left out:** lenses and calibration, two cameras and depth, neural networks (lesson 16)
 
 # %% [markdown]
@@ -115,11 +114,11 @@ reveal("red-and-blue", red=third, green=second, blue=first)
 # ## Look inside
 #
 # So look at `encoding` in every callback, and choose the conversion by it. OpenCV works on NumPy arrays. For colors, the
-# best space is **HSV**: *hue* is the color on a circle (in OpenCV from 0 to 180), *saturation* is how strong it is, and
-# *value* is how bright. When a cloud passes, value changes, and hue hardly does.
+# best space is **HSV**. *Hue* is the color on a circle, in OpenCV from 0 to 180. *Saturation* is how strong it is, and
+# *value* how bright. When a cloud passes, value changes, and hue hardly does.
 #
-# Four steps find the ball: into HSV, a **threshold** that keeps what is orange, **contours** around what is left, and of
-# these the one that is round. Its center is the mean of many pixels, so it is known to a fraction of a pixel.
+# Convert to HSV. A **threshold** keeps what is orange. Draw **contours** around what is left, and take the one that is
+# round. Its center is the mean of many pixels, so it is known to a fraction of a pixel.
 
 
 # %%
@@ -495,8 +494,8 @@ else:
 #
 # It asks for `encoding` and `step`, or uses a converter that obeys them. It subscribes with sensor-data QoS and a short
 # queue. It finds the ball by hue and outline, not by brightness. It uses the focal length of `CameraInfo`, and says in
-# which axes the direction is. It copies the stamp of the picture, says what happens when there is no ball, and turns the
-# neck a part of the way for each picture.
+# which axes the direction is. It copies the stamp of the picture, and says what happens when there is no ball. It turns
+# the neck a part of the way for each picture.
 #
 # </details>
 
