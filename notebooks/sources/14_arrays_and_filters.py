@@ -741,7 +741,7 @@ else:
 #
 # **Before:** [13 · QoS and discovery](13_qos_and_discovery.ipynb)
 #
-# **Next:** you have reached the last lesson that there is at the moment.
+# **Next:** [15 · A camera](15_camera.ipynb)
 #
 # **More:** [SciPy: signal processing](https://docs.scipy.org/doc/scipy/tutorial/signal.html) and
 # [about interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html).

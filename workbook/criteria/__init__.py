@@ -7,6 +7,7 @@ from workbook.criteria.criterion import Criterion, Topic, criterion, topic, watc
 from workbook.criteria.verdict import Verdict, all_of, failed, partial, passed
 from workbook.criteria.vocabulary.arrays import length, varies
 from workbook.criteria.vocabulary.batteries import begins_full, drains, word_fits_charge
+from workbook.criteria.vocabulary.cameras import CameraView, camera_image, seen_direction
 from workbook.criteria.vocabulary.driver import DriverCall, driver_calls, driver_reports, failed_in_call
 from workbook.criteria.vocabulary.endings import exits_cleanly
 from workbook.criteria.vocabulary.heartbeats import Beats, beats, beats_meanwhile
@@ -41,16 +42,20 @@ from workbook.criteria.vocabulary.type_checks import (
 from workbook.criteria.vocabulary.values import part_of, values
 from workbook.recording.recording import CallSeen, Recording
 from workbook.recording.script import BEFORE_START, calls, says, serves
+from workbook.scenes.scene import Box, Scene, on_desk
 
 __all__ = [
     "BEFORE_START",
     "Beats",
+    "Box",
     "CallSeen",
+    "CameraView",
     "Criterion",
     "DriverCall",
     "Output",
     "Probe",
     "Recording",
+    "Scene",
     "Topic",
     "Verdict",
     "alive_at_end",
@@ -62,6 +67,7 @@ __all__ = [
     "calls",
     "calls_of",
     "calls_service",
+    "camera_image",
     "count",
     "counts",
     "criterion",
@@ -96,6 +102,7 @@ __all__ = [
     "nodes_gone_at_end",
     "number",
     "offers",
+    "on_desk",
     "on_the_graph",
     "one_of",
     "outputs",
@@ -111,6 +118,7 @@ __all__ = [
     "really_arrives",
     "said",
     "says",
+    "seen_direction",
     "serves",
     "topic",
     "topic_pace",

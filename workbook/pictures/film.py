@@ -11,10 +11,14 @@ COLORS = 128
 """In an animated PNG: enough for drawings, which have few colors and smooth edges."""
 LAST_MS = 2500
 """How long the last picture of an animated PNG stands before the film begins again."""
+PHOTO_QUALITY = 55
 
 
-def film(pictures: Sequence[bytes], *, per_second: float) -> bytes:
-    """The film as an animated WebP, from PNG pictures of one size. Raises ValueError when there are none."""
+def film(pictures: Sequence[bytes], *, per_second: float, exact: bool = True) -> bytes:
+    """The film as an animated WebP, from PNG pictures of one size. Raises ValueError when there are none.
+
+    `exact`: every pixel stays as it is, which suits drawings. Pictures of a camera are much smaller without that.
+    """
     if not pictures:
         raise ValueError("a film needs at least one picture")
     frames = [Image.open(io.BytesIO(picture)).convert("RGBA") for picture in pictures]
@@ -27,8 +31,8 @@ def film(pictures: Sequence[bytes], *, per_second: float) -> bytes:
         append_images=later,
         duration=round(1000 / per_second),
         loop=1,
-        lossless=True,
-        quality=EFFORT,
+        lossless=exact,
+        quality=EFFORT if exact else PHOTO_QUALITY,
         method=1,
     )
     return file.getvalue()

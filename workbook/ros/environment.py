@@ -131,8 +131,9 @@ def child_environment(
             name: value for name, value in os.environ.items() if not name.startswith(("ROS_PYTHON_CHECK",))
         }
     environ |= ros_settings(domain_id, check_fields=check_fields, log_folder=folder)
-    # Otherwise NumPy starts a thread for each processor in every node: they spin for a while, and count as processes.
+    # Otherwise NumPy and OpenCV start a thread for each processor in every node: they count as processes.
     environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    environ.setdefault("OPENCV_FOR_THREADS_NUM", "1")
     environ["PYTHONUNBUFFERED"] = "1"
     environ["PYTHONDONTWRITEBYTECODE"] = "1"
     return environ

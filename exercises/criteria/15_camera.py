@@ -1,0 +1,764 @@
+"""How exercise 15 is judged: the judge is a camera that knows where the ball is, and compares the directions."""
+
+import math
+import random
+import statistics
+from collections import Counter
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from geometry_msgs.msg import Vector3Stamped
+from sensor_msgs.msg import Image
+
+import workbook.criteria as see
+from workbook.criteria import (
+    Box,
+    CameraView,
+    Recording,
+    Scene,
+    Verdict,
+    criterion,
+    program_runs,
+    topic,
+    watching,
+)
+
+IMAGE = topic("/camera/image", Image)
+DIRECTION = topic("/robot/ball_direction", Vector3Stamped)
+
+RATE_HZ = 30.0
+FOCAL_PIXELS = 140.0
+WITHIN_DEG = 1.0
+LENGTH_SLACK = 0.02
+LEAST_SHARE = 0.8
+TYPICALLY_S, AT_ONCE_S, SHARE_AT_ONCE = 0.1, 0.4, 0.9
+NEAR_DEG = 2.5
+"""A wrong direction that is so near to something else was probably taken from there."""
+MOST = 0.6
+"""Which share of what is wrong must look like a reason."""
+PADDING = 32
+BRIGHT = 0.7
+KNOWN = ("rgb8", "bgr8")
+SEED = 2715
+FIRST_STAMP_S = 500
+
+# How many pictures of each kind come, in this order: encodings (used by turns), padding, ball, brightest and darkest.
+Part = tuple[int, tuple[str, ...], int, bool, float, float]
+PARTS: tuple[Part, ...] = (
+    (35, ("rgb8",), 0, True, 1.1, 0.8),
+    (30, ("rgb8",), 0, True, 0.6, 0.4),
+    (20, ("rgb8",), 0, False, 0.4, 1.0),
+    (25, ("bgr8",), 0, True, 1.0, 0.5),
+    (4, ("yuv422_yuy2",), 0, True, 0.8, 0.8),
+    (30, ("rgb8",), PADDING, True, 0.9, 0.45),
+    (15, ("bgr8",), PADDING, False, 1.0, 0.4),
+    (4, ("mono16",), PADDING, True, 0.9, 0.9),
+    (32, ("rgb8", "bgr8"), 0, True, 0.45, 1.1),
+)
+
+
+def views() -> tuple[CameraView, ...]:
+    """All pictures, in order."""
+    dice = random.Random(SEED)
+    made: list[CameraView] = []
+    for count, encodings, padding, ball, first_light, last_light in PARTS:
+        turn = dice.uniform(0.0, 6.28)
+        for place in range(count):
+            number = len(made)
+            light = first_light + (last_light - first_light) * place / (count - 1)
+            in_ns = round((FIRST_STAMP_S + number / RATE_HZ) * 1e9)
+            made.append(
+                CameraView(
+                    scene(number / RATE_HZ, turn, light, ball),
+                    (in_ns // 10**9, in_ns % 10**9),
+                    SEED,
+                    number,
+                    encoding=encodings[place % len(encodings)],
+                    padding=padding,
+                )
+            )
+    return tuple(made)
+
+
+def scene(seconds: float, turn: float, light: float, ball: bool) -> Scene:
+    """The desk at a moment: the balls roll, the hands move, and the brick lies on the other side."""
+    swing, sway = math.sin(2.2 * seconds + turn), math.cos(1.3 * seconds)
+    hands = (0.0, 0.0, 0.72, 0.72 + 0.15 * swing, 0.7, 0.7 - 0.15 * swing, *[0.0] * 6)
+    return Scene(
+        see.on_desk(0.82 + 0.06 * sway, 0.1 + 0.16 * swing) if ball else None,
+        see.on_desk(1.02 - 0.05 * swing, -0.32 - 0.05 * sway),
+        (Box((1.02, 0.5 - 0.03 * sway), turn=0.1 * turn),),
+        hands,
+        light=light,
+        warm=1.0 + 0.05 * sway,
+    )
+
+
+VIEWS = views()
+PLACE_OF = {view.stamp: place for place, view in enumerate(VIEWS)}
+READABLE = [place for place, view in enumerate(VIEWS) if view.encoding in KNOWN]
+OTHERS = [place for place, view in enumerate(VIEWS) if view.encoding not in KNOWN]
+WITH_BALL = [place for place in READABLE if VIEWS[place].scene.ball is not None]
+WITHOUT_BALL = [place for place in READABLE if VIEWS[place].scene.ball is None]
+FIRST_OTHER = OTHERS[0]
+
+
+def kind(encoding: str, padding: int, bright: bool | None) -> list[int]:
+    """The places of pictures with a ball, of this encoding and padding, in bright light, dim light, or any."""
+    return [
+        place
+        for place in WITH_BALL
+        for view in [VIEWS[place]]
+        if (view.encoding, view.padding) == (encoding, padding)
+        and (bright is None or (view.scene.light >= BRIGHT) is bright)
+    ]
+
+
+IN_GOOD_LIGHT = kind("rgb8", 0, True)
+IN_DIM_LIGHT = kind("rgb8", 0, False)
+IN_BGR = kind("bgr8", 0, None)
+PADDED = kind("rgb8", PADDING, None)
+
+BEGIN_S = 0.5
+WATCH_S = BEGIN_S + len(VIEWS) / RATE_HZ + 1.0
+WATCH = watching(
+    wall_seconds=WATCH_S,
+    script=[
+        see.says(
+            IMAGE.name,
+            Image,
+            [
+                (round(BEGIN_S + place / RATE_HZ, 4), see.camera_image(view))
+                for place, view in enumerate(VIEWS)
+            ],
+        )
+    ],
+)
+
+
+@criterion(
+    points=1,
+    title="It listens to /camera/image (Image), and /robot/ball_direction carries Vector3Stamped",
+    needs=[program_runs],
+)
+def topics(recording: Recording) -> Verdict:
+    return see.all_of(see.listens(recording, IMAGE), see.publishes(recording, DIRECTION))
+
+
+@criterion(points=0, title="It answers", needs=[topics])
+def answers_come(recording: Recording) -> Verdict:
+    if recording.topic(DIRECTION.name).arrivals:
+        return see.passed("directions come")
+    nothing = f"{len(VIEWS)} pictures were sent to {IMAGE.name}, and nothing came on {DIRECTION.name}"
+    return see.failed_by_error(recording, nothing, ONE_EACH, about_time=True) or see.failed(
+        "answers-come.nothing",
+        nothing,
+        ONE_EACH,
+        "Nobody spins the node, its callback does not publish, or it has not finished its first picture.",
+        "Spin the node with rclpy.spin(node), and publish inside the callback.",
+        about_time=True,
+    )
+
+
+@criterion(
+    points=1,
+    title="Each direction has the stamp of its picture, and each picture one direction",
+    needs=[answers_come],
+)
+def stamps_kept(recording: Recording) -> Verdict:
+    given = answers(recording)
+    strange = [answer for answer in given if answer.place is None]
+    if strange:
+        return why_strange_stamps(strange, len(given))
+    times = Counter(answer.place for answer in given)
+    place, most = times.most_common(1)[0]
+    if most > 1 and place is not None:
+        return see.failed(
+            "stamps-kept.repeated",
+            f"{most} directions with the stamp of picture {place + 1}",
+            ONE_EACH,
+            "One picture is answered again and again: by a timer, by a loop over all that is orange, or by two "
+            "subscriptions.",
+            "Publish once for each call of the callback.",
+        )
+    shifted = one_behind(given)
+    if shifted is not None:
+        return shifted
+    return see.passed(f"{see.count(len(given), 'direction')}, each with the stamp of a picture")
+
+
+@criterion(points=1, title="It keeps up with 30 pictures a second", needs=[stamps_kept])
+def keeps_up(recording: Recording) -> Verdict:
+    said_at = [word.wall for word in see.said(recording, IMAGE.name)]
+    by_place = first_answers(recording)
+    waited = [by_place[place].wall - said_at[place] for place in by_place if place < len(said_at)]
+    answered = [place for place in READABLE if place in by_place]
+    share, typical = len(answered) / len(READABLE), statistics.median(waited)
+    late = sum(one > AT_ONCE_S for one in waited)
+    saw = (
+        f"{len(answered)} of {len(READABLE)} pictures were answered, typically {typical:.2f} s after they were sent, "
+        f"{late} of them more than {AT_ONCE_S} s after"
+    )
+    if typical > TYPICALLY_S or late > (1.0 - SHARE_AT_ONCE) * len(waited):
+        return why_late(saw, [by_place[place].wall - said_at[place] for place in sorted(by_place)])
+    if share < LEAST_SHARE:
+        return why_missing(recording, saw)
+    return see.passed(saw)
+
+
+@criterion(
+    points=1, title="It refuses other encodings with a line in the log, and lives on", needs=[answers_come]
+)
+def refuses_others(recording: Recording) -> Verdict:
+    names = sorted({VIEWS[place].encoding for place in OTHERS})
+    saw = f"{len(OTHERS)} pictures came as {see.listing(names)}"
+    expected = (
+        "no direction for them, a line in the log with the name of the encoding, and a node that lives on"
+    )
+    silent = silent_since(recording, saw, expected)
+    if silent is not None:
+        return silent
+    by_place = first_answers(recording)
+    guessed = [place for place in OTHERS if place in by_place]
+    if guessed and all(by_place[place].length < LENGTH_SLACK for place in guessed):
+        return see.failed(
+            "refuses-others.says-no-ball",
+            f"{saw}, and {len(guessed)} of them were answered with (0, 0, 0)",
+            expected,
+            'The node says "no ball" where it could not look. A listener takes that for a look at the desk.',
+            RETURN_EARLY,
+        )
+    if guessed:
+        return see.failed(
+            "refuses-others.guesses",
+            f"{saw}, and {len(guessed)} of them were answered",
+            expected,
+            "The node reads bytes of another encoding as if they were red, green and blue.",
+            RETURN_EARLY,
+        )
+    unnamed = [name for name in names if name not in recording.process.log]
+    if unnamed:
+        return see.failed(
+            "refuses-others.no-line",
+            f"{saw}, and no line in the log names {unnamed[0]}",
+            expected,
+            "The node drops these pictures silently. An engineer who looks for the fault finds nothing.",
+            'self.get_logger().error(f"... {image.encoding}"), with the encoding in the text.',
+        )
+    return see.passed(f"{saw}: refused, and logged")
+
+
+@criterion(points=2, title="In good light, an rgb8 picture leads to the right direction", needs=[stamps_kept])
+def direction_right(recording: Recording) -> Verdict:
+    return directions(recording, IN_GOOD_LIGHT)
+
+
+@criterion(points=1, title="The direction is right in changing light", needs=[direction_right])
+def light_changes(recording: Recording) -> Verdict:
+    return directions(recording, IN_DIM_LIGHT)
+
+
+@criterion(points=1, title="The direction is right for bgr8", needs=[stamps_kept])
+def bgr_right(recording: Recording) -> Verdict:
+    return directions(recording, IN_BGR)
+
+
+@criterion(points=1, title="The direction is right for rows with padding", needs=[direction_right])
+def padding_right(recording: Recording) -> Verdict:
+    return directions(recording, PADDED)
+
+
+@criterion(points=1, title="Where there is no ball, it says so", needs=[stamps_kept])
+def no_ball_said(recording: Recording) -> Verdict:
+    known = known_answers(recording, WITHOUT_BALL)
+    expected = "(0, 0, 0) for each picture without an orange ball"
+    if known is None:
+        return why_silent(recording, expected)
+    wrong = [(place, answer) for place, answer in known if not answer.length < 1e-6]
+    if not wrong:
+        some = [answer for _, answer in known_answers(recording, WITH_BALL) or () if answer.length > 0.5]
+        if some:
+            return see.passed(f"(0, 0, 0) for {len(known)} pictures without a ball")
+        return see.failed(
+            "no-ball-said.always",
+            "(0, 0, 0) for every picture, with a ball or without",
+            expected + ", and a direction for the others",
+            "The vector is never filled in, or the ball is never found.",
+            "Look at the mask of what you take for orange, for one picture.",
+        )
+    place, answer = wrong[0]
+    saw = (
+        f"picture {place + 1} shows no orange ball, and the answer is {shown(answer.vector)}; so it is for "
+        f"{see.count(len(wrong), 'picture')} of {len(known)}"
+    )
+    reason = why_a_ball(wrong, first_answers(recording))
+    return see.failed(reason.cause, saw, expected, reason.because, reason.try_this)
+
+
+RETURN_EARLY = "At the beginning of the callback: if you cannot read the encoding, log a line and return."
+
+
+def silent_since(recording: Recording, saw: str, expected: str) -> Verdict | None:
+    """Why nothing came since the first picture in another encoding; None if something came."""
+    by_place = first_answers(recording)
+    if any(place > FIRST_OTHER for place in by_place) or not any(place < FIRST_OTHER for place in by_place):
+        return None
+    saw = f"{saw}, and after the first of them nothing came any more"
+    return see.failed_by_error(recording, saw, expected) or see.failed(
+        "refuses-others.silent-since",
+        saw,
+        expected,
+        "The node ends itself, or stops answering, when it meets an encoding that it cannot read.",
+        "Log a line and return from the callback. The next picture may be readable again.",
+        about_time=True,
+    )
+
+
+# --- what came back -----------------------------------------------------------------------------------------
+
+ONE_EACH = f"one direction on {DIRECTION.name} for each of the {len(READABLE)} pictures that can be read"
+PICTURE_STAMPS = "the stamp of the picture that it answers, as it came"
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Answered:
+    """One direction: the place of its picture by its stamp (None: of none), its stamp (s), and when it was sent (s)."""
+
+    place: int | None
+    stamp_s: float
+    vector: Vector
+    wall: float
+
+    @property
+    def length(self) -> float:
+        return math.sqrt(sum(one * one for one in self.vector))
+
+
+def answers(recording: Recording) -> list[Answered]:
+    """What arrived on the topic of the directions, in order."""
+    found = []
+    for arrival in recording.topic(DIRECTION.name).arrivals:
+        if not isinstance(arrival.value, dict):
+            continue
+        stamp, vector = arrival.value["header"]["stamp"], arrival.value["vector"]
+        found.append(
+            Answered(
+                PLACE_OF.get((stamp["sec"], stamp["nanosec"])),
+                stamp["sec"] + stamp["nanosec"] / 1e9,
+                (as_number(vector["x"]), as_number(vector["y"]), as_number(vector["z"])),
+                arrival.published,
+            )
+        )
+    return found
+
+
+def as_number(value: Any) -> float:
+    return float(value)
+
+
+def first_answers(recording: Recording) -> dict[int, Answered]:
+    """For each picture that was answered, by its place: its first direction."""
+    found: dict[int, Answered] = {}
+    for answer in answers(recording):
+        if answer.place is not None:
+            found.setdefault(answer.place, answer)
+    return found
+
+
+def known_answers(recording: Recording, places: Iterable[int]) -> list[tuple[int, Answered]] | None:
+    """The answers to these pictures; None if fewer than half of them were answered."""
+    asked, by_place = list(places), first_answers(recording)
+    known = [(place, by_place[place]) for place in asked if place in by_place]
+    return known if 2 * len(known) >= len(asked) else None
+
+
+@cache
+def ball_of(place: int) -> Vector:
+    """Where the orange ball of a picture is."""
+    ball = VIEWS[place].scene.ball
+    assert ball is not None
+    return see.seen_direction(ball)
+
+
+@cache
+def blue_of(place: int) -> Vector:
+    """Where the blue ball of a picture is."""
+    ball = VIEWS[place].scene.blue_ball
+    assert ball is not None
+    return see.seen_direction(ball)
+
+
+@cache
+def brick_of(place: int) -> Vector:
+    """Where the brick of a picture is."""
+    forward, left = VIEWS[place].scene.boxes[0].at
+    return see.seen_direction(see.on_desk(forward, left))
+
+
+def off_deg(one: Vector, other: Vector) -> float:
+    """The angle between two directions (°); infinite where one of them is none."""
+    scale = math.sqrt(sum(a * a for a in one) * sum(b * b for b in other))
+    dot = sum(a * b for a, b in zip(one, other, strict=True))
+    if not (scale > 0.0 and math.isfinite(dot)):
+        return math.inf
+    cross = (
+        one[1] * other[2] - one[2] * other[1],
+        one[2] * other[0] - one[0] * other[2],
+        one[0] * other[1] - one[1] * other[0],
+    )
+    return math.degrees(math.atan2(math.sqrt(sum(c * c for c in cross)), dot))
+
+
+def shown(vector: Vector) -> str:
+    return "(" + ", ".join(f"{one:.2f}" for one in vector) + ")"
+
+
+# --- whether directions are right ---------------------------------------------------------------------------
+
+
+def directions(recording: Recording, places: Iterable[int]) -> Verdict:
+    """Whether the directions for these pictures are those of the ball."""
+    known = known_answers(recording, places)
+    if known is None:
+        return too_few("direction.too-few-answers")
+    wrong = [(place, answer) for place, answer in known if not is_right(place, answer)]
+    if not wrong:
+        worst = max(off_deg(answer.vector, ball_of(place)) for place, answer in known)
+        return see.passed(f"{len(known)} directions, each within {max(worst, 0.05):.1f}°")
+    place, answer = wrong[len(wrong) // 2]
+    off = off_deg(answer.vector, ball_of(place))
+    view = VIEWS[place]
+    saw = (
+        f"{len(wrong)} of {len(known)} directions are wrong. Picture {place + 1} ({view.encoding}, light "
+        f"{view.scene.light:.0%}): the ball is at {shown(ball_of(place))}, and the answer is {shown(answer.vector)}"
+    )
+    if math.isfinite(off):
+        saw += f", {off:.1f}° beside it"
+    reason = why_wrong(wrong)
+    expected = f"a vector of length 1, within {WITHIN_DEG}° of the middle of the orange ball"
+    return see.failed(reason.cause, saw, expected, reason.because, reason.try_this)
+
+
+def is_right(place: int, answer: Answered) -> bool:
+    """Whether it is the direction of the ball, and of length 1."""
+    return off_deg(answer.vector, ball_of(place)) <= WITHIN_DEG and abs(answer.length - 1.0) <= LENGTH_SLACK
+
+
+Wrong = list[tuple[int, Answered]]
+
+
+@dataclass(frozen=True)
+class Reason:
+    """Why directions are wrong, and whether one direction looks like it."""
+
+    cause: str
+    because: str
+    try_this: str
+    fits: Callable[[int, Answered], bool]
+
+
+def why_wrong(wrong: Wrong) -> Reason:
+    """The first reason that fits most of the directions that are wrong."""
+    return first_that_fits(REASONS, wrong) or Reason(
+        "direction.beside",
+        "Something else than the ball was taken, or only a part of it. Or the pixel was turned into a direction with "
+        "another focal length or middle than the task names.",
+        "Draw the mask of what you take for orange, for one such picture, and mark the pixel that you found.",
+        lambda place, answer: True,
+    )
+
+
+def first_that_fits(reasons: Iterable[Reason], wrong: Wrong) -> Reason | None:
+    for reason in reasons:
+        if sum(reason.fits(place, answer) for place, answer in wrong) >= MOST * len(wrong):
+            return reason
+    return None
+
+
+def flipped(x: float, y: float) -> Callable[[int, Answered], bool]:
+    """Whether a direction would be right with other signs."""
+
+    def fits(place: int, answer: Answered) -> bool:
+        a, b, c = answer.vector
+        return off_deg((x * a, y * b, c), ball_of(place)) <= NEAR_DEG < off_deg(answer.vector, ball_of(place))
+
+    return fits
+
+
+def in_axes_of_the_robot(place: int, answer: Answered) -> bool:
+    """Whether x points forward, y to the left, z up."""
+    a, b, c = answer.vector
+    return off_deg((-b, -c, a), ball_of(place)) <= NEAR_DEG
+
+
+def is_a_pixel(place: int, answer: Answered) -> bool:
+    """Whether the vector holds column and row of the ball in the place of a direction."""
+    x, y, z = ball_of(place)
+    column, row = 79.5 + FOCAL_PIXELS * x / z, 59.5 + FOCAL_PIXELS * y / z
+    return math.hypot(answer.vector[0] - column, answer.vector[1] - row) < 8.0
+
+
+def from_the_corner(place: int, answer: Answered) -> bool:
+    """Whether columns and rows are counted from the corner, not from the middle."""
+    x, y, z = ball_of(place)
+    ray = (x / z + 79.5 / FOCAL_PIXELS, y / z + 59.5 / FOCAL_PIXELS, 1.0)
+    return off_deg(answer.vector, ray) <= NEAR_DEG
+
+
+def of_an_earlier_picture(place: int, answer: Answered) -> bool:
+    """Whether it is just where the ball was one to three pictures before."""
+    before = [one for one in range(place - 3, place) if one in WITH_BALL]
+    return any(off_deg(answer.vector, ball_of(one)) <= 0.4 for one in before)
+
+
+REASONS = (
+    Reason(
+        "direction.no-number",
+        "NaN or infinity: something was divided by zero, such as the sum of an empty mask.",
+        "Ask first whether there is a ball; a vector of length 0 has no direction.",
+        lambda place, answer: not all(map(math.isfinite, answer.vector)),
+    ),
+    Reason(
+        "direction.no-ball",
+        "The ball was not found. The range of colors may not fit this light, or the bytes were read in another order "
+        "of rows or colors. Or the ball was taken for too small, or not round.",
+        "Look at the pixels of the ball in such a picture, in the color space that you use: which bounds exclude them?",
+        lambda place, answer: answer.length < LENGTH_SLACK,
+    ),
+    Reason(
+        "direction.not-of-length-one",
+        "The direction is right, but the vector has another length than 1.",
+        "Divide the vector by its length: ray / np.linalg.norm(ray).",
+        lambda place, answer: off_deg(answer.vector, ball_of(place)) <= WITHIN_DEG,
+    ),
+    Reason(
+        "direction.a-pixel",
+        "The vector holds the column and the row of the ball. That is a place in the picture, not a direction.",
+        "Pinhole model: x = (column - 79.5) / 140, y = (row - 59.5) / 140, z = 1, and then divide by the length.",
+        is_a_pixel,
+    ),
+    Reason(
+        "direction.blue-ball",
+        "The direction is that of the blue ball. Red and blue are exchanged: the picture was read in the other order "
+        "of colors.",
+        "Look at image.encoding in each picture: rgb8 begins with red, bgr8 with blue. OpenCV's own functions expect "
+        "BGR.",
+        lambda place, answer: off_deg(answer.vector, blue_of(place)) <= NEAR_DEG,
+    ),
+    Reason(
+        "direction.brick",
+        "The direction is that of the brick. It has the color of the ball, but another outline.",
+        "Keep only what is round: compare the area of an outline with that of the smallest circle around it.",
+        lambda place, answer: off_deg(answer.vector, brick_of(place)) <= NEAR_DEG,
+    ),
+    Reason(
+        "direction.x-to-the-left",
+        "Left and right are exchanged.",
+        "x points to the right, as columns do: x = (column - 79.5) / 140.",
+        flipped(-1.0, 1.0),
+    ),
+    Reason(
+        "direction.y-up",
+        "Above and below are exchanged.",
+        "y points down, as rows do: y = (row - 59.5) / 140.",
+        flipped(1.0, -1.0),
+    ),
+    Reason(
+        "direction.axes-of-the-robot",
+        "The vector is right in the axes of a robot: x forward, y to the left, z up. The task asks for those of the "
+        "camera.",
+        "Publish x to the right, y down, z forward.",
+        in_axes_of_the_robot,
+    ),
+    Reason(
+        "direction.from-the-corner",
+        "Column and row are counted from the corner of the picture. But straight ahead is its middle.",
+        "Subtract the middle first: x = (column - 79.5) / 140, y = (row - 59.5) / 140.",
+        from_the_corner,
+    ),
+    Reason(
+        "direction.earlier-picture",
+        "The direction is that of an earlier picture: the ball was there a moment before.",
+        "Compute the direction from the picture that the callback was called with, and publish it with its header.",
+        of_an_earlier_picture,
+    ),
+)
+
+
+def why_silent(recording: Recording, expected: str) -> Verdict:
+    """Why most pictures without a ball were not answered."""
+    by_place = first_answers(recording)
+    if any(place in by_place for place in WITHOUT_BALL) or max(by_place, default=0) < WITHOUT_BALL[-1]:
+        return too_few("no-ball-said.too-few-answers")
+    return see.failed(
+        "no-ball-said.silent",
+        "no picture without a ball was answered, and others were",
+        expected,
+        'The node is silent when it finds no ball. A listener cannot tell "no ball" from "no camera".',
+        "Publish (0, 0, 0) with the header of the picture: a new Vector3Stamped says just that.",
+    )
+
+
+def why_a_ball(wrong: Wrong, by_place: dict[int, Answered]) -> Reason:
+    """Why a ball was said to be where none is."""
+    before = [place for place in by_place if place < WITHOUT_BALL[0] and place in WITH_BALL]
+    several = {answer.vector for _, answer in wrong}
+    if before and by_place[max(before)].vector in several and len(several) <= 4:
+        return REPEATED
+    if not all(math.isfinite(one) for vector in several for one in vector):
+        return NO_NUMBER
+    return CONSTANT if len(several) == 1 else first_that_fits(GHOSTS, wrong) or SOMETHING_ELSE
+
+
+def always(place: int, answer: Answered) -> bool:
+    return True
+
+
+NEW_MESSAGE = "Publish (0, 0, 0): a new Vector3Stamped with the header of this picture."
+REPEATED = Reason(
+    "no-ball-said.repeated",
+    "The last direction is published again when no ball is found. The ball may be anywhere by then.",
+    NEW_MESSAGE,
+    always,
+)
+NO_NUMBER = Reason(
+    "no-ball-said.no-number",
+    "NaN or infinity in place of (0, 0, 0): something was divided by zero.",
+    "Ask first whether there is a ball. If not, leave the vector at (0, 0, 0).",
+    always,
+)
+CONSTANT = Reason(
+    "no-ball-said.constant",
+    "The same direction stands for every picture without a ball.",
+    NEW_MESSAGE,
+    always,
+)
+SOMETHING_ELSE = Reason(
+    "no-ball-said.something-else",
+    "Something else was taken for the ball: the biggest or brightest thing in the picture, a hand, or noise.",
+    "Ask for color, size and outline, and say (0, 0, 0) when nothing fits.",
+    always,
+)
+GHOSTS = (
+    Reason(
+        "no-ball-said.brick",
+        "The brick was taken for the ball. It has the color of the ball, but another outline.",
+        "Keep only what is round: compare its area with that of the smallest circle around it.",
+        lambda place, answer: off_deg(answer.vector, brick_of(place)) <= NEAR_DEG,
+    ),
+    Reason(
+        "no-ball-said.blue-ball",
+        "The blue ball was taken for the ball.",
+        "Look at the order of the colors in image.encoding, and keep only what is orange.",
+        lambda place, answer: off_deg(answer.vector, blue_of(place)) <= NEAR_DEG,
+    ),
+)
+
+
+# --- why stamps and times are not as they should be ---------------------------------------------------------
+
+
+def why_strange_stamps(strange: list[Answered], given: int) -> Verdict:
+    """Why stamps are not those of pictures."""
+    saw = (
+        f"{len(strange)} of {see.count(given, 'direction')} with a stamp that no picture had, the first {{}}"
+    )
+    if all(answer.stamp_s == 0.0 for answer in strange):
+        return see.failed(
+            "stamps-kept.no-stamp",
+            saw.format("0 s"),
+            PICTURE_STAMPS,
+            "A new message is published, and its header was never filled in.",
+            "Copy the header: answer.header = image.header.",
+        )
+    return see.failed(
+        "stamps-kept.own-stamp",
+        saw.format(f"{strange[0].stamp_s:.2f} s"),
+        PICTURE_STAMPS,
+        "The node stamps its directions with its own clock, or loses a part of the stamp. But the stamp says when the "
+        "picture was taken, not when the node had looked at it.",
+        "Copy the whole header: answer.header = image.header.",
+    )
+
+
+def one_behind(given: list[Answered]) -> Verdict | None:
+    """Whether stamps and directions belong to different pictures; None if not."""
+    pairs = [(answer.place, answer) for answer in given if answer.place in IN_GOOD_LIGHT]
+    moving = [(place, answer) for place, answer in pairs if place and place - 1 in WITH_BALL]
+    if len(moving) < 10:
+        return None
+    here = statistics.median(off_deg(answer.vector, ball_of(place)) for place, answer in moving)
+    before = statistics.median(off_deg(answer.vector, ball_of(place - 1)) for place, answer in moving)
+    if here <= 0.3 or before > 0.5 * here or before > 0.3:
+        return None
+    return see.failed(
+        "stamps-kept.one-behind",
+        f"the directions are typically {here:.1f}° beside the ball, and {before:.1f}° beside where it was a picture "
+        "earlier",
+        PICTURE_STAMPS,
+        "A direction gets the stamp of the next picture. The picture before is kept and answered, or a new header is "
+        "put on an old result.",
+        "Use pixels and header of the same message.",
+    )
+
+
+def why_late(saw: str, waited: list[float]) -> Verdict:
+    """Why answers come late. `waited` (s) in the order of the pictures."""
+    expected = (
+        f"at least {LEAST_SHARE:.0%} of the pictures, typically within {TYPICALLY_S} s, and {SHARE_AT_ONCE:.0%} of "
+        f"these within {AT_ONCE_S} s"
+    )
+    tenth = max(len(waited) // 10, 1)
+    first, last = statistics.median(waited[:tenth]), statistics.median(waited[-tenth:])
+    if last > first + 0.5:
+        return see.failed(
+            "keeps-up.queue-grows",
+            f"{saw}. The first waited {first:.2f} s, the last {last:.2f} s",
+            expected,
+            "Looking at a picture takes longer than 1/30 s, and the queue keeps old pictures. So the node looks ever "
+            "further into the past.",
+            "Use functions of OpenCV or NumPy that work on the whole picture, not loops over pixels. And keep the "
+            "queue short: qos_profile_sensor_data keeps 5.",
+            about_time=True,
+        )
+    return see.failed(
+        "keeps-up.late",
+        saw,
+        expected,
+        "Pictures wait in a queue or for a timer, or the callback sleeps or computes long.",
+        "Look at each picture inside its callback and publish at once; keep the queue short.",
+        about_time=True,
+    )
+
+
+def why_missing(recording: Recording, saw: str) -> Verdict:
+    """Why too many pictures were not answered."""
+    expected = f"at least {LEAST_SHARE:.0%} of the pictures"
+    error = see.last_error(recording)
+    if error is not None:
+        return see.failed(
+            error.cause, f"{saw}. {error.where}{error.error}", expected, error.because, error.try_this
+        )
+    return see.failed(
+        "keeps-up.missing",
+        saw,
+        expected,
+        "The node was busy while pictures came, answers only some of them, or stopped.",
+        "Publish in every call of the callback, and keep it short: functions of OpenCV or NumPy, no loops over pixels.",
+        about_time=True,
+    )
+
+
+def too_few(cause: str) -> Verdict:
+    """Nothing can be said, because most answers are missing."""
+    return see.failed(
+        cause,
+        "fewer than half of the pictures that this is judged by were answered",
+        "an answer to each",
+        "Without answers, nothing can be seen of the tracker.",
+        "See first that every picture is answered.",
+        about_time=True,
+    )

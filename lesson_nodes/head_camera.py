@@ -1,0 +1,133 @@
+"""The camera in the head of the humanoid: it sees its own hands, a ball, and the desk that it stands at.
+
+Run it with ``python -m lesson_nodes.head_camera`` and end it with Ctrl-C.
+"""
+
+import math
+from array import array
+from typing import Any
+
+import cv2
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import CompressedImage, Image
+from std_msgs.msg import Float32MultiArray
+
+from workbook.scenes.desk import DeskCamera
+from workbook.scenes.encodings import encoded
+from workbook.scenes.pinhole import Pinhole
+from workbook.scenes.scene import Box, Scene, on_desk
+
+PERIOD_S = 1 / 30
+WIDTH = 640
+SEED = 15
+TOPIC = "/camera/image"
+FOCAL_OF_WIDTH = 0.875
+AT_REST = (0.0, 0.0, 0.8, 0.8, 0.8, 0.8, 0.06, 0.06, 0.0, 0.06, 0.06, 0.0)
+BRICKS = (Box((1.25, 0.5), turn=0.4), Box((1.3, -0.55), turn=-0.5))
+
+
+def pinhole(width: int) -> Pinhole:
+    """The camera for pictures of that width, four to three."""
+    return Pinhole(width, 3 * width // 4, FOCAL_OF_WIDTH * width)
+
+
+def ball_at(seconds: float) -> tuple[float, float, float]:
+    """Where the ball lies at a moment: it rolls to and fro, 0.75 m to 0.9 m before the robot."""
+    return on_desk(0.82 + 0.08 * math.sin(0.5 * seconds), 0.42 * math.sin(0.9 * seconds))
+
+
+def light_at(seconds: float) -> float:
+    """How bright it is: clouds pass by."""
+    return 0.75 + 0.3 * math.sin(0.6 * seconds)
+
+
+class HeadCamera(Node):
+    """Publishes what the robot sees; `settings` go to the Node. The same seed brings the same pictures.
+
+    Topics:
+        /camera/image (sensor_msgs/Image): pictures of `width` by 3/4 `width` pixels, best effort.
+
+        /camera/image/compressed (sensor_msgs/CompressedImage): the same as JPEG, if `jpeg_quality` is above 0.
+
+    Subscriptions:
+        /robot/joint_positions (std_msgs/Float32MultiArray): 12 angles (rad). The neck turns the camera to the left;
+            shoulders and elbows move the hands.
+
+    Parameters:
+        period_s (float): Time between two pictures, in seconds.
+        width (int): Columns of a picture.
+        encoding (str): rgb8, bgr8 or mono8.
+        padding (int): Unused bytes at the end of each row.
+        seed (int): Which noise the sensor has.
+        jpeg_quality (int): Quality of the compressed pictures, from 1 to 100; 0: none are published.
+
+    Raises:
+        ValueError: The period is not a positive number, or the width or the encoding is none that there is.
+    """
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__("head_camera", **settings)
+        self.period_s: float = self.declare_parameter("period_s", PERIOD_S).value
+        if not 0.0 < self.period_s < math.inf:
+            raise ValueError(f"The period is the time between two pictures in seconds, not {self.period_s}.")
+        width: int = self.declare_parameter("width", WIDTH).value
+        if not 16 <= width <= 1920 or width % 4:
+            raise ValueError(f"The width is a multiple of 4 from 16 to 1920, not {width}.")
+        self.encoding: str = self.declare_parameter("encoding", "rgb8").value
+        if self.encoding not in ("rgb8", "bgr8", "mono8"):
+            raise ValueError(f"The encoding is rgb8, bgr8 or mono8, not {self.encoding!r}.")
+        self.padding: int = self.declare_parameter("padding", 0).value
+        self.camera = DeskCamera(pinhole(width), self.declare_parameter("seed", SEED).value)
+        self.jpeg_quality: int = self.declare_parameter("jpeg_quality", 0).value
+        self.joints: tuple[float, ...] = AT_REST
+        self.count = 0
+        self.image_publisher = self.create_publisher(Image, TOPIC, qos_profile_sensor_data)
+        self.jpeg_publisher = self.create_publisher(
+            CompressedImage, f"{TOPIC}/compressed", qos_profile_sensor_data
+        )
+        self.create_subscription(Float32MultiArray, "/robot/joint_positions", self.on_joints, 10)
+        self.timer = self.create_timer(self.period_s, self.publish_picture)
+
+    def on_joints(self, message: Float32MultiArray) -> None:
+        """Move head and hands."""
+        if len(message.data) == len(AT_REST) and all(map(math.isfinite, message.data)):
+            self.joints = tuple(message.data)
+
+    def publish_picture(self) -> None:
+        """Publish what the camera sees now, with the time at which it saw it."""
+        image = Image()
+        image.header.stamp = self.get_clock().now().to_msg()
+        image.header.frame_id = "head_camera_optical_frame"
+        seconds = self.count * self.period_s
+        scene = Scene(ball_at(seconds), None, BRICKS, self.joints, self.joints[0], light_at(seconds))
+        picture = self.camera.picture(scene, self.count)
+        data, image.step = encoded(picture, self.encoding, self.padding)
+        image.data = array("B", data)  # a field takes this as it is, and copies any other bytes one by one
+        image.height, image.width = picture.shape[:2]
+        image.encoding = self.encoding
+        self.image_publisher.publish(image)
+        if self.jpeg_quality > 0:
+            jpeg = CompressedImage(header=image.header, format="rgb8; jpeg compressed bgr8")
+            bgr = cv2.cvtColor(picture, cv2.COLOR_RGB2BGR)
+            _, coded = cv2.imencode(".jpg", bgr, [cv2.IMWRITE_JPEG_QUALITY, self.jpeg_quality])
+            jpeg.data = array("B", coded.tobytes())
+            self.jpeg_publisher.publish(jpeg)
+        self.count += 1
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the node until Ctrl-C or a request to end, then leave with exit code 0."""
+    rclpy.init(args=args)
+    try:
+        rclpy.spin(HeadCamera())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,516 @@
+# %% [markdown]
+# # 15 · A camera
+#
+# A camera sends a million numbers, thirty times a second. A robot that wants to look at a ball needs two numbers:
+# how far to the left or right, and how far up or down.
+#
+# - **Minutes:** 45
+# - **You need:** lessons [13](13_qos_and_discovery.ipynb) and [14](14_arrays_and_filters.ipynb)
+# - **You will be able to:** find a ball in an `Image` with OpenCV, turn its pixel into a direction, and let the head follow
+# - **Left out:** lenses and calibration, two cameras and depth, neural networks (lesson 16)
+
+# %% [markdown]
+# How does a robot get from pixels to a direction? Here is what ours sees. Its hands come from the joint angles of
+# lesson 09. A ball rolls over the desk, two bricks lie on it, and clouds pass by the window.
+
+# %%
+from lesson_nodes import head_camera
+from lesson_nodes.ball_scope import BallScope
+from workbook.lesson import fresh, init, run, start, stop
+from workbook.lesson.films import alone, beside, show_film
+
+init()
+print("started", start(head_camera, width=320))
+scope = fresh(BallScope)
+await run(scope, seconds=60, until=lambda: len(scope.film) >= 36)
+stop()
+shots = [alone(picture) for picture in scope.film]
+show_film(shots, "an orange ball rolls to and fro between gray hands and bricks, while the light changes", 6)
+
+# %% [markdown]
+# Each picture is a message of type `sensor_msgs/Image`. Here are its fields. This camera adds 32 bytes to each row,
+# as some real ones do.
+
+# %% id="fields"
+images = []
+
+
+def keep(image):
+    images.append(image)
+
+
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import CompressedImage, Image
+
+start(head_camera, padding=32)
+watcher = fresh(Node, "watcher")
+watcher.create_subscription(Image, "/camera/image", keep, qos_profile_sensor_data)
+await run(watcher, seconds=30, until=lambda: len(images) >= 20)
+stop()
+image = images[-1]
+print(f"{image.width} columns, {image.height} rows, encoding {image.encoding}")
+print(f"step: {image.step} bytes in a row; 3 * width = {3 * image.width}; big-endian: {image.is_bigendian}")
+print(f"data: {len(image.data)} bytes")
+
+# %% [markdown]
+# | field | what it says |
+# |---|---|
+# | `encoding` | what a pixel is made of: `rgb8` is red, green, blue, a byte each; `bgr8` is the same backward; `mono8` is gray |
+# | `step` | how many bytes a row takes, padding included |
+# | `is_bigendian` | which byte of a larger number comes first; only for pixels of 16 bits and more, such as `mono16` |
+# | `header.stamp` | when the picture was taken |
+#
+# `data` is an `array.array` of bytes, so an array of NumPy can be a view of it, as in lesson 14. First one row of bytes
+# for each row of the picture, then cut off the padding, then three bytes to a pixel.
+
+# %% id="to-pixels"
+import numpy as np
+
+
+def to_pixels(image):
+    """The pixels of an rgb8 or bgr8 image, shape (height, width, 3): a view, nothing is copied."""
+    rows = np.frombuffer(image.data, np.uint8).reshape(image.height, image.step)
+    return rows[:, : 3 * image.width].reshape(image.height, image.width, 3)
+
+
+pixels = to_pixels(image)
+print(pixels.shape, pixels.dtype, "shares its memory:", np.shares_memory(pixels, np.frombuffer(image.data, np.uint8)))
+
+# %% [markdown] prediction="red-and-blue"
+# ## Predict
+#
+# The ball is orange: much red, some green, little blue. The picture is `rgb8`. A program takes it for `bgr8`, as
+# functions of OpenCV do by default. What does it see?
+#
+# - **a** A green ball.
+#   when `green > red and green > blue`
+#   ✗ Green stands in the middle in both orders, so it stays what it is.
+# - **b** A blue ball.
+#   when `blue > red and blue > green`
+#   ✓ The first byte is taken for blue, and the first byte is the strong red.
+# - **c** An error: the encoding does not fit.
+#   ✗ Bytes have no color. Nobody checks the field `encoding` for you.
+
+# %%
+from workbook.lesson import predict, reveal
+
+predict("red-and-blue")
+
+# %% [markdown]
+# ## Run it
+
+# %% id="bgr-for-rgb"
+import cv2
+
+hsv = cv2.cvtColor(pixels, cv2.COLOR_RGB2HSV)
+ball_mask = cv2.inRange(hsv, (4, 150, 60), (22, 255, 255)) > 0
+first, second, third = (float(pixels[ball_mask][:, channel].mean()) for channel in range(3))
+print("read as rgb8: more red than blue:", first > third)
+print("read as bgr8: more blue than red:", third < first)
+reveal("red-and-blue", red=third, green=second, blue=first)
+
+# %% [markdown]
+# ## Look inside
+#
+# So look at `encoding` in every callback, and choose the conversion by it. OpenCV works on NumPy arrays. For colors, the
+# best space is **HSV**. *Hue* is the color on a circle, in OpenCV from 0 to 180. *Saturation* is how strong it is, and
+# *value* how bright. When a cloud passes, value changes, and hue hardly does.
+#
+# Convert to HSV. A **threshold** keeps what is orange. Draw **contours** around what is left, and take the one that is
+# round. Its center is the mean of many pixels, so it is known to a fraction of a pixel.
+
+
+# %%
+def orange_of(pixels):
+    """A mask: 255 where a pixel is orange."""
+    hsv = cv2.cvtColor(pixels, cv2.COLOR_RGB2HSV)
+    mask = cv2.inRange(hsv, (4, 130, 35), (22, 255, 255))  # from and to: hue, saturation, value
+    return cv2.medianBlur(mask, 3)
+
+
+def find_ball(pixels):
+    """Column and row of the middle of the ball; None if there is none."""
+    mask = orange_of(pixels)
+    outlines, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    for outline in sorted(outlines, key=cv2.contourArea, reverse=True):
+        _, radius = cv2.minEnclosingCircle(outline)
+        if radius > 3 and cv2.contourArea(outline) > 0.75 * np.pi * radius**2:
+            sums = cv2.moments(outline)
+            return sums["m10"] / sums["m00"], sums["m01"] / sums["m00"]
+    return None
+
+
+# %%
+from workbook.pictures.figures import figure, show
+
+column, row = find_ball(pixels)
+small = cv2.resize(pixels, (160, 120), interpolation=cv2.INTER_AREA)
+fig, axes = figure(8.0, 2.4, columns=3)
+for axis, drawn, title in zip(
+    axes, (small, orange_of(small), small), ("what the camera sees", "what is orange", "what is round, too"), strict=True
+):
+    axis.imshow(drawn, cmap="gray", interpolation="nearest")
+    axis.set_title(title)
+    axis.set(xticks=[], yticks=[])
+    axis.grid(False)
+axes[2].plot(column / 4, row / 4, "+", color="white", markersize=18, markeredgewidth=2)
+show(fig, "three pictures: the desk; white spots on black where ball and bricks are; a cross in the middle of the ball")
+
+# %% [markdown]
+# **From pixel to direction.** In the **pinhole model**, all light goes through one point. The *focal length* says how
+# many pixels the picture is behind that point: 560 for this camera. A pixel that is `x` pixels to the right of the
+# middle looks in the direction (`x`, `y`, 560). Divided by its length, this is a vector of length 1.
+#
+# ROS fixes the axes of a camera: x to the right, y down, z forward.
+
+# %% id="pinhole"
+import math
+
+FOCAL, MIDDLE = 560.0, (319.5, 239.5)
+
+
+def direction(column, row):
+    """Where a pixel looks: x to the right, y down, z forward, length 1."""
+    x, y = (column - MIDDLE[0]) / FOCAL, (row - MIDDLE[1]) / FOCAL
+    length = math.sqrt(x * x + y * y + 1.0)
+    return x / length, y / length, 1.0 / length
+
+
+print("the middle:", direction(*MIDDLE))
+for column in (0, 639):
+    x, _, z = direction(column, 239.5)
+    print(f"column {column}: {math.degrees(math.atan2(x, z)):.1f}° to the right")
+
+# %% [markdown]
+# ### The head follows
+#
+# Now close the loop. For each picture, the node finds the ball and turns the neck a part of the way. The camera hears
+# the new angle and turns. The next picture shows how much is still missing. Watch: the ball rolls, and stays in the
+# near the middle. The drawing is flat, so the robot on the right tilts its head instead of turning it.
+
+# %%
+from std_msgs.msg import Float32MultiArray
+
+from lesson_nodes.head_camera import AT_REST
+
+PART = 0.25  # of the way that is missing, for each picture
+
+
+class HeadFollower(Node):
+    """Turns the neck so that the ball is in the middle."""
+
+    def __init__(self, qos) -> None:
+        super().__init__("head_follower")
+        self.joints, self.beside, self.film = list(AT_REST), [], []
+        self.publisher = self.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
+        self.create_subscription(Image, "/camera/image", self.on_image, qos)
+
+    def on_image(self, image: Image) -> None:
+        pixels = to_pixels(image)
+        ball = find_ball(pixels)
+        if ball is None:
+            return
+        if len(self.beside) % 5 == 0:  # for the film below
+            self.film.append((cv2.resize(pixels, (320, 240)), [*self.joints]))
+        x, _, z = direction(*ball)
+        self.beside.append(abs(ball[0] - MIDDLE[0]))
+        neck = self.joints[0] - PART * math.atan2(x, z)  # the neck turns to the left, x points to the right
+        self.joints[0] = min(max(neck, -0.6), 0.6)
+        self.publisher.publish(Float32MultiArray(data=self.joints))
+
+
+# %% [markdown]
+# First with a queue depth of 1, and nothing else. How many pictures arrive?
+
+# %% id="reliable-hears-nothing"
+start(head_camera)
+deaf = fresh(HeadFollower, 1)
+await run(deaf, seconds=3)
+stop()
+print("pictures of the follower:", len(deaf.beside))
+
+# %% [markdown]
+# None, and rclpy logs a warning. The camera publishes with **sensor-data QoS**, which is best effort: a lost picture is
+# not sent again, because the next one is better anyway. A depth of `1` alone asks for *reliable*, and as in lesson 13
+# that does not match.
+
+# %%
+start(head_camera)
+follower = fresh(HeadFollower, qos_profile_sensor_data)
+await run(follower, seconds=90, until=lambda: len(follower.film) >= 40)
+stop()
+shots = []
+for small, joints in follower.film:
+    cv2.line(small, (160, 0), (160, 239), (255, 255, 255), 1)
+    shots.append(beside(small, joints))
+show_film(shots, "left: the desk moves past, and the ball stays near the white line; right: the robot's head tilts", 6)
+
+# %% id="follows"
+settled = follower.beside[len(follower.beside) // 3 :]
+print("pictures with a ball: more than 20:", len(follower.beside) > 20)
+print("after a while, the ball is typically less than 80 pixels beside the middle:", np.median(settled) < 80)
+
+# %% [markdown] prediction="how-much-smaller"
+# ## Change it
+#
+# ### Experiment 1: raw or compressed
+#
+# A raw picture of 640 by 480 pixels has 921,600 bytes; thirty of them a second are 28 MB. `CompressedImage` carries
+# JPEG. With quality 80, how many times smaller is it?
+#
+# - **a** More than 8 times.
+#   when `smaller > 8`
+#   ✓ JPEG drops what eyes hardly see. It pays with the time to encode and decode, and with small errors in each color.
+# - **b** 2 to 8 times.
+#   when `smaller <= 8 and smaller >= 2`
+#   ✗ That is what compression without loss reaches at best, and the noise of the sensor prevents even that.
+# - **c** It stays about the same, because of the noise.
+#   when `smaller < 2`
+#   ✗ JPEG does not keep the noise as it is. That is why it gets so small.
+
+# %%
+predict("how-much-smaller")
+
+# %%
+import time
+
+sizes, ages = {"raw": [], "jpeg": []}, {"raw": [], "jpeg": []}
+
+
+def age_of(message):
+    """How long ago a picture was taken (s)."""
+    stamp = message.header.stamp
+    return time.time() - stamp.sec - stamp.nanosec / 1e9
+
+
+def on_raw(message):
+    to_pixels(message)
+    sizes["raw"].append(len(message.data))
+    ages["raw"].append(age_of(message))
+
+
+def on_jpeg(message):
+    cv2.imdecode(np.frombuffer(message.data, np.uint8), cv2.IMREAD_COLOR)
+    sizes["jpeg"].append(len(message.data))
+    ages["jpeg"].append(age_of(message))
+
+
+start(head_camera, jpeg_quality=80)
+scale = fresh(Node, "scale")
+scale.create_subscription(Image, "/camera/image", on_raw, qos_profile_sensor_data)
+scale.create_subscription(CompressedImage, "/camera/image/compressed", on_jpeg, qos_profile_sensor_data)
+await run(scale, seconds=60, until=lambda: min(len(one) for one in sizes.values()) >= 40)
+stop()
+
+# %% id="raw-and-jpeg" tags=["nbval-ignore-output"]
+for kind in sizes:
+    rate = 30 * np.mean(sizes[kind]) / 1e6
+    print(f"{kind:>5}: {rate:5.1f} MB/s at 30 Hz, {1000 * np.median(ages[kind]):.0f} ms old when it can be used")
+
+# %% id="how-much-smaller-it-is"
+smaller = float(np.mean(sizes["raw"]) / np.mean(sizes["jpeg"]))
+print("raw: 28 MB/s:", round(30 * np.mean(sizes["raw"]) / 1e6) == 28)
+reveal("how-much-smaller", smaller=smaller)
+
+# %% [markdown]
+# On one machine, raw pictures are fine. Over Wi-Fi, 28 MB a second do not fit, and JPEG does.
+
+# %% [markdown] prediction="slow-viewer"
+# ### Experiment 2: a slow viewer
+#
+# A viewer needs 0.2 s for each picture, six times too long. Its queue holds 30 pictures of 160 pixels width. How old is
+# the picture that it works on, after it has shown 20?
+#
+# - **a** Hardly older than 0.2 s: what is too old is dropped.
+#   when `age < 0.5`
+#   ✗ Only what no longer fits into the queue is dropped. Everything in it is worked off in order.
+# - **b** It gets older and older, without end.
+#   ✗ The queue has an end: when it is full, its oldest picture is dropped.
+# - **c** About a second, as old as the queue is long.
+#   when `age >= 0.5`
+#   ✓ The queue is full, and its oldest picture comes first. 30 pictures at 30 Hz are one second.
+
+# %%
+predict("slow-viewer")
+
+# %% id="slow-viewer"
+from rclpy.qos import QoSProfile, ReliabilityPolicy
+
+
+async def age_after(depth, number=20):
+    """How old the picture is (s) that a slow viewer gets, after so many, with a queue of this depth."""
+    seen = []
+
+    def view(image):
+        seen.append(age_of(image))
+        time.sleep(0.2)
+
+    viewer = fresh(Node, "viewer")
+    best_effort = QoSProfile(depth=depth, reliability=ReliabilityPolicy.BEST_EFFORT)
+    viewer.create_subscription(Image, "/camera/image", view, best_effort)
+    await run(viewer, seconds=60, until=lambda: len(seen) >= number)
+    viewer.destroy_node()
+    return seen[-1]
+
+
+start(head_camera, width=160)
+ages_of = {depth: await age_after(depth) for depth in (1, 30)}
+stop()
+print("depth 1:  younger than 0.4 s:", ages_of[1] < 0.4)
+print("depth 30: older than 0.5 s:  ", ages_of[30] > 0.5)
+reveal("slow-viewer", age=ages_of[30])
+
+# %% [markdown]
+# A controller that acts on pictures of a second ago misses every ball. For cameras, keep the queue short. With
+# *reliable* on both sides, a slow reader makes things worse: the publisher keeps and resends what nobody wants any more.
+
+# %% [markdown]
+# ## When it goes wrong
+#
+# **`step` ignored.** The rows have 32 bytes of padding. A program that takes `3 * width` for the length of a row shifts
+# each row a little more.
+
+# %% id="step-ignored"
+skewed = np.frombuffer(image.data, np.uint8)[: image.height * image.width * 3]
+skewed = skewed.reshape(image.height, image.width, 3)
+print("with step, the ball is found:   ", find_ball(pixels) is not None)
+print("without step, the ball is found:", find_ball(skewed) is not None)
+
+# %% [markdown]
+# **A view of a buffer that is used again.** Some drivers write each picture into the same memory. A view that you keep
+# shows the newest picture, and no longer the one that you looked at.
+
+# %% id="buffer-used-again"
+buffer = np.zeros((2, 2, 3), np.uint8)  # the memory of a driver
+kept_view, kept_copy = buffer[:], buffer.copy()
+buffer[:] = 200  # the next picture arrives
+print("the view says", kept_view[0, 0, 0], "and the copy", kept_copy[0, 0, 0])
+
+# %% [markdown]
+# Copy what you keep: `pixels.copy()`. And **`imshow` in a callback** does not belong into a node. It draws from the
+# thread that receives, and in the `headless` OpenCV that servers and robots have, it does not exist.
+
+# %% id="imshow" tags=["raises-exception"]
+cv2.imshow("camera", pixels)
+
+# %% [markdown]
+# ## From a worked example to your own
+#
+# **Worked.** Which direction does the ball of our picture have, and how far would the neck have to turn?
+
+# %% id="worked"
+x, y, z = direction(*find_ball(pixels))
+print("a vector of length 1:", round(math.sqrt(x * x + y * y + z * z), 6) == 1)
+print("the neck would have to turn:", abs(math.degrees(math.atan2(x, z))) < 30, "(by less than 30°)")
+
+# %% [markdown]
+# **Faded.** Convert a picture by its encoding. The lines with `...` are yours.
+
+# %%
+CODES = ...  # TODO: a dictionary from encoding to constant, such as {"rgb8": cv2.COLOR_RGB2HSV, "bgr8": ...}
+
+
+def to_hsv(image):
+    """HSV pixels of an rgb8 or bgr8 image; None for other encodings."""
+    if image.encoding not in CODES:
+        return None
+    return cv2.cvtColor(to_pixels(image), CODES[image.encoding])
+
+
+if CODES is ...:
+    print("Fill in the codes, then run this cell again.")
+else:
+    print("the shape of the HSV pixels:", to_hsv(image).shape)
+
+# %% [markdown]
+# **Your own.** In the [exercise](../exercises/15_camera.ipynb) you write the tracker: it says where the ball is, and
+# also when there is none.
+
+# %% [markdown]
+# ## Check yourself
+#
+# **1. `width` is 640, `encoding` is `rgb8`, `step` is 2048. Where does row 2 begin?**
+#
+# <details><summary>a) At byte 3840</summary>
+#
+# ✗ That is 2 · 3 · 640. It leaves out the padding.
+#
+# </details>
+# <details><summary>b) At byte 4096</summary>
+#
+# ✓ 2 · `step`.
+#
+# </details>
+# <details><summary>c) At byte 1280</summary>
+#
+# ✗ That is 2 · 640, as if a pixel were a single byte.
+#
+# </details>
+#
+# **2. Why not look for the ball by brightness?**
+#
+# <details><summary>a) It changes with the light, and other things are bright as well</summary>
+#
+# ✓ Hue hardly changes when a cloud passes.
+#
+# </details>
+# <details><summary>b) Brightness needs 16 bits</summary>
+#
+# ✗ A byte is enough for brightness.
+#
+# </details>
+# <details><summary>c) Cameras do not measure brightness</summary>
+#
+# ✗ They measure nothing else, behind three color filters.
+#
+# </details>
+#
+# **3. Your viewer shows what happened a second ago. What helps?**
+#
+# <details><summary>a) A longer queue</summary>
+#
+# ✗ Then it shows what happened two seconds ago.
+#
+# </details>
+# <details><summary>b) Reliable QoS</summary>
+#
+# ✗ Old pictures get sent again, and make it even later.
+#
+# </details>
+# <details><summary>c) A queue of one picture</summary>
+#
+# ✓ The viewer then always gets the newest picture.
+#
+# </details>
+
+# %% [markdown]
+# ## Talk it through
+#
+# > My robot should keep its eyes on an orange ball. I get sensor_msgs/Image at 30 Hz in an rclpy node, Jazzy. How do I
+# > find the ball in changing light, and how do I turn its pixel into an angle for the neck?
+#
+# <details><summary>What a good answer contains</summary>
+#
+# It asks for `encoding` and `step`, or uses a converter that obeys them. It subscribes with sensor-data QoS and a short
+# queue. It finds the ball by hue and outline, not by brightness. It uses the focal length of `CameraInfo`, and says in
+# which axes the direction is. It copies the stamp of the picture, and says what happens when there is no ball. It turns
+# the neck a part of the way for each picture.
+#
+# </details>
+
+# %% [markdown]
+# ## Take away
+#
+# - `encoding` says what the bytes mean, `step` where a row begins; nobody checks them for you.
+# - Sensor-data QoS and a short queue: the newest picture is the best one.
+# - Hue stays when the light changes; the center of many pixels is known to a fraction of one.
+# - From pixels to a direction: subtract the middle, divide by the focal length, give it the length 1.
+# - A loop that goes a part of the way with each picture follows a ball, without knowing how far away it is.
+#
+# **Before:** [14 · Arrays and filters](14_arrays_and_filters.ipynb)
+#
+# **Next:** you have reached the last lesson that there is at the moment.
+#
+# **More:** [sensor_msgs/Image](https://docs.ros.org/en/jazzy/p/sensor_msgs/msg/Image.html) and
+# [OpenCV in Python](https://docs.opencv.org/4.x/d6/d00/tutorial_py_root.html).

@@ -1,0 +1,89 @@
+"""Pictures of a desk that the judge publishes as a camera, and where a camera sees what is on it."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING, Any
+
+from workbook.scenes.scene import Place, Scene
+
+if TYPE_CHECKING:
+    from workbook.scenes.desk import DeskCamera
+    from workbook.scenes.pinhole import Pinhole
+
+FRAME_ID = "head_camera_optical_frame"
+
+
+@dataclass(frozen=True)
+class CameraView:
+    """One picture of a camera: what there is to see, and how it is sent. It is 3/4 as high as wide, in pixels.
+
+    `stamp`: seconds and nanoseconds. `seed` and `number` decide on the noise. `padding`: unused bytes behind each row.
+    """
+
+    scene: Scene
+    stamp: tuple[int, int]
+    seed: int
+    number: int
+    width: int = 160
+    encoding: str = "rgb8"
+    padding: int = 0
+
+
+class _Fields(Mapping[str, Any]):
+    """The fields of an Image message, painted when the bytes are asked for."""
+
+    def __init__(self, view: CameraView) -> None:
+        self._view = view
+
+    @cached_property
+    def _all(self) -> dict[str, Any]:
+        from workbook.scenes.encodings import encoded
+
+        view = self._view
+        picture = _camera(view.width, view.seed).picture(view.scene, view.number)
+        data, step = encoded(picture, view.encoding, view.padding)
+        sec, nanosec = view.stamp
+        return {
+            "header": {"stamp": {"sec": sec, "nanosec": nanosec}, "frame_id": FRAME_ID},
+            "height": picture.shape[0],
+            "width": picture.shape[1],
+            "encoding": view.encoding,
+            "is_bigendian": 0,
+            "step": step,
+            "data": data,
+        }
+
+    def __getitem__(self, name: str) -> Any:
+        return self._all[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._all)
+
+    def __len__(self) -> int:
+        return len(self._all)
+
+
+def camera_image(view: CameraView) -> Mapping[str, Any]:
+    """The fields of a `sensor_msgs/Image` with this picture, for `says`. It is painted when it is needed first."""
+    return _Fields(view)
+
+
+def seen_direction(place: Place, width: int = 160) -> tuple[float, float, float]:
+    """Where a camera sees a place of the robot's axes (m): length 1; x to the right, y down, z forward."""
+    seen = _pinhole(width).seen_from(place)
+    x, y, z = (seen / (seen @ seen) ** 0.5).tolist()
+    return x, y, z
+
+
+@lru_cache(maxsize=4)
+def _camera(width: int, seed: int) -> "DeskCamera":
+    from workbook.scenes.desk import DeskCamera
+
+    return DeskCamera(_pinhole(width), seed)
+
+
+def _pinhole(width: int) -> "Pinhole":
+    from workbook.scenes.pinhole import Pinhole
+
+    return Pinhole(width, 3 * width // 4, 0.875 * width)

@@ -1,0 +1,52 @@
+"""Films of lessons: pictures of a camera, alone or beside the robot, that play in the page and stay there."""
+
+import base64
+import io
+from collections.abc import Sequence
+
+from PIL import Image
+
+from workbook.pictures import humanoid
+from workbook.pictures.film import film
+from workbook.pictures.png import Pixels
+from workbook.templating import render
+
+HEIGHT = 240
+"""Pixels of the page. A picture of a camera is brought to this height."""
+
+
+def beside(picture: Pixels, angles: Sequence[float]) -> bytes:
+    """A picture of a camera, RGB, with the robot at these twelve angles (rad) to its right, as PNG bytes."""
+    left = _of_height(Image.fromarray(picture))
+    robot = _of_height(Image.open(io.BytesIO(humanoid.draw(angles))))
+    both = Image.new("RGBA", (left.width + robot.width + 10, HEIGHT))
+    both.paste(left, (0, 0))
+    both.paste(robot, (left.width + 10, 0))
+    return _png(both)
+
+
+def alone(picture: Pixels) -> bytes:
+    """A picture of a camera, RGB, as PNG bytes."""
+    return _png(_of_height(Image.fromarray(picture)))
+
+
+def show_film(pictures: Sequence[bytes], description: str, per_second: float = 10.0) -> None:
+    """Show PNG pictures one after another, in the cell, with alternative text. Keep numbers out of it."""
+    from IPython.display import display
+
+    moving = film(pictures, per_second=per_second, exact=False)
+    with Image.open(io.BytesIO(pictures[-1])) as last:
+        width, height = last.size
+    src = "data:image/webp;base64," + base64.b64encode(moving).decode("ascii")
+    page = render("pictures/img", alt=description, width=width, height=height, src=src)
+    display({"text/plain": f"Film: {description}", "text/html": page}, raw=True)
+
+
+def _of_height(picture: Image.Image) -> Image.Image:
+    return picture.resize((round(picture.width * HEIGHT / picture.height), HEIGHT)).convert("RGBA")
+
+
+def _png(picture: Image.Image) -> bytes:
+    file = io.BytesIO()
+    picture.save(file, "PNG")
+    return file.getvalue()

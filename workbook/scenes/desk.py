@@ -1,0 +1,177 @@
+"""What a camera in the robot's head sees of a desk: its own hands, balls and bricks, in light that changes."""
+
+import math
+from collections.abc import Sequence
+from itertools import product
+
+import numpy as np
+
+from workbook.scenes.painting import Color, Patch, Picture, paint_limb, paint_polygon, paint_sphere
+from workbook.scenes.pinhole import Pinhole, Vector
+from workbook.scenes.scene import BALL_RADIUS_M, DESK_M, Box, Scene
+
+DESK_EDGE_M = 1.6
+ORANGE: Color = (235.0, 120.0, 25.0)
+BLUE: Color = (25.0, 120.0, 235.0)
+BRICK: Color = (225.0, 105.0, 25.0)
+WALL: Color = (168.0, 178.0, 190.0)
+DESK: Color = (146.0, 138.0, 126.0)
+ARM: Color = (205.0, 208.0, 212.0)
+HAND: Color = (90.0, 94.0, 100.0)
+SHOULDER_M, UPPER_ARM_M, FOREARM_M, FINGER_M = (0.0, 0.2, -0.3), 0.3, 0.26, 0.07
+INWARD = 0.3  # rad; how far the arms are turned in
+LEFT_SHOULDER, LEFT_ELBOW, RIGHT_SHOULDER, RIGHT_ELBOW = 2, 3, 4, 5
+"""Where these angles are among the twelve of `/robot/joint_positions`."""
+Corner = tuple[int, int, int]
+FACES: tuple[tuple[tuple[Corner, ...], float], ...] = (
+    (((1, -1, -1), (1, 1, -1), (1, 1, 1), (1, -1, 1)), 0.8),
+    (((-1, -1, -1), (-1, 1, -1), (-1, 1, 1), (-1, -1, 1)), 0.8),
+    (((-1, 1, -1), (1, 1, -1), (1, 1, 1), (-1, 1, 1)), 0.65),
+    (((-1, -1, -1), (1, -1, -1), (1, -1, 1), (-1, -1, 1)), 0.65),
+    (((-1, -1, 1), (1, -1, 1), (1, 1, 1), (-1, 1, 1)), 1.0),
+)
+"""The faces of a brick that can be seen from above: their corners, each -1 or 1 along its three edges; how bright."""
+NEAREST_M = 0.1
+"""What is nearer in front of the camera is not painted."""
+NOISE_SPARE = 65_536
+"""The noise of a picture begins at one of so many places in a table: two pictures hardly ever get the same."""
+
+
+class DeskCamera:
+    """Takes pictures of scenes: RGB, uint8, shape (height, width, 3). The same seed and number give the same bytes.
+
+    `noise` is the standard deviation of each pixel's noise, in steps of 255.
+    """
+
+    def __init__(self, pinhole: Pinhole, seed: int, noise: float = 4.0) -> None:
+        self.pinhole = pinhole
+        self._seed = seed
+        self._empty = _empty_desk(pinhole)
+        dice = np.random.default_rng(seed)
+        table = dice.standard_normal(self._empty.size + NOISE_SPARE, dtype=np.float32)
+        self._noise = np.rint(noise * table).astype(np.int16)
+
+    def picture(self, scene: Scene, number: int) -> Picture:
+        """The picture of that number, of this scene."""
+        picture = self._empty.copy()
+        for place in (scene.ball, scene.blue_ball):
+            if place is not None:
+                _paint_shadow(picture, self.pinhole, self.pinhole.seen_from((*place[:2], DESK_M), scene.pan))
+        for box in scene.boxes:
+            _paint_box(picture, self.pinhole, box, scene.pan)
+        for place, color in ((scene.blue_ball, BLUE), (scene.ball, ORANGE)):
+            if place is not None:
+                center = self.pinhole.seen_from(place, scene.pan)
+                paint_sphere(picture, self.pinhole, center, BALL_RADIUS_M, color)
+        if scene.joints is not None:
+            _paint_arms(picture, self.pinhole, scene.joints, scene.pan)
+        return self._measured(picture, scene, number)
+
+    def _measured(self, picture: Picture, scene: Scene, number: int) -> Picture:
+        """The picture in this light, with the noise of the sensor."""
+        gains = np.array([scene.warm, 1.0, 1.0 / scene.warm]) * scene.light
+        steps = np.rint(np.arange(256)[:, np.newaxis] * gains).astype(np.int16)
+        lit = np.empty(picture.shape, dtype=np.int16)
+        for channel in range(3):
+            np.take(steps[:, channel], picture[..., channel], out=lit[..., channel])
+        start = int(np.random.default_rng((self._seed, number)).integers(NOISE_SPARE))
+        lit += self._noise[start : start + lit.size].reshape(lit.shape)
+        np.clip(lit, 0, 255, out=lit)
+        return lit.astype(np.uint8)
+
+
+def _empty_desk(camera: Pinhole) -> Picture:
+    """Wall and desk. The desk is round, and the robot stands in its middle: it looks the same wherever one turns."""
+    x = (np.arange(camera.width) - camera.center[0])[np.newaxis, :] / camera.focal
+    y = (np.arange(camera.height) - camera.center[1])[:, np.newaxis] / camera.focal
+    down = y * math.cos(camera.pitch) + math.sin(camera.pitch) + 0.0 * x
+    ahead = np.hypot(x, math.cos(camera.pitch) - y * math.sin(camera.pitch))
+    away = np.where(down > 1e-6, -DESK_M * ahead / np.maximum(down, 1e-6), np.inf)
+    cover = np.clip((DESK_EDGE_M - np.minimum(away, 99.0)) * camera.focal / 8 + 0.5, 0.0, 1.0)[
+        ..., np.newaxis
+    ]
+    rings = 1.0 - 0.10 * np.clip(away / DESK_EDGE_M, 0.0, 1.0)[..., np.newaxis]
+    fade = 0.92 + 0.08 * np.clip(-down / 0.3, 0.0, 1.0)[..., np.newaxis]
+    drawn = np.asarray(WALL) * fade * (1.0 - cover) + np.asarray(DESK) * rings * cover
+    return np.rint(drawn).astype(np.uint8)
+
+
+def _paint_shadow(picture: Picture, camera: Pinhole, below: Vector) -> None:
+    """The shadow of a ball on the desk."""
+    if below[2] <= NEAREST_M:
+        return
+    column, row = camera.pixel(below)
+    wide = camera.focal * 1.1 * BALL_RADIUS_M / below[2]
+    patch = Patch(picture, [(column - 2 * wide, row - 1.5 * wide), (column + 2 * wide, row + 1.5 * wide)])
+    if not patch.empty:
+        away = ((patch.columns - column) / wide) ** 2 + ((patch.rows - row) / (0.65 * wide)) ** 2
+        patch.darken(0.45 * np.exp(-away))
+
+
+def _paint_box(picture: Picture, camera: Pinhole, box: Box, pan: float) -> None:
+    """A brick: those of its faces that turn to the camera."""
+    length, width, height = box.size
+    cos, sin = math.cos(box.turn), math.sin(box.turn)
+    seen: dict[Corner, Vector] = {}
+    for corner in product((-1, 1), (-1, 1), (-1, 1)):
+        along, across = corner[0] * length / 2, corner[1] * width / 2
+        place = box.at[0] + cos * along - sin * across, box.at[1] + sin * along + cos * across
+        seen[corner] = camera.seen_from((*place, DESK_M + (corner[2] + 1) * height / 2), pan)
+    if min(point[2] for point in seen.values()) <= NEAREST_M:
+        return
+    middle = np.mean(list(seen.values()), axis=0)
+    for face, bright in FACES:
+        outward = np.mean([seen[corner] for corner in face], axis=0) - middle
+        if outward @ seen[face[0]] < 0:
+            _paint_face(picture, [camera.pixel(seen[corner]) for corner in face], bright)
+
+
+def _paint_face(picture: Picture, corners: list[tuple[float, float]], bright: float) -> None:
+    around = sum(
+        u * v2 - u2 * v for (u, v), (u2, v2) in zip(corners, [*corners[1:], corners[0]], strict=True)
+    )
+    red, green, blue = BRICK
+    paint_polygon(
+        picture, corners if around > 0 else corners[::-1], (red * bright, green * bright, blue * bright)
+    )
+
+
+def _paint_arms(picture: Picture, camera: Pinhole, joints: Sequence[float], pan: float) -> None:
+    """Both arms, from the angles of shoulders and elbows: 0 hangs down, above zero reaches forward."""
+    for side, shoulder, elbow in (
+        (1.0, joints[LEFT_SHOULDER], joints[LEFT_ELBOW]),
+        (-1.0, joints[RIGHT_SHOULDER], joints[RIGHT_ELBOW]),
+    ):
+        at = np.array([SHOULDER_M[0], side * SHOULDER_M[1], SHOULDER_M[2]])
+        bend = at + UPPER_ARM_M * _reach(side, shoulder)
+        wrist = bend + FOREARM_M * _reach(side, shoulder + elbow)
+        _paint_part(picture, camera, (bend, wrist), (0.032, 0.024), ARM, pan)
+        palm = wrist + 0.5 * FINGER_M * _reach(side, shoulder + elbow)
+        _paint_part(picture, camera, (wrist, palm), (0.03, 0.03), HAND, pan)
+        for spread in (-0.35, 0.0, 0.35):
+            tip = palm + FINGER_M * _reach(side, shoulder + elbow + 0.25, spread)
+            _paint_part(picture, camera, (palm, tip), (0.011, 0.008), HAND, pan)
+
+
+def _reach(side: float, angle: float, spread: float = 0.0) -> Vector:
+    """Where a limb of the left (1) or right (-1) arm points that is lifted by `angle` (rad): length 1, robot's axes."""
+    inward = INWARD + spread
+    return np.array(
+        [math.sin(angle) * math.cos(inward), -side * math.sin(angle) * math.sin(inward), -math.cos(angle)]
+    )
+
+
+def _paint_part(
+    picture: Picture,
+    camera: Pinhole,
+    ends: tuple[Vector, Vector],
+    radii: tuple[float, float],
+    color: Color,
+    pan: float,
+) -> None:
+    """A limb between two places of the robot's axes (m), if it is in front of the camera."""
+    near, far = (camera.seen_from((end[0], end[1], end[2]), pan) for end in ends)
+    if min(near[2], far[2]) <= NEAREST_M:
+        return
+    thick = (camera.focal * radii[0] / near[2], camera.focal * radii[1] / far[2])
+    paint_limb(picture, (camera.pixel(near), camera.pixel(far)), thick, color)

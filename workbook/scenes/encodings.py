@@ -1,0 +1,67 @@
+"""Pictures as the bytes of `sensor_msgs/Image`."""
+
+from collections.abc import Callable
+
+import numpy as np
+import numpy.typing as npt
+
+from workbook.scenes.painting import Picture
+
+Rows = npt.NDArray[np.uint8]
+"""Shape (height, bytes of a row without its padding)."""
+
+
+def encoded(picture: Picture, encoding: str, padding: int = 0) -> tuple[bytes, int]:
+    """The bytes of `Image.data` and the length of a row (`step`), with `padding` unused bytes behind each row.
+
+    Raises ValueError for an encoding that is not in `ENCODINGS`. Numbers of 16 bits are little-endian.
+    """
+    if encoding not in _ROWS:
+        raise ValueError(f"one of {', '.join(ENCODINGS)}, not {encoding!r}")
+    rows = _ROWS[encoding](picture)
+    height, length = rows.shape
+    padded: Rows = np.full((height, length + padding), 0xAA, dtype=np.uint8)
+    padded[:, :length] = rows
+    return padded.tobytes(), length + padding
+
+
+def _gray(picture: Picture) -> npt.NDArray[np.float64]:
+    weighted: npt.NDArray[np.float64] = picture @ np.array([0.299, 0.587, 0.114])
+    return weighted
+
+
+def _in_rgb(picture: Picture) -> Rows:
+    return picture.reshape(picture.shape[0], -1)
+
+
+def _in_bgr(picture: Picture) -> Rows:
+    return picture[..., ::-1].reshape(picture.shape[0], -1)
+
+
+def _in_8_bits(picture: Picture) -> Rows:
+    return np.rint(_gray(picture)).astype(np.uint8)
+
+
+def _in_16_bits(picture: Picture) -> Rows:
+    return np.rint(257 * _gray(picture)).astype("<u2").view(np.uint8)
+
+
+def _in_yuv(picture: Picture) -> Rows:
+    """Brightness for each pixel, and for each pair of pixels one blue and one red difference: Y U Y V."""
+    bright = _gray(picture)
+    pairs = np.empty((*bright.shape, 2))
+    pairs[..., 0] = bright
+    pairs[:, 0::2, 1] = 0.564 * (picture[:, 0::2, 2] - bright[:, 0::2]) + 128
+    pairs[:, 1::2, 1] = 0.713 * (picture[:, 0::2, 0] - bright[:, 0::2]) + 128
+    rows: Rows = np.rint(np.clip(pairs, 0, 255)).astype(np.uint8).reshape(bright.shape[0], -1)
+    return rows
+
+
+_ROWS: dict[str, Callable[[Picture], Rows]] = {
+    "rgb8": _in_rgb,
+    "bgr8": _in_bgr,
+    "mono8": _in_8_bits,
+    "mono16": _in_16_bits,
+    "yuv422_yuy2": _in_yuv,
+}
+ENCODINGS = tuple(_ROWS)
