@@ -943,7 +943,7 @@ def stands_still(recording: Recording) -> bool:
     by_place = first_answers(recording)
     rows = [by_place[place].angles for place in STEADY_FIRST if place in by_place]
     still = [max(column) - min(column) <= SAME_RAD for column in zip(*rows, strict=True)]
-    return 2 * sum(still) > len(JOINTS)
+    return still.count(True) > len(JOINTS) // 2
 
 
 def as_they_went_in(raw: Sequence[int]) -> str:
