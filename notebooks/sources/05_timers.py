@@ -149,8 +149,14 @@ from workbook.pictures.figures import figure, show
 from workbook.pictures.timeline import strip
 
 first = {"loop": loop_moments[:14], "timer": reader.moments[:14]}
-picture = strip(first, periods={"loop": PERIOD_S, "timer": PERIOD_S}, end=1.6, noun="readings")
-show(picture, "the first readings of loop and timer: the loop falls behind the plan, the timer stays on it")
+picture = strip(
+    first, periods={"loop": PERIOD_S, "timer": PERIOD_S}, end=1.6, noun="readings"
+)
+show(
+    picture,
+    "the first readings of loop and timer: the loop falls behind the plan, the timer "
+    "stays on it",
+)
 
 # %% [markdown]
 # The loop waits 0.1 s *after* the work is done. So one round is sleep **plus** work, and each round starts later than
@@ -167,19 +173,37 @@ from itertools import pairwise
 
 def lateness(moments):
     """How late each reading is (ms), if the first one was on time."""
-    return [1000 * (moment - moments[0] - PERIOD_S * n) for n, moment in enumerate(moments)]
+    return [
+        1000 * (moment - moments[0] - PERIOD_S * n) for n, moment in enumerate(moments)
+    ]
 
 
 fig, axes = figure(6.4, 2.6)
-axes.plot(lateness(loop_moments), label="loop that sleeps")
-axes.plot(lateness(reader.moments), label="timer", linestyle="--")
-axes.set(xlabel="reading", ylabel="late by (ms)")
-axes.legend(loc="upper left")
-show(fig, "the lateness of the loop grows with every reading; that of the timer does not grow")
+axes.plot(lateness(loop_moments))
+axes.plot(lateness(reader.moments), linestyle="--")
+axes.text(ROUNDS, lateness(loop_moments)[-1], "loop that sleeps", va="center")
+axes.text(ROUNDS, lateness(reader.moments)[-1], "timer", va="center")
+axes.set(
+    xlabel="reading",
+    ylabel="late by (ms)",
+    xlim=(-1, 64),
+    title="the loop falls behind, the timer does not",
+)
+show(
+    fig,
+    "the lateness of the loop grows with every reading; that of the timer does not "
+    "grow",
+)
 
 # %%
-print("the last reading of the loop was late by more than four periods:", lateness(loop_moments)[-1] > 400)
-print("the last reading of the timer was late by less than two:", lateness(reader.moments)[-1] < 200)
+print(
+    "the last reading of the loop was late by more than four periods:",
+    lateness(loop_moments)[-1] > 400,
+)
+print(
+    "the last reading of the timer was late by less than two:",
+    lateness(reader.moments)[-1] < 200,
+)
 
 # %% [markdown]
 # No timer is perfect. The operating system also serves other programs, so a tick comes a little late, and the next
@@ -196,7 +220,10 @@ show(
 
 # %%
 mean_ms = sum(intervals_ms) / len(intervals_ms)
-print("all intervals are exactly 100 ms:", all(interval == 100 for interval in intervals_ms))
+print(
+    "all intervals are exactly 100 ms:",
+    all(interval == 100 for interval in intervals_ms),
+)
 print("their mean is within 5 % of it:", abs(mean_ms - 100) < 5)
 
 # %% [markdown]
@@ -301,7 +328,13 @@ for hertz in (0.5, 1, 5, 100):
 predict("two-timers-due")
 
 # %%
-both = record(blink_and_beep, {BLINK: 1.0, BEEP: 2.0}, seconds=60, blink_period_s=1.0, beep_period_s=2.0)
+both = record(
+    blink_and_beep,
+    {BLINK: 1.0, BEEP: 2.0},
+    seconds=60,
+    blink_period_s=1.0,
+    beep_period_s=2.0,
+)
 print(len(arrivals(both, BLINK)), "blinks and", len(arrivals(both, BEEP)), "beeps")
 reveal(
     "two-timers-due",
@@ -310,12 +343,15 @@ reveal(
 )
 
 # %%
-ten_seconds = {name: [t for t in arrivals(both, name) if t < 10.5] for name in (BLINK, BEEP)}
+ten_seconds = {
+    name: [t for t in arrivals(both, name) if t < 10.5] for name in (BLINK, BEEP)
+}
 for name, moments in ten_seconds.items():
     print(name, "at", [round(moment) for moment in moments], "s")
 show(
     strip(ten_seconds, periods={BLINK: 1.0, BEEP: 2.0}, end=10.5),
-    "ten seconds of robot time: a blink every second, and a beep with every second blink",
+    "ten seconds of robot time: a blink every second, and a beep with every second "
+    "blink",
 )
 
 # %% [markdown]
@@ -350,7 +386,9 @@ predict("the-long-beep")
 
 # %%
 long_beep = {"blink_period_s": 0.2, "beep_period_s": 2.0, "beep_takes_s": 1.1}
-slow = record(blink_and_beep, {BLINK: 0.2, BEEP: 2.0}, seconds=8.5, clock="wall", **long_beep)
+slow = record(
+    blink_and_beep, {BLINK: 0.2, BEEP: 2.0}, seconds=8.5, clock="wall", **long_beep
+)
 
 blinks, beeps = arrivals(slow, BLINK), arrivals(slow, BEEP)
 show(
