@@ -3,7 +3,7 @@
 #
 # Lesson 07 wrote one `Protocol` for each message type. Can one description serve all of them?
 #
-# - **Minutes:** 5
+# - **Minutes:** 10
 # - **You need:** lesson [07](07_typed_nodes.ipynb)
 # - **You will be able to:** write a generic Protocol, and a function whose result depends on the message class
 # - **Left out:** generic classes of your own that hold state
@@ -93,7 +93,25 @@ battery.publish(String(data="full"))
 check_types(TYPED)
 
 # %% [markdown]
-# Only the last line is wrong. From Python 3.12 on you can write `class Sends[Taken](Protocol)` and
+# Only the last line is wrong. For comparison, the same program with rclpy's own publisher:
+
+# %%
+from workbook.lesson.type_reports import nets_picture
+
+PLAIN = TYPED.replace(
+    'make_publisher(node, Float32, "/robot/battery")',
+    'node.create_publisher(Float32, "/robot/battery", 10)',
+)
+ROWS = {1: "a String is published"}
+nets = {
+    name: {1} if any("publish" in found.message for found in check_types(text).findings) else set()
+    for name, text in (("rclpy's Publisher", PLAIN), ("Sends[Float32]", TYPED))
+}
+print({name: bool(caught) for name, caught in nets.items()})
+nets_picture(nets, ROWS, "rclpy's Publisher misses the wrong message, Sends[Float32] finds it")
+
+# %% [markdown]
+# From Python 3.12 on you can write `class Sends[Taken](Protocol)` and
 # `def make_publisher[Message](...)`, and leave out the two lines with `TypeVar`.
 
 # %% [markdown]
@@ -106,4 +124,5 @@ check_types(TYPED)
 #
 # **Next:** [08 · The humanoid status publisher](08_humanoid_status_publisher.ipynb)
 #
-# **More:** [Protocols in the documentation of mypy](https://mypy.readthedocs.io/en/stable/protocols.html).
+# **More:** [rclpy](https://docs.ros.org/en/jazzy/p/rclpy), and
+# [Protocols in the documentation of mypy](https://mypy.readthedocs.io/en/stable/protocols.html).

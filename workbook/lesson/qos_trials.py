@@ -4,7 +4,7 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from itertools import product
 from typing import Any
 
@@ -54,11 +54,13 @@ def try_pairs(profiles: Mapping[str, QoSProfile], new: int = 5) -> dict[Pair, li
     return heard
 
 
+def _keeper(got: list[str]) -> Callable[[String], None]:
+    return lambda message: got.append(message.data)
+
+
 def _listen(listener: Node, topic: str, qos: QoSProfile, got: list[str]) -> None:
     quiet = SubscriptionEventCallbacks(use_default_callbacks=False)
-    listener.create_subscription(
-        String, topic, lambda message: got.append(message.data), qos, event_callbacks=quiet
-    )
+    listener.create_subscription(String, topic, _keeper(got), qos, event_callbacks=quiet)
 
 
 def pairs_picture(heard: Mapping[Pair, list[str]], description: str) -> Still:
@@ -155,7 +157,7 @@ def heard_between(speaks_on: Any, listens_on: Any, qos: QoSProfile) -> list[str]
     speaker, listener = Node("speaker", context=left), Node("listener", context=right)
     heard: list[str] = []
     publisher = speaker.create_publisher(String, "/robot/status", qos)
-    listener.create_subscription(String, "/robot/status", lambda message: heard.append(message.data), qos)
+    listener.create_subscription(String, "/robot/status", _keeper(heard), qos)
     publisher.publish(String(data="operational"))
     spin_for(listener, seconds=2.0)
     rclpy.shutdown(context=left)

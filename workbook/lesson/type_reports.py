@@ -83,7 +83,7 @@ def stub_of(message_class: type) -> str:
 
 def nets_picture(nets: Mapping[str, Set[int]], names: Mapping[int, str], description: str) -> Still:
     """Which net catches which mistake. A net with "run time" in its name catches when the line is reached."""
-    fig, axes = figure(7.6, 3.6)
+    fig, axes = figure(7.6, 1.0 + 0.37 * len(names))
     for column, (net, caught) in enumerate(nets.items()):
         late = "run time" in net
         words = ("raises", "silent") if late else ("found", "missed")
@@ -94,13 +94,17 @@ def nets_picture(nets: Mapping[str, Set[int]], names: Mapping[int, str], descrip
             axes.plot(column, number, "o", markersize=14, color=color, fillstyle=fill)
             axes.text(column + 0.16, number, words[not is_caught], va="center", fontsize=8)
     before = sum("run time" not in net for net in nets)
-    axes.axvline(before - 0.38, color=GREY, linestyle="--", linewidth=1)
     axes.text((before - 1) / 2 + 0.1, 0.25, "before anything runs", ha="center", fontsize=9)
-    axes.text((before + len(nets) - 1) / 2 + 0.1, 0.25, "once the line is reached", ha="center", fontsize=9)
+    if before < len(nets):
+        axes.axvline(before - 0.38, color=GREY, linestyle="--", linewidth=1)
+        axes.text(
+            (before + len(nets) - 1) / 2 + 0.1, 0.25, "once the line is reached", ha="center", fontsize=9
+        )
     axes.set_yticks(list(names), [f"{number}  {name}" for number, name in names.items()])
     axes.set_xticks(range(len(nets)), list(nets))
     axes.set(ylim=(max(names) + 0.6, -0.1), xlim=(-0.4, len(nets) - 0.4))
-    axes.set_title("no net finds all seven mistakes", fontsize=11)
+    if not any(caught >= set(names) for caught in nets.values()):
+        axes.set_title(f"no net finds all {len(names)} mistakes", fontsize=11)
     axes.tick_params(length=0)
     axes.grid(False)
     return still(fig, description)
