@@ -130,7 +130,9 @@ def test_lesson_nodes_import_ros_scenes_numpy_and_opencv_only(path: Path) -> Non
         top = name.split(".")[0]
         if name.startswith("workbook.scenes"):
             continue
-        assert top in {"rclpy", "lesson_nodes", "cv2", "numpy"} | MESSAGES | set(sys.stdlib_module_names), name
+        assert top in {"rclpy", "lesson_nodes", "cv2", "numpy"} | MESSAGES | set(sys.stdlib_module_names), (
+            name
+        )
 
 
 def test_no_path_of_a_machine_and_no_registry_host_is_tracked() -> None:
