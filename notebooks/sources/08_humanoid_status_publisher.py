@@ -4,7 +4,7 @@
 # Every real robot reports again and again that it works, and how much battery is left. How do you build a node that does
 # this reliably?
 #
-# - **Minutes:** 55
+# - **Minutes:** 45
 # - **You need:** lesson [05](05_timers.ipynb), and what a node, a publisher and a message are
 # - **You will be able to:** build a node with two topics at two rates, send numbers that really arrive, count the
 #   listeners, notice a node whose callbacks have stopped, and end one on Ctrl-C with exit code 0

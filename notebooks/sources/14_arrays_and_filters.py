@@ -3,7 +3,7 @@
 #
 # Sensors are noisy. Python has good tools against noise, NumPy and SciPy, and a node can use them on every message.
 #
-# - **Minutes:** 40
+# - **Minutes:** 45
 # - **You need:** lessons [03](03_publishers_and_messages.ipynb), [04](04_subscriptions_and_callbacks.ipynb) and
 #   [09](09_joint_positions.ipynb)
 # - **You will be able to:** turn a message into an array and back, say when the two share their memory, run a filter

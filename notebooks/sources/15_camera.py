@@ -4,7 +4,7 @@
 # A camera sends a million numbers, thirty times a second. A robot that wants to look at a ball needs two numbers:
 # how far to the left or right, and how far up or down.
 #
-# - **Minutes:** 45
+# - **Minutes:** 35
 # - **You need:** lessons [13](13_qos_and_discovery.ipynb) and [14](14_arrays_and_filters.ipynb)
 # - **You will be able to:** find a ball in an `Image` with OpenCV, turn its pixel into a direction, and let the head follow
 # - **Left out:** lenses and calibration, two cameras and depth, neural networks (lesson 16)
