@@ -17,7 +17,7 @@ def misplaced(tree: Tree) -> Iterator[Violation]:
         (tree.notebooks, ".ipynb", lessons, ("sources", *PAGES)),
         (tree.sources, ".py", lessons, BESIDE_LESSONS),
         (tree.museum, ".toml", lessons, ()),
-        (tree.exercises, ".ipynb", exercises, ("criteria", "drivers", "README.md")),
+        (tree.exercises, ".ipynb", exercises, ("criteria", "drivers", "README.md", "teaching.md")),
         (tree.drivers, ".py", exercises, ()),
         (tree.criteria, ".py", exercises, ("__init__.py", "conftest.py")),
         (tree.solutions, ".py", exercises, ("__init__.py",)),

@@ -34,6 +34,8 @@ def show_path(points: Points, description: str, title: str = "") -> None:
     axes.plot(xs, ys, color=BLUE)
     for place, color, mark, word in ((0, GREEN, "o", "start"), (-1, RED, "x", "end")):
         axes.plot(xs[place], ys[place], mark, color=color, markersize=9)
-        axes.annotate(word, (xs[place], ys[place]), xytext=(8, 10 if place else -16), textcoords="offset points")
+        axes.annotate(
+            word, (xs[place], ys[place]), xytext=(8, 10 if place else -16), textcoords="offset points"
+        )
     axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal", title=title)
     show(fig, description)
