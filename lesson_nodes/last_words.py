@@ -12,7 +12,7 @@ from lesson_nodes.night_guard import NightGuard
 
 def main(handled_by: str) -> None:
     """Walk rounds until Ctrl-C, then publish "good night". `handled_by`: ALL (rclpy handles signals) or NO."""
-    rclpy.init(signal_handler_options=SignalHandlerOptions[handled_by])
+    rclpy.init(signal_handler_options=getattr(SignalHandlerOptions, handled_by))
     guard = NightGuard()
     radio = guard.create_publisher(String, "/museum/radio", 10)
     try:

@@ -44,7 +44,7 @@
 # | takes out noise | in the first standstill and after the restart, at most 55 % of the noise is left (its root mean square, all joints together), and at no single joint more than 80 % |
 # | is not late | while the joints move evenly, the angles are at most 0.27 s behind |
 # | begins where the joints are | each of the first 8 answers is within 0.1 rad of the joint |
-# | survives NaN | from the first NaN until the restart, each angle is a finite number; it is within 0.1 rad of the joint as long as the joints stand still, and within 0.3 rad when they have moved on |
+# | survives NaN | from the first NaN until the restart, each angle is a finite number. It is within 0.1 rad of the joint as long as the joints stand still, and within 0.3 rad when they have moved on |
 # | notices a restart | after a restart, each of the first 8 answers is within 0.1 rad of the joint |
 #
 # The noise has a standard deviation of 0.02 rad and never exceeds 0.05 rad. Now and then an encoder gives NaN: one,
@@ -72,9 +72,9 @@
 # | 1 | it notices the restart, and begins anew |
 # | 1 | a NaN does no harm |
 #
-# The last five wait for a filter: an answer that passes on what came is judged by the first four only. That is so if, in
-# the standstills where noise is measured, the angles of every joint differ from what came by at most 0.005 rad (root
-# mean square), or if they are more than 0.05 rad beside a joint. Noise and delay are measured a second (20 messages)
+# The last five wait for a filter: an answer that passes on what came is judged by the first four only. This is
+# decided in the standstills where noise is measured. It passes on if the angles of every joint differ from what came by
+# at most 0.005 rad (root mean square), or if they are more than 0.05 rad beside a joint. Noise and delay are measured a second (20 messages)
 # after a start or a change, when a filter has settled. Any filter will do, and any shape of program: NumPy, SciPy or
 # plain Python, one class or one for each joint. One executor does not work in this build of rclpy:
 # `rclpy.experimental.EventsExecutor` never calls back in `spin()`.

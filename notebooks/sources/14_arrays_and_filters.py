@@ -114,9 +114,9 @@ print("the second callback reads 9.0:", any(one.position[0] == 9.0 for one in tw
 # rclpy makes a new Python object for **each subscription**. Other callbacks and other nodes do not see your change. Those
 # who get *this* object from you do: a list in which you keep it, a method to which you pass it, a publisher.
 #
-# The view works because rclpy keeps a field of numbers whose **length may vary** in an `array.array` from Python's
-# standard library: numbers side by side, without a Python object for each. A field of **fixed length** is a NumPy array
-# already. The type of the field decides the **dtype**, the type of the numbers in the array.
+# rclpy keeps a field of numbers whose **length may vary** in an `array.array` from Python's standard library. There the
+# numbers lie side by side, without a Python object for each: so the view works. A field of **fixed length** is a NumPy
+# array already. The type of the field decides the **dtype**, the type of the numbers in the array.
 
 # %% id="dtypes"
 from sensor_msgs.msg import Imu, LaserScan
@@ -140,7 +140,7 @@ print("nearest obstacle:", ranges[np.isfinite(ranges)].min(), "m")
 # sees nothing.
 #
 # And back? A field of fixed length takes an array of NumPy. A field of variable length refuses it while **field checks**
-# are on, as in these notebooks; a node that you start with `ros2 run` has them off, and accepts it. Two ways always work:
+# are on, as in these notebooks. A node that you start with `ros2 run` has them off, and accepts it. Two ways always work:
 # `.tolist()`, and an `array.array` made from the bytes of the array.
 
 # %% id="and-back"
@@ -154,7 +154,7 @@ print("by bytes:  ", message.position)
 
 # %% [markdown]
 # What does this cost? We measure each way for twelve angles, for a laser scan of 10,000 values, and for a million
-# values, which is about one image of a camera. "One by one" touches every number in Python, "in one piece" does not.
+# values. That is about one image of a camera. "One by one" touches every number in Python, "in one piece" does not.
 
 # %% tags=["nbval-ignore-output"]
 from timeit import repeat
@@ -637,7 +637,7 @@ else:
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/14_arrays_and_filters.ipynb) you write the filter node for twelve joints,
-# within bounds for noise and for delay, and it survives NaN and a restart of the encoders.
+# within bounds for noise and for delay. It survives NaN and a restart of the encoders.
 
 # %% [markdown]
 # ## Check yourself

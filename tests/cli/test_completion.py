@@ -75,7 +75,7 @@ def test_tab_offers_what_fits(shell: str, tmp_path: Path, typed: Type) -> None:
     assert after("workbook hint 1") >= {"10_slow_callbacks"}
     assert after("workbook topic e") == {"echo"}
     assert after("workbook topic echo /robot/stat") == {"/robot/status"}
-    assert after("workbook topic echo --count 3 /robot/ba") == {"/robot/battery"}
+    assert after("workbook topic echo --count 3 /robot/bat") == {"/robot/battery"}
     assert after("workbook topic echo --count ") == set()
     assert after("workbook grade --isolation ui") == {"uid"}
     assert after("workbook grade --exercise 09") == {"09_joint_positions"}

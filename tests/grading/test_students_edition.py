@@ -20,6 +20,7 @@ from workbook.grading.students_edition import for_students, students_edition
 ROOT = Path(__file__).resolve().parents[2]
 STEMS = stems_in(ROOT / "solutions")
 IN_A_ROW = 4
+_CODE = re.compile(r"^ *```.*?^ *```|`[^`\n]*`", re.DOTALL | re.MULTILINE)
 _LINK = re.compile(r"\]\((?P<target>[^)\s]+)\)")
 
 
@@ -92,7 +93,7 @@ def test_every_link_leads_somewhere(edition: Path) -> None:
             text = "\n".join("".join(one["source"]) for one in cells if one["cell_type"] == "markdown")
         elif not name.endswith(".md"):
             continue
-        for link in _LINK.finditer(text):
+        for link in _LINK.finditer(_CODE.sub("", text)):
             target = link["target"].partition("#")[0]
             if "." in target and ":" not in target and not (edition / name).parent.joinpath(target).exists():
                 dead.append((name, link["target"]))

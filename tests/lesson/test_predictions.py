@@ -65,7 +65,7 @@ def screen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Screen]:
     monkeypatch.delenv(UNATTENDED, raising=False)
     found = Screen()
     monkeypatch.setattr(prediction_views, "display", found.display)
-    monkeypatch.setattr(activity, "_noted_cells", set())
+    monkeypatch.setattr(activity, "_pace", activity.StudyPace())
     start_kernel(monkeypatch)
     yield found
     predictions._known.cache_clear()

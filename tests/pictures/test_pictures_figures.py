@@ -10,7 +10,7 @@ from PIL import Image
 import workbook.grading
 from tests.pictures.reading import pixels
 from workbook import pictures
-from workbook.lab.jupyter_files import PANEL
+from workbook.lab.jupyter_files import FRONT_END
 from workbook.pictures import palette, png
 
 TEMPLATES = Path(workbook.grading.__file__).with_name("templates")
@@ -44,7 +44,7 @@ def test_text_in_a_picture_reads_on_both_pages() -> None:
     brighter = "#" + 3 * f"{round(255 * part):02x}"
     assert min(contrast(brighter, page) for page in ("#111111", "#121212", "#212121")) >= 4.5
     rule = f"filter: brightness({palette.BRIGHTER_IN_THE_DARK})"
-    assert rule in (PANEL / "contrast.css").read_text()
+    assert rule in (FRONT_END / "panel" / "contrast.css").read_text()
     assert rule.replace(": ", ":") in (TEMPLATES / "page.html.j2").read_text()
 
 
