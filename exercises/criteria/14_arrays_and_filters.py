@@ -235,8 +235,8 @@ def filters(recording: Recording) -> Verdict:
         "filters.passes-through",
         "the angles come out as they went in",
         LITTLE_LEFT,
-        "The filter is not used; or its memory is made anew in each call, so that it begins again with each message; "
-        "or it runs to and fro over the last messages (filtfilt), and at their end it has nothing to look ahead to.",
+        "The filter is not used, or its memory is made anew in each call, so that it begins again with each message. "
+        "Or it runs to and fro over the last messages (filtfilt), and at their end it has nothing to look ahead to.",
         "Keep the memory of the filter in an attribute of the node, and give it back to the filter in each call.",
     )
 
@@ -304,6 +304,9 @@ def restart_noticed(recording: Recording) -> Verdict:
     )
 
 
+NAN_OUT = "Before the filter, put the last good angle of that joint in the place of each NaN: np.isfinite(position)."
+
+
 @criterion(points=1, title="A NaN does no harm", needs=[filters])
 def survives_nan(recording: Recording) -> Verdict:
     by_place = first_answers(recording)
@@ -319,7 +322,7 @@ def survives_nan(recording: Recording) -> Verdict:
             f"of them for {shown(bad[-1])}",
             FINITE,
             "NaN got into the memory of the filter. Whatever is computed from NaN is NaN, so there it stays.",
-            "Before the filter, put the last good angle of that joint in the place of each NaN: np.isfinite(position).",
+            NAN_OUT,
         )
     if not set(bad) <= set(NAN_AT):
         return see.failed(
@@ -329,7 +332,7 @@ def survives_nan(recording: Recording) -> Verdict:
             FINITE,
             "NaN got into the memory of the filter, and stays until it falls out at the end of the window. A "
             "comparison such as angle == math.nan never finds it: NaN is not equal to itself.",
-            "Before the filter, put the last good angle of that joint in the place of each NaN: np.isfinite(position).",
+            NAN_OUT,
         )
     if bad:
         return see.failed(
@@ -337,21 +340,12 @@ def survives_nan(recording: Recording) -> Verdict:
             f"{see.count(len(bad), 'answer')} with NaN, the first of them for {shown(bad[0])}",
             FINITE,
             "NaN goes through to the answer.",
-            "Before the filter, put the last good angle of that joint in the place of each NaN: np.isfinite(position).",
+            NAN_OUT,
         )
     lost = lost_after_nan(recording)
     if lost is not None:
         return lost
-    return near(
-        recording,
-        WITH_NAN,
-        (
-            "survives-nan.other-angle",
-            "In the place of NaN, the filter gets a number that has nothing to do with the joint, such as 0; or joints "
-            "without NaN are changed as well.",
-            "Put the last good angle of the same joint in its place, and leave the other joints alone.",
-        ),
-    )
+    return near(recording, WITH_NAN, OTHER_THAN_NAN)
 
 
 # --- what came back -----------------------------------------------------------------------------------------
@@ -469,6 +463,12 @@ def shown(place: int) -> str:
 
 Words = tuple[str, str, str]
 """A cause, the likely reason, and one thing to try."""
+OTHER_THAN_NAN: Words = (
+    "survives-nan.other-angle",
+    "In the place of NaN, the filter gets a number that has nothing to do with the joint, such as 0. Or joints "
+    "without NaN are changed as well.",
+    "Put the last good angle of the same joint in its place, and leave the other joints alone.",
+)
 
 ZEROS_AT_START: Words = (
     "begins-near.swings-in",
@@ -532,10 +532,10 @@ def near_at_start(recording: Recording, start: int, before: Sequence[float] | No
     by_place = first_answers(recording)
     known = [place for place in range(start, start + SETTLED) if place in by_place][:STARTING]
     if 2 * len(known) < STARTING:
-        return too_few("near.too-few-answers")
+        return near(recording, range(start, start + STARTING), REMEMBERS)
     bad = first_far(by_place, known)
     if bad is None:
-        return see.passed(f"within {NEAR_RAD} rad at every joint")
+        return near(recording, known, REMEMBERS)
     truth, angles = SAMPLES[bad[0]].truth, by_place[bad[0]].angles
     zeros = pulled(angles, truth, [0.0] * len(JOINTS))
     if before is None:
@@ -747,11 +747,7 @@ def missing_for_a_reason(saw: str, missing: list[int]) -> Verdict | None:
             "Put the last good angle in the place of the NaN, and answer.",
             about_time=True,
         )
-    if (
-        missing[-1] == len(SAMPLES) - 1
-        and missing == [*range(missing[0], len(SAMPLES))]
-        and missing[0] > RESTART
-    ):
+    if missing == [*range(missing[0], len(SAMPLES))] and missing[0] > RESTART:
         return see.failed(
             "every-one-answered.held-back",
             f"{saw}, and with it all that came after it",
@@ -761,6 +757,11 @@ def missing_for_a_reason(saw: str, missing: list[int]) -> Verdict | None:
             "Use only this message and those before it, and publish in each call of the callback.",
             about_time=True,
         )
+    return missing_after_a_start(saw, missing)
+
+
+def missing_after_a_start(saw: str, missing: list[int]) -> Verdict | None:
+    """Why just messages after a start were not answered; None if there are others."""
     if missing == [*STARTS[1]]:
         return see.failed(
             "every-one-answered.none-after-restart",
@@ -847,7 +848,7 @@ def why_beside(recording: Recording) -> Verdict | None:
         "filters.mixes-joints",
         saw,
         expected,
-        "The answer for one joint is made of the angles of others: all joints share one memory, or the filter runs "
+        "The answer for one joint is made of the angles of others. All joints share one memory, or the filter runs "
         "along the joints and not along time, or angles and names are in another order.",
         "Give each joint a memory of its own. In an array of messages, time is axis 0, and the joints are axis 1.",
     )
@@ -875,7 +876,7 @@ def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verd
             saw,
             LITTLE_LEFT,
             "The memory of the filter is not carried on from call to call, so each call begins with what it remembered "
-            "at the start; or something behind the filter adds as much as it takes away.",
+            "at the start. Or something behind the filter adds as much as it takes away.",
             "Give the filter in each call the memory that it handed back in the last one, and publish its result as it "
             "is.",
         )
@@ -900,7 +901,7 @@ def why_begun_anew(recording: Recording, saw: str) -> Verdict | None:
                 f"before the restart, {first[0]:.0%} of the noise is left, and after it {last[0]:.0%}",
                 LITTLE_LEFT,
                 "After the restart nothing is filtered: each message looks like a restart, because the last stamp is "
-                "not updated; or the memory is given up at the restart, and never kept again.",
+                "not updated. Or the memory is given up at the restart, and never kept again.",
                 "Store the stamp of every message. After the first one that is before it, filter as usual.",
             )
     if not begins_anew_each_second(recording):

@@ -2,7 +2,6 @@
 # loses: answers_come
 # skips: labels_kept, every_one_answered, filters, noise_reduced, delay_bounded, begins_near, restart_noticed, survives_nan
 # cause: answers-come.nothing
-# says: EventsExecutor
 # before: from rclpy.node import Node
 from rclpy.experimental import EventsExecutor
 
