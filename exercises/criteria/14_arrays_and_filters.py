@@ -827,23 +827,7 @@ def why_beside(recording: Recording) -> Verdict | None:
     )
     allowed = LARGEST_NOISE_RAD * max(1.0, abs(gain))
     if max(abs(one - gain * at) for one, at in zip(means, FIRST_POSE, strict=True)) <= allowed:
-        if abs(gain) < NEAR_RAD:
-            return see.failed(
-                "filters.nothing-left",
-                f"{saw}; all answers are about 0",
-                expected,
-                "What is constant is taken away with the noise, for example because a mean is subtracted. Or the "
-                "array that is published was never filled.",
-                "Give it the same angle again and again: just that angle must come out.",
-            )
-        return see.failed(
-            "filters.gain",
-            f"{saw}; all answers are about {gain:.2g} times the angle",
-            expected,
-            "The weights of the filter do not add up to 1, or the angles are in another unit, or the filter began at "
-            "zero and is still on its way a second later.",
-            "Give it the same angle again and again: just that angle must come out.",
-        )
+        return why_scaled(saw, expected, gain)
     return see.failed(
         "filters.mixes-joints",
         saw,
@@ -851,6 +835,28 @@ def why_beside(recording: Recording) -> Verdict | None:
         "The answer for one joint is made of the angles of others. All joints share one memory, or the filter runs "
         "along the joints and not along time, or angles and names are in another order.",
         "Give each joint a memory of its own. In an array of messages, time is axis 0, and the joints are axis 1.",
+    )
+
+
+def why_scaled(saw: str, expected: str, gain: float) -> Verdict:
+    """A failed verdict for answers that are `gain` times the angle at every joint."""
+    advice = "Give it the same angle again and again: just that angle must come out."
+    if abs(gain) < NEAR_RAD:
+        return see.failed(
+            "filters.nothing-left",
+            f"{saw}; all answers are about 0",
+            expected,
+            "What is constant is taken away with the noise, for example because a mean is subtracted. Or the "
+            "array that is published was never filled.",
+            advice,
+        )
+    return see.failed(
+        "filters.gain",
+        f"{saw}; all answers are about {gain:.2g} times the angle",
+        expected,
+        "The weights of the filter do not add up to 1, or the angles are in another unit, or the filter began at "
+        "zero and is still on its way a second later.",
+        advice,
     )
 
 
