@@ -9,11 +9,11 @@ from workbook.pictures.figures import figure
 from workbook.pictures.palette import BLUE, GREEN, GREY
 
 DESCRIPTION = (
-    "two nodes, layer by layer. Left: your Python code, rclpy, rcl, rmw, DDS. Right: C++ code, rclcpp, rcl, rmw, DDS. "
+    "two nodes, layer by layer. Left: Python code, rclpy, rcl, rmw, DDS. Right: C++ code, rclcpp, rcl, rmw, DDS. "
     "The lower three are the same on both sides. Messages go from DDS to DDS"
 )
 LAYERS = (
-    ("your Python code", "C++ code", "decides what the robot does"),
+    ("Python code", "C++ code", "decides what the robot does"),
     ("rclpy", "rclcpp", "nodes, timers and messages, as fits the language"),
     ("rcl", "rcl", "the common core, in C: the same rules for all"),
     ("rmw", "rmw", "the list of calls that any middleware can fill in"),
