@@ -112,7 +112,7 @@ def page(open_page: OpenPage, lab: StudentLab, request: pytest.FixtureRequest) -
     try:
         yield one
         started = lab.processes()
-        while one.panel.count():
+        while one.notebook_tabs().count():
             one.close_notebook()
         left = await_end(started, KERNEL_END_S)
         assert not left, f"still running after the notebook was shut down: {left}"

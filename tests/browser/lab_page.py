@@ -1,20 +1,26 @@
 """JupyterLab as a person uses it: menus, cells, the keyboard. Waits for what shows on the page, never for a time."""
 
 import re
+import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
 from playwright.sync_api import Locator, Page, expect
 
-from .student_lab import StudentLab
+from workbook.lab.work_folder import first_lesson
+
+from .student_lab import ROOT, StudentLab
 
 QUICK_MS = 120_000
 CELL_MS = 180_000
 LESSON_MS = 600_000
 LOOK_EVERY_MS = 1500  # and not at every frame, which would make the browser draw all the time
+ASK_EVERY_MS = 200
 ROBOT = "a humanoid robot with twelve joints"
 _PANEL = ".jp-NotebookPanel:not(.lm-mod-hidden)"
+_TABS = "#jp-main-dock-panel .lm-TabBar-tab"
 
 # Every code cell has its number, or a cell failed that was not meant to. After a cell that was meant to raise,
 # JupyterLab shows the cells still waiting as if they were not: a missing asterisk says nothing. It puts cells on the
@@ -83,6 +89,17 @@ _CONTRASTS = """
 """
 
 
+def _kind(path: str) -> str:
+    """What the front end calls a notebook at this path."""
+    return "exercise" if path.startswith("exercises/") else "lesson"
+
+
+def _is_idle(session: dict[str, Any], path: str) -> bool:
+    """Whether this is the session of that notebook, whose kernel waits for cells."""
+    kernel = session["kernel"]
+    return session["path"] == path and kernel["connections"] > 0 and kernel["execution_state"] == "idle"
+
+
 class LabPage:
     """One browser page with JupyterLab in it."""
 
@@ -99,7 +116,7 @@ class LabPage:
     def open_first(self) -> None:
         """Follow the address that `workbook lab` prints."""
         self.page.goto(self.lab.url)
-        self._wait_until_loaded()
+        self._wait_until_loaded(first_lesson(ROOT) or "")
 
     def open(self, path: str) -> None:
         """Open a notebook of the student's copy: by File > Open from Path, at first by its address."""
@@ -112,13 +129,24 @@ class LabPage:
         else:
             where = f"{self.lab.address}/lab/workspaces/{quote(Path(path).stem)}/tree/{quote(path)}"
             self.page.goto(f"{where}?reset&token={self.lab.token}")
-        self._wait_until_loaded()
-        expect(self.page.locator(".lm-TabBar-tab.lm-mod-current", has_text=Path(path).name)).to_be_visible()
+        self._wait_until_loaded(path)
 
-    def _wait_until_loaded(self) -> None:
+    def _wait_until_loaded(self, path: str) -> None:
+        """Until the notebook `path` is in front and its kernel waits for cells."""
+        is_front = self.page.locator(f"{_TABS}[data-workbook={_kind(path)}].lm-mod-current")
+        expect(is_front.filter(has_text=Path(path).name)).to_be_visible()
         expect(self.panel.locator(".jp-Cell").first).to_be_visible()
         expect(self.page.locator("#jupyterlab-splash")).to_have_count(0)
+        self.await_server("api/sessions", lambda sessions: any(_is_idle(one, path) for one in sessions))
         expect(self.page.locator("#jp-main-statusbar")).to_contain_text("rclpy workbook | Idle")
+
+    def await_server(self, path: str, is_so: Callable[[Any], bool]) -> None:
+        """Ask JupyterLab's server for `path` until its answer is as it should be."""
+        deadline = time.monotonic() + QUICK_MS / 1000
+        address = f"{self.lab.address}/{path}?token={self.lab.token}"
+        while not is_so(answer := self.page.request.get(address).json()):
+            assert time.monotonic() < deadline, f"{path}: {answer}"
+            self.page.wait_for_timeout(ASK_EVERY_MS)
 
     @property
     def panel(self) -> Locator:
@@ -128,11 +156,21 @@ class LabPage:
         """Dialogs and notifications."""
         return self.page.locator(".jp-Dialog, .Toastify__toast")
 
+    def notebook_tabs(self) -> Locator:
+        """The tabs of the open notebooks, whatever is in front."""
+        return self.page.locator(f"{_TABS}[data-workbook]")
+
     def close_notebook(self) -> None:
-        """File > Close and Shut Down Notebook, without saving what is not saved."""
+        """File > Close and Shut Down Notebook, without saving: of the one in front, or else the first."""
+        tabs = self.notebook_tabs()
+        before = tabs.count()
+        front = self.page.locator(f"{_TABS}[data-workbook].lm-mod-current")
+        (
+            front if front.count() else tabs
+        ).first.click()  # what is in front after another was closed has no focus
         self.menu("File", re.compile("Close and Shut Down"))
         self.page.locator(".jp-Dialog button.jp-mod-warn").click()
-        expect(self.panel).to_have_count(0)
+        expect(tabs).to_have_count(before - 1)
 
     # --- menus and keys --------------------------------------------------------------------------------------
 

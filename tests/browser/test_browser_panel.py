@@ -2,7 +2,6 @@
 
 import contextlib
 import json
-import re
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -81,15 +80,6 @@ def check_every_width(page: LabPage, panel: Locator, look: Callable[[str], None]
     page.page.set_viewport_size({"width": 1280, "height": 1000})
 
 
-def close_front(page: LabPage, other: str) -> None:
-    """Close the notebook in front, behind which there is another one."""
-    page.menu("File", re.compile("Close and Shut Down"))
-    page.page.locator(".jp-Dialog button.jp-mod-warn").click()
-    tabs = page.page.locator("#jp-main-dock-panel .lm-TabBar-tab")
-    expect(tabs.filter(has_text="quiet.ipynb")).to_have_count(0)
-    tabs.filter(has_text=other).click()
-
-
 def test_the_panel(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
     waves = write_notebook(lab.work, "waves.ipynb", WAVES, "stop()", "await asyncio.sleep(0)")
     quiet = write_notebook(lab.work, "quiet.ipynb", QUIET, SAYS)
@@ -141,9 +131,16 @@ def test_the_panel(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
     assert cost < MOST_OF_A_CORE
     by_palette(page)
     expect(panel.locator("svg")).to_be_visible()
-    close_front(page, "waves.ipynb")
+    page.close_notebook()
+    page.page.locator("#jp-main-dock-panel .lm-TabBar-tab", has_text="waves.ipynb").click()
     expect(panel.locator("h2")).to_have_text("waves")
     page.run(page.cell("stop()"))
     expect(panel.get_by_alt_text("a humanoid robot with twelve joints, asleep")).to_be_visible()
     expect(panel.get_by_text("No nodes on this domain.")).to_be_visible()
-    toggle(page)
+    watching = observers(lab)
+    assert watching
+    page.close_notebook()
+    expect(panel.get_by_role("status")).to_have_text("Open a notebook to see its robot.")
+    assert not await_end(watching, 10.0), "an observer without a notebook"
+    by_palette(page)
+    expect(panel).to_have_count(0)

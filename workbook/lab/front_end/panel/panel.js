@@ -116,15 +116,19 @@
         this._forget();
       }
 
-      // Watch the domain of this kernel (null: none).
+      // Watch the domain of this kernel (null: none) of the notebook of this name (null: none is open).
       follow(kernel, name) {
+        this._notebook = name;
+        this._name.textContent = name || 'No notebook';
         if (this._kernel !== kernel) {
           this._kernel = kernel;
           this._domain = undefined;
           this._forget();
           this._send({kernel});
+          this._connect();
+        } else if (!kernel) {
+          this._forget();
         }
-        this._name.textContent = name || 'No notebook';
       }
 
       onAfterShow() {
@@ -162,11 +166,13 @@
         this.node.append(this._name, this._status, this._robot, this._words, this._parts);
       }
 
+      // Without a kernel there is nothing to watch, and no observer runs.
       _wanted() {
-        return this.isVisible && document.visibilityState === 'visible';
+        return this._kernel !== null && this.isVisible && document.visibilityState === 'visible';
       }
 
-      // Another theme hides the panel for a moment: it stays connected for a little longer than it is seen.
+      // Another theme hides the panel for a moment, and a notebook that comes to the front may have no kernel for a
+      // moment: the panel stays connected for a little longer than it is wanted.
       _connect() {
         clearTimeout(this._leaving);
         if (!this._wanted()) {
@@ -212,7 +218,8 @@
         this._robot.hidden = true;
         this._words.textContent = '';
         this._parts.hidden = true;
-        this._say(this._kernel ? 'Looking for the domain of this notebook …' : 'Its kernel is not running.');
+        const none = this._notebook ? 'Its kernel is not running.' : 'Open a notebook to see its robot.';
+        this._say(this._kernel ? 'Looking for the domain of this notebook …' : none);
       }
 
       _take(news) {
@@ -325,6 +332,12 @@
           shell.collapseLeft();
         }
         shell.activateById(panel.id);
+      }
+    });
+    // In a narrow window, notebook and panel need the room of the files.
+    window.matchMedia(`(max-width: ${NARROW - 1}px)`).addEventListener('change', ({matches}) => {
+      if (matches && panel.isVisible) {
+        shell.collapseLeft();
       }
     });
     if (palette) {

@@ -6,13 +6,13 @@
   const STYLE = new URL('tour.css', document.currentScript.src).href;
   const FOLLOW_EVERY_MS = 300;
   const BUTTON = name => `.jp-NotebookPanel:not(.lm-mod-hidden) [data-jp-item-name="${name}"]`;
-  // Title, text, and what is framed meanwhile. A step whose element is `needed` is left out where there is none.
+  // Title, text, and what is framed meanwhile, as soon as it is there.
   const STEPS = [
     ['Run a cell', 'Click into a gray cell and press Shift+Enter, or this button. A number in the brackets beside it says that the cell has run.', BUTTON('run')],
     ['Stop a cell', 'A cell that runs on shows [*]. This button stops it; the notebook keeps what it knows.', BUTTON('interrupt')],
     ['Restart', 'Nothing makes sense any more? This button starts Python again, and ends the robot programs of this notebook. Your text stays.', BUTTON('restart')],
     ['A terminal', 'File > New > Terminal. Type “workbook topic list” there: it sees the robot of your open notebook.', '.lm-MenuBar-item[data-command="filemenu"], .lm-MenuBar-item:first-child'],
-    ['The robot panel', 'This button shows the robot, its nodes and topics beside the notebook, and keeps them in sight while you read on.', BUTTON('robot-panel'), 'needed'],
+    ['The robot panel', 'This button shows the robot, its nodes and topics beside the notebook, and keeps them in sight while you read on.', BUTTON('robot-panel')],
     ['Home', 'Help > Workbook Home shows what you have read, predicted and solved, and takes you back to where you were. This tour is in the Help menu, too.', '.lm-MenuBar-item:last-child'],
   ];
   let shared = {};
@@ -35,7 +35,6 @@
 
   class Tour {
     constructor(takesFocus) {
-      this.steps = STEPS.filter(([, , where, needed]) => !needed || document.querySelector(where));
       this.frame = element('div', 'wb-tour-frame');
       this.card = element('div', 'wb-tour');
       this.card.setAttribute('role', 'dialog');
@@ -54,8 +53,8 @@
 
     show(number, takesFocus = true) {
       this.number = number;
-      const [title, text] = this.steps[number];
-      const isLast = number === this.steps.length - 1;
+      const [title, text] = STEPS[number];
+      const isLast = number === STEPS.length - 1;
       const next = element('button', 'wb-tour-next', isLast ? 'Done' : 'Next');
       const back = element('button', 'wb-tour-back', 'Back');
       const skip = element('button', 'wb-tour-skip', 'Skip the tour');
@@ -65,7 +64,7 @@
       const buttons = element('div', 'wb-tour-buttons');
       buttons.append(...(isLast ? [] : [skip]), ...(number ? [back] : []), next);
       this.card.replaceChildren(
-        element('p', 'wb-tour-count', `${number + 1} of ${this.steps.length}`),
+        element('p', 'wb-tour-count', `${number + 1} of ${STEPS.length}`),
         element('h2', '', title),
         element('p', '', text),
         buttons
@@ -77,7 +76,7 @@
     }
 
     showFrame() {
-      const target = document.querySelector(this.steps[this.number][2]);
+      const target = document.querySelector(STEPS[this.number][2]);
       const {left, top, width, height} = target ? target.getBoundingClientRect() : {};
       this.frame.hidden = !width;
       Object.assign(this.frame.style, {left: `${left - 4}px`, top: `${top - 4}px`, width: `${width + 8}px`, height: `${height + 8}px`});
