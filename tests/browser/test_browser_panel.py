@@ -13,7 +13,7 @@ from playwright.sync_api import Locator, expect
 from .axe import violations
 from .lab_page import LabPage
 from .panel_notebook import QUIET, SAYS, WAVES, write_notebook
-from .student_lab import StudentLab, await_end
+from .student_lab import StudentLab, await_end, running
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 WIDTHS = (800, 1280, 1600)
@@ -31,7 +31,9 @@ CUT = "panel => panel.scrollWidth - panel.clientWidth"
 
 
 def observers(lab: StudentLab) -> set[psutil.Process]:
-    return {one for one in lab.processes() if OBSERVER in one.cmdline()}
+    processes = lab.processes()
+    alive = running(processes)  # others may be ending just now
+    return {one for one in processes if OBSERVER in alive.get(one.pid, "")}
 
 
 def toggle(page: LabPage) -> None:
