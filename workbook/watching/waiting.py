@@ -10,7 +10,7 @@ FIRST_SIGN_S = 12.0
 STARTS_LONGEST_S = 30.0
 """So much longer (s) a program is waited for that is at work, and has used less than `STARTS_PROCESSOR_S`."""
 STARTS_PROCESSOR_S = 10.0
-"""Processor time (s) of a start. Measured: `import torch` takes 2.2, and the optimizers of it as much again."""
+"""Processor time (s) of a start. Measured: `import torch` takes 2.2."""
 AT_REST_S = 1.0
 """A program that has not been at work for so long (s) does not start any more."""
 ELSEWHERE_S = 2.0
