@@ -108,11 +108,11 @@ def test_a_camera_of_ten_seconds_fits(tmp_path: Path) -> None:
     ):
         before = resident_bytes(os.getpid())
         watch.observe()
-        began = time.monotonic()
+        began = time.process_time()
         recording = watch.recording()
         images = recording.topic("/camera/image_raw")
         stored = Recording.from_json(recording.to_json()).topic("/camera/image_raw")
-        took = time.monotonic() - began
+        took = time.process_time() - began
         more = resident_bytes(os.getpid()) - before
     print(f"{len(images.arrivals)} images, {more / 1e6:.0f} MB more, {took:.2f} s")
     assert (images.not_kept, images.full_at) == (0, None)
