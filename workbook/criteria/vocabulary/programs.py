@@ -9,6 +9,8 @@ from workbook.recording.recording import Recording
 
 AT_ONCE_S = 8.0
 """How long (s) a program may take to start on a very busy machine."""
+A_ROUND_S = 0.95
+"""A program that spun for so long (s) has been seen. Sooner than that, it is chance whether its publishers were."""
 ANOTHER_MIDDLEWARE = "Expected RMW implementation identifier"
 """What rcl logs before it ends a program with code 102."""
 _EXPECTED = "a program that starts, makes its node and keeps it running"
@@ -102,11 +104,11 @@ def _got_going(recording: Recording) -> bool:
 
 
 def _failed_at_once(recording: Recording) -> bool:
-    """An error outside of callbacks ended the program before any topic had a second message."""
+    """An error ended the program before any topic had a second message, and it had not been spinning for a second."""
     process = recording.process
     if process.ended_by != "itself" or find_error(process.log, process.program) is None:
         return False
-    if failed_while_spinning(process.log):
+    if failed_while_spinning(process.log) and recording.robot_s >= A_ROUND_S:
         return False
     return (
         bool(recording.topics)
