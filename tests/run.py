@@ -160,13 +160,13 @@ def run(plan: Sequence[Step], say: Callable[[str], None]) -> list[str]:
 
 
 def failures(report: Path) -> dict[str, str]:
-    """Failed tests of a JUnit report, and what each of them said."""
+    """Failed tests of a JUnit report, and the message of each: not its traceback, which quotes lines of the test."""
     found: dict[str, str] = {}
     if report.is_file():
         for case in ElementTree.parse(report).iter("testcase"):
             for told in (*case.findall("failure"), *case.findall("error")):
                 name = f"{case.get('classname')}::{case.get('name')}"
-                found[name] = found.get(name, "") + f"{told.get('message')}\n{told.text}\n"
+                found[name] = found.get(name, "") + f"{told.get('message')}\n"
     return found
 
 

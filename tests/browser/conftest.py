@@ -49,16 +49,23 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
         opened.close()
 
 
-@pytest.fixture(scope="package")
-def lab(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[StudentLab]:
-    """One server for all tests of a worker; when it ends, nothing of it may be left."""
-    started = StudentLab(tmp_path_factory.mktemp("student"))
+@contextlib.contextmanager
+def running_lab(folder: Path) -> Iterator[StudentLab]:
+    """A server with a new student's copy; when it ends, nothing of it may be left."""
+    started = StudentLab(folder)
     left: dict[int, str] = {}
     try:
         yield started
     finally:
         left = started.close()
     assert not left, f"still running after JupyterLab was stopped: {left}"
+
+
+@pytest.fixture(scope="package")
+def lab(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[StudentLab]:
+    """One server for all tests of a worker that do not ask for a student's copy that nobody has used."""
+    with running_lab(tmp_path_factory.mktemp("student")) as started:
+        yield started
 
 
 @pytest.hookimpl(wrapper=True)

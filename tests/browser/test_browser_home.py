@@ -2,15 +2,17 @@
 
 import json
 import re
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator, ViewportSize, expect
+from playwright.sync_api import Browser, Locator, ViewportSize, expect
 
 from workbook.lab.work_folder import first_lesson
 
 from .axe import violations
+from .conftest import OpenPage, running_lab
 from .lab_page import ROBOT, LabPage
 from .student_lab import ROOT, StudentLab
 
@@ -59,6 +61,20 @@ panel => [...panel.querySelectorAll('details + p:has(+ details)')].map(one => [
     one.getBoundingClientRect().top - one.previousElementSibling.getBoundingClientRect().bottom,
 ])
 """
+
+
+@pytest.fixture(scope="module")
+def lab(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[StudentLab]:
+    """A server of its own: what is seen here is a first start, with no lesson run before."""
+    with running_lab(tmp_path_factory.mktemp("student")) as started:
+        yield started
+
+
+@pytest.fixture(scope="module")
+def open_page(browser: Browser, lab: StudentLab) -> Iterator[OpenPage]:
+    one = OpenPage(browser, lab)
+    yield one
+    one.close()
 
 
 def is_empty(workspace: dict[str, Any]) -> bool:

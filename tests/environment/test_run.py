@@ -145,7 +145,7 @@ SECOND_RUN = """
 import pathlib, sys
 tries = pathlib.Path({tries!r})
 tries.write_text((tries.read_text() if tries.exists() else "") + "x")
-wrong = "<failure message='{message}'>it was late</failure>"
+wrong = "<failure message='{message}'>{traceback}</failure>"
 case = "<testcase classname='tests.test_robot' name='test_{{}}'>{{}}</testcase>"
 cases = "".join(case.format(n, wrong) for n in range({failed}))
 pathlib.Path({report!r}).write_text(f"<testsuites><testsuite>{{cases}}</testsuite></testsuites>")
@@ -177,8 +177,15 @@ def test_a_few_failed_tests_run_once_more_alone(
 ) -> None:
     monkeypatch.setattr(proof, "ARTIFACTS", tmp_path)
     tries, report = tmp_path / "tries", tmp_path / "pytest.xml"
+    # As pytest writes it: the source line of an assertion that has not failed stands there, too.
+    traceback = f"assert not judged.full_marks, {proof.NEVER_FORGIVEN}"
     program = SECOND_RUN.format(
-        tries=str(tries), report=str(report), message=message, failed=failed, bad_runs=bad_runs
+        tries=str(tries),
+        report=str(report),
+        message=message,
+        traceback=traceback,
+        failed=failed,
+        bad_runs=bad_runs,
     )
     command = (sys.executable, "-c", program)
     said: list[str] = []

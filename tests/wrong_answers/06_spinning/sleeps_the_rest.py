@@ -1,6 +1,6 @@
 # Works for three quarters of the time, and sleeps for the rest.
 # loses: timers_tick
-# cause: timers-tick.silence
+# cause: timers-tick.silence, timers-tick.too-few
 # replaces: end = time.monotonic() + seconds
 end = time.monotonic() + 0.75 * seconds
 
