@@ -496,10 +496,14 @@ stop()
 # %% [markdown]
 # ## Talk it through
 #
-# Discuss it with a colleague, or with an AI assistant. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
 #
-# > A team builds a humanoid. Should it be one large Python program, or ten nodes that talk over topics? What does each
-# > way make easier, and what harder? Which parts would you write in Python, and which not?
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). A team builds a humanoid. Should
+# it be one large Python program, or ten nodes that talk over topics? What does each way
+# make easier, and what harder? Which parts would you write in Python, and which not?
+# Name only functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -508,6 +512,16 @@ stop()
 # messages cost time and copies, things happen at the same time, silence must be noticed, and there are more parts to
 # look after. Python for perception, planning, learning and user interfaces; C++ (or a microcontroller) for motor control
 # and for whatever must be on time to the millisecond.
+#
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **Start `roscore` first:** That is ROS 1. In ROS 2 no central program runs: nodes find each other by themselves.
+# - **In one process, nodes share messages without copying (`use_intra_process_comms`):** C++ nodes can. rclpy has no
+#   such option, and each subscriber gets its own copy.
 #
 # </details>
 

@@ -553,10 +553,14 @@ print("box locked: ", "box locked" in end.log)
 # %% [markdown]
 # ## Talk it through
 #
-# Discuss this with a colleague or an AI assistant:
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
 #
-# > My robot arm is controlled by a node. On Ctrl-C it should move slowly to its rest position, publish "parked" on a
-# > topic, and then end. I put all that into `except KeyboardInterrupt`. Why does it not work, and what are my options?
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot arm is controlled by a
+# node. On Ctrl-C it should move slowly to its rest position, publish "parked" on a
+# topic, and then end. I put all that into `except KeyboardInterrupt`. Why does it not
+# work, and what are my options? Name only functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -567,7 +571,15 @@ print("box locked: ", "box locked" in end.log)
 # way is a service or topic "park", called first, and Ctrl-C after it. A good answer also asks what happens when the
 # process is killed or loses its power: then no `finally` runs. The motor controller must be safe by itself.
 #
-# Check in the reply: does it use `with rclpy.init()` (not in Jazzy), or publish after the default handler has run?
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **`with rclpy.init():`:** Newer versions have it. In Jazzy it raises a `TypeError`.
+# - **Publish "parked" in `except KeyboardInterrupt` or `finally`:** With the default signal handlers the context is
+#   shut down at that moment. `publish` then raises an error, unless it is just in time.
 #
 # </details>
 

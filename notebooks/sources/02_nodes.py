@@ -672,10 +672,14 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Discuss this with a colleague or an AI assistant:
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
 #
-# > Our warehouse has twenty robots of one kind. Each runs the same fifteen nodes. How should nodes and topics be named, so
-# > that a robot can be added without editing code, and so that a dashboard can show all of them?
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). Our warehouse has twenty robots
+# of one kind. Each runs the same fifteen nodes. How should nodes and topics be named,
+# so that a robot can be added without editing code, and so that a dashboard can show
+# all of them? Name only functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -686,7 +690,15 @@ else:
 # good answer also asks how many nodes may see each other (300 in one domain; a domain per robot and a bridge may be
 # better), and what happens when two robots get one number by mistake (duplicate node names: check at the start).
 #
-# Check in the reply: does it advise absolute topic names, or a namespace that is written into the code?
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **ROS 2 refuses a second node with the same name:** It does not. Both run, and a log line warns about one publisher.
+# - **Start it with `__ns:=/robot_07`:** That is ROS 1. rcl still takes it and warns that it is deprecated. In ROS 2:
+#   `--ros-args -r __ns:=/robot_07`.
 #
 # </details>
 

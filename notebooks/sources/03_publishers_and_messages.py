@@ -633,11 +633,15 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Discuss this with a colleague or an AI assistant:
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
 #
-# > The screen of our robot shows 64 % battery, now and then 0 % for a moment, then 64 % again. Three people have changed
-# > the node this month. It reads the charge from a C library, smooths it with NumPy and publishes a `Float32`. How do we find
-# > the cause, and how do we make sure that it cannot come back?
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). The screen of our robot shows 64
+# % battery, now and then 0 % for a moment, then 64 % again. Three people have changed
+# the node this month. It reads the charge from a C library, smooths it with NumPy and
+# publishes a `Float32`. How do we find the cause, and how do we make sure that it
+# cannot come back? Name only functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -648,8 +652,16 @@ else:
 # for numbers, an error for everything else, `math.isfinite` against nan. A test publishes each of these kinds, and looks at
 # what arrives. Good answers also ask what the node must do when there is no value.
 #
-# Check in the reply: type hints do not help here, rclpy does not read them. And setting the variable with `os.environ`
-# after the imports does nothing.
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **An int in a float field raises a `TypeError`, or is converted:** In Jazzy the check is off by default: 0.0 arrives
+#   with these wheels, and other builds may crash. Type hints do not help, because rclpy does not read them.
+# - **Set `os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"` in `main()`:** Too late: the variable is read when the message
+#   type is imported.
 #
 # </details>
 

@@ -766,11 +766,15 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Discuss this with a colleague or an AI assistant:
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
 #
-# > My robot has one node that subscribes to a camera (30 pictures a second, my callback takes 80 ms), to an emergency
-# > button (one message when it is pressed), and to its battery (one message every 2 s). All three have a depth of 10.
-# > What will go wrong, and which depths would you choose?
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot has one node that
+# subscribes to a camera (30 pictures a second, my callback takes 80 ms), to an
+# emergency button (one message when it is pressed), and to its battery (one message
+# every 2 s). All three have a depth of 10. What will go wrong, and which depths would
+# you choose? Name only functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -781,6 +785,16 @@ else:
 # run one after the other, so it comes 80 ms late or more, and that is no question of depth. Battery: 1 is enough. Good
 # answers see that the button should not share a thread with the camera at all (lesson 10), or should have a node of
 # its own, and that a button which must stop the robot is not left to a topic alone.
+#
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **When the queue is full, the new message is dropped:** The oldest one is. What waits is the newest of the topic.
+# - **Each subscription has a thread of its own:** `rclpy.spin` runs all callbacks of a node in one thread, one after
+#   another.
 #
 # </details>
 

@@ -619,10 +619,14 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Discuss this with a colleague or an AI assistant:
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
 #
-# > My robot reads a distance sensor at 20 Hz and saves a camera picture once a second, both with timers in one node.
-# > Saving takes between 30 and 200 ms. What will the distance readings look like, and what would you change?
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot reads a distance sensor
+# at 20 Hz and saves a camera picture once a second, both with timers in one node.
+# Saving takes between 30 and 200 ms. What will the distance readings look like, and
+# what would you change? Name only functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -632,6 +636,16 @@ else:
 # the callback short (hand the picture to a thread or to another process that saves it), or let the two callbacks run
 # in different threads (another executor and callback group, lesson 10). Making the timer faster does not help. Good
 # answers also ask whether the picture must be saved on this robot at all.
+#
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **Missed ticks come later, in a burst:** They are dropped.
+# - **Use a rate: `rate.sleep()` in the callback:** It waits for a timer that the same thread should run. In a callback
+#   of `rclpy.spin` it never returns.
 #
 # </details>
 

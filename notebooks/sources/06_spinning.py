@@ -611,10 +611,14 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Discuss this with a colleague or an AI assistant:
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
 #
-# > My program reads a joystick in a loop (`while True: read, publish, sleep 20 ms`) and must also react to
-# > `/emergency_stop`. Where do I put the spinning? Compare at least three ways.
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). My program reads a joystick in a
+# loop (`while True: read, publish, sleep 20 ms`) and must also react to
+# `/emergency_stop`. Where do I put the spinning? Compare at least three ways. Name only
+# functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -625,6 +629,16 @@ else:
 # place of the sleep it would burn a processor. (3) Spin in a thread of its own, with an executor of its own, and end it
 # with `shutdown` and `join`: right when the library that reads the joystick blocks. Then two threads touch the same
 # data. A good answer also asks how fast the robot must stop, and whether a stop should hang on one Python loop at all.
+#
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **`rclpy.spin_some(node)`:** That is C++ (rclcpp). rclpy has `spin_once`.
+# - **`spin_once(node, timeout_sec=0)` handles everything that waits:** It runs one callback. Five waiting messages need
+#   five calls.
 #
 # </details>
 

@@ -765,10 +765,15 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Discuss this with a colleague or an AI assistant:
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
 #
-# > We have thirty nodes, written over three years, without a single hint. We are asked to run mypy --strict in our
-# > automatic checks from Monday on. What would you do first, what would you leave for later, and what will mypy never find for us?
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). We have thirty nodes, written
+# over three years, without a single hint. We are asked to run mypy --strict in our
+# automatic checks from Monday on. What would you do first, what would you leave for
+# later, and what will mypy never find for us? Name only functions that exist in rclpy
+# for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -778,6 +783,17 @@ else:
 # it is clean. mypy does not find values from outside, an int in a float field, topic names that do not match, wrong
 # periods, and everything about time. That needs checks at run time, field checks in tests, and tests that check what
 # arrives.
+#
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **`self.level: Publisher[Float32] = …`:** In Jazzy `Publisher` takes no type in brackets: Python raises a
+#   `TypeError` when it runs such a hint. Newer versions allow it.
+# - **mypy will find the misspelled field `msg.dta`:** Not by itself: the message packages come without types, so each
+#   message is `Any`. It takes stubs.
 #
 # </details>
 

@@ -691,9 +691,15 @@ print("exit code", outcome.exit)
 # %% [markdown]
 # ## Talk it through
 #
-# > My humanoid publishes its status at 1 Hz and its battery at 0.5 Hz from one node. A monitor on another computer should
-# > stop the robot when something is wrong. What can it conclude from a message, and what from a missing one? How long
-# > should it wait before it calls silence an alarm?
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+#
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). My humanoid publishes its status
+# at 1 Hz and its battery at 0.5 Hz from one node. A monitor on another computer should
+# stop the robot when something is wrong. What can it conclude from a message, and what
+# from a missing one? How long should it wait before it calls silence an alarm? Name
+# only functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -702,6 +708,17 @@ print("exit code", outcome.exit)
 # networks jitter: two to three periods are a common compromise. A good answer says what the robot does meanwhile (slow
 # down, stop, sit down). It notices that the robot may have to stop by itself when *it* no longer hears the monitor. A
 # plus: ROS can watch this for you, with a deadline in the QoS.
+#
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **`finally: node.destroy_node(); rclpy.shutdown()`:** After Ctrl-C the context is already shut down. A second
+#   `shutdown` raises `rcl_shutdown already called`, and the exit code is 1. Use `rclpy.try_shutdown()`.
+# - **`create_publisher(String, "status", queue_size=10)`:** That is ROS 1. In rclpy the third argument is the QoS, and
+#   it is required.
 #
 # </details>
 

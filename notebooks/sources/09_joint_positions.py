@@ -525,8 +525,14 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# > My humanoid publishes twelve joint angles. A colleague wants them at 100 Hz for logging, the dashboard needs 2 Hz, and
-# > the arm planner 50 Hz. Should I make three topics, one fast topic, or something else? What speaks for each?
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+#
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). My humanoid publishes twelve
+# joint angles. A colleague wants them at 100 Hz for logging, the dashboard needs 2 Hz,
+# and the arm planner 50 Hz. Should I make three topics, one fast topic, or something
+# else? What speaks for each? Name only functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -534,6 +540,17 @@ else:
 # last message. Three topics of the same thing can disagree. The cost of a message is paid
 # by each subscriber, so a slow one in Python may want its own, thinned topic. And a real robot would use
 # `sensor_msgs/JointState`, which carries names, positions, velocities and a time stamp.
+#
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **Fill in `layout.dim`, or nobody can read `data`:** Twelve numbers in `data` arrive without a layout. It only
+#   describes them.
+# - **Assign the 4 × 3 NumPy array to `data`:** rclpy takes one row of numbers; a table raises a `TypeError`. Use
+#   `angles.ravel()`.
 #
 # </details>
 

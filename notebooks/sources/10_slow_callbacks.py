@@ -724,12 +724,16 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 # %% [markdown]
 # ## Talk it through
 #
-# Discuss this with a colleague or an AI assistant:
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
 #
-# > My robot publishes a heartbeat at 10 Hz and listens for goals. Planning takes 0.8 s and sometimes raises an exception.
-# > Goals may come faster than I can plan. Compare three designs: a callback group with a MultiThreadedExecutor, a worker
-# > thread with a queue, and a second process. What happens in each to the order of goals, to an exception, and to the
-# > goals that wait?
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot publishes a heartbeat
+# at 10 Hz and listens for goals. Planning takes 0.8 s and sometimes raises an
+# exception. Goals may come faster than I can plan. Compare three designs: a callback
+# group with a MultiThreadedExecutor, a worker thread with a queue, and a second
+# process. What happens in each to the order of goals, to an exception, and to the goals
+# that wait? Name only functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -739,6 +743,17 @@ print("paths:", queue_guide.paths or "none yet: fill in the two places, then run
 # plan is made any more. *Process:* the heart survives even a crash of the planner, but something has to notice and restart
 # it. Good answers ask whether an old goal is worth planning at all: often only the newest counts, and a depth of 1 is
 # right. They do not propose a reentrant group, because two plans would share one planner.
+#
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **Replace the executor by a `MultiThreadedExecutor`; that is enough:** All callbacks of a node are in one mutually
+#   exclusive group unless you say otherwise. They still run one at a time.
+# - **The executor logs an exception in a callback and goes on:** It comes out of `spin`, and without an `except` the
+#   program ends.
 #
 # </details>
 

@@ -602,11 +602,15 @@ print("everyone was greeted" if both else "one visitor still waits")
 # %% [markdown]
 # ## Talk it through
 #
-# Discuss this with a colleague or an AI assistant:
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
 #
-# > My robot has a camera (30 pictures a second), a bumper (rarely, but then at once), and a battery (one value in two
-# > seconds). A colleague wants one loop that checks all three every 20 ms, "because then I see the order in which things
-# > happen". What would you answer?
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot has a camera (30
+# pictures a second), a bumper (rarely, but then at once), and a battery (one value in
+# two seconds). A colleague wants one loop that checks all three every 20 ms, "because
+# then I see the order in which things happen". What would you answer? Name only
+# functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -616,6 +620,17 @@ print("everyone was greeted" if both else "one visitor still waits")
 # executor with one thread also is one place: callbacks run one after another. Neither shows the order of events: the loop
 # takes what it checks first, and the executor takes timers before messages. For the order, compare time stamps. Good
 # answers mention the processor time, and that one slow check holds up all three (lesson 10).
+#
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **`subscription.take()`:** That is C++ (rclcpp). A subscription in rclpy has no public way to fetch a message; it
+#   has its callback.
+# - **`wait_for_message("/bumper", Bool, timeout=1.0)`:** That is ROS 1. In rclpy: `wait_for_message(Bool, node,
+#   "/bumper", time_to_wait=1.0)`, and it returns two values, whether one came and the message.
 #
 # </details>
 

@@ -731,12 +731,16 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Discuss this with a colleague or an AI assistant:
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
 #
-# > My node has a 20 Hz balance timer. When the robot stumbles, a subscription callback calls the service
-# > `/arms/stretch_out` with `await client.call_async(...)` and publishes "caught" when the response is there. In tests it
-# > hangs at the first stumble, and the balance timer stops with it. Which changes would fix it, and which one would you
-# > choose?
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). My node has a 20 Hz balance
+# timer. When the robot stumbles, a subscription callback calls the service
+# `/arms/stretch_out` with `await client.call_async(...)` and publishes "caught" when
+# the response is there. In tests it hangs at the first stumble, and the balance timer
+# stops with it. Which changes would fix it, and which one would you choose? Name only
+# functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -746,6 +750,17 @@ else:
 # `MultiThreadedExecutor` alone changes nothing. The simplest fix is not to wait: `call_async`, a done callback that
 # publishes "caught", return. Good answers add a time limit, and ask whether a reflex should be a service at all: a
 # message on a topic needs no response.
+#
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **`await client.call_async()` is safe in any callback:** Client and callback are in one group by default, and the
+#   response waits for that group: it never arrives.
+# - **Call `rclpy.spin_until_future_complete(node, future)` in the callback:** The executor is already spinning. The
+#   call returns at its timeout, and the future is not done.
 #
 # </details>
 

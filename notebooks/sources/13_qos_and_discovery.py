@@ -616,11 +616,15 @@ stop()
 # %% [markdown]
 # ## Talk it through
 #
-# Discuss this with a colleague or an AI assistant:
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
 #
-# > My robot publishes a laser scan at 20 Hz, a map that changes every few minutes, and an emergency stop. A tablet joins and
-# > leaves over bad wireless. Which reliability, durability, depth and deadline would you give to each topic, on both sides,
-# > and how does the tablet notice that it has lost the robot?
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot publishes a laser scan
+# at 20 Hz, a map that changes every few minutes, and an emergency stop. A tablet joins
+# and leaves over bad wireless. Which reliability, durability, depth and deadline would
+# you give to each topic, on both sides, and how does the tablet notice that it has lost
+# the robot? Name only functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -630,6 +634,16 @@ stop()
 # tablet sends "go on" as a heartbeat, and the robot stops when that goes silent. **The loss:** a deadline on the scan,
 # offered by the robot, or a timer that checks the clock. The tablet should show how old its data are. Good answers say
 # that a deadline counts from the first message only, and that you test all this by pulling the plug.
+#
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **`QoSProfile(depth=10, deadline=0.1)`:** Seconds are not taken. It must be `Duration(seconds=0.1)`.
+# - **A best-effort subscriber does not match a reliable publisher:** It does: it asks for less than is offered. The
+#   other way round does not match.
 #
 # </details>
 

@@ -717,9 +717,15 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# > My humanoid's hands tremble because the joint encoders are noisy, at 100 Hz. I want to filter the angles in a Python
-# > node before the balance controller gets them. Which filter would you take, how do I choose its parameters, and what
-# > can go wrong?
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+#
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). My humanoid's hands tremble
+# because the joint encoders are noisy, at 100 Hz. I want to filter the angles in a
+# Python node before the balance controller gets them. Which filter would you take, how
+# do I choose its parameters, and what can go wrong? Name only functions that exist in
+# rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -727,6 +733,17 @@ else:
 # smoothing with a low-order Butterworth filter, by noise *and* delay. It keeps the memory of the filter in the node, and
 # does not propose `filtfilt`. It begins with the first measurement, keeps NaN out, keeps stamps and names, and begins
 # anew when the source restarts. And it asks whether the noise can be taken out at its source.
+#
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **Call `filtfilt` in the callback:** It runs over the samples backward as well, so it needs those that have not
+#   arrived. Its last value changes with the next message.
+# - **`np.asarray(msg.position)` is a copy that you may write into:** It is a view: the message changes, too. `np.array`
+#   copies.
 #
 # </details>
 

@@ -487,8 +487,14 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# > My robot should keep its eyes on an orange ball. I get sensor_msgs/Image at 30 Hz in an rclpy node, Jazzy. How do I
-# > find the ball in changing light, and how do I turn its pixel into an angle for the neck?
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+#
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot should keep its eyes on
+# an orange ball. I get sensor_msgs/Image at 30 Hz in an rclpy node, Jazzy. How do I
+# find the ball in changing light, and how do I turn its pixel into an angle for the
+# neck? Name only functions that exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
@@ -496,6 +502,17 @@ else:
 # queue. It finds the ball by hue and outline, not by brightness. It uses the focal length of `CameraInfo`, and says in
 # which axes the direction is. It copies the stamp of the picture, and says what happens when there is no ball. It turns
 # the neck a part of the way for each picture.
+#
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **`from cv_bridge import CvBridge`:** It comes with a ROS installation and not with these wheels. `np.frombuffer`
+#   does the same in one line.
+# - **`np.array(msg.data).reshape(height, width, 3)`:** It ignores `step` and `encoding`. With padded rows it raises an
+#   error; with `bgr8` it swaps red and blue.
 #
 # </details>
 
