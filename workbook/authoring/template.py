@@ -13,10 +13,12 @@ FACTS = ("Minutes", "You need", "You will be able to", "Left out")
 QUESTIONS = range(3, 6)
 EXPERIMENTS = range(2, 4)
 TAKE_AWAY_LINES = 5
+WRONG_CLAIMS_COUNT = 2
 DEEPER_NEEDS = ("Predict", "Run it", "Look inside", "Take away")
 """The sections that an optional deeper notebook needs."""
 OFFICIAL = "https://docs.ros.org/"
 GOOD_ANSWER = "What a good answer contains"
+WRONG_CLAIMS = "What to check in the reply"
 
 _PREDICT = re.compile(r"^\s*predict\(\s*(?P<quote>['\"])(?P<choice>.*?)(?P=quote)", re.MULTILINE)
 _RECALL = re.compile(r"^\s*(?:recall|reveal|.*\bpredicted)\(", re.MULTILINE)
@@ -237,10 +239,17 @@ def _questions(section: Section) -> Iterator[str]:
 
 
 def _talks(section: Section) -> Iterator[str]:
-    if not re.search(r"^> \S", section.markdown, re.MULTILINE):
-        yield "needs the prompt, as a quotation: lines that begin with '> '"
-    if not any(option["summary"].strip() == GOOD_ANSWER for option in _DETAILS.finditer(section.markdown)):
+    if not re.search(r"^```text\n.*\S.*\n```$", section.markdown, re.MULTILINE | re.DOTALL):
+        yield "needs the prompt, as a block that can be copied: ```text, the prompt, ```"
+    folds = {option["summary"].strip(): option["body"] for option in _DETAILS.finditer(section.markdown)}
+    if GOOD_ANSWER not in folds:
         yield f"needs <details><summary>{GOOD_ANSWER}</summary>, an empty line, the text, </details>"
+    claims = re.findall(r"^- \*\*.+?:\*\* \S", folds.get(WRONG_CLAIMS, ""), re.MULTILINE)
+    if len(claims) != WRONG_CLAIMS_COUNT:
+        yield (
+            f"needs <details><summary>{WRONG_CLAIMS}</summary> with two wrong claims, "
+            f"each as '- **The claim:** what is true'; it has {len(claims)}"
+        )
 
 
 def _takes_away(section: Section) -> Iterator[str]:
