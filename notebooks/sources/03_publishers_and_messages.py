@@ -658,8 +658,8 @@ else:
 #
 # Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
 #
-# - **An int in a float field raises a `TypeError`, or is converted:** In Jazzy the check is off by default: 0.0 arrives
-#   with these wheels, and other builds may crash. Type hints do not help, because rclpy does not read them.
+# - **An int in a float field raises a `TypeError`, or is converted:** In Jazzy the check is off by default. With these
+#   wheels 0.0 arrives, other builds may crash. Type hints do not help, because rclpy does not read them.
 # - **Set `os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"` in `main()`:** Too late: the variable is read when the message
 #   type is imported.
 #
