@@ -5,6 +5,10 @@ from statistics import fmean
 
 from workbook.inside.proc import stolen_s
 
+TRIES = 3
+"""How often a lesson is run that does not show what is committed, while the host takes more than this share:"""
+MOST_TAKEN = 0.01
+"""Of the processors' time, by other machines on the same host: a standstill of a second is enough to upset a lesson."""
 CALM_SHARE = 0.1
 LOOK_S = 1.0
 LONGEST_S = 60.0

@@ -1,6 +1,7 @@
 """How the tests are spread over workers, and what tests of several folders need.
 
-A file stays together, long ones begin first, lessons go side by side.
+A file stays together, long ones begin first, lessons go side by side. There are more workers than processors, because
+most tests wait most of the time; what is judged on the wall clock goes before all others (`tests/priority.py`).
 """
 
 import gc
@@ -14,31 +15,38 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, settings
 
+from tests.priority import give_way
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.source import stems
 from workbook.grading.pool import standby
 from workbook.programs.warm_start import own_server
 
-LESSONS = "test_notebooks_run"
 PROOFS = "test_proofs"
-# Long ones first, so that no worker is left alone with one of them at the end.
+BROWSER_LESSONS = "test_browser_lessons"
 ROOT = Path(__file__).resolve().parents[1]
 LONG_FIRST = (
+    BROWSER_LESSONS,
     PROOFS,
-    "test_browser_lessons",
-    LESSONS,
+    "test_hostile",
+    "test_notebooks_run",
     "test_browser_exercise",
+    "test_tiers",
+    "test_farm",
+    "test_lessons_with_the_panel",
+    "test_templates",
     "test_nodes_with_timers",
+    "test_killed_grader",
+    "test_watch",
+    "test_nodes_of_12",
+    "test_talking",
 )
-# Lessons wait most of the time, these keep a processor busy: they begin after this share of the lessons, when the
-# browsers, which are busy, too, are through most of theirs.
-BETWEEN_LESSONS = {"test_hostile": 0.35, "test_farm": 0.55, "test_tiers": 0.7, "test_killed_grader": 0.85}
+"""Files of more than half a minute, so that no worker is left alone with one of them at the end."""
 ON_THE_WALL_CLOCK = {
     stem[:2] for stem in stems(ROOT / "solutions") if load_exercise(stem, ROOT).source.clock == "wall"
 }
-"""Exercises whose proofs come last, when the machine is calm."""
+"""Exercises whose proofs go before all other tests."""
 BROWSERS = 2
-"""How many JupyterLabs, each with a Chromium, share the lessons. What else needs a browser goes to the first."""
+"""How many JupyterLabs, each with a Chromium, share the lessons. What else needs a browser has one of its own."""
 
 
 os.environ.pop("COLUMNS", None)  # workers have one, and what is printed there would be broken to fit it
@@ -70,6 +78,12 @@ def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
+def pytest_sessionstart() -> None:
+    """Side by side with others, the tests of a worker give way to what is judged on the wall clock."""
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        give_way()
+
+
 def pytest_collection_finish() -> None:
     """What is there now stays: nobody needs to look through it for garbage again."""
     gc.freeze()
@@ -90,28 +104,20 @@ def group_of(nodeid: str) -> str:
     stem = PurePath(file).stem
     if is_on_the_wall_clock(nodeid):
         return f"{file} on the wall clock"
-    if stem == LESSONS:
+    if stem == "test_notebooks_run":
         return nodeid
     if stem.startswith("test_browser_"):
-        number = re.search(r"\[(\d\d)_", rest) if stem == "test_browser_lessons" else None
-        return f"browser {int(number[1]) % BROWSERS if number else 0}"
+        number = re.search(r"\[(\d\d)_", rest) if stem == BROWSER_LESSONS else None
+        return f"lessons in browser {int(number[1]) % BROWSERS}" if number else "browser"
     return file
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    lessons = sorted({item.nodeid for item in items if item.path.stem == LESSONS})
-
-    def rank(item: pytest.Item) -> tuple[int, float]:
+    def rank(item: pytest.Item) -> int:
         stem = item.path.stem
         if is_on_the_wall_clock(item.nodeid):
-            return len(LONG_FIRST) + 1, 0
-        if stem in BETWEEN_LESSONS:
-            return LONG_FIRST.index(LESSONS), BETWEEN_LESSONS[stem]
-        if stem not in LONG_FIRST:
-            return len(LONG_FIRST), 0
-        if stem == LESSONS:
-            return LONG_FIRST.index(stem), lessons.index(item.nodeid) / len(lessons)
-        return LONG_FIRST.index(stem), 0
+            return -1
+        return LONG_FIRST.index(stem) if stem in LONG_FIRST else len(LONG_FIRST)
 
     items.sort(key=rank)
 

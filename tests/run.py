@@ -25,7 +25,7 @@ ALLOWED_SKIPS = ROOT / ".ci" / "allowed_skips"
 # mypy sees each of them alone: files of the same name in two of them are no clash.
 TYPED_FOLDERS = ("workbook", "lesson_nodes", "solutions", "exercises/criteria", "exercises/drivers")
 # Lessons, browsers and judges wait most of the time: with fewer workers, the processors stand idle.
-JOBS = str(min(8, 2 * len(os.sched_getaffinity(0))))
+JOBS = str(min(8, 3 * len(os.sched_getaffinity(0))))
 TESTS_LIMIT_S = 50 * 60.0
 SUMMARY_LIMIT_S = 120.0
 MOST_ALONE = 3

@@ -2,8 +2,9 @@
 
 import contextlib
 import os
-from collections.abc import Generator, Iterator
+from collections.abc import Generator, Iterator, Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 import psutil
 import pytest
@@ -15,7 +16,7 @@ from .lab_page import LabPage
 from .student_lab import ROOT, StudentLab, await_end, descendants
 
 KERNEL_END_S = 60.0
-GIVES_WAY = 10
+GIVES_WAY = 19
 """Nice value of the browser: a picture may come later, what a lesson measures must not."""
 _failed = pytest.StashKey[bool]()
 
@@ -50,9 +51,9 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
 
 
 @contextlib.contextmanager
-def running_lab(folder: Path) -> Iterator[StudentLab]:
+def running_lab(folder: Path, environ: Mapping[str, str] = MappingProxyType({})) -> Iterator[StudentLab]:
     """A server with a new student's copy; when it ends, nothing of it may be left."""
-    started = StudentLab(folder)
+    started = StudentLab(folder, environ)
     left: dict[int, str] = {}
     try:
         yield started

@@ -10,8 +10,9 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import psutil
@@ -70,9 +71,12 @@ def await_end(processes: Iterable[psutil.Process], limit_s: float) -> dict[int, 
 
 
 class StudentLab:
-    """A running JupyterLab on a fresh copy of the course. `url` is what it prints, token included."""
+    """A running JupyterLab on a fresh copy of the course. `url` is what it prints, token included.
 
-    def __init__(self, folder: Path) -> None:
+    `environ`: what is set for it besides, and for its kernels.
+    """
+
+    def __init__(self, folder: Path, environ: Mapping[str, str] = MappingProxyType({})) -> None:
         course, home = folder / "course", folder / "home"
         course.mkdir(parents=True, exist_ok=True)  # it is there when this is a later start
         home.mkdir(exist_ok=True)
@@ -87,11 +91,17 @@ class StudentLab:
         self.url = ""
         self.said: list[str] = []
         self._seen: set[psutil.Process] = set()
-        environ = {name: os.environ[name] for name in _INHERITED if name in os.environ}
+        inherited = {name: os.environ[name] for name in _INHERITED if name in os.environ}
         command = [Path(sys.executable).with_name("workbook"), "lab", "--no-browser", "--port=0"]
         self._process = subprocess.Popen(
             [sys.executable, "-c", _ENDS_WITH_ITS_PARENT, *command],
-            env={**environ, "HOME": str(home), "WORKBOOK_COURSE": str(course), "OPENBLAS_NUM_THREADS": "1"},
+            env={
+                **inherited,
+                "HOME": str(home),
+                "WORKBOOK_COURSE": str(course),
+                "OPENBLAS_NUM_THREADS": "1",
+                **environ,
+            },
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,

@@ -1,8 +1,8 @@
 """Every exercise proves itself: starter, solution, right answers and wrong answers go through the real judge.
 
-What is judged on robot time loses nothing on a busy machine and goes beside other tests. What is judged on the wall
-clock comes when these are done (`tests/conftest.py`), in two runs side by side, each of as many answers at once as an
-instructor's run judges.
+What is judged on robot time loses nothing on a busy machine, and takes what others leave of the processors. What is
+judged on the wall clock goes before all others (`tests/priority.py`), in two runs side by side, each of as many answers
+at once as an instructor's run judges.
 """
 
 import os
@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from tests.calm import await_calm
+from tests.priority import GIVES_WAY, at_full_priority
 from workbook.authoring.tree import Tree
 from workbook.authoring.wrong_answers import Header, WrongAnswer, read_header, read_wrong_answer
 from workbook.cli.grade_options import SLOTS_PER_CORE
@@ -34,8 +35,6 @@ ROOT = course_folder()
 # WORKBOOK_PROOFS=05_timers proves this exercise alone.
 STEMS = tuple(stem for stem in stems(ROOT / "solutions") if os.environ.get("WORKBOOK_PROOFS", stem) == stem)
 CORES = os.cpu_count() or 1
-GIVES_WAY = 10
-"""Nice value of what is judged on robot time: it loses nothing by waiting, and whoever lives on the wall clock does."""
 ARTIFACTS = ROOT / "artifacts"
 MACHINE = {False: ARTIFACTS / "proofs_on_the_wall_clock.tsv", True: ARTIFACTS / "proofs_on_robot_time.tsv"}
 """How busy the machine was in each judgement, and how long (s) its recording took. An answer that was judged again has
@@ -133,11 +132,15 @@ class Proofs:
             "exercise\tanswer\tpoints\theld up\tstood still\ttaken\tin line\tclock\twatched\tdoubt\n",
             encoding="utf-8",
         )
-        with ThreadPoolExecutor(len(side_by_side)) as threads:
-            for judged in threads.map(self._judge_lane, side_by_side):
-                self._judgements |= judged
-                for one in judged:
-                    self._note(one)
+
+        def judge_side_by_side() -> None:
+            with ThreadPoolExecutor(len(side_by_side)) as threads:
+                for judged in threads.map(self._judge_lane, side_by_side):
+                    self._judgements |= judged
+                    for one in judged:
+                        self._note(one)
+
+        judge_side_by_side() if on_robot_time else at_full_priority(judge_side_by_side)
 
     def _judge_lane(self, lane: list[Share]) -> dict[Key, Judgement]:
         judged: dict[Key, Judgement] = {}
@@ -197,9 +200,13 @@ class Proofs:
 
     def _judge_alone(self, key: Key) -> None:
         pool = self._pools[key]
-        [(_, self._judgements[key])] = judge_all(
-            [self._jobs[pool][key]], 1, thorough=pool.thorough, isolation=self._isolation
-        )
+
+        def judge() -> None:
+            [(_, self._judgements[key])] = judge_all(
+                [self._jobs[pool][key]], 1, thorough=pool.thorough, isolation=self._isolation
+            )
+
+        at_full_priority(judge)
         self._note(key)
 
 

@@ -9,7 +9,7 @@ from IPython.core.formatters import DisplayFormatter
 
 from workbook.lesson import activity, prediction_views, predictions
 from workbook.lesson.prediction import Option, Prediction
-from workbook.lesson.prediction_views import PredictionOutcome
+from workbook.lesson.prediction_views import Noted, PredictionOutcome
 from workbook.lesson.predictions import UNATTENDED, choose, predict, reveal
 from workbook.lesson.progress import load_progress
 from workbook.lesson.sealed_predictions import FOLDER, all_predictions, seal, unseal
@@ -245,3 +245,16 @@ def test_the_outcome_is_text_and_page_for_a_notebook() -> None:
     bundle, _ = DisplayFormatter().format(PredictionOutcome(QUEUE, "b", None, {}))
     assert {"text/plain", "text/html"} <= set(bundle)
     json.dumps(bundle)
+
+
+def test_every_prediction_of_the_course_can_be_chosen_with_buttons() -> None:
+    """In JupyterLab the lessons are run with nobody there to choose."""
+    asked = all_predictions()
+    assert len(asked) > 10
+    for prediction in asked.values():
+        box = prediction_views._buttons(prediction, "Choose.", None, lambda _, letter: Noted(letter, "noted"))
+        *buttons, status = box.children
+        assert len(buttons) == len(prediction.options)
+        buttons[-1].click()
+        assert buttons[-1].description.startswith(f"● {prediction.options[-1].letter}) ")
+        assert "noted" in status.value

@@ -1,6 +1,7 @@
 """Strict nbval on notebooks as we build them: real ROS, pictures that move, and mistakes that must not pass."""
 
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -9,7 +10,7 @@ import pytest
 
 from tests.programs.support import wait_until
 from workbook.authoring.building import build_exercise
-from workbook.authoring.comparing import NBVAL, compare
+from workbook.authoring.comparing import NBVAL, compare, compare_run
 from workbook.authoring.document import Cell, Document, as_notebook, to_text, with_ids
 from workbook.authoring.nbval_glue import LiveOutputs
 from workbook.authoring.running import run
@@ -120,6 +121,26 @@ def test_the_last_state_is_compared_and_noise_is_not(tmp_path: Path) -> None:
     assert "Cell 0: Cell outputs differ" in said
     assert "Cell 1: Cell outputs differ" in said
     assert "2 failed, 2 passed" in said
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("1 of 2\\n", "1 of 3\\n", "Cell outputs differ"),
+        ('"print(2)"', '"print(1 + 1)"', "another cell here"),
+        ('"execution_count": 2', '"execution_count": null', "was not run"),
+    ],
+    ids=["another output", "another source", "not run"],
+)
+def test_what_was_run_elsewhere_is_compared_as_strictly(
+    old: str, new: str, said: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    tree, ran = Tree(tmp_path), tmp_path / "ran.ipynb"
+    shutil.copy(built(tmp_path, "print('1 of 2')", "print(2)"), ran)
+    assert compare_run(tree, "21_try", ran) == 0, capfd.readouterr().out
+    changed(ran, old, new)
+    assert compare_run(tree, "21_try", ran) == 1
+    assert said in capfd.readouterr().out
 
 
 def test_a_magic_that_does_not_exist_fails_even_where_nothing_is_compared(tmp_path: Path) -> None:

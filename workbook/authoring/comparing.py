@@ -4,55 +4,82 @@ import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
 import nbformat
 
 from workbook.authoring import building
+from workbook.authoring.replay import RAN
 from workbook.authoring.running import CELL_TIMEOUT_S
 from workbook.authoring.tree import AuthoringError, Tree
 from workbook.lesson.sealed_predictions import FOLDER
 
+GLUE = "workbook.authoring.nbval_glue"
 NBVAL = ("--nbval", "--nbval-current-env", f"--nbval-cell-timeout={CELL_TIMEOUT_S}")
 
 
-def compare(tree: Tree, names: Iterable[str] = (), *, jobs: int = 1, extra: Sequence[str] = ()) -> int:
+def compare_run(tree: Tree, stem: str, ran: Path) -> int:
+    """Compare what a lesson showed when it was run elsewhere, as `compare` does. Returns pytest's exit code.
+
+    Raises:
+        AuthoringError: the notebook is not built.
+    """
+    with tempfile.TemporaryDirectory(prefix="notebooks-") as scratch:
+        top = Path(scratch)
+        built = tree.notebooks / f"{stem}.ipynb"
+        _put(top / "notebooks" / built.name, _read(built))
+        return _nbval(tree, top, ["nbval.plugin", GLUE], environment={RAN: str(ran)})
+
+
+def compare(
+    tree: Tree, names: Iterable[str] = (), *, lessons: bool = True, jobs: int = 1, extra: Sequence[str] = ()
+) -> int:
     """Run the named notebooks, or all, and compare what they show with what is committed.
 
     Lessons run as they are, exercises as a student goes through them: with the starter, and then, in the same
-    kernel, with the solution put in. `extra` goes to pytest. Returns pytest's exit code.
+    kernel, with the solution put in. Without `lessons` only exercises run. `extra` goes to pytest. Returns its exit
+    code.
 
     Raises:
         AuthoringError: a notebook is not built, or an exercise cannot be.
     """
-    lessons, exercises = building.select(tree, names)
+    stems, exercises = building.select(tree, names)
     with tempfile.TemporaryDirectory(prefix="notebooks-") as scratch:
         top = Path(scratch)
-        for stem in lessons:
+        for stem in stems if lessons else ():
             built = tree.notebooks / f"{stem}.ipynb"
             _put(top / "notebooks" / built.name, _read(built))
         for stem in exercises:
             building.build_exercise(tree, stem)
             built = tree.exercises / f"{stem}.ipynb"
             _put(top / "exercises" / built.name, _one_after_the_other(built, tree.solved / built.name))
-        (top / "pytest.ini").write_text(
-            "[pytest]\nfilterwarnings = ignore::DeprecationWarning\n", encoding="utf-8"
-        )
         spread = ["-n", str(jobs), "--dist", "loadfile"] if jobs > 1 else []
-        plugins = [*(["xdist.plugin"] if jobs > 1 else []), "nbval.plugin", "workbook.authoring.nbval_glue"]
-        command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider"]
-        for plugin in plugins:
-            command += ["-p", plugin]
-        environment = {k: v for k, v in os.environ.items() if not k.startswith("PYTEST_")}
-        environment[FOLDER] = str(tree.sealed)
-        environment["IPYTHONDIR"] = str(top / "ipython")
-        environment["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = (
-            "1"  # what else is installed takes a third of the start
-        )
-        return subprocess.run(
-            [*command, "-q", *NBVAL, *spread, *extra, "."], cwd=top, env=environment, check=False
-        ).returncode
+        plugins = [*(["xdist.plugin"] if jobs > 1 else []), "nbval.plugin", GLUE]
+        return _nbval(tree, top, plugins, [*spread, *extra])
+
+
+def _nbval(
+    tree: Tree,
+    top: Path,
+    plugins: Iterable[str],
+    options: Iterable[str] = (),
+    environment: Mapping[str, str] = MappingProxyType({}),
+) -> int:
+    """Run nbval over the notebooks below `top`. Returns pytest's exit code."""
+    (top / "pytest.ini").write_text(
+        "[pytest]\nfilterwarnings = ignore::DeprecationWarning\n", encoding="utf-8"
+    )
+    command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider"]
+    for plugin in plugins:
+        command += ["-p", plugin]
+    environ = {k: v for k, v in os.environ.items() if not k.startswith("PYTEST_")}
+    environ[FOLDER] = str(tree.sealed)
+    environ["IPYTHONDIR"] = str(top / "ipython")
+    environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"  # what else is installed takes a third of the start
+    command += ["-q", *NBVAL, *options, "."]
+    return subprocess.run(command, cwd=top, env={**environ, **environment}, check=False).returncode
 
 
 def _read(path: Path) -> nbformat.NotebookNode:

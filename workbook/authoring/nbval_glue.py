@@ -4,7 +4,8 @@ nbval by itself drops updates of a display and piles up cleared outputs, so that
 the one committed. This plugin applies both as they come. Pictures inside HTML are not compared. It also sets the
 sanitize file unless another is given, compares only text in notebooks whose metadata says `workbook.compare: text`,
 fails a cell whose magic does not exist, talks to kernels over Unix sockets, and gives each notebook an answers folder
-of its own unless WORKBOOK_ANSWERS is set. Nobody looks at what moves, and it is drawn twice a second only.
+of its own unless WORKBOOK_ANSWERS is set. Nobody looks at what moves, and it is drawn twice a second only. With
+WORKBOOK_RAN it starts no kernel, and compares what that notebook shows, which was run elsewhere.
 """
 
 import gc
@@ -18,11 +19,13 @@ from typing import Any
 
 import nbformat
 import nbval.kernel
+import nbval.plugin
 import pytest
 from nbval.plugin import IPyNbCell, IPyNbFile, NbCellError
 
 from workbook.authoring.kernels import PrivateKernelManager
 from workbook.authoring.outputs import SANITIZE, without_pictures
+from workbook.authoring.replay import RAN, Replay
 from workbook.lesson.predictions import UNATTENDED
 from workbook.ros.scratch import sweep_scratch
 
@@ -37,6 +40,9 @@ _own_folder = pytest.StashKey[Path]()
 def pytest_configure(config: pytest.Config) -> None:
     """Run kernels on Unix sockets, set the sanitize file, and draw live pictures twice a second only."""
     nbval.kernel.KernelManager = PrivateKernelManager
+    ran = os.environ.get(RAN)
+    if ran:
+        nbval.plugin.RunningKernel = lambda *_, **__: Replay(Path(ran))
     os.environ.setdefault(MOST_PICTURES, "2")
     gc.freeze()  # what is loaded stays; the messages of a kernel make the collector look through it again and again
     if getattr(config.option, "nbval_sanitize_with", SANITIZE) is None:

@@ -43,6 +43,7 @@ class LockStep:
 
     def __init__(self, pid: int) -> None:
         self._table = ThreadTable(pid, LISTED_EVERY_S)
+        self._suspect: Thread | None = None  # was at work at the last look, and probably still is
         self._vain = {State.SLEEPING: SLEEP_WAITS, State.AT_WORK: WORK_WAITS}
         self.never_in_vain = True
         self._can_tell = bool(proc.NANOSLEEP) and self._is_told()
@@ -65,10 +66,16 @@ class LockStep:
         return state
 
     def state(self) -> State:
-        """What the program is doing at this moment."""
+        """What the program is doing at this moment.
+
+        To look at all threads takes a while, and on a busy machine that is time which the program waits for.
+        """
         threads = self._table.threads()
+        if self._suspect in threads and proc.is_at_work(self._suspect.stat):
+            return State.AT_WORK
         before = [_times_scheduled(thread) for thread in threads]
-        if any(proc.is_at_work(thread.stat) for thread in threads):
+        self._suspect = next((thread for thread in threads if proc.is_at_work(thread.stat)), None)
+        if self._suspect is not None:
             return State.AT_WORK
         sleeping = any(
             thread.syscall is not None and proc.is_in_nanosleep(thread.syscall) for thread in threads
@@ -79,6 +86,7 @@ class LockStep:
 
     def close(self) -> None:
         """Close the files that tell of threads."""
+        self._suspect = None
         self._table.close()
 
     def _is_told(self) -> bool:
