@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
@@ -122,6 +123,28 @@ def test_a_passage_is_a_paragraph_a_cell_or_an_item() -> None:
     assert texts == ["A heading", "One line goes on.", "an item", "another Code item", "a cell", "another"]
 
 
+def test_an_option_and_its_explanation_are_two_passages() -> None:
+    lines = ["- **a** Sixty beeps, as", "  ordered", "  when `beeps > 50`", "  ✗ It takes seconds,", "  not hertz.",
+             "- **b** None", "  ✓ It stops."]  # fmt: skip
+    found = [(passage.line, passage.text) for passage in markdown("x", 1, lines)]
+    assert found == [
+        (1, "a Sixty beeps, as ordered"),
+        (4, "It takes seconds, not hertz."),
+        (6, "b None"),
+        (7, "It stops."),
+    ]
+
+
+def test_a_program_in_a_string_is_read_as_code(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("tests.language.texts.ROOT", tmp_path)
+    module = tmp_path / "module.py"
+    module.write_text(
+        'CODE = """\\\nspin(node)  # no word of it\nprint("It ends on Ctrl-C.")\n"""\nTEXT = "It spins on."\n'
+    )
+    found = [(passage.line, passage.text) for passage in string_passages(module)]
+    assert sorted(found) == [(2, "It ends on Ctrl-C."), (5, "It spins on.")]
+
+
 def test_strings_of_code_are_read_with_values_and_without_docstrings() -> None:
     source = ROOT / "exercises" / "criteria" / "01_the_context.py"
     texts = [passage.text for passage in string_passages(source)]
@@ -131,7 +154,16 @@ def test_strings_of_code_are_read_with_values_and_without_docstrings() -> None:
 
 
 def test_sentences_end_at_full_stops_and_not_within_numbers() -> None:
-    said = sentences(Passage("x", 1, 'Wait 0.5 s. "Then" go on. Code runs! Is it over?'))
-    assert said == ["Wait 0.5 s.", '"Then" go on.', "Code runs!", "Is it over?"]
+    said = sentences(
+        Passage("x", 1, 'Wait 0.5 s. "Then" go on. Code runs! Is it over? rclpy ends. spin_once, too.')
+    )
+    assert said == [
+        "Wait 0.5 s.",
+        '"Then" go on.',
+        "Code runs!",
+        "Is it over?",
+        "rclpy ends.",
+        "spin_once, too.",
+    ]
     assert length("Wait 0.5 s, at most.") == 5
     assert length("one " * LONG_SENTENCE) == LONG_SENTENCE
