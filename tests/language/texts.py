@@ -150,7 +150,7 @@ def markdown(path: str, first: int, lines: Sequence[str]) -> Iterator[Passage]:
 
 def sentences(passage: Passage) -> list[str]:
     """The sentences of a passage. A list after a colon counts as one with what stands before it."""
-    begins = r"[\"'(]*(?:[A-Z0-9]|(?:rclpy|rcl|mypy)\b|[a-z]+_[a-z_]+\b)"
+    begins = r"[\"'(]*(?:[A-Z0-9]|(?:rclpy|rcl|mypy)\b|[a-z]+_[a-z_]+\b|[\w/]+\.(?:md|py|toml)\b)"
     return [one for one in re.split(rf"(?<=[.!?])[\"')]* +(?={begins})", passage.text) if one]
 
 
