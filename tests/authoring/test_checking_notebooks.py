@@ -326,8 +326,8 @@ def test_links_to_the_neighbors_are_stale_until_they_are_built(course: Tree) -> 
     path = lights(course)
     stale = "the **Before:**, **Deeper:** and **Next:** lines are not those of the neighbors: run `make notebooks`"
     assert [words for words in told(course) if stale in words] == [
-        f"notebooks/sources/21_beeps.py:177: {stale}",
-        f"notebooks/sources/22_lights.py:177: {stale}",
+        f"notebooks/sources/21_beeps.py:185: {stale}",
+        f"notebooks/sources/22_lights.py:185: {stale}",
     ]
     before = path.read_text(encoding="utf-8")
     assert write_links(course) == ["21_beeps", "22_lights"]

@@ -148,6 +148,25 @@ def check_traceback(page: LabPage, cell: Locator, artifacts: Path) -> None:
     page.page.screenshot(path=artifacts / "traceback.png")
 
 
+def check_prompt(page: LabPage, artifacts: Path) -> None:
+    """*Talk it through*: one click, or one key, copies the prompt."""
+    page.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    prompt = page.panel.locator(".wb-prompt")
+    button = prompt.get_by_role("button", name="Copy the prompt")
+    for theme in page.themes():
+        page.choose_theme(theme)
+        prompt.scroll_into_view_if_needed()
+        assert violations(page.page, ".wb-prompt") == []
+        assert min(page.contrasts(prompt).values()) >= LEAST_CONTRAST
+        page.page.screenshot(path=artifacts / f"prompt_{theme}.png")
+    button.focus()
+    page.page.keyboard.press("Enter")
+    expect(prompt.locator("button")).to_have_text("Copied")
+    copied = page.page.evaluate("navigator.clipboard.readText()")
+    assert copied.startswith("I program a robot with ROS 2 Jazzy") and copied.endswith("in rclpy for Jazzy.")
+    expect(button).to_have_text("Copy")
+
+
 def test_the_first_start(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
     page.page.set_viewport_size(USUAL)
     page.open_first()
@@ -166,6 +185,7 @@ def test_the_first_start(page: LabPage, lab: StudentLab, artifacts: Path) -> Non
     expect(page.page.locator(f'img[alt^="{ROBOT}"]').first).to_be_in_viewport(ratio=0.99)
     page.page.screenshot(path=artifacts / "first_robot.png")
     check_layout(page)
+    check_prompt(page, artifacts)
     check_traceback(page, page.panel.locator(".jp-CodeCell").nth(1), artifacts)
 
     close_tab(page, Path(FIRST).name)  # by mistake: it asks, and what was written is kept
