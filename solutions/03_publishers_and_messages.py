@@ -46,14 +46,14 @@
 # | what only looks like a number | `True`, and `'50'`, which is a text | raises an error and sends nothing |
 # | no measurement | `nan`, `inf`, `-inf`, also in one of NumPy's types | raises an error and sends nothing |
 #
-# Each call is independent of earlier calls: send a number again even if it was sent before, and after an error send the
+# Each call is independent of earlier calls. Send a number again even if it was sent before, and after an error send the
 # next number as usual.
 #
 # You choose which error to raise. `TypeError` for a wrong type and `ValueError` for a wrong value are usual.
 #
 # ## What is judged
 #
-# A driver imports your file, creates one `BatteryPublisher` and calls `publish_level` with 35 values, one after
+# A driver imports your file and creates one `BatteryPublisher`. It calls `publish_level` with 35 values, one after
 # another: some of those above, others of the same kinds, and some more than once. It notes whether each call returned
 # or raised an error. The judge compares this with the messages on the topic. Field checks are off, as they are by
 # default in ROS.

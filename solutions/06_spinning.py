@@ -18,10 +18,10 @@
 # %% [markdown]
 # # Exercise 06 · Spin for a given time
 #
-# Your humanoid stands in a test stand. The test stand is an ordinary Python program: it moves an arm, lets the robot
-# work for a second and a half, reads a gauge, lets it work for another second. It cannot use `rclpy.spin`, because that
-# does not return. It needs a function that *spins a node for some seconds and then returns*. The function is called
-# `pump`, because it keeps callbacks flowing like a pump.
+# Your humanoid stands in a test stand. The test stand is an ordinary Python program. It moves an arm, lets the robot
+# work for a second and a half, reads a gauge, and lets it work for another second. It cannot use `rclpy.spin`, because
+# that does not return. It needs a function that *spins a node for some seconds and then returns*. The function is
+# called `pump`, because it keeps callbacks flowing like a pump.
 #
 # **About 25 minutes · difficulty 3 of 5 · 10 points.** You need lesson [06](../notebooks/06_spinning.ipynb).
 #
@@ -46,7 +46,7 @@
 # | points | criterion |
 # |---:|---|
 # | 1 | `pump` returns |
-# | 1 | after 2.1 s when it was asked for 2.1 s: at most 0.05 s earlier, at most 0.25 s later in the median of its calls |
+# | 1 | after 2.1 s when asked for 2.1 s: at most 0.05 s earlier, at most 0.25 s later in the median of its calls |
 # | 2 | each of the 20 words that come in a burst is handled during the call |
 # | 1 | the timers keep their rate meanwhile: 80 % of the heartbeats or more, no silence over 0.3 s |
 # | 1 | a second call works, too, and handles the words that waited in the queue |
@@ -55,8 +55,8 @@
 # | 1 | it uses less than 12 % of a processor while the robot is quiet |
 # | 1 | between two calls no callback runs, and the node has the timers and subscriptions that it had |
 #
-# **Not part of it:** stopping a running callback, several threads, callbacks that raise, simulated time (seconds are
-# real time, and so is the clock of the two robots).
+# **Not part of it:** stopping a running callback, several threads, callbacks that raise, and simulated time. (Seconds
+# are real time, and so is the clock of the two robots.)
 # %% [answer]
 """Spins a node for a given time."""
 

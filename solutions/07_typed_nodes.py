@@ -21,8 +21,8 @@
 #
 # The node below reports battery and status of your humanoid, and it works. From next week, two other teams will call
 # it: charging calls `send_battery`, the planner calls `send_status`. They do not know you or your code. In a trial last
-# night one of them sent `"full"`, and the dashboard showed 0 %. Change the node so that it rejects misuse loudly: mypy
-# reports it while they type, and the node itself raises an error when they do not use mypy.
+# night one of them sent `"full"`, and the dashboard showed 0 %. Change the node so that it rejects misuse loudly. mypy
+# must report it while they type. When they do not use mypy, the node itself must raise an error.
 #
 # **About 30 minutes · difficulty 3 of 5 · 10 points.** You need lesson [07](../notebooks/07_typed_nodes.ipynb).
 #
@@ -37,7 +37,7 @@
 # | `send_battery(level)` | a number, such as `55.25`, `42` or `0.0` | sends it as a float; anything else raises an error and sends nothing |
 # | `send_status(word)` | `"operational"` or `"error"`, letter by letter | sends it; anything else raises an error and sends nothing |
 #
-# The node still reports by itself: the battery at 1 Hz, the status at 0.5 Hz, 20 % more or less, and never silent for
+# The node still reports by itself: the battery at 1 Hz, the status at 0.5 Hz, 20 % more or less. It is never silent for
 # more than one and a half periods.
 #
 # ## What is judged

@@ -190,8 +190,9 @@ if __name__ == "__main__":
 # - **`destroy_node()` in `finally`.** This is not wrong: it may be called after the context is shut down. But it is not
 #   needed, because the process ends. It matters in a program that continues without the node.
 # - **No `ExternalShutdownException`.** On Ctrl-C `spin` raises `KeyboardInterrupt`, and catching it is enough here. It
-#   raises the other exception when something else has shut the context down: for example SIGTERM from a service
-#   manager, or when the program was started with Ctrl-C ignored. Catch both, and you need not think about the cause.
+#   raises the other exception when something else has shut the context down. That happens on SIGTERM from a service
+#   manager, for example, or when the program was started with Ctrl-C ignored. Catch both, and you need not think about
+#   the cause.
 # - **`signal_handler_options=SignalHandlerOptions.NO` in `rclpy.init`.** Then rclpy does not handle signals, the
 #   context is still up after Ctrl-C, and a plain `rclpy.shutdown()` is right. This is useful for a last message:
 #   `/robot/status` can be published only while the context is up.

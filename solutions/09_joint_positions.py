@@ -34,8 +34,12 @@
 # | `/robot/status` (as it is) | `String` | 1 Hz | `operational` while the battery has charge, `error` once it is empty |
 # | `/robot/battery` (as it is) | `Float32` | 0.5 Hz | percent, 0 to 100, falling, never rising |
 #
-# The figure on the screen takes the angles in this order: neck, waist, left shoulder, left elbow, right
-# shoulder, right elbow, left hip, left knee, left ankle, right hip, right knee, right ankle.
+# The figure on the screen takes the twelve angles in this order:
+#
+# - neck, waist
+# - left shoulder, left elbow, right shoulder, right elbow
+# - left hip, left knee, left ankle
+# - right hip, right knee, right ankle
 #
 # The message types are those of `std_msgs.msg`. You choose how the simulated joints move: a sine, a random walk, a wave
 # of the hand. At least two joints must change from message to message. (One message in four may repeat the one before,
@@ -59,8 +63,12 @@
 # First of all, the program must start. If it never creates a publisher, the feedback says why, and the rest is not
 # judged. The program may have any form: one class, several nodes, another executor.
 #
-# **Not part of it:** motors, real encoders, URDF, other topics, which joint stands at which place, the charge at
-# which the battery begins and how fast it drains, and how your program ends on Ctrl-C.
+# **Not part of it:**
+#
+# - motors, real encoders, URDF, other topics
+# - which joint stands at which place
+# - the charge at which the battery begins, and how fast it drains
+# - how your program ends on Ctrl-C
 # %% [answer]
 """The humanoid status publisher: state, battery and the angles of twelve joints."""
 

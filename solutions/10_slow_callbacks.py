@@ -57,8 +57,8 @@
 # | 1 | every request is answered by one plan, in order, one search at a time |
 # | 1 | the program is still running at the end of the watch |
 #
-# **Not part of it:** a faster planner, services, what the text of a heartbeat says, what happens after the nine
-# seconds, and how your program ends on Ctrl-C. `ElbowPlanner` is judged by what it finds and how long it takes.
+# **Not part of it:** a faster planner, services, and what the text of a heartbeat says. Nor is what happens after the
+# nine seconds, or how your program ends on Ctrl-C. `ElbowPlanner` is judged by what it finds and how long it takes.
 # %% [answer]
 """A humanoid that shows its heartbeat, and plans the bend of its elbow when asked."""
 
@@ -231,8 +231,8 @@ if __name__ == "__main__":
 # ## Other good ways
 #
 # - **A worker thread with a queue.** The callback returns at once, and `rclpy.spin` may stay as it is. The queue can
-#   hold more than the ten requests of the subscription, and you can check it: how long is it, and is the oldest request
-#   still wanted? But you must take care of the thread: its errors, and its end.
+#   hold more than the ten requests of the subscription, and you can check how long it is. You can also check whether
+#   the oldest request is still wanted. But you must take care of the thread: its errors, and its end.
 # - **`ThreadPoolExecutor(max_workers=1)`.** The same in one line: `self.pool.submit(self.work, request.data)`. With one
 #   worker the order is kept. Check the future that `submit` returns, or errors are lost silently.
 # - **One step at a time.** A timer calls `planner.step()` and returns; after the last step it publishes. There are no

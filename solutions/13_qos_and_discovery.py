@@ -44,9 +44,9 @@
 # A status from before the program started must be on the line at most 1 s after the start. A new status must be there
 # at most 0.8 s after the robot has published it.
 #
-# The alarm is raised (`True`) when no beat has come for about 2 s: never before 1 s, and at most 3 s after the last
-# beat. It lasts until the heart beats again, and ends (`False`) at most 1.5 s after that. Before the first beat it may
-# have any value.
+# The alarm is raised (`True`) when no beat has come for about 2 s. It is raised no earlier than 1 s and no later than 3
+# s after the last beat. It lasts until the heart beats again, and ends (`False`) at most 1.5 s after that. Before the
+# first beat it may have any value.
 #
 # ## What is judged
 #
@@ -66,11 +66,14 @@
 # | 1 | no alarm before it is due |
 # | 1 | the alarm ends when the heart beats again |
 #
-# What is allowed because of busy machines: 2 Hz means 1.8 to 2.2 Hz, typically one line every 0.45 to 0.55 s, and no
+# These tolerances allow for busy machines. 2 Hz means 1.8 to 2.2 Hz, typically one line every 0.45 to 0.55 s, and no
 # silence over 1.25 s. Alarms may be raised, and end, 0.2 s later than stated above.
 #
-# **Not part of it:** what the line says in the first second, and whether it comes then; whether the alarm is published more
-# often than it changes; and how your program ends.
+# **Not part of it:**
+#
+# - what the line says in the first second, and whether it comes then
+# - whether the alarm is published more often than it changes
+# - how your program ends
 # %% [answer]
 """A dashboard that may start late: it shows the last status at once, and notices when the heartbeat stops."""
 

@@ -41,7 +41,7 @@
 # |---|---|
 # | answers every message once, at once, in the order of the messages | at least half of the answers come within 0.15 s of their message, and nine of ten within 0.5 s |
 # | keeps the header's stamp and the names of the message that it answers | each answer has 12 names and 12 angles |
-# | takes out noise | in the first standstill and after the restart, at most 55 % of the noise is left (its root mean square, all joints together), and at no single joint more than 80 % |
+# | takes out noise | in the first standstill and after the restart, at most 55 % of the noise is left, and at no single joint more than 80 %. Noise is a root mean square here, and the 55 % are for all joints together |
 # | is not late | while the joints move evenly, the angles are at most 0.27 s behind |
 # | begins where the joints are | each of the first 8 answers is within 0.1 rad of the joint |
 # | survives NaN | from the first NaN until the restart, each angle is a finite number. It is within 0.1 rad of the joint as long as the joints stand still, and within 0.3 rad when they have moved on |
@@ -74,10 +74,10 @@
 #
 # The last five wait for a filter: an answer that passes on what came is judged by the first four only. This is
 # decided in the standstills where noise is measured. It passes on if the angles of every joint differ from what came by
-# at most 0.005 rad (root mean square), or if they are more than 0.05 rad beside a joint. Noise and delay are measured a second (20 messages)
-# after a start or a change, when a filter has settled. Any filter will do, and any shape of program: NumPy, SciPy or
-# plain Python, one class or one for each joint. One executor does not work in this build of rclpy:
-# `rclpy.experimental.EventsExecutor` never calls back in `spin()`.
+# at most 0.005 rad (root mean square). It also passes on if they are more than 0.05 rad beside a joint. Noise and delay
+# are measured a second (20 messages) after a start or a change, when a filter has settled. Any filter will do, and any
+# shape of program: NumPy, SciPy or plain Python, one class or one for each joint. One executor does not work in this
+# build of rclpy: `rclpy.experimental.EventsExecutor` never calls back in `spin()`.
 #
 # **Not part of it:** velocities, efforts, the frame of the header, lost messages, stamps at irregular distances, and
 # how your program ends on Ctrl-C.

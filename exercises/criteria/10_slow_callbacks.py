@@ -374,7 +374,7 @@ def no_plan(nothing: Verdict) -> Verdict:
         "plans-right.none",
         saw,
         expected,
-        "The work was handed over but never done, or it failed silently: an exception in a thread pool stays in "
+        "The work was handed over but never done, or it failed silently. An exception in a thread pool stays in "
         "its future until someone asks for the result.",
         try_this,
     )

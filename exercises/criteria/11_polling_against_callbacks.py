@@ -367,7 +367,7 @@ def why_missed(recording: Recording, missed: list[int]) -> Verdict:
             "none-missed.cannot-keep-up",
             f"{saw} (and the others came {late_ms:.0f} ms late)",
             expected,
-            "Touches wait in a queue, and your program takes them out too slowly: the callback takes long, or a "
+            "Touches wait in a queue, and your program takes them out too slowly. The callback takes long, or a "
             "loop sleeps and calls spin_once, which handles one message. A full queue drops touches.",
             "Keep the callback short, and let rclpy.spin call it as often as there is something to do.",
             about_time=True,
@@ -430,8 +430,8 @@ def missed_now_and_then(missed: list[int], saw: str, expected: str) -> Verdict:
             "none-missed.came-together",
             f"{saw}, {'only' if together == len(missed) else 'mostly'} such as came together with others",
             expected,
-            "When several touches come at once, there is room for too few: a variable that holds only the last "
-            "one, or a queue with a small depth. Or touches that follow another one too soon are skipped.",
+            "When several touches come at once, there is room for too few. A variable holds only the last "
+            "one, a queue has a small depth, or touches that follow another one too soon are skipped.",
             "Report in the callback itself, and give the subscription a depth large enough for a burst.",
             about_time=True,
         )

@@ -296,7 +296,7 @@ def why_a_pause(recording: Recording, longest: float, before: CallSeen) -> Verdi
             "asks-every-second.waits-for-unanswered",
             f"after the call at {before.t:.1f} s, which was never answered, no call came for {longest:.1f} s",
             ONCE_A_SECOND,
-            "After a call without an answer it sends no more requests, or skips more than one: it still waits for "
+            "After a call without an answer it sends no more requests, or skips more than one. It still waits for "
             "an answer that will never come, or it pauses.",
             "Give up an open call when the next one is due: remove_pending_request(future), then send the next "
             "request.",
@@ -529,8 +529,8 @@ def why_changes_only(recording: Recording, answers: list[Answer], words: list[Re
     one, before = repeated[0]
     return see.failed(
         "results-told.changes-only",
-        f'the answer at {one.at:.1f} s said "{one.word}", as the one before it at {before.at:.1f} s had, and was '
-        "not reported; all answers that said something else than the one before were",
+        f'the answer at {one.at:.1f} s repeated the "{one.word}" of {before.at:.1f} s and was not reported; every '
+        "answer that differed from the one before was",
         EACH_ANSWER_ONCE,
         "Your node reports a result only when it differs from the last one. The control room then cannot see "
         "whether the robot is still tested.",
@@ -755,7 +755,7 @@ def why_not_given_up(recording: Recording, call: CallSeen, later: list[float]) -
             "unanswered-told.first-only",
             f'{saw}said nothing of it; of the call at {first.t:.1f} s it had said "{NO_ANSWER}"',
             ONE_NO_ANSWER,
-            "It gives up one call but not the next: the check for a missing answer works only once, or a repeated "
+            "It gives up one call but not the next. The check for a missing answer works only once, or a repeated "
             f'"{NO_ANSWER}" is treated as nothing new.',
             "Store the time of each call, and report each call that is given up.",
         )
@@ -881,8 +881,8 @@ def stops_for_good(recording: Recording) -> Verdict | None:
         "heartbeat-steady.stops-alone",
         f"{saw}, while calls went on",
         FIVE_HERTZ,
-        "The rest of the program continues, but the heartbeat does not: its timer is canceled or destroyed, its "
-        "beats are counted, or its thread has ended.",
+        "The rest of the program continues, but the heartbeat does not. Its timer is canceled or destroyed, it "
+        "stops after some number of beats, or its thread has ended.",
         "Publish on every tick of its timer, without end.",
     )
 

@@ -425,7 +425,7 @@ def why_followed_late(
             "status-follows.late",
             saw,
             expected,
-            "The line names the new status, but late or not always: it comes from a queue of older messages, or "
+            "The line names the new status, but late or not always. It comes from a queue of older messages, or "
             "the line also depends on something else.",
             "Let the callback store every message in self, and make each line from that alone.",
             about_time=True,

@@ -255,7 +255,7 @@ def noise_reduced(recording: Recording) -> Verdict:
             "noise-reduced.beside-after-restart",
             f"a second after the restart, the answers for {JOINTS[joint]} are still typically {off:.2f} rad beside it",
             LITTLE_LEFT,
-            "The filter has not got to the joint: it still remembers where the joint was before, or it began with "
+            "The filter has not reached the joint. It still remembers where the joint was before, it began with "
             "zeros, or its result is no longer used.",
             "At a restart, fill the memory of the filter with the first message, and go on as before.",
         )
@@ -727,7 +727,7 @@ def why_missing(recording: Recording, missing: list[int]) -> Verdict:
         "every-one-answered.missing",
         saw,
         ONE_EACH,
-        "The node was busy or its queue too short while they came; a timer answers only the newest; or there are "
+        "The node was busy or its queue too short while they came, or a timer answers only the newest. Or there are "
         "messages that the callback does not answer.",
         "Publish inside the callback, in every call of it, keep it short, and give the subscription a depth of 10 or "
         "more.",
@@ -854,7 +854,7 @@ def why_scaled(saw: str, expected: str, gain: float) -> Verdict:
         "filters.gain",
         f"{saw}; all answers are about {gain:.2g} times the angle",
         expected,
-        "The weights of the filter do not add up to 1, or the angles are in another unit, or the filter began at "
+        "The weights of the filter do not add up to 1, or the angles are in another unit. Or the filter began at "
         "zero and is still on its way a second later.",
         advice,
     )

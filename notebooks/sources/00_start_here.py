@@ -5,8 +5,11 @@
 #
 # - **Minutes:** 45
 # - **You need:** Python classes and functions. No robot, no ROS
-# - **You will be able to:** start a robot program and watch it, write a program of ten lines that moves the robot, say
-#   what rclpy is and what lies below it, and help yourself when something is stuck
+# - **You will be able to:**
+#   - start a robot program and watch it
+#   - write a program of ten lines that moves the robot
+#   - say what rclpy is and what lies below it
+#   - help yourself when something is stuck
 # - **Left out:** how a program starts and ends well (that is the next lesson)
 
 # %% [markdown]
@@ -508,10 +511,10 @@ stop()
 # <details><summary>What a good answer contains</summary>
 #
 # One program is easier to start and to step through, and its parts share memory. Nodes can be started, replaced and
-# tested one by one, can crash one by one, run on several computers, and be written in the language that fits. The price:
-# messages cost time and copies, things happen at the same time, silence must be noticed, and there are more parts to
-# look after. Python for perception, planning, learning and user interfaces; C++ (or a microcontroller) for motor control
-# and for whatever must be on time to the millisecond.
+# tested one by one, and when one crashes, the others go on. They can run on several computers, each written in the
+# language that fits. The price: messages cost time and copies, things happen at the same time, silence must be noticed,
+# and there are more parts to look after. Python for perception, planning, learning and user interfaces; C++ (or a
+# microcontroller) for motor control and for whatever must be on time to the millisecond.
 #
 # </details>
 #

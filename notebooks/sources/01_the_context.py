@@ -6,8 +6,11 @@
 #
 # - **Minutes:** 40
 # - **You need:** lesson [00](00_start_here.ipynb)
-# - **You will be able to:** start and end ROS in a program, say what works before, between and after, keep two robots
-#   apart by domains, and write a `main()` that ends well on Ctrl-C
+# - **You will be able to:**
+#   - start and end ROS in a program
+#   - say what works before, between and after
+#   - keep two robots apart by domains
+#   - write a `main()` that ends well on Ctrl-C
 # - **Left out:** what `spin` does inside (lesson 06), other signals and threads (the deeper notebook), lifecycle nodes
 
 # %% [markdown]
@@ -155,8 +158,8 @@ for row, action in enumerate(actions):
 # ### Experiment 1: three contexts in one notebook
 #
 # A process usually has one context. It may have more, and each can be on another **domain**. Here are three robots in
-# one process, each with a context of its own: `kitchen` and `hall` are on the domain A, `garden` is on the domain B. All
-# three publish their names on the topic `/building/hello`, and subscribe to it. Who hears whom?
+# one process, each with a context of its own. `kitchen` and `hall` are on the domain A, `garden` is on the domain B.
+# All three publish their names on the topic `/building/hello`, and subscribe to it. Who hears whom?
 #
 # - **a** None hears another one: each has a context of its own.
 #   when `kitchen_hears == 0 and garden_hears == 0`

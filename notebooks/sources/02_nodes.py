@@ -5,8 +5,11 @@
 #
 # - **Minutes:** 50
 # - **You need:** lesson [01](01_the_context.ipynb)
-# - **You will be able to:** write a node class, give it a name and a namespace, run one class twice under two names,
-#   recognize duplicate node names, and read the errors of names and attributes
+# - **You will be able to:**
+#   - write a node class, and give it a name and a namespace
+#   - run one class twice under two names
+#   - recognize duplicate node names
+#   - read the errors of names and attributes
 # - **Left out:** what nodes say to each other (lessons 03 and 04), parameters, nodes in C++ packages and launch files
 
 # %% [markdown]
@@ -355,8 +358,9 @@ reveal("remapped-node", names=end.log.split())
 # What if both cameras live in one process? The arguments of the command line count for *all* nodes of the process. Both
 # would be called `rear_camera`: duplicate names again. There are two ways out. On the command line, name the node that you
 # mean: `-r camera_a:__node:=rear_camera` renames only the node that the code calls `camera_a`. Both cameras are called
-# `camera` in the code, so here it takes the other way, `cli_args`: the same words as a list, for one node alone. (It works because this driver passes its `**settings` on
-# to `Node`. Where a class does not, start one process for each camera.)
+# `camera` in the code, so here it takes the other way, `cli_args`. That passes the same words as a list, for one node
+# alone. (It works because this driver passes its `**settings` on to `Node`. Where a class does not, start one process
+# for each camera.)
 
 # %%
 from workbook.ros import shutdown
@@ -683,12 +687,13 @@ else:
 #
 # <details><summary>What a good answer contains</summary>
 #
-# A namespace per robot (`/robot_07`), given from outside when its nodes are started: by a launch file, a remapping or
-# an environment variable, never in the code. Inside, relative names for what the robot's nodes share and private
-# names for what belongs to one node; absolute names only for what all share, such as a common stop or a map. The
-# dashboard finds robots by asking the graph for namespaces or topics, and takes the namespace as the robot's name. A
-# good answer also asks how many nodes may see each other (300 in one domain; a domain per robot and a bridge may be
-# better), and what happens when two robots get one number by mistake (duplicate node names: check at the start).
+# Each robot gets a namespace, such as `/robot_07`. It is given from outside when the nodes are started, by a launch
+# file, a remapping or an environment variable. It is never in the code. Inside the namespace, nodes use relative names
+# for what they share, and private names for what belongs to one node. Only what all robots share, such as a common stop
+# or a map, gets an absolute name. The dashboard finds robots by asking the graph for namespaces or topics, and takes
+# the namespace as the robot's name. A good answer also asks how many nodes may see each other. (Here that is 300 in one
+# domain. A domain per robot and a bridge may be better.) And it asks what happens when two robots get one number by
+# mistake. (They have duplicate node names, so check at the start.)
 #
 # </details>
 #

@@ -6,8 +6,10 @@
 #
 # - **Minutes:** 45
 # - **You need:** lessons 00 to 02
-# - **You will be able to:** create a publisher, fill messages so that the number you mean arrives, and read the errors
-#   that publishers give
+# - **You will be able to:**
+#   - create a publisher
+#   - fill messages so that the number you mean arrives
+#   - read the errors that publishers give
 # - **Left out:** receiving (lesson 04), timers (lesson 05), quality of service (lesson 13); queues, pictures and richer
 #   message types (the deeper notebook)
 
@@ -205,8 +207,8 @@ print(Float32())
 # Read as a float, they mostly are a number so tiny that it becomes 0.0.
 #
 # **`std_msgs` is for learning.** `Float32`, `String` and the other single-value types of `std_msgs` have been deprecated
-# as types of real interfaces since ROS 2 Foxy: 0.8 on `/robot/battery` does not say whether it is percent, of which
-# battery, and when. This course uses them because they are short. On a robot, use types with meaning, such as
+# as types of real interfaces since ROS 2 Foxy. For example, 0.8 on `/robot/battery` does not say whether it is percent,
+# of which battery, and when. This course uses them because they are short. On a robot, use types with meaning, such as
 # `sensor_msgs/BatteryState`, or define your own.
 
 # %% [markdown]
@@ -659,7 +661,7 @@ else:
 # Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
 #
 # - **An int in a float field raises a `TypeError`, or is converted:** In Jazzy the check is off by default. With these
-#   wheels 0.0 arrives, other builds may crash. Type hints do not help, because rclpy does not read them.
+#   wheels 0.0 arrives, and other builds may crash. Type hints do not help, because rclpy does not read them.
 # - **Set `os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"` in `main()`:** Too late: the variable is read when the message
 #   type is imported.
 #

@@ -5,8 +5,10 @@
 #
 # - **Minutes:** 15
 # - **You need:** lesson [03](03_publishers_and_messages.ipynb)
-# - **You will be able to:** choose the depth of a publisher's queue, read and fill a picture, and choose message types that
-#   other people understand
+# - **You will be able to:**
+#   - choose the depth of a publisher's queue
+#   - read and fill a picture
+#   - choose message types that other people understand
 # - **Left out:** the subscription's queue (lesson 04), other settings of quality of service (lesson 13)
 
 # %% [markdown]

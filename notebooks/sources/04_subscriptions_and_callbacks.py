@@ -6,10 +6,13 @@
 #
 # - **Minutes:** 45
 # - **You need:** lessons [00](00_start_here.ipynb) to 03: a node, a publisher, a message
-# - **You will be able to:** subscribe to a topic, write the callback that handles its messages, say when it is called
-#   and when it is not, choose how many messages may wait, and tell how old a message is
-# - **Left out:** repeating work (lesson 05), what `spin` does step by step (06), long work in a callback (10), other
-#   qualities of a connection than its depth (13)
+# - **You will be able to:**
+#   - subscribe to a topic, and write the callback that handles its messages
+#   - say when it is called and when it is not
+#   - choose how many messages may wait
+#   - tell how old a message is
+# - **Left out:** repeating work (lesson 05), the steps inside `spin` (06), long work in a callback (10), qualities of a
+#   connection besides its depth (13)
 
 # %% [markdown]
 # Watch the robot. It walks up to a wall and away from it, again and again. One program measures how far the wall is,
@@ -778,13 +781,13 @@ else:
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The node handles 12 pictures a second and gets 30, so the camera's queue is always full: the picture that is handled
-# is the oldest of the last ten, a third of a second old. A depth of 1 makes it as fresh as can be; pictures are
-# skipped, which is what one wants of a state. The button is an event and must not be pushed out: a depth of 10 is
-# fine, as it is its own queue, and pictures cannot fill it. But its callback has to wait for its turn: all callbacks
-# run one after the other, so it comes 80 ms late or more, and that is no question of depth. Battery: 1 is enough. Good
-# answers see that the button should not share a thread with the camera at all (lesson 10), or should have a node of
-# its own, and that a button which must stop the robot is not left to a topic alone.
+# The node handles 12 pictures a second and gets 30, so the camera's queue is always full. The picture that is handled
+# is the oldest of the last ten, a third of a second old. With a depth of 1 it is as fresh as can be. Pictures are
+# skipped then, but of a state only the newest is wanted. The button is an event, and no press may be lost. A depth of
+# 10 is fine: the button has its own queue, which pictures cannot fill. But all callbacks run one after another, so the
+# button's comes 80 ms late or more. No depth changes that. For the battery, 1 is enough. In a good answer, the button
+# does not share a thread with the camera (lesson 10), or has a node of its own. And a button that must stop the robot
+# is not left to a topic alone.
 #
 # </details>
 #

@@ -6,8 +6,11 @@
 #
 # - **Minutes:** 45
 # - **You need:** lesson 00, and to know that `publish` sends a message on a topic
-# - **You will be able to:** give a node work that repeats, turn a frequency into a period, run several rates in one
-#   node, and say what a slow callback does to them
+# - **You will be able to:**
+#   - give a node work that repeats
+#   - turn a frequency into a period
+#   - run several rates in one node
+#   - say what a slow callback does to them
 # - **Left out:** what `spin` does inside (lesson 06), doing slow work properly (lesson 10)
 
 # %% [markdown]
@@ -631,10 +634,10 @@ else:
 # <details><summary>What a good answer contains</summary>
 #
 # The distance timer is due every 50 ms. While a picture is saved, its ticks wait: the first one comes late, and up to
-# three are dropped. So there is a hole of up to a quarter of a second (the work and one period), once a second, and
-# no burst after it. Whether that matters depends on how fast the robot drives: at 1 m/s it is 25 cm. Ways out: make
-# the callback short (hand the picture to a thread or to another process that saves it), or let the two callbacks run
-# in different threads (another executor and callback group, lesson 10). Making the timer faster does not help. Good
+# three are dropped. So once a second there is a hole of up to a quarter of a second (the work and one period). No burst
+# follows it. Whether that matters depends on how fast the robot drives: at 1 m/s it is 25 cm. There are two ways out.
+# Make the callback short: hand the picture to a thread or to another process that saves it. Or let the two callbacks
+# run in different threads (another executor and callback group, lesson 10). Making the timer faster does not help. Good
 # answers also ask whether the picture must be saved on this robot at all.
 #
 # </details>

@@ -6,8 +6,11 @@
 # - **Minutes:** 50
 # - **You need:** lessons [04](04_subscriptions_and_callbacks.ipynb) and [05](05_timers.ipynb): what a subscription and
 #   a timer call
-# - **You will be able to:** say what `spin` and `spin_once` do, spin a node step by step, give every wait an end, and
-#   recognize five ways to get stuck
+# - **You will be able to:**
+#   - say what `spin` and `spin_once` do
+#   - spin a node step by step
+#   - give every wait an end
+#   - recognize five ways to get stuck
 # - **Left out:** several threads that share the work (lesson 10), services (lesson 12)
 
 # %% [markdown]
@@ -622,13 +625,17 @@ else:
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The loop never spins, so the emergency stop would wait in its queue for good. Three ways. (1) Turn the loop into a
-# timer of 20 ms and call `rclpy.spin`: the usual answer; reading the joystick must then never block. (2) Keep the loop,
-# and replace the sleep by spinning until the 20 ms are over: `spin_once` with a short timeout, again and again, for one
-# call runs only one callback. The stop is then handled within one callback's time. With `timeout_sec=0` in
-# place of the sleep it would burn a processor. (3) Spin in a thread of its own, with an executor of its own, and end it
-# with `shutdown` and `join`: right when the library that reads the joystick blocks. Then two threads touch the same
-# data. A good answer also asks how fast the robot must stop, and whether a stop should hang on one Python loop at all.
+# The loop never spins, so the emergency stop would wait in its queue for good. There are three ways out:
+#
+# 1. Turn the loop into a timer of 20 ms and call `rclpy.spin`. This is the usual answer. Reading the joystick must then
+#    never block.
+# 2. Keep the loop, and replace the sleep by spinning until the 20 ms are over. Call `spin_once` with a short timeout
+#    again and again, because one call runs only one callback. The stop is then handled within one callback's time. With
+#    `timeout_sec=0` in place of the sleep, the loop would keep a processor busy.
+# 3. Spin in a thread of its own, with an executor of its own, and end it with `shutdown` and `join`. This is right when
+#    the library that reads the joystick blocks. Then two threads touch the same data.
+#
+# A good answer also asks how fast the robot must stop, and whether a stop should depend on one Python loop at all.
 #
 # </details>
 #

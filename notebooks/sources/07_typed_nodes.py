@@ -6,8 +6,10 @@
 #
 # - **Minutes:** 50
 # - **You need:** lessons [00](00_start_here.ipynb) to 06, and to have seen a hint such as `level: float` before
-# - **You will be able to:** annotate a node, let mypy read it, say what mypy can and cannot see in ROS code, and make
-#   wrong messages an error before the robot runs
+# - **You will be able to:**
+#   - annotate a node, and let mypy read it
+#   - say what mypy can and cannot see in ROS code
+#   - make wrong messages an error before the robot runs
 # - **Left out:** typing of services and actions, other type checkers, and how to type rclpy itself
 #
 # This robot publishes a heartbeat. Once its battery is below half, it should publish a warning.
@@ -215,9 +217,9 @@ reveal("seven-mistakes", mistakes_found=len(found(as_installed)))
 # %% [markdown]
 # ## Look inside
 #
-# mypy finds three of seven. At run time, mistakes 5, 6 and 7 raise an error only *when the line is reached*: perhaps at
-# the first tick, perhaps on the day the battery runs low. Mistakes 3 and 4 raise nothing in this build. The text arrives
-# as `0.0`, and a callback for a `String` gets a `Float32`.
+# mypy finds three of seven. At run time, mistakes 5, 6 and 7 raise an error only *when the line is reached*. That may
+# be at the first tick, or on the day the battery runs low. Mistakes 3 and 4 raise nothing in this build. The text
+# arrives as `0.0`, and a callback for a `String` gets a `Float32`.
 #
 # **On a robot, mistake 4 may crash the program.** 0.0 is what *these wheels* do. The message code of the Ubuntu packages
 # may be compiled with assertions. Then such a value aborts the whole process, and no `except` can catch that

@@ -5,7 +5,9 @@
 #
 # - **Minutes:** 10
 # - **You need:** lesson [07](07_typed_nodes.ipynb)
-# - **You will be able to:** write a generic Protocol, and a function whose result depends on the message class
+# - **You will be able to:**
+#   - write a generic Protocol
+#   - write a function whose result depends on the message class
 # - **Left out:** generic classes of your own that hold state
 
 # %% [markdown] prediction="one-letter-less"

@@ -6,8 +6,12 @@
 #
 # - **Minutes:** 45
 # - **You need:** lesson [05](05_timers.ipynb), and what a node, a publisher and a message are
-# - **You will be able to:** build a node with two topics at two rates, send numbers that really arrive, count the
-#   listeners, notice a node whose callbacks have stopped, and end one on Ctrl-C with exit code 0
+# - **You will be able to:**
+#   - build a node with two topics at two rates
+#   - send numbers that really arrive
+#   - count the listeners
+#   - notice a node whose callbacks have stopped
+#   - end a node on Ctrl-C with exit code 0
 # - **Left out:** real battery sensors (`sensor_msgs/BatteryState`), several threads, services
 
 # %% [markdown]
@@ -704,7 +708,7 @@ print("exit code", outcome.exit)
 # <details><summary>What a good answer contains</summary>
 #
 # A message says what the node believed when it was sent. A missing message can mean a dead process, a deaf node, a blocked
-# callback, or a network that is down; they look the same from outside. One late message is no alarm, since timers and
+# callback, or a network that is down. They look the same from outside. One late message is no alarm, since timers and
 # networks jitter: two to three periods are a common compromise. A good answer says what the robot does meanwhile (slow
 # down, stop, sit down). It notices that the robot may have to stop by itself when *it* no longer hears the monitor. A
 # plus: ROS can watch this for you, with a deadline in the QoS.

@@ -5,8 +5,11 @@
 #
 # - **Minutes:** 45
 # - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb)
-# - **You will be able to:** publish an array of joint angles, choose its rate with a reason, use it in a subscriber,
-#   and say what a higher rate costs
+# - **You will be able to:**
+#   - publish an array of joint angles
+#   - choose its rate with a reason
+#   - use it in a subscriber
+#   - say what a higher rate costs
 # - **Left out:** names inside the message (`sensor_msgs/JointState`), how links are connected (URDF), motor control
 
 # %% [markdown]

@@ -6,8 +6,11 @@
 # - **Minutes:** 45
 # - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb), and what a thread is:
 #   a second line of execution in the same program
-# - **You will be able to:** say what a slow callback does to the rest of a node, move slow work elsewhere,
-#   choose between threads, callback groups and a queue, and protect what two callbacks share
+# - **You will be able to:**
+#   - say what a slow callback does to the rest of a node
+#   - move slow work elsewhere
+#   - choose between threads, callback groups and a queue
+#   - protect what two callbacks share
 # - **Left out:** services and the ways they block (lesson 12), real-time scheduling
 
 # %% [markdown]
@@ -183,7 +186,7 @@ print("bursts, three heartbeats or more within 0.05 s:", bursts)
 
 # %% [markdown]
 # Nothing. The timer is late, so it ticks once, and then goes back to its plan. Missed **ticks** are dropped. Missed
-# **messages** are different: they wait in the queue of the subscription, as many as its depth allows, and are then
+# **messages** are different. They wait in the queue of the subscription, as many as its depth allows. Then they are
 # handled late, one by one.
 #
 # So *keep callbacks short*: store something, publish something, return. But some work is long: planning a path, running a

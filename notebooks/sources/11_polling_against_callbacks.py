@@ -5,8 +5,10 @@
 #
 # - **Minutes:** 40
 # - **You need:** lessons [05](05_timers.ipynb) and [10](10_slow_callbacks.ipynb)
-# - **You will be able to:** tell polling from callbacks when you see it, measure what polling costs in time, in lost
-#   messages and in processor time, and turn a loop that polls into callbacks
+# - **You will be able to:**
+#   - tell polling from callbacks when you see it
+#   - measure what polling costs in time, in lost messages and in processor time
+#   - turn a loop that polls into callbacks
 # - **Left out:** how much of a queue is right for which data (lesson 13), real-time systems
 
 # %% [markdown]
@@ -341,8 +343,8 @@ reveal(
 )
 
 # %% [markdown]
-# Nothing is lost any more. But you have built by hand what the subscription already has: a queue, and an executor that runs
-# your callback as soon as a message is in it. The loop adds only the delay.
+# Nothing is lost any more. But you have built by hand what the subscription already has. It has a queue, and an
+# executor that runs your callback as soon as a message is in it. The loop adds only the delay.
 #
 # **When polling is right.** A controller that steers five times a second does not need every distance that the sensor
 # sent. It needs the *newest*, at *its own* moments. So a callback keeps the last value, and a **timer** reads it.

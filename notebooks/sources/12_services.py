@@ -5,8 +5,11 @@
 #
 # - **Minutes:** 45
 # - **You need:** lessons 02 to 06 (nodes, topics, timers, spin), and from lesson 10 that a slow callback holds up others
-# - **You will be able to:** offer a service and call one, choose between a topic and a service, call from a callback
-#   without hanging your node, and handle a response that never comes
+# - **You will be able to:**
+#   - offer a service and call one
+#   - choose between a topic and a service
+#   - call from a callback without hanging your node
+#   - handle a response that never comes
 # - **Left out:** actions (long jobs with progress), services of your own type, parameters (lesson 16)
 
 # %% [markdown]
@@ -113,9 +116,9 @@ predict("call-in-a-callback")
 # %% [markdown]
 # ## Run it
 #
-# The node may hang, so it runs outside of this notebook: `try_out` runs it as a process of its own, records two seconds,
-# and ends it. The node also publishes on `/robot/asked` and `/robot/answered` what it does. Its server runs in another
-# node, with a thread of its own.
+# The node may hang, so it runs outside of this notebook. `try_out` runs it as a process of its own, records two
+# seconds, and ends it. The node also publishes on `/robot/asked` and `/robot/answered` what it does. Its server runs in
+# another node, with a thread of its own.
 
 # %% id="deadlock"
 from lesson_nodes import heart_and_question
@@ -432,7 +435,7 @@ reveal("server-dies", old_call_is_done=old_call_is_done)
 
 # %% [markdown]
 # Nothing tells the client that the server is gone. `service_is_ready()` says whether a server is there *now*, and nothing
-# about your open call. So the client has to check the clock: after a time that you choose, give the call up with
+# about your open call. So the client has to check the clock. After a time that you choose, give the call up with
 # `remove_pending_request(future)`, and ask again or raise an alarm.
 
 # %% [markdown]

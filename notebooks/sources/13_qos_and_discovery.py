@@ -6,8 +6,10 @@
 #
 # - **Minutes:** 45
 # - **You need:** lessons [03](03_publishers_and_messages.ipynb) to 05: publishers, subscriptions, timers
-# - **You will be able to:** say why a subscription hears nothing, give a late program the last status at once, and
-#   notice when a publisher goes silent
+# - **You will be able to:**
+#   - say why a subscription hears nothing
+#   - give a late program the last status at once
+#   - notice when a publisher goes silent
 # - **Left out:** liveliness, lifespan and history (three more policies), discovery servers, settings of one DDS
 
 # %% [markdown]
@@ -477,8 +479,8 @@ await run(late, seconds=10, until=lambda: signs)
 print("a late listener reads:", signs[-1])
 
 # %% [markdown]
-# **Faded.** The panel also has to raise an alarm when the heart has been silent for more than 2 s, with a timer that
-# checks the clock. Fill in what is `...`. Until then the cell runs, and prints what is missing.
+# **Faded.** The panel also has to raise an alarm when the heart has been silent for more than 2 s. A timer checks the
+# clock. Fill in what is `...`. Until then the cell runs, and prints what is missing.
 
 # %%
 LIMIT_S = ...  # TODO: seconds of silence that are too long

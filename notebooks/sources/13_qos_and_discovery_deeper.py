@@ -5,8 +5,10 @@
 #
 # - **Minutes:** 20
 # - **You need:** lesson [13](13_qos_and_discovery.ipynb)
-# - **You will be able to:** keep the first message, say how long discovery takes, and find out why two programs do
-#   not see each other
+# - **You will be able to:**
+#   - keep the first message
+#   - say how long discovery takes
+#   - find out why two programs do not see each other
 # - **Left out:** discovery servers, and settings of DDS for large networks
 
 # %% [markdown] prediction="first-words"

@@ -6,8 +6,11 @@
 # - **Minutes:** 45
 # - **You need:** lessons [03](03_publishers_and_messages.ipynb), [04](04_subscriptions_and_callbacks.ipynb) and
 #   [09](09_joint_positions.ipynb)
-# - **You will be able to:** turn a message into an array and back, say when the two share their memory, run a filter
-#   inside a callback, and weigh noise against delay
+# - **You will be able to:**
+#   - turn a message into an array and back
+#   - say when the two share their memory
+#   - run a filter inside a callback
+#   - weigh noise against delay
 # - **Left out:** images (lesson 15), Kalman filters, messages that come at irregular intervals
 
 # %% [markdown]

@@ -6,7 +6,10 @@
 #
 # - **Minutes:** 35
 # - **You need:** lessons [13](13_qos_and_discovery.ipynb) and [14](14_arrays_and_filters.ipynb)
-# - **You will be able to:** find a ball in an `Image` with OpenCV, turn its pixel into a direction, and let the head follow
+# - **You will be able to:**
+#   - find a ball in an `Image` with OpenCV
+#   - turn its pixel into a direction
+#   - let the head follow
 # - **Left out:** lenses and calibration, two cameras and depth, neural networks (lesson 16)
 
 # %% [markdown]

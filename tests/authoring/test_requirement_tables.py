@@ -107,7 +107,7 @@ WRONG = 'wrong = ["wrong_name", "wrong_type"]'
         (
             f"{TOPIC}\n{WRONG}\n",
             "",
-            "4: requirement 'topic' is neither judged nor not judged: name its criteria",
+            "4: nothing judges requirement 'topic'. Name its criteria",
         ),
         (
             f"{WRONG}\n",

@@ -81,6 +81,11 @@ def museum_passages(path: Path) -> Iterator[Passage]:
 def string_passages(path: Path) -> Iterator[Passage]:
     """The strings of a module that hold words, except its docstrings."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
+    yield from _strings(name(path), 0, tree)
+
+
+def _strings(path: str, first: int, tree: ast.Module) -> Iterator[Passage]:
+    """The strings of code. A program inside a string is read as code. `first`: how many lines stand before it."""
     silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     silent |= {id(part) for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
     for node in ast.walk(tree):
@@ -90,11 +95,22 @@ def string_passages(path: Path) -> Iterator[Passage]:
             text = "".join(_piece(piece) for piece in node.values)
         else:
             continue
-        if "\n" in text and not re.search(r"[a-z][.:,]? *\n", text):
-            continue
-        for passage in markdown(name(path), node.lineno, text.splitlines()):
-            if is_prose(passage.text):
-                yield passage
+        program = _program(text)
+        if program:
+            yield from _strings(path, first + node.lineno - 1, program)
+        elif "\n" not in text or re.search(r"[a-z][.:,]? *\n", text):
+            passages = markdown(path, first + node.lineno, text.splitlines())
+            yield from (passage for passage in passages if is_prose(passage.text))
+
+
+def _program(text: str) -> ast.Module | None:
+    """A text of several lines as a Python program; None if it is none."""
+    if "\n" not in text.strip():
+        return None
+    try:
+        return ast.parse(text)
+    except (SyntaxError, ValueError):
+        return None
 
 
 def is_prose(text: str) -> bool:
@@ -104,20 +120,26 @@ def is_prose(text: str) -> bool:
 
 
 def markdown(path: str, first: int, lines: Sequence[str]) -> Iterator[Passage]:
-    """The passages of markdown lines. `first`: the number of the first line."""
+    """The passages of markdown lines. An option of a prediction and its explanation are two, its condition is code.
+
+    `first`: the number of the first line.
+    """
     gathered: list[str] = []
     begin, fenced, was_text = first, False, False
     for number, line in enumerate([*lines, ""], first):
         bare = line.strip()
         fence = bare.startswith("```")
-        ends = fence or fenced or not bare or bare.startswith("|")
-        starts = bool(re.match(r"([-*>#]|\d+\.) ?|</?(details|summary)", bare)) and not bare.startswith("**")
+        code = fence or fenced or bool(re.fullmatch(r"when `[^`]+`", bare))
+        ends = code or not bare or bare.startswith("|")
+        starts = bool(re.match(r"([-*>#✓✗]|\d+\.) ?|</?(details|summary)", bare)) and not bare.startswith(
+            "**"
+        )
         indented = line.startswith("    ") and not was_text
         if (ends or starts or indented) and gathered:
             yield from _passage(path, begin, " ".join(gathered))
             gathered = []
         fenced ^= fence
-        was_text = bool(bare) and not fence and not fenced and not indented
+        was_text = bool(bare) and not code and not fenced and not indented
         if bare.startswith("|") and not fenced:
             for table_cell in re.split(r"(?<!\\)\|", _without_code(bare)):
                 yield from _passage(path, number, table_cell)
@@ -128,7 +150,8 @@ def markdown(path: str, first: int, lines: Sequence[str]) -> Iterator[Passage]:
 
 def sentences(passage: Passage) -> list[str]:
     """The sentences of a passage. A list after a colon counts as one with what stands before it."""
-    return [one for one in re.split(r"(?<=[.!?])[\"')]* +(?=[\"'(]*[A-Z0-9])", passage.text) if one]
+    begins = r"[\"'(]*(?:[A-Z0-9]|(?:rclpy|rcl|mypy)\b|[a-z]+_[a-z_]+\b|[\w/]+\.(?:md|py|toml)\b)"
+    return [one for one in re.split(rf"(?<=[.!?])[\"')]* +(?={begins})", passage.text) if one]
 
 
 def length(sentence: str) -> int:
@@ -154,13 +177,13 @@ def _passage(path: str, line: int, text: str) -> Iterator[Passage]:
     text = re.sub(r"!?\[([^\]]*)\]\([^)\s]*\)", r"\1", text)  # a link is its words
     text = _without_code(text)
     text = re.sub(r"<[^>]+>|\*\*|(?<!\w)[*_](?=\w)|(?<=\w)[*_](?!\w)", "", text)
-    text = re.sub(r"^(#+|[->]|\d+\.) +", "", text.strip())
+    text = re.sub(r"^(#+|[->✓✗]|\d+\.) +", "", text.strip())
     if re.search("[A-Za-z]", text):
         yield Passage(path, line, " ".join(text.split()))
 
 
 def _without_code(text: str) -> str:
-    return re.sub(r"(`+).+?\1|\$[^$]+\$|https?://\S+", CODE_WORD, text)
+    return re.sub(r"(`+).+?\1|\$[^$]+\$|https?://[^\s)]+", CODE_WORD, text)
 
 
 def _piece(node: ast.expr) -> str:

@@ -141,6 +141,6 @@ def test_a_file_to_hand_in_that_is_not_the_best_version_is_named(folder: Path) -
     (folder / f"{STEM}.py").write_text("robot = 'best'  \n")
     assert "best version" not in str(progress_table(ROOT))
     (folder / f"{STEM}.py").write_text("robot = 'worse'\n")
-    warning = f"{STEM}: the file to hand in is not your best version. %restore 09"
+    warning = f"{STEM}: the file to hand in is not your best version. To put that back, run %restore 09"
     assert warning in str(progress_table(ROOT))
     assert warning in progress_table(ROOT)._repr_html_()

@@ -189,7 +189,7 @@ def _judged_or_not(file: TableFile, one: Requirement, raw: Mapping[str, Any]) ->
             yield file.at_key(one.row, "not_judged", words)
     elif "criteria" not in raw and "wrong" not in raw:
         words = (
-            f"{one.title} is neither judged nor not judged: name its criteria and the wrong answers that break it, "
+            f"nothing judges {one.title}. Name its criteria and the wrong answers that break it, "
             "or say under not_judged why no criterion looks at it"
         )
         yield file.at_key(one.row, "id", words)

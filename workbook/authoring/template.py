@@ -138,8 +138,8 @@ def _opening(section: Section) -> Iterator[str]:
     if not body or body[0].startswith("- "):
         yield "one sentence of why a robot needs this must follow the title"
     for fact in FACTS:
-        if not re.search(rf"^- \*\*{fact}:\*\* \S", first.source, re.MULTILINE):
-            yield f"the first cell needs the line '- **{fact}:** …'"
+        if not re.search(rf"^- \*\*{fact}:\*\*(?: |\n  - )\S", first.source, re.MULTILINE):
+            yield f"the first cell needs the line '- **{fact}:** …', or a list below '- **{fact}:**'"
     minutes = re.search(r"^- \*\*Minutes:\*\* (.*)$", first.source, re.MULTILINE)
     if minutes and not minutes[1].strip().isdigit():
         yield f"the minutes must be a number, not {minutes[1].strip()!r}"

@@ -65,16 +65,16 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         metavar="SHARE",
         type=_share,
         default=SECOND_START,
-        help="share of the answers that are started a second time, as a student starts them, after they passed on "
-        f"robot time (default: {SECOND_START:g}; `all` for an exam)",
+        help="share of the answers that passed on robot time and are started again, as a student starts them "
+        f"(default: {SECOND_START:g}; `all` for an exam)",
     )
     parser.add_argument(
         "--isolation",
         choices=["auto", "sandbox", "uid", "landlock", "limits"],
         default="auto",
-        help="sandbox (what auto wants): each program in a sandbox of bubblewrap, with its own network. uid: a "
-        "separate user id, if the grader is root. landlock: the kernel hides files. limits: resource limits "
-        "and own domain; only for answers that you would run yourself",
+        help="With sandbox (what auto wants), each program runs in a sandbox of bubblewrap, with its own network. "
+        "With uid, it has a separate user id, if the grader is root. With landlock, the kernel hides files. With "
+        "limits, it has resource limits and its own domain: only for answers that you would run yourself",
     )
 
 

@@ -26,8 +26,8 @@ def register(subparsers: Any) -> None:
         "--template",
         choices=TEMPLATES,
         default=TEMPLATES[0],
-        help="what the exercise is about: a publisher (a rate and a value, the default), a listener (reacts to a "
-        "sensor), a service (answers calls), or a function that a driver calls",
+        help="what the exercise is about. A publisher has a rate and a value (the default). A listener reacts to a "
+        "sensor. A service answers calls. A function is called by a driver",
     )
     parser.set_defaults(run=run)
 

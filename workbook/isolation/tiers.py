@@ -136,11 +136,8 @@ def leaves_open(isolation: Isolation) -> str:
     if isolation == "uid" and not abi:
         open_to.insert(0, "files that every user of this machine may read (`chmod o= FOLDER` helps)")
     if isolation == "landlock" and not knows_this_machine():
-        open_to.insert(
-            0,
-            "the permissions of your files, which an answer can change where it guesses the name, and the limits of "
-            "your processes, with which it can end them",
-        )
+        open_to.insert(0, "the limits of your processes, with which an answer can end them")
+        open_to.insert(0, "the permissions of your files, which an answer can change if it guesses the name")
     if isolation == "limits" or (isolation == "landlock" and abi < ABI_OF_SIGNALS):
         open_to.insert(0, "your processes, this grader among them, which an answer can end")
     if isolation == "limits":

@@ -75,8 +75,8 @@ class ProgressTable:
     def warnings(self) -> list[str]:
         """One line for each exercise whose file to hand in is not the best version."""
         return [
-            f"{one.stem}: the file to hand in is not your best version. %restore {one.stem[:2]} in its notebook, "
-            f"or workbook restore {one.stem[:2]} in a terminal, puts that back."
+            f"{one.stem}: the file to hand in is not your best version. To put that back, run "
+            f"%restore {one.stem[:2]} in its notebook, or workbook restore {one.stem[:2]} in a terminal."
             for one in self.course.not_best
         ]
 

@@ -55,7 +55,7 @@ def gone_silent(recording: Recording, topic: Topic, since: float, saw: str, expe
             "silence.of-all",
             f"{saw}; nothing came on {listing(others)} after that, either",
             expected,
-            "The program runs, but nothing calls its callbacks any more: one of them never returns (an endless "
+            "The program runs, but nothing calls its callbacks any more. One of them never returns (an endless "
             "loop, a long sleep, a wait), or the spin has ended.",
             "Let every callback return quickly: no while loop and no sleep in it. The timer calls it again.",
             about_time=True,
