@@ -25,13 +25,13 @@ await watch_robot(seconds=6, ease=0.1)
 # and receiving is real. It is the software that runs on real robots: **ROS 2**, the Robot Operating System.
 
 # %% [markdown]
-# ### What is rclpy?
+# ## What is rclpy?
 #
 # `rclpy` is the Python library of ROS 2. You write an ordinary Python class with a few methods. rclpy makes it a
 # **node**: a part of the robot that other programs can find and talk to. They may run on another computer, and they may
 # be written in another language.
 #
-# ### Why does it matter?
+# ## Why does it matter?
 #
 # On a humanoid, camera drivers and motor control are mostly C++, because each millisecond counts there. Perception,
 # planning and learning are mostly Python, because NumPy, OpenCV and PyTorch are there. Nodes connect the two:
@@ -281,7 +281,9 @@ stop()
 # %%
 from workbook.lesson import knob
 
-await knob(joint_position_publisher, "waves_per_second", 0.8, between=(0.1, 3.0), seconds=8)
+await knob(
+    joint_position_publisher, "waves_per_second", 0.8, between=(0.1, 3.0), seconds=8
+)
 
 # %% [markdown]
 # ## When it goes wrong
