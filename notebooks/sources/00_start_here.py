@@ -28,16 +28,13 @@ await watch_robot(seconds=6, ease=0.1)
 # and receiving is real. It is the software that runs on real robots: **ROS 2**, the Robot Operating System.
 
 # %% [markdown]
-# ### What is rclpy?
+# **What is rclpy?** It is the Python library of ROS 2. You write an ordinary Python class with a few methods. rclpy makes
+# it a **node**: a part of the robot that other programs can find and talk to. They may run on another computer, and they
+# may be written in another language.
 #
-# `rclpy` is the Python library of ROS 2. You write an ordinary Python class with a few methods. rclpy makes it a
-# **node**: a part of the robot that other programs can find and talk to. They may run on another computer, and they may
-# be written in another language.
-#
-# ### Why does it matter?
-#
-# On a humanoid, camera drivers and motor control are mostly C++, because each millisecond counts there. Perception,
-# planning and learning are mostly Python, because NumPy, OpenCV and PyTorch are there. Nodes connect the two:
+# **Why does it matter?** On a humanoid, camera drivers and motor control are mostly C++, because each millisecond counts
+# there. Perception, planning and learning are mostly Python, because NumPy, OpenCV and PyTorch are there. Nodes connect
+# the two:
 #
 # - A trained model becomes part of the robot in a few lines. Images come in on one topic, detections go out on another.
 # - You can try an idea in minutes. Change a line and start that one program again. The rest of the robot keeps running.
@@ -46,10 +43,8 @@ await watch_robot(seconds=6, ease=0.1)
 # stays in C++. Your node talks to it.
 
 # %% [markdown]
-# ### How these notebooks work
-#
-# **Predict, run, change.** Before you run something, say what will happen. Then run it and look. Then change a number.
-# A wrong prediction is worth more than a right one, because it shows what you can learn.
+# **How do these notebooks work?** Predict, run, change. Before you run something, say what will happen. Then run it and
+# look. Then change a number. A wrong prediction is worth more than a right one, because it shows what you can learn.
 #
 # **`await`.** This word stands before calls that take a while. It keeps the notebook alive meanwhile, so that pictures
 # move and the stop button works. Write it where you see it. (Lesson 12 explains it.)
@@ -284,7 +279,9 @@ stop()
 # %%
 from workbook.lesson import knob
 
-await knob(joint_position_publisher, "waves_per_second", 0.8, between=(0.1, 3.0), seconds=8)
+await knob(
+    joint_position_publisher, "waves_per_second", 0.8, between=(0.1, 3.0), seconds=8
+)
 
 # %% [markdown]
 # ## When it goes wrong

@@ -33,7 +33,8 @@ stop()
 # self.create_subscription(Float32, "/robot/distance", self.on_distance, 10)
 #
 # def on_distance(self, message: Float32) -> None:
-#     self.joint_publisher.publish(Float32MultiArray(data=posture(message.data, self.close_m)))
+#     joints = posture(message.data, self.close_m)
+#     self.joint_publisher.publish(Float32MultiArray(data=joints))
 # ```
 #
 # The first line is the **subscription**: which type, which topic, what to call, and how many messages may wait. The

@@ -32,7 +32,9 @@ stop()
 # %%
 from workbook.lesson import knob
 
-await knob(two_arms, "right_period_s", 1.0, between=(0.05, 1.5), seconds=8, left_period_s=0.05)
+await knob(
+    two_arms, "right_period_s", 1.0, between=(0.05, 1.5), seconds=8, left_period_s=0.05
+)
 
 # %% [markdown] prediction="loop-and-timer"
 # ## Predict

@@ -49,7 +49,14 @@ BEAT = "/robot/heartbeat"
 tired = record("tired_robot.py", {BEAT: 0.25}, seconds=5, clock="wall")
 print(tired.process.log.strip().splitlines()[-1])
 robots(
-    [Robot("the tired robot", arrivals(tired, BEAT), period=0.25, trouble="its program ended")],
+    [
+        Robot(
+            "the tired robot",
+            arrivals(tired, BEAT),
+            period=0.25,
+            trouble="its program ended",
+        )
+    ],
     "a robot moves for two and a half seconds, and then stands still with a red lamp",
     end=5.0,
 )
@@ -87,7 +94,9 @@ class Vitals(Node):
         self.battery = self.create_publisher(Float32, "/robot/battery", 10)
         self.create_timer("2 s", self.report)  # 1 a text for a period
         self.create_timer(self.report, 2.0)  # 2 two arguments swapped
-        self.create_subscription(Float32, "/robot/tilt", self.on_word, 10)  # 3 a callback for another message
+        self.create_subscription(
+            Float32, "/robot/tilt", self.on_word, 10  # 3 a callback for another message
+        )
 
     def report(self) -> None:
         level = Float32()
@@ -296,7 +305,9 @@ typed = SENDS_FLOATS + VITALS.partition("String\n")[2].replace(
     "self.battery = ", "self.battery: SendsFloats = "
 )
 with_typed_publisher = check_types(typed)
-print(*(found.message for found in with_typed_publisher.findings if "publish" in found.message), sep="\n")
+for finding in with_typed_publisher.findings:
+    if "publish" in finding.message:
+        print(finding.message)
 
 # %% [markdown]
 # One annotation on the attribute is enough. One description for *all* message types needs type variables. The optional
@@ -307,7 +318,9 @@ print(*(found.message for found in with_typed_publisher.findings if "publish" in
 # %%
 more_lines = len(typed.splitlines()) - len(VITALS.splitlines())
 found_now = {
-    number for number, line in MISTAKES.items() if line + more_lines in with_typed_publisher.lines
+    number
+    for number, line in MISTAKES.items()
+    if line + more_lines in with_typed_publisher.lines
 }
 checked = run_program(FIELD_CHECKS + seven_times, seconds=30)
 
@@ -339,7 +352,9 @@ NAMES = {
 }
 for name, caught in nets.items():
     print(f"{len(caught)} of 7  {' '.join(name.split())}")
-nets_picture(nets, NAMES, "seven mistakes and five nets: which net catches which mistake")
+nets_picture(
+    nets, NAMES, "seven mistakes and five nets: which net catches which mistake"
+)
 
 # %% [markdown]
 # No net catches all. The two on the right catch a mistake only once the line is reached. Mistake 3 is still free. You
@@ -361,7 +376,8 @@ SHAPES = {"script": battery_script, "closure": battery_closure, "class": battery
 for name, module in SHAPES.items():
     recording = record(module, {"/robot/battery": 2.0}, seconds=60)
     lines = len(Path(module.__file__).read_text().splitlines())
-    print(f"{name:8} {lines} lines of text, {len(arrivals(recording, '/robot/battery'))} messages in a minute")
+    messages = len(arrivals(recording, "/robot/battery"))
+    print(f"{name:8} {lines} lines of text, {messages} messages in a minute")
 
 # %% [markdown] prediction="three-shapes"
 # On their topics the three behave alike. For mypy they differ. We put the same mistake into each, `create_timer("2 s",
@@ -390,15 +406,17 @@ predict("three-shapes")
 # %%
 def spoiled(module, hints):
     """The text of a module with a wrong period, with or without its hints."""
-    text = Path(module.__file__).read_text().replace("create_timer(PERIOD_S,", 'create_timer("2 s",')
+    text = Path(module.__file__).read_text()
+    text = text.replace("create_timer(PERIOD_S,", 'create_timer("2 s",')
     return text if hints else text.replace(" -> None", "")
 
 
 without_hints = {}
 for name, module in SHAPES.items():
-    without_hints[name] = without = len(check_types(spoiled(module, hints=False), strict=False))
-    with_hints = len(check_types(spoiled(module, hints=True), strict=False))
-    print(f"{name:8} mistakes found without '-> None': {without}, with it: {with_hints}")
+    without = len(check_types(spoiled(module, hints=False), strict=False))
+    without_hints[name] = without
+    hinted = len(check_types(spoiled(module, hints=True), strict=False))
+    print(f"{name:8} mistakes found without '-> None': {without}, with it: {hinted}")
 reveal(
     "three-shapes",
     script=without_hints["script"],
@@ -467,15 +485,19 @@ whole = LEVEL.format(value="level", given="100")
 report, end = check_types(whole), run_program(whole, seconds=20)
 print(report)
 print(end.log)
-reveal("a-whole-number", complaints=len(report), raised_in_python="TypeError" in end.log)
+reveal(
+    "a-whole-number", complaints=len(report), raised_in_python="TypeError" in end.log
+)
 
 # %% [markdown]
 # mypy accepts an `int` for a `float`, because Python can calculate with both. The message's C code cannot: a wrong value
 # arrives, or the program crashes, depending on the build. So convert where values enter the message:
 
 # %%
-print("float(level):    ", run_program(LEVEL.format(value="float(level)", given="100"), seconds=20).log.strip())
-print("and field checks:", run_program(FIELD_CHECKS + whole, seconds=20).log.strip().splitlines()[-1])
+converted = run_program(LEVEL.format(value="float(level)", given="100"), seconds=20)
+print("float(level):    ", converted.log.strip())
+with_checks = run_program(FIELD_CHECKS + whole, seconds=20)
+print("and field checks:", with_checks.log.strip().splitlines()[-1])
 
 # %% [markdown] prediction="one-of-two-words"
 # ### Experiment 3: one of two words
@@ -506,7 +528,9 @@ def send_status(word: {hint}) -> None:
 send_status("operatoinal")
 '''
 for hint in ("str", 'Literal["operational", "error"]'):
-    program = WORDS.format(hint=hint).replace("from typing import Literal\n" if hint == "str" else "\0", "")
+    program = WORDS.format(hint=hint)
+    if hint == "str":
+        program = program.replace("from typing import Literal\n", "")
     print(hint)
     print(check_types(program))
     print(run_program(program, seconds=20).log)
@@ -573,7 +597,8 @@ GUARD = '''\
     if not isinstance(level, (int, float)):
         raise TypeError(f"a charge is a number of percent, not {level!r}")
     publisher.publish('''
-guarded = careless.replace("    publisher.publish(", GUARD).replace("data=level", "data=float(level)")
+guarded = careless.replace("    publisher.publish(", GUARD)
+guarded = guarded.replace("data=level", "data=float(level)")
 print(check_types(guarded))
 print(run_program(guarded, seconds=20).log.strip().splitlines()[-1])
 
@@ -607,7 +632,8 @@ class ChargingStation(Node):
 
     def __init__(self) -> None:
         super().__init__("charging_station")
-        self.plug_publisher: SendsText = self.create_publisher(String, "/station/plug", 10)
+        publisher = self.create_publisher(String, "/station/plug", 10)
+        self.plug_publisher: SendsText = publisher
 
     def send_plug(self, plug: Plug) -> None:
         """Publish the state of the plug. Raises ValueError for any other word."""

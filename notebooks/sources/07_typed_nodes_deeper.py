@@ -54,7 +54,9 @@ class Sends(Protocol[Taken]):
 '''
 report = check_types(SENDS)
 print(report)
-reveal("one-letter-less", complaints=len(report), names_it="contravariant" in str(report))
+reveal(
+    "one-letter-less", complaints=len(report), names_it="contravariant" in str(report)
+)
 
 # %% [markdown]
 # ## Look inside
@@ -106,11 +108,13 @@ PLAIN = TYPED.replace(
 )
 ROWS = {1: "a String is published"}
 nets = {
-    name: {1} if any("publish" in found.message for found in check_types(text).findings) else set()
+    name: {1 for found in check_types(text).findings if "publish" in found.message}
     for name, text in (("rclpy's Publisher", PLAIN), ("Sends[Float32]", TYPED))
 }
 print({name: bool(caught) for name, caught in nets.items()})
-nets_picture(nets, ROWS, "rclpy's Publisher misses the wrong message, Sends[Float32] finds it")
+nets_picture(
+    nets, ROWS, "rclpy's Publisher misses the wrong message, Sends[Float32] finds it"
+)
 
 # %% [markdown]
 # From Python 3.12 on you can write `class Sends[Taken](Protocol)` and

@@ -267,11 +267,16 @@ fig, (upper, lower) = figure(7.2, 3.2, rows=2)
 upper.step(arrivals(evening, BATTERY), levels, where="post", color=AMBER)
 upper.set(ylabel="battery (%)", xlim=(0, 120), ylim=(-0.5, 10.5))
 for word, color, sign in (("operational", GREEN, "o"), ("error", RED, "x")):
-    times = [t for t, heard in zip(arrivals(evening, STATUS), words, strict=True) if heard == word]
+    timed = zip(arrivals(evening, STATUS), words, strict=True)
+    times = [t for t, said in timed if said == word]
     lower.plot(times, [word] * len(times), sign, color=color, markersize=4)
 lower.set(xlabel="robot time (s)", xlim=(0, 120), ylim=(-0.6, 1.6))
 upper.set_title("the battery reaches zero, and the messages go on", fontsize=11)
-show(fig, "the battery falls to zero and stays there; the status turns from operational to error")
+show(
+    fig,
+    "the battery falls to zero and stays there; "
+    "the status turns from operational to error",
+)
 
 # %% [markdown]
 # A message that says 0.0 tells a monitor what is wrong. Silence does not: is the battery empty, has the program crashed,
@@ -312,8 +317,11 @@ from workbook.lesson import spin_for
 
 heard = []
 listener = fresh(lambda: rclpy.create_node("late_listener"))
-listener.create_subscription(String, STATUS, lambda message: heard.append(message.data), 10)
-spin_for(listener, seconds=10, until=lambda: humanoid.status_publisher.get_subscription_count() == 1)
+listener.create_subscription(
+    String, STATUS, lambda message: heard.append(message.data), 10
+)
+status = humanoid.status_publisher
+spin_for(listener, seconds=10, until=lambda: status.get_subscription_count() == 1)
 spin_for(listener, seconds=0.5)
 kept = len(heard)
 print("heard of the three messages:", kept)
@@ -338,7 +346,7 @@ from workbook.lesson import graph_picture
 
 print("started", start(status_monitor))
 opened = asyncio.create_task(watch_status(seconds=5))
-await run(listener, until=lambda: humanoid.status_publisher.get_subscription_count() == 3, seconds=10)
+await run(listener, until=lambda: status.get_subscription_count() == 3, seconds=10)
 
 humanoid.publish_status()
 humanoid.battery_publisher.publish(Float32(data=80.0))

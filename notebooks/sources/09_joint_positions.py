@@ -115,7 +115,10 @@ def last_known(recording):
 
 swing = truth.max() - truth.min()
 worst = np.abs(last_known(slow) - truth).max()
-print(f"the elbow swings by {swing:.1f} rad; at 0.5 Hz the last message is wrong by up to {worst:.1f} rad")
+print(
+    f"the elbow swings by {swing:.1f} rad; "
+    f"at 0.5 Hz the last message is wrong by up to {worst:.1f} rad"
+)
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -127,8 +130,13 @@ axes.step(moments, last_known(slow), where="post", color=AMBER)
 axes.set(xlabel="robot time (s)", ylabel="left elbow (rad)", xlim=(2, 18))
 axes.text(14.2, 0.8, "the real elbow", color=BLUE, weight="bold")
 axes.text(14.2, 0.15, "the last message", color=AMBER, weight="bold")
-axes.set_title("at 0.5 Hz the last message is often wrong by the whole swing", fontsize=11)
-show(fig, "the elbow swings quickly while the last known angle changes only every two seconds")
+axes.set_title(
+    "at 0.5 Hz the last message is often wrong by the whole swing", fontsize=11
+)
+show(
+    fig,
+    "the elbow swings quickly while the last known angle changes every two seconds",
+)
 
 # %% [markdown]
 # ## Look inside
@@ -154,7 +162,8 @@ from std_msgs.msg import Float32MultiArray
 
 message = Float32MultiArray(data=waving(0.25))
 kind = type(message.data).__name__
-print(len(message.data), "values, stored as", kind, "of type", repr(message.data.typecode))
+code = repr(message.data.typecode)
+print(len(message.data), "values, stored as", kind, "of type", code)
 print("left elbow sent:", waving(0.25)[ELBOW])
 print("left elbow kept:", message.data[ELBOW])
 
@@ -230,7 +239,7 @@ UPPER_ARM, FOREARM = 0.30, 0.28  # m
 
 
 class HandTracker(Node):
-    """Publishes how high the left hand is above the shoulder (m), for every set of joint angles."""
+    """Publishes the left hand's height above the shoulder (m), once per message."""
 
     def __init__(self) -> None:
         super().__init__("hand_tracker")
@@ -262,7 +271,7 @@ fig, axes = figure(7.2, 2.4)
 axes.plot(range(1, len(tracker.heights) + 1), tracker.heights, ".-", color=BLUE)
 axes.set(xlabel="number of the message", ylabel="hand above shoulder (m)")
 axes.set_title("each message becomes one height", fontsize=11)
-show(fig, "the height of the waving hand, computed from the joint angles, goes up and down")
+show(fig, "the height of the waving hand, computed from the angles, goes up and down")
 
 # %% [markdown]
 # One height for each message. The subscriber needs no timer: each message triggers its callback. Most of a robot works like
@@ -319,12 +328,17 @@ reveal("a-hundred-hertz", times_as_much=used[100.0] / used[0.5])
 
 # %%
 fig, axes = figure(5.2, 2.4)
-bars = axes.bar([f"{hz:g} Hz" for hz in used], [100 * busy for busy in used.values()], color=BLUE)
+percent = {f"{hz:g} Hz": 100 * busy for hz, busy in used.items()}
+bars = axes.bar(list(percent), list(percent.values()), color=BLUE)
 axes.bar_label(bars, fmt="%.1f %%")
 axes.set_title("200 times the messages cost less than 200 times the work", fontsize=11)
 axes.set(ylabel="one core, busy (%)")
 axes.margins(y=0.2)
-show(fig, "processor time of the publisher at 0.5, 10 and 100 Hz: it grows, but less than the number of messages")
+show(
+    fig,
+    "processor time of the publisher at 0.5, 10 and 100 Hz: "
+    "it grows, but less than the number of messages",
+)
 
 # %% [markdown]
 # The start of the program is not in these numbers. At 0.5 Hz much of it is background work: DDS keeps in touch with
@@ -364,10 +378,12 @@ Float32MultiArray(data=1.57)
 from workbook.lesson import robot
 from workbook.pictures.joints import pose
 
-robot(*pose(left_shoulder=math.radians(90)), caption="left shoulder at math.radians(90)")
+up = pose(left_shoulder=math.radians(90))
+robot(*up, caption="left shoulder at math.radians(90)")
 
 # %%
-robot(*pose(left_shoulder=90), caption="left shoulder at 90: that is 14 turns and a bit")
+spun = pose(left_shoulder=90)
+robot(*spun, caption="left shoulder at 90: that is 14 turns and a bit")
 
 # %%
 for bad in ([0.0] * 11, [math.nan] * 12):
@@ -393,10 +409,11 @@ from rclpy.logging import LoggingSeverity, set_logger_level
 
 from lesson_nodes.humanoid_status_publisher import HumanoidStatusPublisher
 
-set_logger_level("humanoid_status_publisher", LoggingSeverity.WARN)  # its log was lesson 08
+# Its log was lesson 08.
+set_logger_level("humanoid_status_publisher", LoggingSeverity.WARN)
 
 class WithHeadAngle(HumanoidStatusPublisher):
-    """The status publisher, and the angle of the head on /robot/head_angle (Float32, rad, 1 Hz)."""
+    """The status publisher, with the head's angle (rad, 1 Hz) on /robot/head_angle."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -423,11 +440,12 @@ FINGER_PERIOD_S = ...  # TODO: seconds between two messages at 2 Hz
 
 
 class WithFingers(WithHeadAngle):
-    """Adds the angles of five fingers on /robot/finger_positions (Float32MultiArray, rad, 2 Hz)."""
+    """Adds the angles of five fingers (rad, 2 Hz) on /robot/finger_positions."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.finger_pub = ...  # TODO: a publisher of Float32MultiArray on /robot/finger_positions
+        # TODO: a publisher of Float32MultiArray on /robot/finger_positions
+        self.finger_pub = ...
         self.grips = 0
         if FINGER_PERIOD_S is not ...:
             self.finger_timer = self.create_timer(FINGER_PERIOD_S, self.publish_fingers)

@@ -84,7 +84,12 @@ def watch(**parameters):
     """Five seconds of a robot that thinks for 1 s, every 1.1 s."""
     periods = {HEARTBEAT: 0.1, THOUGHT: 1.1}
     return record(
-        thinking_robot, periods, seconds=SECONDS, clock="wall", think_period_s=1.1, **parameters
+        thinking_robot,
+        periods,
+        seconds=SECONDS,
+        clock="wall",
+        think_period_s=1.1,
+        **parameters,
     )
 
 
@@ -163,7 +168,8 @@ from workbook.pictures.timeline import strip
 
 show(
     strip({HEARTBEAT: beats, THOUGHT: thoughts}, periods={HEARTBEAT: 0.1}, end=SECONDS),
-    "heartbeats: a regular row at first, then a silence of a second during each thought",
+    "heartbeats: a regular row at first, "
+    "then a silence of a second during each thought",
 )
 
 # %% [markdown]
@@ -277,10 +283,8 @@ rescued = watch(threads=4, own_group=True)
 counted["4 threads, own group"] = came(rescued)
 
 for name, count in counted.items():
-    print(
-        f"{name + ':':<22}",
-        "most of them" if count >= MOST else "fewer than half" if count < DUE / 2 else count,
-    )
+    fewer = "fewer than half" if count < DUE / 2 else count
+    print(f"{name + ':':<22}", "most of them" if count >= MOST else fewer)
 reveal(
     "own-group",
     one_thread=counted["1 thread, own group"],
@@ -295,15 +299,18 @@ from workbook.pictures.palette import GREEN, GREY, RED
 fig, axes = figure(6.4, 2.2)
 colors = [GREEN if count >= MOST else RED for count in counted.values()]
 bars = axes.barh(list(counted), list(counted.values()), color=colors, height=0.6)
-axes.bar_label(
-    bars, [f"{'✓' if count >= MOST else '✗'} {count}" for count in counted.values()], padding=4
-)
+signs = [f"{'✓' if count >= MOST else '✗'} {count}" for count in counted.values()]
+axes.bar_label(bars, signs, padding=4)
 axes.axvline(DUE, linestyle="--", color=GREY)
 axes.set(xlabel="heartbeats that came, of 50 that were due", xlim=(0, 58))
 axes.grid(visible=False)
 axes.invert_yaxis()
 axes.set_title("only threads and a group together rescue the heart", fontsize=11)
-show(fig, "four bars: only four threads together with a group of its own bring most heartbeats")
+show(
+    fig,
+    "four bars: only four threads together with a group of its own "
+    "bring most heartbeats",
+)
 
 # %% [markdown]
 # Threads make it *possible* to run two callbacks at once, groups *permit* it. You need both. Here are the two recordings
@@ -313,8 +320,12 @@ show(fig, "four bars: only four threads together with a group of its own bring m
 from workbook.pictures.moving import by_name, robots
 
 robots(
-    by_name({"1 thread": beats, "4 threads, own group": arrivals(rescued, HEARTBEAT)}, period=0.1),
-    "two robots: one stands still with a red lamp during each thought, the other one moves all the time",
+    by_name(
+        {"1 thread": beats, "4 threads, own group": arrivals(rescued, HEARTBEAT)},
+        period=0.1,
+    ),
+    "two robots: one stands still with a red lamp during each thought, "
+    "the other one moves all the time",
     end=SECONDS,
 )
 
@@ -433,9 +444,8 @@ class Planner(Node):
         self.plans: list[int] = []
         self.job = job
         for leg in range(4):
-            self.create_timer(
-                0.001, lambda leg=leg: self.plan(leg), callback_group=MutuallyExclusiveCallbackGroup()
-            )
+            own = MutuallyExclusiveCallbackGroup()
+            self.create_timer(0.001, lambda leg=leg: self.plan(leg), callback_group=own)
 
     def plan(self, leg) -> None:
         self.job()
@@ -459,18 +469,22 @@ for job in (wait, compute):
             spin_with(SingleThreadedExecutor(), planner, 2.0)
         else:
             spin_with(MultiThreadedExecutor(num_threads=threads), planner, 2.0)
-        used[job.__name__, threads] = (time.process_time() - processor) / (time.monotonic() - clock)
+        busy, passed = time.process_time() - processor, time.monotonic() - clock
+        used[job.__name__, threads] = busy / passed
         done[job.__name__, threads] = len(planner.plans)
 
 # %% tags=["nbval-ignore-output"]
 for (name, threads), plans in done.items():
-    print(f"{name:<8} {threads} thread{'s' if threads > 1 else ' '}: {plans:>4} plans in 2 s")
+    noun = "threads" if threads > 1 else "thread "
+    print(f"{name:<8} {threads} {noun}: {plans:>4} plans in 2 s")
 
 # %% id="computing"
-print("waiting: at least twice as many plans with four threads:", done["wait", 4] > 2 * done["wait", 1])
+more = done["wait", 4] > 2 * done["wait", 1]
+print("waiting: at least twice as many plans with four threads:", more)
 for threads in (1, 4):
     busy = "one" if used["compute", threads] < 1.3 else "several"
-    print(f"computing: processors kept busy by {threads} thread{'s' if threads > 1 else ''}: {busy}")
+    noun = "threads" if threads > 1 else "thread"
+    print(f"computing: processors kept busy by {threads} {noun}: {busy}")
 
 # %% [markdown]
 # Only one thread at a time may run Python code, because of the GIL. Waiting overlaps, computing does not. Computing that
@@ -577,7 +591,9 @@ class Guide(Node):
         self.paths: list[str] = []
         planning = MutuallyExclusiveCallbackGroup()
         self.create_timer(0.1, self.beat)
-        self.create_subscription(String, "/guide/goal", self.on_goal, 10, callback_group=planning)
+        self.create_subscription(
+            String, "/guide/goal", self.on_goal, 10, callback_group=planning
+        )
 
     def beat(self) -> None:
         self.beats += 1
@@ -596,7 +612,8 @@ for goal in ("desk", "lift", "stairs"):
 
 spin_with(MultiThreadedExecutor(num_threads=2), guide, 4.0)
 print("paths:", guide.paths)
-print("more than half of 40 heartbeats, where one thread had time for 16:", guide.beats > 20)
+more = guide.beats > 20
+print("more than half of 40 heartbeats, where one thread had time for 16:", more)
 
 # %% [markdown]
 # Three requests came at once. Two of them waited in the subscription's queue, and were planned in order. *Mutually
@@ -625,7 +642,8 @@ class QueueGuide(Node):
     def beat(self) -> None:
         self.beats += 1
 
-    def on_goal(self, message: String) -> None: ...  # TODO: put the goal into the queue, and return at once
+    def on_goal(self, message: String) -> None:
+        ...  # TODO: put the goal into the queue, and return at once
 
     def work(self) -> None:
         while True:
@@ -637,11 +655,13 @@ class QueueGuide(Node):
 
 
 queue_guide = fresh(QueueGuide)
-await run(visitor, until=lambda: asking.get_subscription_count() == 2)  # the guide from above listens, too
+# Two subscriptions: the guide from above listens, too.
+await run(visitor, until=lambda: asking.get_subscription_count() == 2)
 for goal in ("desk", "lift", "stairs"):
     asking.publish(String(data=goal))
 await run(queue_guide, seconds=4.0)
-print("paths:", queue_guide.paths or "none yet: fill in the two places, then run this cell again")
+hint = "none yet: fill in the two places, then run this cell again"
+print("paths:", queue_guide.paths or hint)
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/10_slow_callbacks.ipynb) the heartbeat of a humanoid stops whenever its arm

@@ -34,13 +34,13 @@ stop()
 # Many beginners ask why a loop is not enough. Here are both monitors in short:
 #
 # ```python
-# # A: a loop that polls                            # B: a callback
-# def keep(message):                                def on_touch(message):
-#     monitor.last = message.data                       report(message.data)
+# # A: a loop that polls                         # B: a callback
+# def keep(message):                             def on_touch(message):
+#     monitor.last = message.data                    report(message.data)
 #
-# Thread(target=spin, args=(monitor,)).start()      node.create_subscription(
-# while rclpy.ok():                                     Int32, "/robot/touch", on_touch, 100)
-#     if monitor.last != monitor.reported:          rclpy.spin(node)
+# Thread(target=spin, args=(monitor,)).start()   node.create_subscription(
+# while rclpy.ok():                                  Int32, "/robot/touch", on_touch, 100)
+#     if monitor.last != monitor.reported:       rclpy.spin(node)
 #         monitor.reported = monitor.last
 #         report(monitor.reported)
 #     time.sleep(0.05)
@@ -115,7 +115,9 @@ async def match(touches=TOUCHES, **polling):
     start(callback_monitor)
     start(touch_sensor, touches=touches, listeners=3)
     await run(
-        referee, seconds=40, until=lambda: len(referee.touched) == len(set(referee.callback)) == touches
+        referee,
+        seconds=40,
+        until=lambda: len(referee.touched) == len(set(referee.callback)) == touches,
     )
     await run(referee, seconds=0.5)  # for late reports
     stop()
@@ -130,10 +132,12 @@ from statistics import median
 
 for name in ("polling", "callback"):
     reports = getattr(first, name)
-    print(f"{name:<9}{len(reports):>4} reported, typically {median(first.late(reports)):.1f} ms late")
+    late = median(first.late(reports))
+    print(f"{name:<9}{len(reports):>4} reported, typically {late:.1f} ms late")
 
 # %% id="missed"
-print("by callback, all in order:", [number for number, _ in first.callback] == list(range(1, TOUCHES + 1)))
+numbers = [number for number, _ in first.callback]
+print("by callback, all in order:", numbers == list(range(1, TOUCHES + 1)))
 print("by polling, fewer than half:", len(first.polling) < TOUCHES / 2)
 reveal("the-touches", reported=len(first.polling), sent=TOUCHES)
 
@@ -147,7 +151,9 @@ from workbook.pictures.figures import figure, show
 from workbook.pictures.palette import BLUE, GREEN, GREY, RED
 
 zero = first.touched[1]
-touched_at = {number: (moment - zero) / 1000 for number, moment in first.touched.items()}
+touched_at = {
+    number: (moment - zero) / 1000 for number, moment in first.touched.items()
+}
 rows = {
     "touches": set(touched_at),
     "by polling": {number for number, _ in first.polling},
@@ -159,14 +165,18 @@ for row, numbers in enumerate(rows.values()):
     for number, at in touched_at.items():
         bunch = [other for other in touched_at if abs(touched_at[other] - at) < 0.02]
         height = 0.14 * (bunch.index(number) - (len(bunch) - 1) / 2) - row
-        marker, color = ("o", BLUE if row == 0 else GREEN) if number in numbers else ("x", RED)
+        marker, color = "o", BLUE if row == 0 else GREEN
+        if number not in numbers:
+            marker, color = "x", RED
         axes.plot(at, height, marker=marker, color=color, markersize=4)
-axes.set(xlim=(-0.03, 1.5), ylim=(-2.6, 0.6), xlabel="s", yticks=[0, -1, -2], yticklabels=list(rows))
+axes.set(xlim=(-0.03, 1.5), ylim=(-2.6, 0.6), xlabel="s")
+axes.set_yticks([0, -1, -2], list(rows))
 axes.set_title("polling misses most touches of a bunch", fontsize=11)
 axes.grid(visible=False)
 show(
     fig,
-    "touches in bunches; by polling most of a bunch is missed (a cross), by callback each one is reported (a dot)",
+    "touches in bunches; by polling most of a bunch is missed (a cross), "
+    "by callback each one is reported (a dot)",
 )
 
 # %% [markdown]
@@ -186,13 +196,22 @@ axes.hist(first.late(first.polling), bins=edges, color=RED, alpha=0.6, hatch="//
 axes.axvline(50, linestyle="--", color=GREY)
 axes.set(xscale="log", xlabel="late by (ms)", ylabel="reports", xlim=(0.1, 1000))
 axes.set_xticks([0.1, 1, 10, 50, 100], ["0.1", "1", "10", "50", "100"])
-axes.text(0.02, 0.9, "by callback", color=GREEN, transform=axes.transAxes, weight="bold")
-axes.text(0.78, 0.9, "by polling", color=RED, transform=axes.transAxes, weight="bold")
-axes.set_title("a callback typically reports within milliseconds, polling up to 50 ms late", fontsize=11)
-show(fig, "how late the reports are: about a millisecond by callback, anything up to 50 ms by polling")
+bold = {"transform": axes.transAxes, "weight": "bold"}
+axes.text(0.02, 0.9, "by callback", color=GREEN, **bold)
+axes.text(0.78, 0.9, "by polling", color=RED, **bold)
+axes.set_title(
+    "a callback typically reports within milliseconds, polling up to 50 ms late",
+    fontsize=11,
+)
+show(
+    fig,
+    "how late the reports are: about a millisecond by callback, "
+    "anything up to 50 ms by polling",
+)
 
 # %% id="late"
-by_polling, by_callback = median(first.late(first.polling)), median(first.late(first.callback))
+by_polling = median(first.late(first.polling))
+by_callback = median(first.late(first.callback))
 print("polling is typically late by 10 ms or more:", by_polling >= 10)
 print("callbacks are at least four times as quick:", by_callback < by_polling / 4)
 
@@ -211,7 +230,8 @@ squeeze(
         "by callback": median(first.late(first.callback)),
         "by polling, every 50 ms": median(first.late(first.polling)),
     },
-    "two eggs in slow motion: the fingers that hear of the touch by callback stop; those that poll crush the egg",
+    "two eggs in slow motion: the fingers that hear of the touch by callback stop; "
+    "those that poll crush the egg",
 )
 
 # %% [markdown] prediction="looking-more-often"
@@ -240,7 +260,7 @@ often = await match(poll_s=0.005)
 
 
 def added_by_polling(of):
-    """How much later than the callback polling typically reported, in the same run (ms)."""
+    """How much later than the callback polling typically reported in a run (ms)."""
     return median(of.late(of.polling)) - median(of.late(of.callback))
 
 
@@ -283,29 +303,38 @@ from workbook.lesson import processor_seconds
 restless = await match(touches=50, poll_s=0.0)
 used = {
     "by callback": processor_seconds(callback_monitor, seconds=3.0, with_start=False),
-    "polling, every 50 ms": processor_seconds(polling_monitor, seconds=3.0, with_start=False, poll_s=0.05),
-    "polling without a sleep": processor_seconds(polling_monitor, seconds=3.0, with_start=False, poll_s=0.0),
+    "polling, every 50 ms": processor_seconds(
+        polling_monitor, seconds=3.0, with_start=False, poll_s=0.05
+    ),
+    "polling without a sleep": processor_seconds(
+        polling_monitor, seconds=3.0, with_start=False, poll_s=0.0
+    ),
 }
 
 # %%
 fig, axes = figure(6.4, 1.8)
 bars = axes.barh(list(used), list(used.values()), color=[GREEN, BLUE, RED], height=0.6)
 axes.bar_label(bars, [f"{seconds:.2f} s" for seconds in used.values()], padding=4)
-axes.set(xlabel="processor time (s) in 3 s without a touch, start-up not counted", xlim=(0, 3.6))
+axes.set_xlabel("processor time (s) in 3 s without a touch, start-up not counted")
+axes.set_xlim(0, 3.6)
 axes.set_title("without a sleep, polling keeps a processor busy", fontsize=11)
 axes.grid(visible=False)
 axes.invert_yaxis()
-show(fig, "processor time: little by callback and with a sleep, nearly all of a processor without a sleep")
+show(
+    fig,
+    "processor time: little by callback and with a sleep, "
+    "nearly all of a processor without a sleep",
+)
 
 # %% id="restless"
-slower = median(restless.late(restless.polling)) > median(restless.late(restless.callback))
-print("without a sleep, polling is later than the callback:", slower)
+by_polling = median(restless.late(restless.polling))
+by_callback = median(restless.late(restless.callback))
+print("without a sleep, polling is later than the callback:", by_polling > by_callback)
 print(
     "without a sleep, it needs at least ten times the processor time:",
     used["polling without a sleep"] > 10 * used["by callback"],
 )
-times_as_late = median(restless.late(restless.polling)) / median(restless.late(restless.callback))
-reveal("no-sleep", times_as_late=times_as_late)
+reveal("no-sleep", times_as_late=by_polling / by_callback)
 
 # %% [markdown]
 # It polls without a pause, and is *slower* than the callback, which sleeps until it is woken. The loop holds Python's lock,
@@ -334,13 +363,12 @@ predict("keep-them-all")
 
 # %%
 patient = await match(poll_s=0.05, keep_all=True)
-print("all reported:", sorted(number for number, _ in patient.polling) == list(range(1, TOUCHES + 1)))
-print("typically late by 10 ms or more:", median(patient.late(patient.polling)) >= 10)
-reveal(
-    "keep-them-all",
-    is_complete=sorted(number for number, _ in patient.polling) == list(range(1, TOUCHES + 1)),
-    late_ms=median(patient.late(patient.polling)),
-)
+reported = sorted(number for number, _ in patient.polling)
+is_complete = reported == list(range(1, TOUCHES + 1))
+late_ms = median(patient.late(patient.polling))
+print("all reported:", is_complete)
+print("typically late by 10 ms or more:", late_ms >= 10)
+reveal("keep-them-all", is_complete=is_complete, late_ms=late_ms)
 
 # %% [markdown]
 # Nothing is lost any more. But you have built by hand what the subscription already has. It has a queue, and an
@@ -381,14 +409,19 @@ for timeout in (0.0, 0.1):
 rclpy.try_shutdown()
 """
 outcome = run_program(LOOP, seconds=30)
-greedy, calm = ([float(word) for word in line.split()] for line in outcome.log.strip().splitlines())
+lines = outcome.log.strip().splitlines()
+greedy, calm = ([float(word) for word in line.split()] for line in lines)
 
 # %% tags=["nbval-ignore-output"]
 for timeout, rounds, processor in (greedy, calm):
-    print(f"timeout_sec={timeout}: {rounds:.0f} rounds for 15 ticks, {processor:.2f} s of processor time")
+    print(
+        f"timeout_sec={timeout}: {rounds:.0f} rounds for 15 ticks, "
+        f"{processor:.2f} s of processor time"
+    )
 
 # %% id="busy-loop"
-print("with 0, more than ten times as many rounds for the same 15 ticks:", greedy[1] > 10 * calm[1])
+ten_times = greedy[1] > 10 * calm[1]
+print("with 0, more than ten times as many rounds for the same 15 ticks:", ten_times)
 print("and they cost more processor time:", greedy[2] > calm[2])
 
 # %% [markdown]
@@ -443,7 +476,7 @@ from std_msgs.msg import Float32, String
 
 
 class Walker(Node):
-    """Stops at once when told, and steers five times a second by the newest distance."""
+    """Stops at once when told; steers five times a second by the newest distance."""
 
     def __init__(self) -> None:
         super().__init__("walker")
@@ -469,13 +502,18 @@ walker = fresh(Walker)
 world = fresh(Node, "world")
 stopping = world.create_publisher(String, "/walker/stop", 10)
 measuring = world.create_publisher(Float32, "/walker/distance", 10)
-await run(world, until=lambda: stopping.get_subscription_count() == measuring.get_subscription_count() == 1)
+both = (stopping, measuring)
+await run(world, until=lambda: all(one.get_subscription_count() == 1 for one in both))
 
 for distance in (3.0, 2.5, 2.0):
     measuring.publish(Float32(data=distance))
 for reason in ("button", "voice"):
     stopping.publish(String(data=reason))
-await run(walker, seconds=10, until=lambda: len(walker.steered_by) >= 3 and walker.distance == 2.0)
+await run(
+    walker,
+    seconds=10,
+    until=lambda: len(walker.steered_by) >= 3 and walker.distance == 2.0,
+)
 
 print("stops:", walker.stops)
 print("steers by:", walker.steered_by[-1])
@@ -513,7 +551,8 @@ await run(world, until=lambda: calling.get_subscription_count() == 1)
 calling.publish(String(data="Ada"))
 calling.publish(String(data="Grace"))
 
-for _ in range(3):  # TODO: replace these four lines by `await run(reception, seconds=1)`
+# TODO: replace these four lines by `await run(reception, seconds=1)`
+for _ in range(3):
     await run(reception, seconds=0.3)
     if reception.last and reception.last not in reception.greeted:
         reception.greet(reception.last)

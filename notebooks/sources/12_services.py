@@ -46,7 +46,8 @@ class RemoteControl(Node):
 remote = fresh(RemoteControl)
 print("a server is there:", remote.wave.wait_for_service(timeout_sec=10.0))
 
-response = await run(remote, until=remote.wave.call_async(SetBool.Request(data=True)), seconds=10)
+waved = remote.wave.call_async(SetBool.Request(data=True))
+response = await run(remote, until=waved, seconds=10)
 print(f"success={response.success}, {response.message!r}")
 await watch_robot(seconds=4)
 
@@ -222,17 +223,21 @@ CASES = [
 seven = try_all(heart_and_question, CASES)
 print("   way            group    threads   responses  heart")
 for number, (case, seen) in enumerate(zip(CASES, seven, strict=True), start=1):
-    print(f"{number}  {case[0]:<14} {case[1]:<8} {case[2]:^7}   {answers(seen):<9}  {heart(seen)}")
+    way, group, threads = case
+    case_text = f"{number}  {way:<14} {group:<8} {threads:^7}"
+    print(f"{case_text}   {answers(seen):<9}  {heart(seen)}")
 
 # %%
-named = {
-    f"{number}: {way}, {group}, {threads}": seen
-    for number, ((way, group, threads), seen) in enumerate(zip(CASES, seven, strict=True), start=1)
-}
+titles = [
+    f"{number}: {way}, {group}, {threads}"
+    for number, (way, group, threads) in enumerate(CASES, start=1)
+]
+named = dict(zip(titles, seven, strict=True))
 hearts_picture(
     named,
     "heart and responses go on only where the client has a group of its own",
-    "heartbeats of the seven cases: they go on only where the client has a group of its own; they limp where the wait "
+    "heartbeats of the seven cases: they go on only where the client has a group "
+    "of its own; they limp where the wait "
     "has a time-out, and stop elsewhere",
 )
 
@@ -304,11 +309,14 @@ hearts_picture(
 predict("other-groups")
 
 # %%
-OTHERS = [("call", "own", 1), ("call", "reentrant", 4), ("await", "reentrant", 1)]  # turn these knobs
+# Turn these knobs.
+OTHERS = [("call", "own", 1), ("call", "reentrant", 4), ("await", "reentrant", 1)]
 
 others = try_all(heart_and_question, OTHERS)
 for case, seen in zip(OTHERS, others, strict=True):
-    print(f"{case[0]:<8} {case[1]:<10} threads={case[2]}: responses {answers(seen)}, the heart {heart(seen)}")
+    way, group, threads = case
+    happens = f"responses {answers(seen)}, the heart {heart(seen)}"
+    print(f"{way:<8} {group:<10} threads={threads}: {happens}")
 reveal(
     "other-groups",
     case_1=answers(others[0]) == "come",
@@ -362,9 +370,13 @@ reveal(
     case_3=heart(slow[2]) == "beats",
 )
 hearts_picture(
-    {f"{case[0]}, {case[1]} group": seen for case, seen in zip(SLOW, slow, strict=True)},
+    {
+        f"{way}, {group} group": seen
+        for (way, group, _), seen in zip(SLOW, slow, strict=True)
+    },
     "only the callback that does not wait leaves the heart alone",
-    "heartbeats beside a slow server: gaps with call and with await, none with a done callback",
+    "heartbeats beside a slow server: gaps with call and with await, "
+    "none with a done callback",
 )
 
 # %% [markdown]
@@ -531,7 +543,9 @@ print("the guest has an answer:", greeting.done())
 class Polite(Forgetful):
     """Greets when asked."""
 
-    def on_greet(self, request: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
+    def on_greet(
+        self, request: Trigger.Request, response: Trigger.Response
+    ) -> Trigger.Response:
         response.success = True
         response.message = "Hello!"
         return response
@@ -539,7 +553,8 @@ class Polite(Forgetful):
 
 robot, guest = fresh(Polite), fresh(Guest)
 guest.greet.wait_for_service(timeout_sec=10.0)
-response = await run(robot, guest, until=guest.greet.call_async(Trigger.Request()), seconds=10)
+greeted = guest.greet.call_async(Trigger.Request())
+response = await run(robot, guest, until=greeted, seconds=10)
 print("now it says:", response.message)
 
 # %% [markdown]
@@ -575,7 +590,9 @@ class Gripper(Node):
         super().__init__("gripper")
         self.create_service(SetBool, "/gripper/close", self.on_close)
 
-    def on_close(self, request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
+    def on_close(
+        self, request: SetBool.Request, response: SetBool.Response
+    ) -> SetBool.Response:
         response.success = True
         response.message = "closed" if request.data else "open"
         return response
@@ -623,9 +640,13 @@ class LooseGripper(Node):
         super().__init__("gripper")
         self.requests = 0
         group = ReentrantCallbackGroup()  # a request that waits holds up no other
-        self.create_service(SetBool, "/gripper/close", self.on_close, callback_group=group)
+        self.create_service(
+            SetBool, "/gripper/close", self.on_close, callback_group=group
+        )
 
-    async def on_close(self, request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
+    async def on_close(
+        self, request: SetBool.Request, response: SetBool.Response
+    ) -> SetBool.Response:
         self.requests += 1
         if self.requests % 3 == 0:
             await Future()  # it is never done
@@ -639,7 +660,9 @@ class PatientArm(Arm):
 
     def move(self) -> None:
         if self.open_call is not None:
-            ...  # TODO: forget the open call (remove_pending_request), and note "no answer" in self.done
+            # TODO: forget the open call (remove_pending_request),
+            # and note "no answer" in self.done.
+            ...
         super().move()
 
 
@@ -649,7 +672,8 @@ await run(gripper, arm, seconds=20, until=lambda: gripper.requests == 7)
 if arm.done.count("no answer") == 2:
     print("The arm has noticed both missing answers:", arm.done)
 else:
-    print("Two requests were not answered. The arm noted", arm.done.count("no answer"), "of them.")
+    noted = arm.done.count("no answer")
+    print("Two requests were not answered. The arm noted", noted, "of them.")
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/12_services.ipynb) a node asks its robot for a self-test every second and

@@ -27,7 +27,7 @@ film = record(
 )
 robots(
     [Robot("the robot", arrivals(film, BEAT), period=0.25, trouble="silent")],
-    "a robot moves for two seconds, then stands still with a red lamp, then moves again",
+    "a robot moves for two seconds, stands still with a red lamp, then moves again",
     end=5.0,
 )
 
@@ -349,7 +349,8 @@ played_back(
         Row("heartbeat", watcher.beats, period=0.25, start=0.0),
         Row("deadline missed", watcher.missed),
     ],
-    "heartbeats, then a silence: the missed deadline is reported after one second and again after two",
+    "heartbeats, then a silence: the missed deadline is reported "
+    "after one second and again after two",
     end=watcher.beats[-1],
 )
 
@@ -464,7 +465,8 @@ class Panel(Node):
         self.sign.publish(String(data=word))
 
 
-start(heartbeat, beats_for_s=3.0, silent_for_s=5.0)  # its heart pauses; the next cells use it
+# The heart of this robot pauses. The next cells use it.
+start(heartbeat, beats_for_s=3.0, silent_for_s=5.0)
 panel = fresh(Panel)
 await run(panel, seconds=10, until=lambda: panel.line != "unknown")
 print("the panel knows:", panel.line)
@@ -494,7 +496,8 @@ class AlarmPanel(Panel):
         self.alarms: list[bool] = []
         self.beats = 0
         self.last_beat = time.monotonic()  # no beat yet: count the silence from here
-        # TODO: subscribe to /robot/heartbeat with a QoS that fits; the callback is self.on_beat
+        # TODO: subscribe to /robot/heartbeat with a QoS that fits;
+        # the callback is self.on_beat.
         self.create_timer(0.25, self.check_the_clock)
 
     def on_beat(self, message: String) -> None:
@@ -511,8 +514,9 @@ if LIMIT_S is ...:
 else:
     alarm_panel = fresh(AlarmPanel)
     await run(alarm_panel, seconds=9)
-    print("beats heard:", alarm_panel.beats or "none: check the subscription and its QoS")
-    print("alarm:", alarm_panel.alarms.count(True), "times; no alarm:", alarm_panel.alarms.count(False))
+    beats, alarms = alarm_panel.beats, alarm_panel.alarms
+    print("beats heard:", beats or "none: check the subscription and its QoS")
+    print("alarm:", alarms.count(True), "times; no alarm:", alarms.count(False))
 
 # %%
 stop()

@@ -129,7 +129,8 @@ print("newcomers:", len(here_ms), "and", len(default_ms))
 found_picture(
     here_ms,
     default_ms,
-    "how long newcomers took to find the listener, with the settings of this workbook and by default",
+    "how long newcomers took to find the listener, "
+    "with the settings of this workbook and by default",
 )
 
 # %%
@@ -176,21 +177,24 @@ PROFILES = {
     )
 }
 heard = try_pairs(PROFILES)
-pairs_picture(heard, "sixteen pairs: nine hear the new messages, one of them the old one, too")
+pairs_picture(
+    heard, "sixteen pairs: nine hear the new messages, one of them the old one, too"
+)
 
 # %% id="matrix"
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 
 hears = {pair: bool(messages) for pair, messages in heard.items()}
-foretold = {
-    (offered, requested): qos_check_compatible(PROFILES[offered], PROFILES[requested])[0]
-    != QoSCompatibility.ERROR
-    for offered, requested in heard
-}
+foretold = {}
+for offered, requested in heard:
+    verdict, _ = qos_check_compatible(PROFILES[offered], PROFILES[requested])
+    foretold[offered, requested] = verdict != QoSCompatibility.ERROR
+with_equal_qos = [hears[pair] for pair in heard if pair[0] == pair[1]]
 print("pairs that hear something:      ", sum(hears.values()))
-print("of these with equal QoS:        ", sum(hears[pair] for pair in hears if pair[0] == pair[1]))
+print("of these with equal QoS:        ", sum(with_equal_qos))
 print("rclpy predicted all sixteen:    ", hears == foretold)
-print("pairs that got the old message: ", sum("old" in messages for messages in heard.values()))
+got_the_old = ["old" in messages for messages in heard.values()]
+print("pairs that got the old message: ", sum(got_the_old))
 reveal("sixteen-pairs", hearing=sum(hears.values()))
 
 # %% [markdown]

@@ -110,8 +110,10 @@ start(noisy_joints)
 two = fresh(TwoReaders)
 await run(two, seconds=60, until=lambda: min(map(len, two.got.values())) >= 5)
 stop()
-print("the first callback reads 9.0: ", all(one.position[0] == 9.0 for one in two.got["writer"]))
-print("the second callback reads 9.0:", any(one.position[0] == 9.0 for one in two.got["reader"]))
+first = [message.position[0] == 9.0 for message in two.got["writer"]]
+second = [message.position[0] == 9.0 for message in two.got["reader"]]
+print("the first callback reads 9.0: ", all(first))
+print("the second callback reads 9.0:", any(second))
 
 # %% [markdown]
 # rclpy makes a new Python object for **each subscription**. Other callbacks and other nodes do not see your change. Those
@@ -201,7 +203,8 @@ for way in ("out", "in"):
     print("   over 10 times the cost of one piece: ", many[slow] > 10 * many[quick])
     print("   over 1000 times the cost of 12 values:", many[slow] > 1000 * few[slow])
 view = "out, in one piece"
-print("the view of a million values costs less than 50 times that of 12:", many[view] < 50 * few[view])
+cheap = many[view] < 50 * few[view]
+print("the view of a million values costs less than 50 times that of 12:", cheap)
 
 # %% [markdown]
 # For twelve joints, write what reads best: `.tolist()`. For images and scans, avoid every loop over single numbers.
@@ -284,18 +287,23 @@ class ElbowFilter(Node):
 
 start(noisy_joints)
 elbow = fresh(ElbowFilter)
-live = LiveFigure("the left elbow, live: noisy dots, and the average of nine as a calm line")
+live = LiveFigure(
+    "the left elbow, live: noisy dots, and the average of nine as a calm line"
+)
 
 
 def draw():
     fig, axes = figure(7.2, 2.4)
     axes.plot(elbow.stamps[-60:], elbow.seen["measured"][-60:], ".", color="#787878")
     axes.plot(elbow.stamps[-60:], elbow.seen["average"][-60:], color="#2f78d0")
-    axes.set(xlabel="stamp (s)", ylabel="left elbow (rad)", title="The average of nine, live")
+    axes.set(xlabel="stamp (s)", ylabel="left elbow (rad)")
+    axes.set_title("The average of nine, live")
     live.show(render(fig))
 
 
-await run(elbow, seconds=60, until=lambda: len(elbow.stamps) >= 140, each_frame=draw, fps=4)
+await run(
+    elbow, seconds=60, until=lambda: len(elbow.stamps) >= 140, each_frame=draw, fps=4
+)
 live.finish()
 stop()
 
@@ -428,7 +436,8 @@ class Line(MovingAverage):
 step = Line(19)
 after_step = [step.step(value) for value in [0.0] * 19 + [1.0] * 25]
 print(
-    f"{abs(delay(Line(19))):.1f} messages behind on a ramp, {100 * noise_left(Line(19)):.0f} % of the noise left"
+    f"{abs(delay(Line(19))):.1f} messages behind on a ramp, "
+    f"{100 * noise_left(Line(19)):.0f} % of the noise left"
 )
 print(f"after a step to 1.0 it says up to {max(after_step):.1f}")
 
@@ -526,7 +535,8 @@ for value in with_nan:
     total += value - window.popleft()
     results.append(total / 5)
 print(
-    f"running sum: {sum(map(math.isnan, results))} results are NaN, the last one too: {math.isnan(results[-1])}"
+    f"running sum: {sum(map(math.isnan, results))} results are NaN, "
+    f"the last one too: {math.isnan(results[-1])}"
 )
 
 # %% [markdown]

@@ -28,7 +28,12 @@ scope = fresh(BallScope)
 await run(scope, seconds=60, until=lambda: len(scope.film) >= 36)
 stop()
 shots = [alone(picture) for picture in scope.film]
-show_film(shots, "an orange ball rolls to and fro between gray hands and bricks, while the light changes", 6)
+show_film(
+    shots,
+    "an orange ball rolls to and fro between gray hands and bricks, "
+    "while the light changes",
+    6,
+)
 
 # %% [markdown]
 # Each picture is a message of type `sensor_msgs/Image`. Here are its fields. This camera adds 32 bytes to each row,
@@ -53,7 +58,10 @@ await run(watcher, seconds=30, until=lambda: len(images) >= 20)
 stop()
 image = images[-1]
 print(f"{image.width} columns, {image.height} rows, encoding {image.encoding}")
-print(f"step: {image.step} bytes in a row; 3 * width = {3 * image.width}; big-endian: {image.is_bigendian}")
+print(
+    f"step: {image.step} bytes in a row; 3 * width = {3 * image.width}; "
+    f"big-endian: {image.is_bigendian}"
+)
 print(f"data: {len(image.data)} bytes")
 
 # %% [markdown]
@@ -72,13 +80,14 @@ import numpy as np
 
 
 def to_pixels(image):
-    """The pixels of an rgb8 or bgr8 image, shape (height, width, 3): a view, nothing is copied."""
+    """A view of an rgb8 or bgr8 image, shape (height, width, 3): nothing is copied."""
     rows = np.frombuffer(image.data, np.uint8).reshape(image.height, image.step)
     return rows[:, : 3 * image.width].reshape(image.height, image.width, 3)
 
 
 pixels = to_pixels(image)
-print(pixels.shape, pixels.dtype, "shares its memory:", np.shares_memory(pixels, np.frombuffer(image.data, np.uint8)))
+shared = np.shares_memory(pixels, np.frombuffer(image.data, np.uint8))
+print(pixels.shape, pixels.dtype, "shares its memory:", shared)
 
 # %% [markdown] prediction="red-and-blue"
 # ## Predict
@@ -108,7 +117,7 @@ import cv2
 
 hsv = cv2.cvtColor(pixels, cv2.COLOR_RGB2HSV)
 ball_mask = cv2.inRange(hsv, (4, 150, 60), (22, 255, 255)) > 0
-first, second, third = (float(pixels[ball_mask][:, channel].mean()) for channel in range(3))
+first, second, third = map(float, pixels[ball_mask].mean(axis=0))
 print("read as rgb8: more red than blue:", first > third)
 print("read as bgr8: more blue than red:", third < first)
 reveal("red-and-blue", red=third, green=second, blue=first)
@@ -128,7 +137,8 @@ reveal("red-and-blue", red=third, green=second, blue=first)
 def orange_of(pixels):
     """A mask: 255 where a pixel is orange."""
     hsv = cv2.cvtColor(pixels, cv2.COLOR_RGB2HSV)
-    mask = cv2.inRange(hsv, (4, 130, 35), (22, 255, 255))  # from and to: hue, saturation, value
+    # From and to: hue, saturation, value.
+    mask = cv2.inRange(hsv, (4, 130, 35), (22, 255, 255))
     return cv2.medianBlur(mask, 3)
 
 
@@ -150,15 +160,20 @@ from workbook.pictures.figures import figure, show
 column, row = find_ball(pixels)
 small = cv2.resize(pixels, (160, 120), interpolation=cv2.INTER_AREA)
 fig, axes = figure(8.0, 2.4, columns=3)
+titles = ("what the camera sees", "what is orange", "what is round, too")
 for axis, drawn, title in zip(
-    axes, (small, orange_of(small), small), ("what the camera sees", "what is orange", "what is round, too"), strict=True
+    axes, (small, orange_of(small), small), titles, strict=True
 ):
     axis.imshow(drawn, cmap="gray", interpolation="nearest")
     axis.set_title(title)
     axis.set(xticks=[], yticks=[])
     axis.grid(False)
 axes[2].plot(column / 4, row / 4, "+", color="white", markersize=18, markeredgewidth=2)
-show(fig, "three pictures: the desk; white spots on black where ball and bricks are; a cross in the middle of the ball")
+show(
+    fig,
+    "three pictures: the desk; white spots on black where ball and bricks are; "
+    "a cross in the middle of the ball",
+)
 
 # %% [markdown]
 # **From pixel to direction.** In the **pinhole model**, all light goes through one point. The *focal length* says how
@@ -206,7 +221,9 @@ class HeadFollower(Node):
     def __init__(self, qos) -> None:
         super().__init__("head_follower")
         self.joints, self.beside, self.film = list(AT_REST), [], []
-        self.publisher = self.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
+        self.publisher = self.create_publisher(
+            Float32MultiArray, "/robot/joint_positions", 10
+        )
         self.create_subscription(Image, "/camera/image", self.on_image, qos)
 
     def on_image(self, image: Image) -> None:
@@ -218,7 +235,8 @@ class HeadFollower(Node):
             self.film.append((cv2.resize(pixels, (320, 240)), [*self.joints]))
         x, _, z = direction(*ball)
         self.beside.append(abs(ball[0] - MIDDLE[0]))
-        neck = self.joints[0] - PART * math.atan2(x, z)  # the neck turns to the left, x points to the right
+        # The neck turns to the left; x points to the right.
+        neck = self.joints[0] - PART * math.atan2(x, z)
         self.joints[0] = min(max(neck, -0.6), 0.6)
         self.publisher.publish(Float32MultiArray(data=self.joints))
 
@@ -247,12 +265,18 @@ shots = []
 for small, joints in follower.film:
     cv2.line(small, (160, 0), (160, 239), (255, 255, 255), 1)
     shots.append(beside(small, joints))
-show_film(shots, "left: the desk moves past, and the ball stays near the white line; right: the robot's head tilts", 6)
+show_film(
+    shots,
+    "left: the desk moves past, and the ball stays near the white line; "
+    "right: the robot's head tilts",
+    6,
+)
 
 # %% id="follows"
 settled = follower.beside[len(follower.beside) // 3 :]
 print("pictures with a ball: more than 20:", len(follower.beside) > 20)
-print("after a while, the ball is typically less than 80 pixels beside the middle:", np.median(settled) < 80)
+near = np.median(settled) < 80
+print("later, the ball is typically less than 80 pixels beside the middle:", near)
 
 # %% [markdown] prediction="how-much-smaller"
 # ## Change it
@@ -302,14 +326,18 @@ def on_jpeg(message):
 start(head_camera, jpeg_quality=80)
 scale = fresh(Node, "scale")
 scale.create_subscription(Image, "/camera/image", on_raw, qos_profile_sensor_data)
-scale.create_subscription(CompressedImage, "/camera/image/compressed", on_jpeg, qos_profile_sensor_data)
-await run(scale, seconds=60, until=lambda: min(len(one) for one in sizes.values()) >= 40)
+scale.create_subscription(
+    CompressedImage, "/camera/image/compressed", on_jpeg, qos_profile_sensor_data
+)
+await run(scale, seconds=60, until=lambda: min(map(len, sizes.values())) >= 40)
 stop()
 
 # %% id="raw-and-jpeg" tags=["nbval-ignore-output"]
 for kind in sizes:
     rate = 30 * np.mean(sizes[kind]) / 1e6
-    print(f"{kind:>5}: {rate:5.1f} MB/s at 30 Hz, {1000 * np.median(ages[kind]):.0f} ms old when it can be used")
+    age_ms = 1000 * np.median(ages[kind])
+    measured = f"{rate:5.1f} MB/s at 30 Hz, {age_ms:.0f} ms old"
+    print(f"{kind:>5}: {measured} when it can be used")
 
 # %% id="how-much-smaller-it-is"
 smaller = float(np.mean(sizes["raw"]) / np.mean(sizes["jpeg"]))
@@ -342,7 +370,7 @@ from rclpy.qos import QoSProfile, ReliabilityPolicy
 
 
 async def age_after(depth, number=20):
-    """How old the picture is (s) that a slow viewer gets, after so many, with a queue of this depth."""
+    """How old (s) a slow viewer's picture is, after so many, with a queue this deep."""
     seen = []
 
     def view(image):
@@ -405,13 +433,16 @@ cv2.imshow("camera", pixels)
 # %% id="worked"
 x, y, z = direction(*find_ball(pixels))
 print("a vector of length 1:", round(math.sqrt(x * x + y * y + z * z), 6) == 1)
-print("the neck would have to turn:", abs(math.degrees(math.atan2(x, z))) < 30, "(by less than 30°)")
+little = abs(math.degrees(math.atan2(x, z))) < 30
+print("the neck would have to turn:", little, "(by less than 30°)")
 
 # %% [markdown]
 # **Faded.** Convert a picture by its encoding. The lines with `...` are yours.
 
 # %%
-CODES = ...  # TODO: a dictionary from encoding to constant, such as {"rgb8": cv2.COLOR_RGB2HSV, "bgr8": ...}
+# TODO: a dictionary from encoding to constant,
+# such as {"rgb8": cv2.COLOR_RGB2HSV, "bgr8": ...}.
+CODES = ...
 
 
 def to_hsv(image):
