@@ -16,13 +16,13 @@ BOOTSTRAP = "$(PYTHON)" -I workbook/lab/bootstrap.py $(CHOSEN)
 HAVE_PYTHON = command -v "$(PYTHON)" >/dev/null || { \
 	echo "make: $(PYTHON) was not found. Python 3.11 to 3.14 is needed; see 'A suitable Python' in environment.md." >&2; exit 1; }
 
-.PHONY: help env lab progress test bench mutants notebooks notebooks-check lint lock clean
+.PHONY: help env lab progress test bench model mutants notebooks notebooks-check lint lock clean
 
 help:  ## list the commands
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | while IFS="$$(printf '\t')" read -r name what; do \
 		printf '  make %-16s %s\n' "$$name" "$$what"; done
 
-env:  ## create the environment in .venv, or bring it up to date (EXTRAS=ai adds PyTorch and friends, EXTRAS=farm dask)
+env:  ## create the environment in .venv, or bring it up to date (EXTRAS=torch adds PyTorch, =tensorflow Keras, =farm dask)
 	@$(HAVE_PYTHON)
 	@$(BOOTSTRAP) --extras "$(EXTRAS)"
 
@@ -56,6 +56,11 @@ bench:  ## measure how fast and how steady judging is, as a table
 	@$(HAVE_PYTHON)
 	@$(BOOTSTRAP) --extras dev
 	@$(VENV)/python tests/bench.py $(ARGS)
+
+model:  ## train the detector of lesson 16 again, and fail if it is worse than told (needs EXTRAS=torch; ARGS=--write keeps it)
+	@$(HAVE_PYTHON)
+	@$(BOOTSTRAP) --extras torch
+	@$(VENV)/python -m workbook.models.train $(ARGS)
 
 mutants:  ## say which small faults the judges let through (ARGS='--only 05' for one exercise)
 	@$(HAVE_PYTHON)

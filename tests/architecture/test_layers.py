@@ -20,12 +20,19 @@ LAYERS = (
     ("isolation", "typechecking"),
     ("programs",),
     ("recording",),
+    ("models",),
     ("scenes",),
     ("ros",),
     ("inside",),
 )
 """From top to bottom. A package imports from the layers below, and within its layer as long as no circle closes."""
-ONLY = {"inside": set(), "recording": set(), "scenes": set(), "criteria": {"recording", "scenes"}}
+ONLY = {
+    "inside": set(),
+    "recording": set(),
+    "scenes": set(),
+    "models": {"scenes"},
+    "criteria": {"recording", "scenes"},
+}
 """Packages that may import fewer packages of the workbook than their layer would allow: they run without ROS."""
 DEPTH_OF = {package: depth for depth, layer in enumerate(LAYERS) for package in layer}
 MESSAGES = {
@@ -105,6 +112,21 @@ def test_recordings_need_the_standard_library_only(path: Path) -> None:
         assert name.startswith("workbook.recording") or name.split(".")[0] in sys.stdlib_module_names, name
 
 
+@pytest.mark.parametrize("path", sorted((ROOT / "workbook" / "models").glob("*.py")), ids=label)
+def test_models_need_no_ros(path: Path) -> None:
+    allowed = {"numpy", "onnxruntime", "workbook", *sys.stdlib_module_names}
+    extras = {"train.py": {"torch"}, "export.py": {"onnx"}, "networks.py": {"torch", "keras"}}
+    assert {name.split(".")[0] for name in imported(path)} <= allowed | extras.get(path.name, set())
+
+
+def test_a_detector_waits_for_neither_torch_nor_keras() -> None:
+    code = (
+        "import sys, workbook.models; workbook.models.DeskDetector();"
+        "assert not {'torch', 'keras', 'onnx', 'rclpy'} & set(sys.modules)"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
 def test_templating_is_below_all_layers() -> None:
     assert not {name for name in imported(ROOT / "workbook" / "templating.py") if name.startswith("workbook")}
 
@@ -125,10 +147,10 @@ def test_criteria_import_the_vocabulary_and_messages_only(path: Path) -> None:
 
 
 @pytest.mark.parametrize("path", sorted((ROOT / "lesson_nodes").glob("*.py")), ids=label)
-def test_lesson_nodes_import_ros_scenes_numpy_and_opencv_only(path: Path) -> None:
+def test_lesson_nodes_import_ros_scenes_models_numpy_and_opencv_only(path: Path) -> None:
     for name in imported(path):
         top = name.split(".")[0]
-        if name.startswith("workbook.scenes"):
+        if name.startswith(("workbook.scenes", "workbook.models")):
             continue
         assert top in {"rclpy", "lesson_nodes", "cv2", "numpy"} | MESSAGES | set(sys.stdlib_module_names), (
             name

@@ -50,7 +50,7 @@ class Checkout:
         for name in ("bootstrap.py", "jupyter_files.py"):
             shutil.copy(ROOT / "workbook" / "lab" / name, lab)
         (self.course / "pyproject.toml").write_text("[project]\n")
-        sections = {"build": "flit-core==1", "student": "rclpy==7", "dev": "pytest==9", "ai": "torch==2"}
+        sections = {"build": "flit-core==1", "student": "rclpy==7", "dev": "pytest==9", "torch": "torch==2"}
         text = "".join(
             f"#: {name}\n{line} \\\n    --hash=sha256:{name}\n\n" for name, line in sections.items()
         )
@@ -106,10 +106,10 @@ def test_first_run_installs_the_student_sections_and_a_second_does_nothing(check
 
 
 def test_more_is_added_and_never_taken_away(checkout: Checkout) -> None:
-    checkout.make("--extras", "ai")
+    checkout.make("--extras", "torch")
     assert checkout.make("--extras", "dev").returncode == 0
     stamp = json.loads((checkout.venv / bootstrap.STAMP).read_text())
-    assert stamp["sections"] == ["build", "student", "dev", "ai"]
+    assert stamp["sections"] == ["build", "student", "dev", "torch"]
     assert checkout.make().stdout == ""
 
 

@@ -141,3 +141,15 @@ def test_numbers_of_16_bits_and_brightness_with_color_differences() -> None:
     data, step = encoded(picture, "yuv422_yuy2", padding=2)
     assert step == 322
     assert np.frombuffer(data, np.uint8).reshape(120, 322)[:, :320:2] == pytest.approx(gray, abs=1)
+
+
+def test_the_desk_of_lesson_15_has_not_changed() -> None:
+    """Brightness of sixteen parts of a picture, as they were before the desk got cups and plates."""
+    parts = DeskCamera(SMALL, 15).picture(FULL, 7).reshape(4, 30, 4, 40, 3).mean(axis=(1, 3, 4))
+    told = [
+        [131.435, 129.574, 129.639, 131.332],
+        [103.392, 99.851, 100.703, 100.259],
+        [105.051, 99.008, 100.549, 104.887],
+        [106.639, 117.272, 98.906, 106.657],
+    ]
+    assert parts == pytest.approx(np.array(told), abs=0.01)

@@ -26,7 +26,7 @@ VENV = ROOT / ".venv"
 LOCK = ROOT / "requirements.lock"
 OLDEST, NEWEST = (3, 11), (3, 14)
 OLDEST_GLIBC = (2, 28)
-SECTIONS = ("build", "student", "dev", "ai", "farm")
+SECTIONS = ("build", "student", "dev", "torch", "tensorflow", "farm")
 STAMP = "workbook-environment.json"
 UNFINISHED = "workbook-unfinished"
 # Left behind by a sourced ROS or another environment; each would change what gets installed or found.
@@ -296,7 +296,9 @@ def version_of(python: Path) -> str:
 def main(arguments: list[str] | None = None) -> int:
     """Parse, make the environment, and turn an EnvironmentProblem into one line on stderr and exit code 1."""
     parser = argparse.ArgumentParser(description="Create the environment of the workbook in .venv.")
-    parser.add_argument("--extras", default="", help="further sections of the lock: dev, ai, farm")
+    parser.add_argument(
+        "--extras", default="", help="further sections of the lock: dev, torch, tensorflow, farm"
+    )
     parser.add_argument(
         "--chosen-python", action="store_true", help="make it anew if it has another Python version"
     )
@@ -304,7 +306,9 @@ def main(arguments: list[str] | None = None) -> int:
     extras = re.findall(r"\w+", options.extras)
     unknown = [extra for extra in extras if extra not in SECTIONS]
     if unknown:
-        parser.error("no extra is called {}; there are dev, ai and farm".format(", ".join(unknown)))
+        parser.error(
+            "no extra is called {}; there are dev, torch, tensorflow and farm".format(", ".join(unknown))
+        )
     try:
         with OneAtATime():
             if not ensure(["build", "student", *extras], options.chosen_python) and sys.stdout.isatty():

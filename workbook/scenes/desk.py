@@ -8,7 +8,7 @@ import numpy as np
 
 from workbook.scenes.painting import Color, Patch, Picture, paint_limb, paint_polygon, paint_sphere
 from workbook.scenes.pinhole import Pinhole, Vector
-from workbook.scenes.scene import BALL_RADIUS_M, DESK_M, Box, Scene
+from workbook.scenes.scene import BALL_RADIUS_M, DESK_M, Box, Cup, Plate, Scene
 
 DESK_EDGE_M = 1.6
 ORANGE: Color = (235.0, 120.0, 25.0)
@@ -33,6 +33,7 @@ FACES: tuple[tuple[tuple[Corner, ...], float], ...] = (
 """The faces of a brick that can be seen from above: their corners, each -1 or 1 along its three edges; how bright."""
 NEAREST_M = 0.1
 """What is nearer in front of the camera is not painted."""
+RIM_CORNERS = 24
 NOISE_SPARE = 65_536
 """The noise of a picture begins at one of so many places in a table: two pictures hardly ever get the same."""
 
@@ -57,14 +58,18 @@ class DeskCamera:
         for place in (scene.ball, scene.blue_ball):
             if place is not None:
                 _paint_shadow(picture, self.pinhole, self.pinhole.seen_from((*place[:2], DESK_M), scene.pan))
+        for plate in scene.plates:
+            _paint_plate(picture, self.pinhole, plate, scene.pan)
         for box in scene.boxes:
             _paint_box(picture, self.pinhole, box, scene.pan)
+        for cup in scene.cups:
+            _paint_cup(picture, self.pinhole, cup, scene.pan)
         for place, color in ((scene.blue_ball, BLUE), (scene.ball, ORANGE)):
             if place is not None:
                 center = self.pinhole.seen_from(place, scene.pan)
                 paint_sphere(picture, self.pinhole, center, BALL_RADIUS_M, color)
         if scene.joints is not None:
-            _paint_arms(picture, self.pinhole, scene.joints, scene.pan)
+            paint_arms(picture, self.pinhole, scene.joints, scene.pan)
         return self._measured(picture, scene, number)
 
     def _measured(self, picture: Picture, scene: Scene, number: int) -> Picture:
@@ -136,7 +141,61 @@ def _paint_face(picture: Picture, corners: list[tuple[float, float]], bright: fl
     )
 
 
-def _paint_arms(picture: Picture, camera: Pinhole, joints: Sequence[float], pan: float) -> None:
+def _rim(
+    camera: Pinhole, at: tuple[float, float], height: float, radius: float, pan: float
+) -> list[tuple[float, float]]:
+    """Pixels of a level circle `height` above the desk (m); none if a part of it is not in front of the camera."""
+    around = [2 * math.pi * step / RIM_CORNERS for step in range(RIM_CORNERS)]
+    seen = [
+        camera.seen_from(
+            (at[0] + radius * math.cos(one), at[1] + radius * math.sin(one), DESK_M + height), pan
+        )
+        for one in around
+    ]
+    return [] if min(one[2] for one in seen) <= NEAREST_M else [camera.pixel(one) for one in seen]
+
+
+def _shaded(color: Color, bright: float) -> Color:
+    return color[0] * bright, color[1] * bright, color[2] * bright
+
+
+def _paint_plate(picture: Picture, camera: Pinhole, plate: Plate, pan: float) -> None:
+    """A plate: a rim, and a bottom that is a little darker."""
+    for part, bright in ((1.0, 1.0), (0.7, 0.9)):
+        corners = _rim(camera, plate.at, 0.0, part * plate.radius, pan)
+        if corners:
+            paint_polygon(picture, corners[::-1], _shaded(ORANGE, bright))
+
+
+def _paint_cup(picture: Picture, camera: Pinhole, cup: Cup, pan: float) -> None:
+    """A cup: its side, as the hull of its two rims, and its dark inside."""
+    low, high = (_rim(camera, cup.at, height, cup.radius, pan) for height in (0.0, cup.height))
+    if low and high:
+        paint_polygon(picture, _hull([*low, *high]), _shaded(ORANGE, 0.8))
+        paint_polygon(picture, high[::-1], ORANGE)
+        inside = _rim(camera, cup.at, cup.height, 0.85 * cup.radius, pan)
+        paint_polygon(picture, inside[::-1], _shaded(ORANGE, 0.45))
+
+
+def _hull(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """The convex hull of some pixels, clockwise as one sees them."""
+    ordered = sorted(points)
+
+    def half(along: list[tuple[float, float]]) -> list[tuple[float, float]]:
+        kept: list[tuple[float, float]] = []
+        for u, v in along:
+            while len(kept) > 1:
+                (u0, v0), (u1, v1) = kept[-2:]
+                if (u1 - u0) * (v - v0) - (v1 - v0) * (u - u0) > 0:
+                    break
+                kept.pop()
+            kept.append((u, v))
+        return kept[:-1]
+
+    return half(ordered) + half(ordered[::-1])
+
+
+def paint_arms(picture: Picture, camera: Pinhole, joints: Sequence[float], pan: float) -> None:
     """Both arms, from the angles of shoulders and elbows: 0 hangs down, above zero reaches forward."""
     for side, shoulder, elbow in (
         (1.0, joints[LEFT_SHOULDER], joints[LEFT_ELBOW]),

@@ -20,6 +20,23 @@ class Box:
 
 
 @dataclass(frozen=True)
+class Cup:
+    """A cup on the desk: the middle of its bottom (m, axes of the robot), its radius and height (m)."""
+
+    at: tuple[float, float]
+    radius: float = 0.035
+    height: float = 0.09
+
+
+@dataclass(frozen=True)
+class Plate:
+    """A flat round plate on the desk, as orange as the ball: its middle (m, axes of the robot), its radius (m)."""
+
+    at: tuple[float, float]
+    radius: float = 0.065
+
+
+@dataclass(frozen=True)
 class Scene:
     """What there is to see at one moment. Places in the robot's axes (m): x forward, y left, z up, from the camera.
 
@@ -34,6 +51,8 @@ class Scene:
     pan: float = 0.0
     light: float = 1.0
     warm: float = 1.0
+    cups: tuple[Cup, ...] = ()
+    plates: tuple[Plate, ...] = ()
 
 
 def on_desk(forward: float, left: float) -> Place:

@@ -1,0 +1,64 @@
+"""How good a detector is: on pictures that it has never seen."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from workbook.models.detection import Detection
+from workbook.models.networks import HEIGHT, WIDTH
+from workbook.scenes.desk import DeskCamera
+from workbook.scenes.painting import Picture
+from workbook.scenes.pinhole import Pinhole
+from workbook.scenes.tabletop import Thing, tabletop, things_in
+
+SEED_HELD_BACK = 1616
+"""Another seed than that of the training, so that no picture is in both."""
+IMAGES_HELD_BACK = 400
+CLEARLY_VISIBLE = 0.6
+BARELY_VISIBLE = 0.25
+SAME_PLACE = 0.5
+"""A detection is in the place of a thing if the middles are at most half a width and half a height apart."""
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """`right`: detections that are right, among these, the missed and the false ones. `found`: things that were found.
+    `false`: detections per picture that name what is not there."""
+
+    right: float
+    found: float
+    false: float
+
+    def words(self) -> str:
+        """The three numbers as a line of text."""
+        return f"right {self.right:.1%}, found {self.found:.1%}, {self.false:.3f} false detections a picture"
+
+
+def accuracy(
+    detector: Callable[[Picture], list[Detection]],
+    images: int = IMAGES_HELD_BACK,
+    change: Callable[[Picture], Any] = lambda picture: picture,
+) -> Accuracy:
+    """The accuracy on so many held-back pictures; `change` is applied to each of them before the detector sees it."""
+    pinhole = Pinhole(WIDTH, HEIGHT, 0.875 * WIDTH)
+    camera = DeskCamera(pinhole, SEED_HELD_BACK)
+    things, hits, wrong = 0, 0, 0
+    for number in range(images):
+        scene = tabletop(SEED_HELD_BACK, number)
+        there = things_in(scene, pinhole)
+        found = detector(change(camera.picture(scene, number)))
+        asked = [thing for thing in there if thing.visible >= CLEARLY_VISIBLE]
+        shown = [thing for thing in there if thing.visible >= BARELY_VISIBLE]
+        things += len(asked)
+        hits += sum(any(matches(one, thing) for one in found) for thing in asked)
+        wrong += sum(not any(matches(one, thing) for thing in shown) for one in found)
+    return Accuracy(hits / (things + wrong), hits / things, wrong / images)
+
+
+def matches(detection: Detection, thing: Thing) -> bool:
+    """Whether a detection names a thing, and lies where it is."""
+    return (
+        detection.label == thing.label
+        and abs(detection.u - thing.u) <= SAME_PLACE * thing.width
+        and abs(detection.v - thing.v) <= SAME_PLACE * thing.height
+    )

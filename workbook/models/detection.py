@@ -1,0 +1,62 @@
+"""What a detector says, and how the numbers of the network become that."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from workbook.scenes.tabletop import LABELS as LABELS
+
+Floats = npt.NDArray[np.float32]
+STRIDE = 4
+"""The network answers for every square of so many pixels of its input, in each direction."""
+
+
+@dataclass(frozen=True)
+class Detection:
+    """One thing that was found: the middle of its box and its size, in pixels of the given image.
+
+    `label`: one of `LABELS`. `score`: how sure the network is, from 0 to 1. It is no probability.
+    """
+
+    label: str
+    score: float
+    u: float
+    v: float
+    width: float
+    height: float
+
+
+def decoded(maps: Floats, threshold: float, factor: int) -> list[Detection]:
+    """The detections in the answer of the network, surest first.
+
+    `maps`: shape (labels + 4, rows, columns): for each square a number per label, where in the square the middle is,
+    and the logarithms of width and height. `factor`: how many pixels of the image are one of the network's.
+    """
+    scores = 1.0 / (1.0 + np.exp(np.minimum(-maps[: len(LABELS)], 80.0)))
+    best = scores.max(axis=0)
+    rows, columns = np.nonzero((best >= threshold) & (best == _largest_around(best)))
+    found = []
+    for row, column in zip(rows.tolist(), columns.tolist(), strict=True):
+        right, down, wide, high = (float(one) for one in maps[len(LABELS) :, row, column])
+        u, v = (STRIDE * (column + right), STRIDE * (row + down))
+        found.append(
+            Detection(
+                LABELS[int(scores[:, row, column].argmax())],
+                float(best[row, column]),
+                factor * (u + 0.5) - 0.5,
+                factor * (v + 0.5) - 0.5,
+                factor * float(np.exp(min(wide, 5.0))),
+                factor * float(np.exp(min(high, 5.0))),
+            )
+        )
+    return sorted(found, key=lambda one: one.score, reverse=True)
+
+
+def _largest_around(best: Floats) -> Floats:
+    """For each square the largest number among it and its eight neighbors."""
+    padded = np.pad(best, 1, constant_values=-1.0)
+    rows, columns = best.shape
+    shifted = [padded[i : i + rows, j : j + columns] for i in range(3) for j in range(3)]
+    largest: Floats = np.max(shifted, axis=0)
+    return largest
