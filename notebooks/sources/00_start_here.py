@@ -23,7 +23,7 @@ print("started", start(joint_position_publisher))
 await watch_robot(seconds=6, ease=0.1)
 
 # %% [markdown]
-# That was no film. Two programs were at work. One computed the angles of the robot's twelve joints, twenty times a
+# That was not a film. Two programs were at work. One computed the angles of the robot's twelve joints, twenty times a
 # second, and sent them. This notebook received the numbers and drew the robot. The robot is simulated, but the sending
 # and receiving is real. It is the software that runs on real robots: **ROS 2**, the Robot Operating System.
 
@@ -93,10 +93,10 @@ reveal("end-of-the-program")
 # %% [markdown]
 # ## Look inside
 #
-# No error, although DDS, the layer that carries the messages, did notice: it took the publisher off its list. ROS simply
-# does not call that an error. Each of the two programs knows only a **topic**: a name, here `/robot/joint_positions`, and
-# a type of message, here an array of numbers. One program **publishes** on it, with or without subscribers. The other
-# **subscribes** to it, with or without publishers.
+# There is no error. DDS, the layer that carries the messages, did notice, and took the publisher off its list. But ROS
+# does not treat that as an error. Each of the two programs knows only a **topic**: a name, here
+# `/robot/joint_positions`, and a type of message, here an array of numbers. One program **publishes** on it, with or
+# without subscribers. The other **subscribes** to it, with or without publishers.
 #
 # So one program of a robot can crash without taking the others along. It also means that your node has to notice by
 # itself when a topic goes silent.
@@ -377,7 +377,7 @@ ready = doctor()
 print("this machine is ready:", ready)
 
 # %% [markdown]
-# If it is not, do what stands behind the first `→`, and run the cell again. A `!` is only worth knowing.
+# If it is not, do what stands behind the first `→`, and run the cell again. A line with `!` is only a note.
 #
 # *Two: a second window on the same robot.* Start it, and let it run:
 
@@ -385,16 +385,16 @@ print("this machine is ready:", ready)
 print("running:", start(humanoid_status_publisher))
 
 # %% [markdown]
-# Open a terminal beside this notebook: *File > New > Terminal*. There, type one after the other:
+# Open a terminal beside this notebook: *File > New > Terminal*. There, type these commands, one by one:
 #
 #     workbook node list
 #     workbook topic list
 #     workbook topic echo /robot/battery --count 3
 #     workbook graph
 #
-# If several notebooks are open, it asks which one you mean. These commands tell what `ros2` tells in a full installation
-# of ROS 2. If you have one, `ros2` itself can listen in: this line, typed into its terminal, tunes it to the domain
-# of this notebook.
+# If several notebooks are open, the command asks which one you mean. These commands show what `ros2` shows in a full
+# installation of ROS 2. If you have one, `ros2` itself can listen in. Type this line into its terminal first. It sets
+# the domain of this notebook.
 
 # %% tags=["nbval-ignore-output"]
 from workbook.ros import join_line
@@ -509,9 +509,9 @@ stop()
 #
 # One program is easier to start and to step through, and its parts share memory. Nodes can be started, replaced and
 # tested one by one, and when one crashes, the others go on. They can run on several computers, each written in the
-# language that fits. The price: messages cost time and copies, things happen at the same time, silence must be noticed,
-# and there are more parts to look after. Python for perception, planning, learning and user interfaces; C++ (or a
-# microcontroller) for motor control and for whatever must be on time to the millisecond.
+# language that fits. Nodes have a price. Messages cost time and copies, several things happen at once, and there are
+# more parts to look after. A node that goes silent must be noticed. Python suits perception, planning, learning and
+# user interfaces. C++ (or a microcontroller) suits motor control, and what must be on time to the millisecond.
 #
 # </details>
 #
@@ -532,7 +532,7 @@ stop()
 # - Nodes talk over topics: a name and a type. A node does not know which others publish or subscribe there.
 # - A program that moves a robot has ten lines: init, node, publisher, timer, spin.
 # - rclpy is the Python side of rcl. Below it, rmw and DDS carry the messages.
-# - Predict, run, change. ■ stops a cell, `stop()` stops the robots, `workbook doctor` knows the machine.
+# - Predict, run, change. ■ stops a cell, `stop()` stops the robots, `workbook doctor` checks the machine.
 #
 # **Next:** [01 · The context](01_the_context.ipynb): what begins before the first node and ends after the last.
 #

@@ -28,7 +28,7 @@ print("after the end:  ", node_list())
 
 # %% [markdown]
 # Its **node** appeared, and after the end it is gone, without an error. That is less common than you would think. Many
-# programs on the web end with a page of red. At the end of this lesson, yours will not.
+# programs on the web end with a page of error messages. At the end of this lesson, yours will not.
 
 # %% [markdown] prediction="publish-after-shutdown"
 # ## Predict
@@ -244,10 +244,11 @@ show(
 # %% [markdown]
 # The domain decides, not the process and not the topic. Put `"garden": "A"` into `PLACES` and run both cells again.
 #
-# In a classroom this matters. ROS comes with domain 0. Put thirty laptops on one network, and *your* dashboard shows the
-# battery of your neighbor's robot. So each desk sets a domain of its own, in the environment variable `ROS_DOMAIN_ID`.
-# (`ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST` keeps everything on one machine.) Do not put a number into your code: then you
-# would have to change the program to move the robot. These notebooks choose a free domain when they open.
+# In a classroom this matters. By default, ROS uses domain 0. Put thirty laptops on one network, and *your* dashboard
+# shows the battery of your neighbor's robot. So each desk sets a domain of its own, in the environment variable
+# `ROS_DOMAIN_ID`. (`ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST` keeps everything on one machine.) Do not put the number
+# into your code. Otherwise you have to edit the program to use it on another domain. These notebooks choose a free
+# domain when they open.
 
 # %% [markdown]
 # ### Experiment 2: Ctrl-C
@@ -346,7 +347,7 @@ rclpy.try_shutdown()
 Node("early_bird")
 
 # %% [markdown]
-# **A node that was destroyed.** The context is up, and still:
+# **A node that was destroyed.** The context is up, and the call fails all the same:
 
 # %% id="destroyed-node" tags=["raises-exception"]
 rclpy.init()
@@ -508,7 +509,8 @@ print("box locked: ", "box locked" in end.log)
 # </details>
 # <details><summary>b) Call `rclpy.shutdown()` before each `rclpy.init()`</summary>
 #
-# ✗ It raises as well if there is nothing to shut down. And nodes that were made in between lose their context.
+# ✗ `shutdown` itself raises an error if there is nothing to shut down. And nodes that were made in between lose their
+# context.
 #
 # </details>
 # <details><summary>c) Put it into `try` and `except` and go on</summary>

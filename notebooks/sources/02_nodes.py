@@ -143,12 +143,12 @@ right.destroy_node()
 #
 # A **node** is an entry in the **graph**, the list of all nodes and their connections. No central register hands out names.
 # Each process tells the others which nodes it has, and believes what the others tell. So two nodes may have one name. We
-# call these **duplicate node names**, and they are a fault. Both nodes do what you ask of `/camera`, and you get the answer
-# that comes first. There was no error above, only a warning.
+# call these **duplicate node names**, and they are a fault. When you ask `/camera` for something, both nodes do it, and
+# you get the answer that comes first. There was no error above, only a warning.
 #
 # A node is not a process: this one process had two. And a class is not a node: you can make many nodes from one class.
 #
-# What does every node come with? This cell also asks for what tools usually leave out:
+# What does every node come with? This cell also lists what tools usually hide:
 
 # %%
 from workbook.ros import node_info
@@ -164,8 +164,8 @@ bare.destroy_node()
 # that can be set from outside, as you did with `start(..., period_s=0.5)`. `super().__init__(name)` makes all of this. So
 # call it first in a class of your own.
 #
-# A node that does something adds a timer, a publisher, a subscription. This is the driver of a camera, as you could buy
-# it. Look at its names. The messages are for the next lessons.
+# A node that does something adds a timer, a publisher, a subscription. This is a camera driver, such as a vendor might
+# deliver. Look at its names. The messages are for the next lessons.
 
 # %%
 import inspect
@@ -358,9 +358,9 @@ reveal("remapped-node", names=end.log.split())
 # What if both cameras live in one process? The arguments of the command line count for *all* nodes of the process. Both
 # would be called `rear_camera`: duplicate names again. There are two ways out. On the command line, name the node that you
 # mean: `-r camera_a:__node:=rear_camera` renames only the node that the code calls `camera_a`. Both cameras are called
-# `camera` in the code, so here it takes the other way, `cli_args`. That passes the same words as a list, for one node
-# alone. (It works because this driver passes its `**settings` on to `Node`. Where a class does not, start one process
-# for each camera.)
+# `camera` in the code, so this program uses the other way, `cli_args`. It passes the same arguments as a list, to one
+# node alone. (It works because this driver passes its `**settings` on to `Node`. Where a class does not, start one
+# process for each camera.)
 
 # %%
 from workbook.ros import shutdown
@@ -400,8 +400,8 @@ for printed in run_program(SAME_NAME).log.strip().splitlines():
 
 # %% [markdown]
 # It speaks of logs, which is the smallest problem here. Read it as: *there are duplicate node names*. `workbook node list`
-# (with a real ROS 2: `ros2 node list`) shows the name twice. Usual reasons are two terminals with the same program, a cell
-# that was run twice, or a program that was not stopped.
+# (where ROS 2 is installed: `ros2 node list`) shows the name twice. Usual reasons are two terminals with the same
+# program, a cell that was run twice, or a program that was not stopped.
 
 # %% [markdown]
 # **Invalid names.** Which of these can be the name of a node?
@@ -424,9 +424,9 @@ for name in (
         print(f"✗ {error}")
 
 # %% [markdown]
-# English letters, digits and underscores are allowed, and no digit first. The caret points at the fault. The fifth is the
-# most common: the name of a node has no slash. The folder is a separate argument, `Node("camera", namespace="/robot")`. The
-# same for namespaces:
+# A name has only English letters, digits and underscores, and does not begin with a digit. The caret points at the
+# fault. The fifth is the most common: the name of a node has no slash. The folder is a separate argument,
+# `Node("camera", namespace="/robot")`. Namespaces have the same rules:
 
 # %% id="bad-namespaces"
 for namespace in ("/robot", "robot", "/robot/head", "/robot/"):
@@ -511,7 +511,7 @@ logger = quiet.get_logger()
 logger.info("battery at %d %%", 80)
 
 # %% [markdown]
-# It takes one text: `logger.info(f"battery at {80} %")`. And the next helper fails at its second call:
+# It takes one text: `logger.info(f"battery at {80} %")`. And this helper function fails at its second call:
 
 
 # %% id="logger-severity" tags=["raises-exception"]
@@ -524,14 +524,14 @@ say("warning", "battery low")
 
 # %% [markdown]
 # rclpy remembers for each *line of code* with which severity it logs, so that `once=True` can work. One line with two
-# severities is an error. Write an `if` with two lines. The logger carries the name of the node with its namespace, and each
-# line also goes to `/rosout`.
+# severities is an error. Write an `if`, with one line for each severity. The logger carries the name of the node with
+# its namespace, and each line also goes to `/rosout`.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
 # **Worked.** Two arms of one robot, `/robot/left/arm` and `/robot/right/arm`, from one class. The class has a plain
-# name and a private topic. The places are given when the nodes are made.
+# name and a private topic. Each arm gets its place when its node is made.
 
 # %%
 from std_msgs.msg import String
@@ -628,7 +628,7 @@ else:
 # </details>
 # <details><summary>b) `Node("/robot/camera")`</summary>
 #
-# ✗ The same error: no slash in the name of a node, at the front neither.
+# ✗ The same error: the name of a node has no slash, not even at the front.
 #
 # </details>
 # <details><summary>c) `Node("robot_camera")`</summary>
@@ -664,7 +664,7 @@ else:
 # </details>
 # <details><summary>b) The node is not spun</summary>
 #
-# ✗ That is worth a look as well, always. But here the name is enough.
+# ✗ That is always worth a check. But here the name alone stops the timer.
 #
 # </details>
 # <details><summary>c) It has replaced the list in which the node keeps its timers</summary>
@@ -712,7 +712,7 @@ else:
 #
 # - A node is an entry in the graph. Names are not checked: duplicate node names are allowed, and they are a fault.
 # - `super().__init__("name")` first. The name has no slash, hyphen or space; the folder is the namespace.
-# - `faults` follows the namespace, `~/frame` the node, and `/stop` follows nothing.
+# - `faults` gets the namespace in front, `~/frame` gets namespace and node, and `/stop` stays as it is.
 # - Remapping renames from outside: `--ros-args -r __node:=rear_camera` for a process, `cli_args` for one node.
 # - Avoid the names that `Node` uses. The logger takes one text, and one severity per line of code.
 #

@@ -46,7 +46,8 @@ show_path(
 # %% [markdown]
 # Change something: `record(figure_driver, {DRIVE: 0.1}, seconds=12.7, turn_radps=2.0)`, and run both cells again.
 #
-# Now you will publish messages of your own. You will see that a message can say something else than you gave.
+# Now you will publish messages of your own. You will see that the number that arrives is not always the number that you
+# gave.
 
 # %% [markdown] prediction="int-in-a-float-field"
 # ## Predict
@@ -217,8 +218,8 @@ print(Float32())
 # | argument | here | what it says |
 # |---|---|---|
 # | message type | `Float32` | the class itself, not its name in quotes, and no Python type |
-# | topic | `"/robot/battery"` | the name under which others find it; letter by letter |
-# | depth | `10` | how many messages the publisher keeps for sending again; the deeper notebook measures it |
+# | topic | `"/robot/battery"` | the name under which others find it, spelled exactly so |
+# | depth | `10` | how many messages the publisher keeps for retransmission; the deeper notebook measures it |
 #
 # A topic has **one** type. All its publishers and subscriptions use the same one.
 
@@ -327,8 +328,8 @@ print("math.isclose(tenth, 0.1):", math.isclose(tenth, 0.1))
 print("math.isclose(tenth, 0.1, rel_tol=1e-6):", math.isclose(tenth, 0.1, rel_tol=1e-6))
 
 # %% [markdown]
-# The second line surprises many: `isclose` is stricter than 32 bits are, so give it a tolerance. The same definition with
-# 64 bits exists, too: `Float64`. The numbers of a `Twist` have 64 bits. For a battery in percent, 32 are plenty.
+# The second line surprises many: `isclose` is stricter than 32 bits allow, so give it a tolerance. The same definition
+# with 64 bits exists, too: `Float64`. The numbers of a `Twist` have 64 bits. For a battery in percent, 32 are plenty.
 
 # %% [markdown]
 # ## When it goes wrong
@@ -360,8 +361,8 @@ print("switched on after the import: 80 arrives as", *values(late, "/robot/batte
 # After the import it does nothing, silently. The class reads the variable once, when it is loaded. For a single message
 # there is another switch, which works at any time: `Float32(data=level, check_fields=True)`.
 #
-# Checks are a net, not the fix. They refuse an honest `80`, they are off on a robot where nobody set them, and they
-# accept `nan`. Convert and check the value yourself, where it comes in.
+# Checks find such a fault, but they do not fix it. They refuse an honest `80`, they are off on a robot where nobody set
+# them, and they accept `nan`. Convert and check the value yourself, where it comes in.
 
 # %% [markdown]
 # ### Not a message
@@ -564,12 +565,12 @@ else:
 #
 # <details><summary>a) `command.angular.z = -0.5`, all the rest as it is</summary>
 #
-# ✓ Left is above zero, right is below. Speeds that you do not set are zero.
+# ✓ Turns to the left are above zero, turns to the right below. Speeds that you do not set are zero.
 #
 # </details>
 # <details><summary>b) `command.angular = -0.5`</summary>
 #
-# ✗ `angular` is a message, a `Vector3`, not a number. Its field `z` is the one.
+# ✗ `angular` is a message, a `Vector3`, not a number. Set its field `z`.
 #
 # </details>
 # <details><summary>c) `command.linear.y = -0.5`</summary>
@@ -600,7 +601,7 @@ else:
 #
 # <details><summary>a) Checked messages</summary>
 #
-# ✗ The class looks at the variable when it is loaded, and that was one line too early.
+# ✗ The class reads the variable when it is loaded, and at that time it was not yet set.
 #
 # </details>
 # <details><summary>b) A program that looks safe and is not</summary>
@@ -650,9 +651,9 @@ else:
 # First look at the topic, not at the code: does 0.0 really arrive, and does only one node publish there? If so, print
 # `type(level)` right before `publish`, or start the node with `ROS_PYTHON_CHECK_FIELDS=1`. The line that gives a field
 # something other than a float then raises an error. Suspects are an `int` when the charge is a whole number, `None` when
-# the library has no value, and `np.float32` from the smoothing. The fix is one place where values come in: `float(level)`
-# for numbers, an error for everything else, `math.isfinite` against nan. A test publishes each of these kinds, and looks at
-# what arrives. Good answers also ask what the node must do when there is no value.
+# the library has no value, and `np.float32` from the smoothing. The fix is one place where values come in. There,
+# `float(level)` converts numbers, `math.isfinite` finds nan, and everything else is an error. A test publishes each of
+# these kinds, and looks at what arrives. Good answers also ask what the node must do when there is no value.
 #
 # </details>
 #
@@ -675,7 +676,7 @@ else:
 #   program, depending on the build. Write `float(...)`.
 # - `ROS_PYTHON_CHECK_FIELDS=1` makes rclpy check, if it is set before the message class is imported.
 # - 32 bits hold about seven digits: never compare with `==`, use `math.isclose`.
-# - One topic, one type. Two programs with two types on one topic are silent.
+# - One topic, one type. Two programs with two types on one topic exchange nothing, and report nothing.
 #
 # **Before:** [02 · Nodes](02_nodes.ipynb)
 #

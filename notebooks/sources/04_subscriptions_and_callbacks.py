@@ -120,7 +120,7 @@ print("the list of the guard:", guard.heard)
 
 # %% [markdown]
 # It takes a moment until two programs have found each other. So we wait until the publisher knows of two subscriptions:
-# that of `guard`, and that of the black box. Then we say the five distances.
+# that of `guard`, and that of the black box. Then we publish the five distances.
 
 # %% id="nobody-spins"
 from workbook.ros import topic_echo
@@ -349,17 +349,17 @@ show(
 
 # %% [markdown]
 # Nothing warns you. A full queue drops its *oldest* message, so the newest is always in it. All 60 pictures reached the
-# reader with depth 100, although it was busy: a message is not lost because no callback runs.
+# reader with depth 100, although it was busy. Messages are not lost just because no callback runs.
 #
-# The publisher has a queue depth as well, for sending again; the deeper notebook of lesson 03 measures it. Here the camera
-# got 100, so that it plays no role.
+# The publisher has a queue depth as well, for retransmission; the deeper notebook of lesson 03 measures it. Here the
+# camera's publisher has a depth of 100, so that it makes no difference.
 
 # %% [markdown] prediction="age-of-a-message"
 # ### Experiment 2: how old is a message
 #
-# So, always a large depth? The distance sensor publishes every 0.05 s. Handling a message takes this guard 0.2 s, so it can
-# handle every fourth one only. It has a depth of 50, and works for four seconds. How old is the last distance that it
-# handles?
+# So, always a large depth? The distance sensor publishes every 0.05 s. Handling a message takes this guard 0.2 s, so it
+# can handle only every fourth one. It has a depth of 50, and works for four seconds. How old is the last distance that
+# it handles?
 #
 # - **a** More than a second, and it gets worse.
 #   when `last_age_s >= 1.0`
@@ -685,7 +685,7 @@ else:
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/04_subscriptions_and_callbacks.ipynb) you write a battery monitor. The
-# judge sends it twenty readings, one of which cannot be, and looks at what your node makes of them.
+# judge sends it twenty readings, one of which is impossible, and looks at what your node makes of them.
 
 # %% [markdown]
 # ## Check yourself
@@ -712,7 +712,7 @@ else:
 #
 # <details><summary>a) rclpy raises an error: the queue has run over</summary>
 #
-# ✗ It drops the oldest and says nothing. If each message counts, the depth is your affair.
+# ✗ It drops the oldest and says nothing. If each message counts, you must choose the depth for it.
 #
 # </details>
 # <details><summary>b) The callback gets the first 10; the others found the queue full</summary>
@@ -735,10 +735,10 @@ else:
 #
 # <details><summary>a) The 10 should be a QoSProfile</summary>
 #
-# ✗ A number is fine: it is the depth, and everything else is as usual.
+# ✗ A number is fine: it is the depth, and everything else keeps its default.
 #
 # </details>
-# <details><summary>b) It calls the method, where it should hand it over</summary>
+# <details><summary>b) It calls the method instead of passing it</summary>
 #
 # ✓ Leave the parentheses out. With them, Python calls it at once, and the message is missing.
 #
@@ -784,8 +784,8 @@ else:
 #
 # The node handles 12 pictures a second and gets 30, so the camera's queue is always full. The picture that is handled
 # is the oldest of the last ten, a third of a second old. With a depth of 1 it is as fresh as can be. Pictures are
-# skipped then, but of a state only the newest is wanted. The button is an event, and no press may be lost. A depth of
-# 10 is fine: the button has its own queue, which pictures cannot fill. But all callbacks run one after another, so the
+# skipped then, but only the newest one is of use. The button is an event, and no press may be lost. A depth of 10 is
+# fine: the button has its own queue, which pictures cannot fill. But all callbacks run one after another, so the
 # button's comes 80 ms late or more. No depth changes that. For the battery, 1 is enough. In a good answer, the button
 # does not share a thread with the camera (lesson 10), or has a node of its own. And a button that must stop the robot
 # is not left to a topic alone.
@@ -796,7 +796,7 @@ else:
 #
 # Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
 #
-# - **When the queue is full, the new message is dropped:** The oldest one is. What waits is the newest of the topic.
+# - **When the queue is full, the new message is dropped:** The oldest one is. The newest messages wait.
 # - **Each subscription has a thread of its own:** `rclpy.spin` runs all callbacks of a node in one thread, one after
 #   another.
 #
@@ -805,10 +805,12 @@ else:
 # %% [markdown]
 # ## Take away
 #
-# - `create_subscription(type, topic, callback, depth)`: rclpy calls the callback for each message, in their order.
+# - `create_subscription(type, topic, callback, depth)`: rclpy calls the callback for each message, in the order in
+#   which they came.
 # - Publishing and receiving need no spin. Callbacks do: no spin, no callback, and no error either.
 # - Up to `depth` messages wait; each further one pushes out the oldest. Small for a state, large for an event.
-# - The first argument decides which type comes, not the hint. Another type or name: silence. Ask `topic_info`.
+# - The first argument decides which type comes, not the hint. With another type or name, no message comes. Ask
+#   `topic_info`.
 # - Hand over the callback without parentheses. The node keeps the subscription; you need not.
 #
 # **Before:** [03 · Publishers and messages](03_publishers_and_messages.ipynb)
@@ -818,5 +820,5 @@ else:
 # **More:** [Writing a simple publisher and
 # subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html),
 # step by step, and [quality of
-# service](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html), of which the
-# depth is one.
+# service](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html), which include
+# the depth.

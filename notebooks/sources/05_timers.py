@@ -1,8 +1,8 @@
 # %% [markdown]
 # # 05 · Timers
 #
-# A robot that does something again and again, on time, is a robot with timers: its heartbeat, its balance, its
-# battery report.
+# A robot does some things again and again, on time: its heartbeat, its balance, its battery report. It does them with
+# timers.
 #
 # - **Minutes:** 45
 # - **You need:** lesson 00, and to know that `publish` sends a message on a topic
@@ -300,7 +300,7 @@ print(f"a period of {period_s} s: {len(arrivals(minute, BEEP))} beeps in a minut
 reveal("half-a-hertz", beeps=len(arrivals(minute, BEEP)))
 
 # %% [markdown]
-# `create_timer` takes a **period**: seconds from one tick to the next. Hertz is a **frequency**: ticks per second. One
+# `create_timer` takes a **period**: seconds from one tick to the next. Hertz is a **frequency**: ticks per second. Each
 # is 1 divided by the other.
 
 # %%
@@ -447,8 +447,8 @@ await run(eager, seconds=1)
 
 # %% [markdown]
 # One blink, and then an error that speaks of `NoneType`. `self.blink()` *calls* the method, at once, while the node is
-# being made. It returns `None`, and that is what the timer got as its callback. rclpy notices when the timer ticks for
-# the first time, not where the mistake is. Without the parentheses you hand over the method itself:
+# being made. It returns `None`, and that is what the timer got as its callback. rclpy notices it when the timer ticks
+# for the first time, not in the line with the mistake. Without the parentheses you hand over the method itself:
 
 
 # %%
@@ -576,7 +576,7 @@ else:
 # </details>
 # <details><summary>b) 600, but the last ones come in a hurry</summary>
 #
-# ✗ The loop has no plan that it could hurry after. It only knows how long to sleep.
+# ✗ The loop has no plan to catch up with. It only knows how long to sleep.
 #
 # </details>
 # <details><summary>c) At most 500</summary>
@@ -585,7 +585,7 @@ else:
 #
 # </details>
 #
-# **3. A timer ticks every 0.1 s. One of its callbacks takes 0.35 s this once. What follows?**
+# **3. A timer ticks every 0.1 s. Once, its callback takes 0.35 s. What follows?**
 #
 # <details><summary>a) One late tick, then the old plan again</summary>
 #

@@ -215,8 +215,8 @@ print(
 # Calls 1 and 2 run the timers' callbacks, calls 3 to 5 the words, in the order in which they came. From call 6 on nothing is
 # ready, so `spin_once` *waits*, and returns soon after the next timer is due.
 #
-# In this version timers come before messages. Do not build on that. Note what is missing: the heart was due at 1.0 s *and*
-# at 2.0 s, and beat once. You know why from [lesson 05](05_timers.ipynb).
+# In this version timers come before messages. Do not rely on that. Note what is missing: the heart was due at 1.0 s
+# *and* at 2.0 s, and beat once. You know why from [lesson 05](05_timers.ipynb).
 #
 # | executor | what it does |
 # |---|---|
@@ -468,8 +468,8 @@ print("and then it crashed:", left_behind.signal is not None)
 _ = try_out(ways_to_spin.thread_ended)
 
 # %% [markdown]
-# **A timer that takes every iteration.** It is due every 10 ms, and its callback takes 20 ms. So it is always ready. Five
-# messages wait, and we spin for two seconds: first with all the time that is left as the timeout, then with 50 ms.
+# **A timer that takes every iteration.** It is due every 10 ms, and its callback takes 20 ms. So it is always ready.
+# Five messages wait. We spin for two seconds, first with all the time that is left as the timeout, then with 50 ms.
 
 # %% id="unfair-turns"
 print("timeout_sec=left")
@@ -478,9 +478,10 @@ print("\ntimeout_sec=0.05")
 _ = try_out(ways_to_spin.busy_timer, 0.05, show_code=False)
 
 # %% [markdown]
-# When several things are ready, the executor serves all of them, one per call, before it checks again. But it starts again
-# with the first timer when the timeout *differs* from the one before. With `left` that is each time. So use the same timeout
-# in each iteration. (A timer whose callback takes longer than its period is a fault by itself: lesson 10.)
+# When several things are ready, the executor normally serves all of them, one per call, before it checks again. But
+# when the timeout *differs* from that of the call before, it starts again with the first timer. With `left` as the
+# timeout, it does so in each call. So use the same timeout in each iteration. (A timer whose callback takes longer than
+# its period is a fault by itself: lesson 10.)
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -538,7 +539,7 @@ else:
 # %% [markdown]
 # ## Check yourself
 #
-# **1. Ten messages wait, two timers are due. How many `spin_once` does it take to handle what is there?**
+# **1. Ten messages wait, two timers are due. How many calls of `spin_once` does it take to handle what is there?**
 #
 # <details><summary>a) One</summary>
 #
@@ -547,7 +548,7 @@ else:
 # </details>
 # <details><summary>b) Three: one for each timer, one for the queue</summary>
 #
-# ✗ A queue is not handled as a whole. Each message has a callback of its own.
+# ✗ A queue is not handled as a whole. Each message needs a call of its own.
 #
 # </details>
 # <details><summary>c) Twelve</summary>
@@ -589,7 +590,7 @@ else:
 # </details>
 # <details><summary>c) <code>future.add_done_callback(self.on_result)</code></summary>
 #
-# ✗ That is the cure: note what is to be done later, and come back.
+# ✗ That is the fix: say what to do later, and return.
 #
 # </details>
 #
@@ -653,7 +654,7 @@ else:
 # ## Take away
 #
 # - Callbacks run only while a thread spins the node, and in that thread.
-# - `spin_once` runs one callback, and returns nothing; `spin` is a loop of it that ends with ROS.
+# - `spin_once` runs one callback, and returns nothing. `spin` repeats it until the context is shut down.
 # - Give every `spin_once` the same short timeout. None, or a negative one, blocks forever; 0 keeps a processor busy.
 # - Do not spin or sleep inside a callback. Return, and let another callback go on.
 # - One executor can serve many nodes. If you spin in a thread, shut the executor down and join the thread.

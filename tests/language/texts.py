@@ -12,7 +12,7 @@ PAGES = ("README.md", "CONTRIBUTING.md", "environment.md", "exercises/*.md", "do
 TASKS = ("solutions/*.py",)
 LESSONS = ("notebooks/sources/*.py",)
 MUSEUM = ("notebooks/sources/museum/*.toml", "notebooks/sources/planned.toml")
-CODE = ("exercises/criteria/*.py", "exercises/drivers/*.py", "workbook/**/*.py")
+CODE = ("exercises/criteria/*.py", "exercises/drivers/*.py", "lesson_nodes/**/*.py", "workbook/**/*.py")
 NOT_READ = ("workbook/typings/", "workbook/authoring/skeletons/", "workbook/cli/completion_scripts.py")
 
 FEWEST_WORDS = 3
