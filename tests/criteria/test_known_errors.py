@@ -406,3 +406,14 @@ def test_a_truncated_traceback_still_tells_the_error() -> None:
     error = find_error(log, "answer.py")
     assert error is not None
     assert (error.error, error.line) == ("ZeroDivisionError: division", 31)
+
+
+def test_a_library_that_is_refused_a_thread_is_told_what_to_do() -> None:
+    """What PyTorch ends with: OpenMP exits by itself, without a traceback. Another last line is the program's own."""
+    log = "Error in cpuinfo: failed\n\nlibgomp: Thread creation failed: Resource temporarily unavailable\n"
+    error = find_error(log)
+    assert error is not None
+    assert (error.cause, error.line) == ("error.too-many-threads", None)
+    assert "64" in error.because
+    assert "OMP_NUM_THREADS" in error.try_this
+    assert find_error(f"{log}and so I stop\n") is None

@@ -6,6 +6,8 @@ import re
 import weakref
 from pathlib import Path
 
+from workbook.isolation.memory_groups import find_hierarchy, groups_problem
+
 PLACES = (Path("/tmp"), Path("/dev/shm"))
 _UUID = re.compile(
     r"[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}"
@@ -48,10 +50,10 @@ class Traces:
                 self._networks[number] = held
 
     def files(self) -> list[Path]:
-        """What lies in the common places and is named after one of its processes."""
+        """What lies in the common places, or among memory cgroups, and is named after one of its processes."""
         return [
             path
-            for place in PLACES
+            for place in (*PLACES, *_groups())
             for path in place.glob("*")
             if self._pids
             & {
@@ -60,6 +62,11 @@ class Traces:
                 if word.isdecimal()
             }
         ]
+
+
+def _groups() -> list[Path]:
+    """Where memory cgroups of ours are; nowhere on a machine without."""
+    return [] if groups_problem() is not None else [find_hierarchy().own]
 
 
 def _all_pids() -> list[int]:

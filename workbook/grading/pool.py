@@ -20,6 +20,7 @@ from workbook.grading.judges import Job, Key
 from workbook.grading.slot_health import SlotHealth
 from workbook.grading.turns import turn
 from workbook.inside.orphans import StillThere
+from workbook.isolation.memory_groups import lease_groups
 from workbook.isolation.tiers import Isolation, lease_for, slot_command
 from workbook.isolation.user_ids import NoIds
 from workbook.programs.ending import kill_programs_of
@@ -73,16 +74,24 @@ class Slot:
             raise SlotBroken(str(error)) from error
         if self._ids is not None:
             command += ["--user", str(self._ids.user)]
+        self._groups = lease_groups()
+        folder = None if self._groups is None else self._groups.path
+        if folder is not None:
+            command += ["--groups", str(folder)]
         if port is not None:
             command += ["--try", str(port)]
         self.environ = _environment(own_criteria)
-        self._process = subprocess.Popen(
-            slot_command(isolation, command),
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            env=self.environ,
-            start_new_session=True,
-        )
+        try:
+            self._process = subprocess.Popen(
+                slot_command(isolation, command, folder),
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                env=self.environ,
+                start_new_session=True,
+            )
+        except BaseException:
+            self._sweep()
+            raise
         self._buffer = b""
         self._health = SlotHealth(self._process.pid, SLOT_MODULE)
 
@@ -186,7 +195,9 @@ class Slot:
         self._sweep()
 
     def _sweep(self) -> None:
-        """End what runs under the user id of this slot, and give the id back."""
+        """Remove the memory cgroups of this slot, end what runs under its user id, and give the id back."""
+        if self._groups is not None:
+            self._groups.remove()
         if self._ids is not None:
             try:
                 self._ids.sweep()

@@ -5,7 +5,7 @@
 comes in on standard input, judgements go out on standard output, the last one with `"final": true`. The line
 `{"enough": true}` cuts short the real seconds that a passing program is kept running for.
 
-    python -m workbook.grading.slot TIER [--user ID] [--try PORT]
+    python -m workbook.grading.slot TIER [--user ID] [--groups FOLDER] [--try PORT]
 
 The first line that goes out says that it is ready and, with `--try`, what is wrong with the tier, if anything is. If it
 cannot begin, the line says why: `{"broken": "No ROS domain is free…"}`.
@@ -30,6 +30,7 @@ from workbook.exercise.judgement import Judgement, Report
 from workbook.exercise.judging import Judge
 from workbook.exercise.serialization import judgement_to_json
 from workbook.inside.libc import set_parent_death_signal
+from workbook.inside.memory_cgroup import remove_group
 from workbook.inside.orphans import StillThere, adopt_orphans, sweep_orphans
 from workbook.isolation.sandbox import sandbox_environment
 from workbook.isolation.tiers import Isolation, make_tier, named_tier
@@ -79,10 +80,13 @@ def _exercise(stem: str) -> Exercise:
     return load_exercise(stem)
 
 
-def serve(isolation: Isolation, ids: Ids | None = None, port: int | None = None) -> None:
+def serve(
+    isolation: Isolation, ids: Ids | None = None, port: int | None = None, groups: Path | None = None
+) -> None:
     """Answer jobs until standard input is closed. With "uid" the programs run under `ids`, which the caller leased.
 
-    `port`: of a listener on this machine, for trying out the tier first.
+    `port`: of a listener on this machine, for trying out the tier first. `groups`: the folder for memory cgroups, which
+    the caller leased.
     """
     channel = _private_output()
     adopt_orphans()
@@ -99,9 +103,11 @@ def serve(isolation: Isolation, ids: Ids | None = None, port: int | None = None)
         send({"final": False, "judgement": judgement_to_json(judgement)})
 
     server = ForkServer()
-    tier = make_tier(isolation, ids=ids, server=server)
+    tier = make_tier(isolation, ids=ids, server=server, groups=groups)
     warm_up(isolation, server)
     with contextlib.closing(server), contextlib.ExitStack() as stack:
+        if groups is not None:
+            stack.callback(remove_group, str(groups), 0.0)  # whoever leased it may have been killed
         try:
             observer = stack.enter_context(Observer(tier=tier))
         except NoDomainFree as error:
@@ -151,9 +157,10 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("tier", type=named_tier)
     parser.add_argument("--user", type=lambda text: Ids(int(text)))
+    parser.add_argument("--groups", type=Path)
     parser.add_argument("--try", type=int, dest="port")
     asked = parser.parse_args()
-    serve(asked.tier, asked.user, asked.port)
+    serve(asked.tier, asked.user, asked.port, asked.groups)
 
 
 if __name__ == "__main__":

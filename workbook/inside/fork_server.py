@@ -23,7 +23,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from workbook.inside import capabilities, host, syscall_filter
+from workbook.inside import capabilities, host, memory_cgroup, syscall_filter
 from workbook.inside.import_cache import ImportCache, import_what_answers_need
 from workbook.inside.libc import checked, die_with_parent, libc, set_parent_death_signal
 from workbook.inside.lttng import LttngForkHooks
@@ -42,13 +42,15 @@ NAMESPACES = 0x10000000 | 0x00020000 | 0x20000000 | 0x08000000 | 0x04000000 | 0x
 class Request:
     """One program to start, and what `host.main` and the program are given.
 
-    `namespaces_of`: the first process of the sandbox to join; 0 for none.
+    `namespaces_of`: the first process of the sandbox to join; 0 for none. `joins`: the file of the memory cgroup to
+    join, which cannot be seen from within a sandbox; None for none.
     """
 
     namespaces_of: int
     arguments: list[str]
     environ: dict[str, str]
     folder: str
+    joins: str | None = None
 
 
 class RunMark:
@@ -91,10 +93,14 @@ def join_namespaces(first: int) -> None:
         os.close(descriptor)
 
 
-def become_program(request: Request, parent: int, output: int, hooks: Hooks) -> None:
-    """Turn this forked process into the one that runs the answer."""
+def become_program(request: Request, parent: int, output: int, group: int | None, hooks: Hooks) -> None:
+    """Turn this forked process into the one that runs the answer. `group`: the open file of the cgroup to join."""
     try:
+        if group is not None:
+            memory_cgroup.join(group)
         if request.namespaces_of:
+            if group is not None:
+                memory_cgroup.hide_group()
             capabilities.clear_bounding_set()
             capabilities.drop_capabilities()
             capabilities.set_dumpable()
@@ -135,12 +141,13 @@ def supervise(request: Request, output: int, status: int, hooks: Hooks) -> None:
     code = 1
     try:
         set_parent_death_signal()
+        group = None if request.joins is None else memory_cgroup.open_group(request.joins)
         if request.namespaces_of:
             join_namespaces(request.namespaces_of)
         parent = os.getpid()
         program = os.fork()
         if program == 0:
-            become_program(request, parent, output, hooks)
+            become_program(request, parent, output, group, hooks)
             return
         os.close(output)
         if not report(status, f"{program}\n"):

@@ -16,6 +16,8 @@ NANOSLEEP = {"x86_64": (b"35 ", b"230 "), "aarch64": (b"101 ", b"115 ")}.get(os.
 UDP_TABLES = ("/proc/net/udp", "/proc/net/udp6")
 UNIX_SOCKETS = "/proc/net/unix"
 SOCKET_TOTALS = "/proc/net/sockstat"
+OWN_GROUPS = "/proc/self/cgroup"
+OWN_MOUNTS = "/proc/self/mountinfo"
 QUEUE_TABLES = (*UDP_TABLES, "/proc/net/tcp", "/proc/net/tcp6")
 
 
@@ -187,6 +189,25 @@ def available_memory_bytes() -> int:
     except OSError:
         return 0
     return next((int(line.split()[1]) * 1024 for line in lines if line.startswith("MemAvailable:")), 0)
+
+
+def own_groups(table: str = OWN_GROUPS) -> list[tuple[str, str, str]]:
+    """Number, controllers and path of the cgroup of this process in each hierarchy; none where there are none."""
+    try:
+        rows = [line.split(":", 2) for line in read_text(table).splitlines()]
+    except OSError:
+        return []
+    return [(number, controllers, path) for number, controllers, path in rows]
+
+
+def mounted(kind: str, table: str = OWN_MOUNTS) -> list[tuple[str, str, list[str]]]:
+    """Root, mount point and options of each file system of this kind that this process sees."""
+    try:
+        rows = [line.split() for line in read_text(table).splitlines()]
+    except OSError:
+        return []
+    found = [(row, row.index("-")) for row in rows if "-" in row]
+    return [(row[3], row[4], row[after + 3].split(",")) for row, after in found if row[after + 1] == kind]
 
 
 def mount_usage(pid: int, folder: str) -> os.statvfs_result:

@@ -1,7 +1,10 @@
-"""Runs a command and outlives it, to end all that is left below: `python -I -S run.py subreaper PARENT COMMAND...`
+"""Runs a command and outlives it, to end all that is left below.
+
+    python -I -S run.py subreaper PARENT [--groups FOLDER] COMMAND...
 
 When the command ends, or when the process PARENT does, however suddenly. A sandbox of bubblewrap ends with its owner
 too, but only from a certain moment of its start on: until then a killed grader would leave it behind for ever.
+FOLDER is that of its memory cgroups, which goes last.
 """
 
 import os
@@ -10,6 +13,7 @@ import signal
 import sys
 
 from workbook.inside.libc import set_parent_death_signal
+from workbook.inside.memory_cgroup import remove_group
 from workbook.inside.orphans import StillThere, adopt_orphans, sweep_orphans
 
 HEARD = {signal.SIGTERM, signal.SIGCHLD, signal.SIGINT}
@@ -49,5 +53,10 @@ def end_alike(code: int) -> None:
 
 
 def main(arguments: list[str]) -> None:
-    """Run the command and end as it ended; arguments are the process number of the parent and the command."""
-    end_alike(run_and_reap(int(arguments[0]), arguments[1:]))
+    """Run the command and end as it ended, with the arguments above."""
+    parent, *command = arguments
+    groups = command[1] if command[0] == "--groups" else None
+    code = run_and_reap(int(parent), command if groups is None else command[2:])
+    if groups is not None:
+        remove_group(groups)
+    end_alike(code)

@@ -21,7 +21,7 @@ from workbook.isolation.host_files import (
 from workbook.isolation.written_files import WrittenFiles
 from workbook.programs.process import PROFILE
 from workbook.programs.tier import Confinement, Order, Started, limit_options
-from workbook.programs.unconfined import KERNEL_LIMITS, FreshProgram, host_command
+from workbook.programs.unconfined import KERNEL_LIMITS, FreshProgram, host_command, joining
 from workbook.recording.limits import Limits
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
@@ -54,16 +54,8 @@ class ConfinedProgram:
         """Start the program in a fresh Python that `inside/confine.py` confines first. Raises OSError."""
         command = host_command("--parent", str(os.getpid()), *order.arguments)
         environ = self.environment(order.environ)
-        wrapped = [
-            sys.executable,
-            "-I",
-            "-S",
-            str(RUN),
-            "confine",
-            *self.options(order.limits),
-            "--",
-            *command,
-        ]
+        confined = [sys.executable, "-I", "-S", str(RUN), "confine", *self.options(order.limits), "--"]
+        wrapped = joining(order.joins, [*confined, *command])
         began = time.monotonic()
         return Started(FreshProgram(wrapped, environ, self.scratch, order.output_fd), began)
 
@@ -110,6 +102,10 @@ class ConfinedProgram:
     def queued_bytes(self, worth_counting: int) -> int:
         """Zero: the network is that of the machine."""
         return 0
+
+    def exceeded(self) -> str | None:
+        """None: the tier itself has no memory cgroup."""
+        return None
 
     def sweep(self) -> bool:
         """Kill the processes that the program left behind. Returns whether there were any. Raises StillThere."""

@@ -20,7 +20,7 @@ from workbook.inside.syscall_filter import FILTER_SYSCALLS
 from workbook.isolation.bubblewrap import ANSWER_FOLDER, HOME, WRITABLE, WRITABLE_BYTES, inner_command
 from workbook.isolation.host_files import NOT_FOR_ANSWERS, PATH_OF_PROGRAMS, interpreter_folders
 from workbook.programs.tier import Child, Confinement, Order, Started, limit_options
-from workbook.programs.unconfined import KERNEL_LIMITS, FreshProgram, host_command
+from workbook.programs.unconfined import KERNEL_LIMITS, FreshProgram, host_command, joining
 from workbook.programs.warm_start import ForkServer, NoWarmStart, WarmProgram
 from workbook.recording.limits import Limits
 
@@ -115,7 +115,7 @@ class Sandbox:
         if forked is not None:
             return Started(forked, began)
         # Without --parent: a sandbox dies with us by itself, and its processes do not know our number.
-        command = self.command(host_command("--attended", *order.arguments), environ)
+        command = joining(order.joins, self.command(host_command("--attended", *order.arguments), environ))
         return Started(SandboxedProgram(command, order, self.scratch, self.info_fd), began)
 
     def command(
@@ -157,7 +157,7 @@ class Sandbox:
         try:
             if first is None:
                 raise NoWarmStart("there is no sandbox")
-            program = server.spawn(first, order.arguments, environ, HOME, order.output_fd)
+            program = server.spawn(first, order.arguments, environ, HOME, order.output_fd, order.joins)
             return SandboxedFork(program, sandbox)
         except NoWarmStart:
             sandbox.kill()
@@ -181,6 +181,10 @@ class Sandbox:
     def queued_bytes(self, worth_counting: int) -> int:
         """What waits unread in the sockets of this network, from `worth_counting` bytes on; else zero."""
         return proc.queued_bytes(worth_counting)
+
+    def exceeded(self) -> str | None:
+        """None: the tier itself has no memory cgroup."""
+        return None
 
     def sweep(self) -> bool:
         """False, and nothing to do: every process in a sandbox ends with it."""

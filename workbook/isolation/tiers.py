@@ -5,11 +5,13 @@ kernel grants no namespaces. "landlock": for an ordinary user; the kernel hides 
 """
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Literal
 
 from workbook.inside.landlock import ABI_OF_SIGNALS, ABI_OF_TCP, landlock_abi
 from workbook.inside.syscall_filter import knows_this_machine
 from workbook.isolation.bubblewrap import outer_command, sandbox_problem
+from workbook.isolation.grouped import GroupedTier
 from workbook.isolation.host_files import closed_folder
 from workbook.isolation.landlock import LandlockTier
 from workbook.isolation.limits import LimitsTier
@@ -42,12 +44,23 @@ def meets_others(isolation: Isolation) -> bool:
     return isolation in ("uid", "landlock")
 
 
-def make_tier(isolation: Isolation, *, ids: Ids | None = None, server: ForkServer | None = None) -> Tier:
+def make_tier(
+    isolation: Isolation,
+    *,
+    ids: Ids | None = None,
+    server: ForkServer | None = None,
+    groups: Path | None = None,
+) -> Tier:
     """The tier of that name, for a process that adopts what programs leave behind (see `adopt_orphans`).
 
-    `ids`: for "uid", leased by the caller. `server`: for "sandbox", from which programs are forked. Raises ValueError
-    without ids for "uid".
+    `ids`: for "uid", leased by the caller. `server`: for "sandbox", from which programs are forked. `groups`: the
+    folder for memory cgroups, leased by the caller; None where there are none. Raises ValueError without ids for "uid".
     """
+    tier = _bare_tier(isolation, ids, server)
+    return tier if groups is None else GroupedTier(tier, groups)
+
+
+def _bare_tier(isolation: Isolation, ids: Ids | None, server: ForkServer | None) -> Tier:
     if isolation == "sandbox":
         return SandboxTier(server)
     if isolation == "uid":
@@ -62,9 +75,9 @@ def lease_for(isolation: Isolation) -> Ids | None:
     return lease_ids() if isolation == "uid" else None
 
 
-def slot_command(isolation: Isolation, command: Sequence[str]) -> list[str]:
-    """How a slot is started whose programs run in the tier. Raises NoSandbox."""
-    return outer_command(command) if isolation == "sandbox" else [*command]
+def slot_command(isolation: Isolation, command: Sequence[str], groups: Path | None = None) -> list[str]:
+    """How a slot is started whose programs run in the tier. `groups`: see `make_tier`. Raises NoSandbox."""
+    return outer_command(command, groups) if isolation == "sandbox" else [*command]
 
 
 def known_problem(isolation: Isolation) -> str | None:

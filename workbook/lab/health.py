@@ -337,16 +337,20 @@ def check_chromium() -> HealthFinding:
 def check_sandbox() -> HealthFinding:
     """How well untrusted programs can be confined: for instructors only."""
     from workbook.grading.tier_check import best_below_sandbox, tier_problem
+    from workbook.isolation.memory_groups import groups_in_words
     from workbook.isolation.tiers import covers, leaves_open
 
     problem = tier_problem("sandbox")
     if problem is None:
-        return HealthFinding("ok", "Isolation", "sandbox: bubblewrap isolates a program")
+        return HealthFinding(
+            "ok", "Isolation", f"sandbox: bubblewrap isolates a program. {groups_in_words()}"
+        )
     best = best_below_sandbox()
     return HealthFinding(
         "note",
         "Isolation",
-        f"no sandbox: {problem}. The best that works here is {best}: {covers(best)}. {leaves_open(best)}",
+        f"no sandbox: {problem}. The best that works here is {best}: {covers(best)}. {leaves_open(best)} "
+        f"{groups_in_words()}",
         "Only grading other people's answers needs it (apt: bubblewrap).",
     )
 

@@ -185,6 +185,9 @@ class NodeProcess:
         code = None if self.is_running() else self._child.poll()
         ended_at = None if self._ended_at is None else self._ended_at - self.started_at
         limits = [*self._limits_hit]
+        ended_by_kernel = self._confinement.exceeded()
+        if not limits and ended_by_kernel is not None:
+            limits.append(ended_by_kernel)
         by_judge = self._ended_by_judge or bool(limits)
         log = end_log = self.log.text()
         if code is not None and -code == signal.SIGXCPU:

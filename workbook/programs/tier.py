@@ -1,12 +1,17 @@
 """What a tier of isolation offers to `NodeProcess`, which knows none of them by name (see `workbook.isolation`)."""
 
+import importlib.util
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Protocol
 
 from workbook.recording.limits import ADDRESSES_PER_THREAD, THREADS_PER_CORE, Limits
+
+LARGE_PACKAGES = ("torch", "nvidia")
+"""PyTorch, and the packages of CUDA that it loads even where there is no graphics processor."""
 
 
 class Child(Protocol):
@@ -37,12 +42,16 @@ class Child(Protocol):
 
 @dataclass(frozen=True)
 class Order:
-    """A program to start: arguments for the host, environment and limits, and the descriptor that it prints to."""
+    """A program to start: arguments for the host, environment and limits, and the descriptor that it prints to.
+
+    `joins`: the file by which it joins a memory cgroup, before a line of it is read; None where there is no such group.
+    """
 
     arguments: Sequence[str]
     environ: Mapping[str, str]
     limits: Limits
     output_fd: int
+    joins: str | None = None
 
 
 @dataclass(frozen=True)
@@ -77,6 +86,9 @@ class Confinement(Protocol):
     def queued_bytes(self, worth_counting: int) -> int:
         """What waits unread in sockets of the program's own network, from `worth_counting` bytes on; else zero."""
 
+    def exceeded(self) -> str | None:
+        """The limit that the program has exceeded where the kernel counts for it; None if none, or nobody counts."""
+
     def sweep(self) -> bool:
         """End whatever the program has left running, when it has ended. Returns whether there was anything.
 
@@ -99,12 +111,27 @@ def threads_of_libraries() -> int:
     return THREADS_PER_CORE * (os.cpu_count() or 1)
 
 
+@cache
+def addresses_of_libraries() -> int:
+    """Address space that the largest libraries installed here take when they are loaded: the size of their files.
+
+    It is hardly any memory: the kernel maps the files. PyTorch as it comes from PyPI maps 2.9 GB of them.
+    """
+    found = importlib.util.find_spec("torch")
+    if found is None or not found.submodule_search_locations:
+        return 0
+    packages = Path(found.submodule_search_locations[0]).parent
+    files = [path for name in LARGE_PACKAGES for path in (packages / name).rglob("*.so*")]
+    return sum(path.stat().st_size for path in files)
+
+
 def limit_options(limits: Limits, names: Sequence[str]) -> list[str]:
     """Options for the host: those of the limits with these names that are set.
 
     The kernel limits addresses and threads where the judge counts memory and processes: they get more.
     """
-    more = {"memory": ADDRESSES_PER_THREAD * threads_of_libraries(), "processes": threads_of_libraries()}
+    threads = threads_of_libraries()
+    more = {"memory": ADDRESSES_PER_THREAD * threads + addresses_of_libraries(), "processes": threads}
     values = {name: getattr(limits, name) for name in names}
     return [
         part

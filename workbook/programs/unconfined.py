@@ -19,10 +19,17 @@ from workbook.recording.limits import Limits
 KERNEL_LIMITS = ("memory", "file_size", "open_files", "cpu", "core")
 """Not that of processes: the kernel would count everything that the same user runs, and nothing for root."""
 
+_JOINED = ("/bin/sh", "-c", 'echo 0 >"$0" && exec "$@"')
+
 
 def host_command(*options: str) -> list[str]:
     """The command that runs a program: the host in a fresh Python."""
     return [sys.executable, "-P", str(RUN), "host", *options]
+
+
+def joining(joins: str | None, command: Sequence[str]) -> list[str]:
+    """`command` in the memory cgroup that one joins by the file `joins`; as it is for None."""
+    return [*command] if joins is None else [*_JOINED, joins, *command]
 
 
 class FreshProgram(subprocess.Popen[bytes]):
@@ -85,10 +92,11 @@ class UnconfinedProgram:
             with suppress(NoWarmStart):
                 folder = str(self.scratch)
                 return Started(
-                    server.spawn(0, order.arguments, order.environ, folder, order.output_fd), began
+                    server.spawn(0, order.arguments, order.environ, folder, order.output_fd, order.joins),
+                    began,
                 )
         began = time.monotonic()
-        command = host_command("--parent", str(os.getpid()), *order.arguments)
+        command = joining(order.joins, host_command("--parent", str(os.getpid()), *order.arguments))
         return Started(FreshProgram(command, order.environ, self.scratch, order.output_fd), began)
 
     def most_files(self, pids: Sequence[int]) -> int:
@@ -106,6 +114,10 @@ class UnconfinedProgram:
     def queued_bytes(self, worth_counting: int) -> int:
         """Zero: the network is that of the machine."""
         return 0
+
+    def exceeded(self) -> str | None:
+        """None: the tier itself has no memory cgroup."""
+        return None
 
     def sweep(self) -> bool:
         """False: nothing is looked for beyond the program's own process tree."""

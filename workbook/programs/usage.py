@@ -19,6 +19,9 @@ _SAID = {
 
 def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement) -> str | None:
     """The limit that these processes of one program exceed together; None if they keep to all."""
+    hit = confinement.exceeded()
+    if hit is not None:
+        return hit
     if limits.processes is not None and len(pids) > limits.processes:
         return "processes"
     if limits.memory is not None and memory_bytes(pids, limits.memory) > limits.memory:

@@ -121,13 +121,18 @@ class ForkServer:
         environ: Mapping[str, str],
         folder: str,
         output_fd: int,
+        joins: str | None = None,
     ) -> WarmProgram:
-        """Fork a program into the name spaces of a process, or into no other ones (0). Raises NoWarmStart."""
+        """Fork a program into the name spaces of a process, or into no other ones (0). Raises NoWarmStart.
+
+        `joins`: see `workbook.programs.tier.Order`.
+        """
         request = {
             "namespaces_of": namespaces_of,
             "arguments": [*arguments],
             "environ": dict(environ),
             "folder": folder,
+            "joins": joins,
         }
         read_fd, write_fd = os.pipe()
         try:

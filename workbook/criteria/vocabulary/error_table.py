@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from workbook.recording.limits import WRITABLE_MIB
+from workbook.recording.limits import ANSWER_LIMITS, WRITABLE_MIB
 
 
 @dataclass(frozen=True)
@@ -245,7 +245,8 @@ KNOWN_ERRORS = (
     KnownError(
         "error.too-many-threads",
         r"can't start new thread|Resource temporarily unavailable",
-        "The program started more threads or processes than an answer may.",
-        "Look for a loop that starts a new one in each iteration.",
+        f"The program started more than the {ANSWER_LIMITS.processes} threads and processes that an answer may have.",
+        "Look for a loop that starts a new one in each iteration. If a library starts them, limit it: set "
+        "os.environ['OMP_NUM_THREADS'] before the import, or call torch.set_num_threads or cv2.setNumThreads.",
     ),
 )

@@ -28,6 +28,8 @@ TRACEBACK = "Traceback (most recent call last)"
 _ERROR_LINE = re.compile(
     r"^(?P<name>[A-Za-z_][\w.]*(?:Error|Exception|Interrupt|Handle|Iteration|Exit))(?::.*)?$"
 )
+_FATAL = re.compile(r"libgomp: .*Resource temporarily unavailable")
+"""PyTorch and others start their threads by OpenMP, which ends the process when the kernel refuses one."""
 _EXECUTOR_LEFT = re.compile(
     r"Exception ignored in: <function Executor\.__del__ at \S+>\n"
     + re.escape(TRACEBACK)
@@ -56,13 +58,19 @@ def find_error(log: str, program_name: str = "") -> ProgramError | None:
         (index for index in range(len(lines) - 1, -1, -1) if _ERROR_LINE.match(lines[index].strip())), None
     )
     if error_at is None or not any("Traceback" in line or _FRAME.match(line) for line in lines[:error_at]):
-        return None
+        return _error_of_library(log)
     error = lines[error_at].strip()
     if error.startswith("KeyboardInterrupt"):
         return None
     return _explained(
         error, "\n".join(lines[max(0, error_at - 2) : error_at + 1]), _line_of(lines[:error_at], program_name)
     )
+
+
+def _error_of_library(log: str) -> ProgramError | None:
+    """The last line of a log, if OpenMP says in it why it has ended the program: then there is no traceback."""
+    lines = log.strip().splitlines()
+    return _explained(lines[-1], "", None) if lines and _FATAL.match(lines[-1]) else None
 
 
 def _line_of(lines: list[str], program_name: str) -> int | None:

@@ -1,0 +1,302 @@
+"""Memory cgroups: the kernel itself counts all memory of an answer, and ends it at the limit.
+
+It counts what watching cannot see at once: files in memory, shared memory, pipes, page tables, and sockets. A grader
+makes one group for each slot (`lease_groups`), below its own group and never elsewhere, so that whatever limits the
+grader limits its answers as well. The slot makes one in it for each answer. Where that cannot be done, `groups_problem`
+says why, and resident and shared memory are watched as before.
+"""
+
+import errno
+import fcntl
+import os
+import subprocess
+import tempfile
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from workbook.inside.memory_cgroup import groups_in, open_group, processes_in, remove_group
+from workbook.inside.proc import OWN_GROUPS, OWN_MOUNTS, mounted, own_groups, process_tree, read_text
+from workbook.recording.limits import ANSWER_LIMITS, Limits
+
+PREFIX = "rclpy-workbook-"
+LEAF = "grader-of-rclpy-workbook"
+"""Where a grader moves in cgroup v2: a group that holds processes cannot divide its memory among groups below it."""
+SOCKETS_FACTOR = 2
+"""The kernel lets sockets hold twice what the judge does, so that the judge sees who holds too much, and says so."""
+LEASE_TRIES = 5
+_JOIN = ("/bin/sh", "-c", 'echo 0 >"$0"')
+_JOIN_S = 10.0
+_DELEGATE = "systemd-run --user --scope -p Delegate=memory workbook grade …"
+
+
+class NoMemoryGroups(RuntimeError):
+    """No memory cgroup can be had here. The message says why."""
+
+
+@dataclass(frozen=True)
+class Hierarchy:
+    """The groups of this machine as this process sees them: version 1 or 2, where they are mounted, and its own."""
+
+    version: int
+    mount: Path
+    own: Path
+
+
+def find_hierarchy(groups: str = OWN_GROUPS, mounts: str = OWN_MOUNTS) -> Hierarchy:
+    """The hierarchy that counts memory, by two tables of the kernel. Raises NoMemoryGroups."""
+    memberships = own_groups(groups)
+    first = [path for _, controllers, path in memberships if "memory" in controllers.split(",")]
+    second = [path for number, controllers, path in memberships if number == "0" and not controllers]
+    for version, kind, paths in ((1, "cgroup", first), (2, "cgroup2", second)):
+        for root, mount, options in mounted(kind, mounts):
+            if not paths or (version == 1 and "memory" not in options):
+                continue
+            below = os.path.relpath(paths[0], root)
+            own = Path(os.path.normpath(os.path.join(mount, below)))
+            if not below.startswith("..") and own.is_dir():
+                return Hierarchy(version, Path(mount), own)
+    raise NoMemoryGroups("this process is in no cgroup that can be seen")
+
+
+def version_of(group: Path) -> int:
+    """1 or 2, by the files of a group."""
+    return 2 if (group / "cgroup.controllers").exists() else 1
+
+
+def write(path: Path, text: str) -> None:
+    """Write to a file of the kernel, which must be there. Raises OSError."""
+    descriptor = os.open(path, os.O_WRONLY)
+    try:
+        os.write(descriptor, text.encode())
+    finally:
+        os.close(descriptor)
+
+
+class MemoryGroup:
+    """The group of one answer, with its limits. Raises OSError when the kernel grants none."""
+
+    def __init__(self, folder: Path, limits: Limits) -> None:
+        self.version = version_of(folder)
+        self._limits = limits
+        self._exceeded: str | None = None
+        self.path = Path(tempfile.mkdtemp(prefix="answer-", dir=folder))
+        try:
+            self._limit()
+            os.close(open_group(self.joins))
+        except OSError:
+            self.remove()
+            raise
+
+    @property
+    def joins(self) -> str:
+        """The file to which a process writes "0" to join: in version 1 the one that takes no lock of all processes."""
+        return str(self.path / ("tasks" if self.version == 1 else "cgroup.procs"))
+
+    def _limit(self) -> None:
+        memory, queued = self._limits.memory, self._limits.queued
+        if self.version == 2:
+            write(self.path / "memory.max", str(memory))
+            for name, value in (("memory.swap.max", "0"), ("memory.oom.group", "1")):
+                with suppress(FileNotFoundError):  # a kernel without swap, or older than 4.19
+                    write(self.path / name, value)
+            return
+        write(self.path / "memory.limit_in_bytes", str(memory))
+        with suppress(OSError):  # a kernel that does not count swap
+            write(self.path / "memory.memsw.limit_in_bytes", str(memory))
+        if queued is not None:
+            with suppress(OSError):  # or sockets
+                write(self.path / "memory.kmem.tcp.limit_in_bytes", str(SOCKETS_FACTOR * queued))
+
+    def exceeded(self) -> str | None:
+        """The limit that was exceeded up to now, in the words of `Limits`; None if none was."""
+        if self._exceeded is None:
+            if self._ended_by_kernel():
+                self._exceeded = "memory"
+            elif self._limits.queued is not None and self._in_sockets() > self._limits.queued:
+                self._exceeded = "sockets"
+        return self._exceeded
+
+    def _ended_by_kernel(self) -> bool:
+        events = "memory.events" if self.version == 2 else "memory.oom_control"
+        return number_in(self.path / events, "oom_kill") > 0
+
+    def _in_sockets(self) -> int:
+        if self.version == 1:
+            return number_in(self.path / "memory.kmem.tcp.usage_in_bytes")
+        return number_in(self.path / "memory.stat", "sock")
+
+    def remove(self) -> None:
+        """Note for the last time what was exceeded, end what is left in the group, and remove it."""
+        self.exceeded()
+        remove_group(str(self.path))
+
+
+def number_in(path: Path, name: str = "") -> int:
+    """The number in a file of a group, or behind `name` in a table; zero where there is none."""
+    try:
+        rows = [line.split() for line in read_text(str(path)).splitlines()]
+        return next((int(row[-1]) for row in rows if not name or row[0] == name), 0)
+    except (OSError, ValueError, IndexError):
+        return 0
+
+
+class LeasedGroups:
+    """The group of one slot, which holds those of its answers. It is this process's until `remove`, or its end.
+
+    A lock on the folder says so: the kernel takes it away with the process. Raises OSError; BlockingIOError or
+    FileNotFoundError when somebody else swept it before it was locked.
+    """
+
+    def __init__(self, own: Path) -> None:
+        self.path = Path(tempfile.mkdtemp(prefix=f"{PREFIX}{os.getpid()}-", dir=own))
+        self._lock = os.open(self.path, os.O_RDONLY | os.O_CLOEXEC)
+        try:
+            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            os.stat(self.path)
+            if version_of(self.path) == 2:
+                write(self.path / "cgroup.subtree_control", "+memory")
+        except OSError:
+            self.remove()
+            raise
+
+    def remove(self) -> None:
+        """End what is left in it, and remove it."""
+        remove_group(str(self.path))
+        if self._lock >= 0:
+            os.close(self._lock)
+            self._lock = -1
+
+
+def lease_groups() -> LeasedGroups | None:
+    """A group for one slot; None where none can be had (see `groups_problem`)."""
+    if groups_problem() is not None:
+        return None
+    try:
+        return lease_below(_place())
+    except (OSError, NoMemoryGroups):
+        return None
+
+
+def lease_below(own: Path) -> LeasedGroups:
+    """A group for one slot below `own`. Raises OSError."""
+    for _ in range(LEASE_TRIES - 1):
+        with suppress(BlockingIOError, FileNotFoundError):
+            return LeasedGroups(own)
+    return LeasedGroups(own)
+
+
+@cache
+def groups_problem() -> str | None:
+    """Why answers get no memory cgroup here; None when they do. Makes one, joins it and removes it, once.
+
+    Removes what killed graders have left, too.
+    """
+    try:
+        hierarchy = find_hierarchy()
+        sweep_groups(hierarchy.mount)
+        try_out(_place())
+    except NoMemoryGroups as error:
+        return str(error)
+    return None
+
+
+def groups_in_words() -> str:
+    """How the memory of answers is limited on this machine, as a sentence."""
+    problem = groups_problem()
+    if problem is None:
+        return f"Memory is limited by a cgroup (version {find_hierarchy().version})."
+    return f"Memory is watched 20 times a second, without a cgroup: {problem}."
+
+
+@cache
+def _place() -> Path:
+    """The group below which this process makes others. Raises NoMemoryGroups."""
+    return prepare(find_hierarchy())
+
+
+def prepare(hierarchy: Hierarchy) -> Path:
+    """Let groups below this process's own count memory. Returns that group. Raises NoMemoryGroups.
+
+    In version 2 this process and all that it has started move to a leaf, if nobody else's process is in the group.
+    """
+    own = hierarchy.own
+    if hierarchy.version == 1:
+        return own
+    if "memory" not in _words(own / "cgroup.controllers"):
+        raise NoMemoryGroups(f"{own} is not given the memory controller (try: {_DELEGATE})")
+    if "memory" in _words(own / "cgroup.subtree_control"):
+        return own
+    try:
+        _divide(own)
+    except OSError as error:
+        raise NoMemoryGroups(f"{own} may not be divided: {error.strerror} (try: {_DELEGATE})") from error
+    return own
+
+
+def _divide(own: Path) -> None:
+    control = own / "cgroup.subtree_control"
+    try:
+        write(control, "+memory")
+        return
+    except OSError as error:
+        if error.errno != errno.EBUSY or set(processes_in(str(own))) - set(process_tree(os.getpid())):
+            raise
+    leaf = own / LEAF
+    leaf.mkdir(exist_ok=True)
+    for pid in processes_in(str(own)):
+        with suppress(ProcessLookupError):
+            write(leaf / "cgroup.procs", str(pid))
+    write(control, "+memory")
+
+
+def _words(path: Path) -> list[str]:
+    try:
+        return read_text(str(path)).split()
+    except OSError:
+        return []
+
+
+def try_out(own: Path) -> None:
+    """Make a group for an answer below `own`, let a process join it, and remove it. Raises NoMemoryGroups."""
+    try:
+        groups = lease_below(own)
+    except OSError as error:
+        raise NoMemoryGroups(f"no group can be made in {own}: {error.strerror}") from error
+    try:
+        group = MemoryGroup(groups.path, ANSWER_LIMITS)
+        if group.version == 1 and "oom_kill" not in _words(group.path / "memory.oom_control"):
+            raise NoMemoryGroups("this kernel is older than 4.13")
+        joined = subprocess.run([*_JOIN, group.joins], stderr=subprocess.DEVNULL, timeout=_JOIN_S)
+        if joined.returncode != 0:
+            raise NoMemoryGroups(f"no process may join a group in {own}")
+    except OSError as error:
+        raise NoMemoryGroups(f"no limit can be set in {own}: {error.strerror}") from error
+    finally:
+        groups.remove()
+
+
+def sweep_groups(mount: Path) -> None:
+    """Remove the groups of graders that were killed, in the whole hierarchy."""
+    waiting = [str(mount)]
+    while waiting:
+        for group in groups_in(waiting.pop()):
+            if not os.path.basename(group).startswith(PREFIX):
+                waiting.append(group)
+            else:
+                _remove_if_nobodys(group)
+
+
+def _remove_if_nobodys(group: str) -> None:
+    try:
+        descriptor = os.open(group, os.O_RDONLY | os.O_CLOEXEC)
+    except OSError:
+        return
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        remove_group(group)
+    except BlockingIOError:  # its grader is alive
+        pass
+    finally:
+        os.close(descriptor)
