@@ -73,3 +73,9 @@ def test_nothing_is_overwritten(empty: Tree) -> None:
         new_exercise(empty, "04_lights")
     assert path.read_text(encoding="utf-8") == "mine"
     assert not empty.solutions.exists()
+
+
+def test_a_template_for_a_lesson_is_refused(empty: Tree, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["new", "lesson", "04_lights", "--template", "listener"]) == 2
+    assert "leave out --template" in capsys.readouterr().err
+    assert not empty.sources.exists()

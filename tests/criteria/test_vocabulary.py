@@ -542,3 +542,11 @@ def test_a_part_is_more_than_nothing_and_less_than_all(share: float) -> None:
 def test_a_topic_without_a_rate_has_no_period() -> None:
     with pytest.raises(ValueError, match="no rate"):
         _ = Topic("/robot/status", TEXT).period
+
+
+@pytest.mark.parametrize(
+    ("published", "last"), [(0.9, None), (1.0, "near"), (1.9, "near"), (2.0, "clear"), (9.0, "clear")]
+)
+def test_the_input_before_an_output_is_the_one_that_came_last(published: float, last: str | None) -> None:
+    inputs = [(2.0, "far"), (2.0, "clear"), (1.0, "near")]  # two in the same tenth of a millisecond
+    assert see.latest_before(inputs, published) == last

@@ -79,7 +79,7 @@ def _stem(tree: Tree, name: str, taken: tuple[str, ...], partners: tuple[str, ..
         stem = f"{max(numbers, default=-1) + 1:02d}_{slug}"
     for other in taken:
         if other == stem or other[3:] == slug:
-            raise AuthoringError(f"{other} is there already")
+            raise AuthoringError(f"{other} is there already: change it, or choose another name")
         if other[:2] == stem[:2]:
             raise AuthoringError(f"number {stem[:2]} is taken by {other}")
     return stem

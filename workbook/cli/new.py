@@ -25,8 +25,7 @@ def register(subparsers: Any) -> None:
     parser.add_argument(
         "--template",
         choices=TEMPLATES,
-        default=TEMPLATES[0],
-        help="what the exercise is about. A publisher has a rate and a value (the default). A listener reacts to a "
+        help="what an exercise is about. A publisher has a rate and a value (the default). A listener reacts to a "
         "sensor. A service answers calls. A function is called by a driver",
     )
     parser.set_defaults(run=run)
@@ -38,12 +37,15 @@ def run(options: argparse.Namespace) -> int:
     from workbook.authoring.tree import AuthoringError, Tree
     from workbook.exercise.course import NoCourse, course_folder
 
+    if options.what == "lesson" and options.template is not None:
+        terminal.complain("new", "there is one template for lessons: leave out --template")
+        return 2
     try:
         tree = Tree(course_folder())
         if options.what == "lesson":
             files = new_lesson(tree, options.slug)
         else:
-            files = new_exercise(tree, options.slug, options.template)
+            files = new_exercise(tree, options.slug, options.template or TEMPLATES[0])
     except (AuthoringError, NoCourse) as problem:
         terminal.complain("new", problem)
         return 2

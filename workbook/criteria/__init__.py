@@ -40,12 +40,13 @@ from workbook.criteria.vocabulary.type_checks import (
     probe,
 )
 from workbook.criteria.vocabulary.values import part_of, values
-from workbook.recording.recording import CallSeen, Recording
+from workbook.recording.recording import Arrival, CallSeen, Recording, Said
 from workbook.recording.script import BEFORE_START, calls, says, serves
 from workbook.scenes.scene import Box, Scene, on_desk
 
 __all__ = [
     "BEFORE_START",
+    "Arrival",
     "Beats",
     "Box",
     "CallSeen",
@@ -55,6 +56,7 @@ __all__ = [
     "Output",
     "Probe",
     "Recording",
+    "Said",
     "Scene",
     "Topic",
     "Verdict",

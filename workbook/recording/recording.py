@@ -111,7 +111,10 @@ class NodeSeen:
 
 @dataclass(frozen=True)
 class Said:
-    """One message of the script, as the judge published it."""
+    """One message of the script, as the judge published it. `value` holds its fields as plain data, as in `Arrival`.
+
+    `t`: robot time (s). `wall`: wall time (s), just before it was published.
+    """
 
     topic: str
     t: float

@@ -131,5 +131,8 @@ def calls(service: str, service_class: Any, lines: Sequence[tuple[float, Mapping
 
 
 def _lines(pairs: Sequence[tuple[float, Any]]) -> tuple[Line, ...]:
-    lines = [Line(at, value if isinstance(value, Mapping) else {"data": value}) for at, value in pairs]
+    """In order, and to the microsecond: what a sum of floats has too much would delay a line by a step of the clock."""
+    lines = [
+        Line(round(at, 6), value if isinstance(value, Mapping) else {"data": value}) for at, value in pairs
+    ]
     return tuple(sorted(lines, key=lambda line: line.at))

@@ -81,10 +81,11 @@ def outputs(
 def latest_before(inputs: Iterable[tuple[float, In]], published: float) -> In | None:
     """The input that came last before an output was published; None if none had come by then.
 
-    `inputs`: each with the wall time (s) at which it came, in any order. `published`: wall time (s) of the output.
+    `inputs`: each with the wall time (s) at which it came, such as `wall` of what `said` returns, in any order; of two
+    with the same time the second one came last. `published`: wall time (s) of the output, `published` of an arrival.
     """
-    earlier = [(at, one) for at, one in inputs if at <= published]
-    return max(earlier, key=lambda pair: pair[0])[1] if earlier else None
+    earlier = sorted(((at, one) for at, one in inputs if at <= published), key=lambda pair: pair[0])
+    return earlier[-1][1] if earlier else None
 
 
 def pair_in_order(
