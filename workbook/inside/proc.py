@@ -10,6 +10,7 @@ from contextlib import suppress
 _PAGE_BYTES = os.sysconf("SC_PAGE_SIZE")
 _TICK_S = 1.0 / os.sysconf("SC_CLK_TCK")
 _STEAL_FIELD = 8
+READ_BYTES = 65_536
 PROC_STAT = "/proc/stat"
 NANOSLEEP = {"x86_64": (b"35 ", b"230 "), "aarch64": (b"101 ", b"115 ")}.get(os.uname().machine, ())
 """How `syscall` of a thread begins in `nanosleep` and `clock_nanosleep`: by the numbers of these calls."""
@@ -24,10 +25,16 @@ QUEUE_TABLES = (*UDP_TABLES, "/proc/net/tcp", "/proc/net/tcp6")
 def read(path: str) -> bytes:
     """The content of a small file below /proc. Raises OSError when its process has ended.
 
-    Called many times a second: a `Path` would cost three times as much.
+    Called many times a second: a file object would make twice as many system calls, a `Path` more still.
     """
-    with open(path, "rb", buffering=0) as file:
-        return file.read()
+    descriptor = os.open(path, os.O_RDONLY | os.O_CLOEXEC)
+    try:
+        content = os.read(descriptor, READ_BYTES)
+        while more := os.read(descriptor, READ_BYTES):
+            content += more
+        return content
+    finally:
+        os.close(descriptor)
 
 
 def read_text(path: str) -> str:
