@@ -20,6 +20,7 @@ LOOK_EVERY_MS = 1500  # and not at every frame, which would make the browser dra
 ASK_EVERY_MS = 200
 ROBOT = "a humanoid robot with twelve joints"
 _PANEL = ".jp-NotebookPanel:not(.lm-mod-hidden)"
+NOTEBOOK = f"{_PANEL} .jp-Notebook"
 _TABS = "#jp-main-dock-panel .lm-TabBar-tab"
 
 # Every code cell has its number, or a cell failed that was not meant to. After a cell that was meant to raise,

@@ -15,6 +15,9 @@ from rclpy.node import Node
 init()
 lonely = fresh(Node, "lonely")
 words = lonely.create_publisher(String, "/words", 10)"""
+TURNS = """\
+from workbook.lesson.knobs import Knob
+Knob("loudness", 1, (0, 3)).show()"""
 SAYS = """\
 for word in ("one", "two", "three"):
     words.publish(String(data=word))

@@ -5,6 +5,8 @@ import json
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
 
 import psutil
 import pytest
@@ -12,7 +14,7 @@ from playwright.sync_api import Locator, expect
 
 from .axe import violations
 from .lab_page import LabPage
-from .panel_notebook import QUIET, SAYS, WAVES, write_notebook
+from .panel_notebook import QUIET, SAYS, TURNS, WAVES, write_notebook
 from .student_lab import StudentLab, await_end, running
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -82,9 +84,49 @@ def check_every_width(page: LabPage, panel: Locator, look: Callable[[str], None]
     page.page.set_viewport_size({"width": 1280, "height": 1000})
 
 
+def reload(page: LabPage) -> None:
+    """Load the page again once JupyterLab has kept its layout, which it does some time after a change."""
+    page.page.reload()
+    expect(page.page.locator("#jupyterlab-splash")).to_have_count(0)
+    expect(page.panel.locator(".jp-Cell").first).to_be_visible()
+
+
+def is_kept(is_open: bool) -> Callable[[dict[str, Any]], bool]:
+    """Whether a workspace on the server knows that the right column, with the panel in it, is open."""
+
+    def kept(workspace: dict[str, Any]) -> bool:
+        right = workspace["data"].get("layout-restorer:data", {}).get("right", {})
+        return bool(right) and right.get("collapsed") is not is_open
+
+    return kept
+
+
+def check_reload(page: LabPage, panel: Locator) -> None:
+    """The page is loaded again: the panel is as it was, open beside its notebook with the same topic, or closed."""
+    workspace = f"lab/api/workspaces/{Path(urlsplit(page.page.url).path).parts[3]}"
+    page.run(page.cell("Knob"))
+    page.save("quiet.ipynb")
+    page.await_server(workspace, is_kept(True))
+    reload(page)
+    expect(panel.locator("h2")).to_have_text("quiet")
+    expect(panel.get_by_role("button", name="/words")).to_have_attribute("aria-pressed", "true")
+    expect(panel.locator("pre")).to_have_text("waiting for the next one …")
+    page.run(page.cell("subscriptions"))
+    expect(panel.locator("pre")).to_contain_text("data: two\n---\ndata: three")
+    expect(page.panel.get_by_role("slider", name="loudness")).to_be_visible()  # its kernel lives, so it works
+
+    toggle(page)
+    page.await_server(workspace, is_kept(False))
+    reload(page)
+    expect(page.panel.get_by_role("button", name="Robot", exact=True)).to_be_visible()
+    expect(panel).to_have_count(0)
+    toggle(page)
+    expect(panel.locator("tbody", has_text="/words")).to_be_visible()
+
+
 def test_the_panel(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
     waves = write_notebook(lab.work, "waves.ipynb", WAVES, "stop()", "await asyncio.sleep(0)")
-    quiet = write_notebook(lab.work, "quiet.ipynb", QUIET, SAYS)
+    quiet = write_notebook(lab.work, "quiet.ipynb", QUIET, SAYS, TURNS)
     panel = page.page.locator(SHOWN)
     page.open(waves)
     expect(panel).to_have_count(0)
@@ -121,6 +163,7 @@ def test_the_panel(page: LabPage, lab: StudentLab, artifacts: Path) -> None:
     panel.get_by_role("button", name="/words").press("Enter")
     expect(panel.locator("pre")).to_have_text("data: one\n---\ndata: two\n---\ndata: three")
     page.page.screenshot(path=artifacts / "panel_quiet.png")
+    check_reload(page, panel)
     opened = processor_seconds(lab, IDLE_S)
     watching = observers(lab)
     assert watching

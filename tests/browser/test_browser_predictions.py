@@ -75,7 +75,20 @@ def test_a_prediction_is_chosen_by_keyboard_and_revealed_after_the_run(
 
     page.save(LESSON)
     page.close_notebook()
+    check_opened_again(page, artifacts)
+
+
+def check_opened_again(page: LabPage, artifacts: Path) -> None:
+    """A lesson that was run, saved and opened again is as it was saved: its kernel is new, and no button works."""
     page.open(LESSON)
-    again = page.cell('predict("half-a-hertz")')
-    expect(again.locator(".workbook-prediction button").nth(1)).to_contain_text("● b)")
+    ask = page.cell('predict("half-a-hertz")')
+    expect(ask.locator(".wb-widget-text")).to_have_text(re.compile("^Choose a, b or c, with a button or by hand"))
     expect(page.panel).not_to_contain_text("Error displaying widget")
+    expect(page.cell('reveal("half-a-hertz"')).to_contain_text("You predicted b. The outcome is c.")
+    expect(page.notebook_tabs()).to_have_count(1)
+    expect(page.page.locator(".lm-TabBar-tab.jp-mod-dirty")).to_have_count(0)
+    ask.scroll_into_view_if_needed()
+    page.page.screenshot(path=artifacts / "prediction_opened_again.png")
+    page.run(page.cell("from workbook.lesson import predict, reveal"))
+    page.run(ask)
+    expect(ask.locator(".workbook-prediction button").nth(1)).to_contain_text("● b)")

@@ -32,8 +32,9 @@ LAB_SETTINGS = {
         "defaultViewers": {"markdown": "Markdown Preview"},
     },
     "@jupyterlab/extensionmanager-extension:plugin": {"enabled": False},
-    # A notebook that is opened again shows the buttons of its predictions, not "Error displaying widget".
-    "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True},
+    # Kept in the notebook, the state of a widget makes it "unsaved" as soon as it is opened again. Without it, the
+    # front end shows the text of the widget (desk.js).
+    "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": False},
     # JupyterLab 4.6 would take "contentVisibility": a third less work for the browser, and once an empty page.
     "@jupyterlab/notebook-extension:tracker": {"windowingMode": "defer", "kernelShutdown": True},
     # The whole width of the column is for the names.

@@ -1,9 +1,13 @@
-// How a lesson looks in JupyterLab (desk.css), and names of tabs: the tab of an exercise says that it is one. Plain
-// JavaScript, loaded by JupyterLab as it is: no build step.
+// How a lesson looks in JupyterLab (desk.css), and names: the tab of an exercise says that it is one, each editor which
+// cell it is, each slider what it turns. Plain JavaScript, loaded by JupyterLab as it is: no build step.
 (() => {
   const NAME = 'rclpy-workbook-desk';
   const STYLE = new URL('desk.css', document.currentScript.src).href;
   const ROBOT = 'img[alt^="a humanoid robot"]';
+  const NO_MODEL = 'Error displaying widget: model not found';
+  const EDITOR = '.cm-content';
+  const SLIDER = '.widget-slider';
+  const FILE_NAME = '.jp-DirListing-itemText';
   const running = new Set();
   const watches = new WeakMap();
   let shared = {};
@@ -17,11 +21,87 @@
     return (await version.get())();
   };
 
+  // Those of these nodes, and of what is in them, that fit a selector.
+  const within = (nodes, selector) =>
+    nodes
+      .filter(node => node.nodeType === Node.ELEMENT_NODE)
+      .flatMap(node => [...(node.matches(selector) ? [node] : []), ...node.querySelectorAll(selector)]);
+
   // A lesson and its exercise have the same file name: desk.css puts a word before that of the exercise. (The label
   // itself stays: JupyterLab would take another one for a new name of the file.)
   const markTab = ({context, title}) => {
     const isExercise = /(^|\/)exercises\/[^/]+$/.test(context.localPath);
     title.dataset = {...title.dataset, workbook: isExercise ? 'exercise' : 'lesson'};
+  };
+
+  // JupyterLab's editors have no name. A screen reader says "Code cell 3", counted among the cells of its kind. And the
+  // cells are the articles that the notebook, a feed, must have.
+  const nameCells = notebook => {
+    const counts = {};
+    for (const cell of notebook.widgets) {
+      const kind = cell.model.type === 'code' ? 'Code cell' : cell.model.type === 'markdown' ? 'Text cell' : 'Raw cell';
+      counts[kind] = (counts[kind] || 0) + 1;
+      cell.node.setAttribute('role', 'article');
+      cell.node.querySelector(EDITOR)?.setAttribute('aria-label', `${kind} ${counts[kind]}`);
+    }
+  };
+
+  // The words beside a slider are the name of its handle and of its number.
+  const nameSlider = slider => {
+    const name = slider.querySelector('.widget-label')?.textContent || 'Slider';
+    slider.querySelectorAll('[role=slider], .widget-readout').forEach(one => one.setAttribute('aria-label', name));
+    slider.querySelector('.widget-readout')?.setAttribute('role', 'textbox');
+  };
+
+  // A button or a slider whose kernel has ended comes back as its text, which says what to do.
+  const showText = (notebook, place) => {
+    const cell = notebook.widgets.find(one => one.outputArea?.node.contains(place));
+    const at = cell ? cell.outputArea.widgets.findIndex(one => one.node.contains(place)) : -1;
+    const text = at < 0 ? undefined : cell.outputArea.model.get(at)?.data['text/plain'];
+    if (text) {
+      place.textContent = [text].flat().join('');
+      place.classList.add('wb-widget-text');
+    }
+  };
+
+  // JupyterLab puts cells and outputs on the page when it likes.
+  const watchNotebook = notebook => {
+    const watch = new MutationObserver(changes => {
+      const added = changes.flatMap(change => [...change.addedNodes]);
+      const removed = changes.flatMap(change => [...change.removedNodes]);
+      added.filter(node => node.data === NO_MODEL && node.parentElement).forEach(node => showText(notebook, node.parentElement));
+      within(added, SLIDER).forEach(nameSlider);
+      if (within([...added, ...removed], EDITOR).length) {
+        nameCells(notebook);
+      }
+    });
+    watch.observe(notebook.node, {subtree: true, childList: true});
+    notebook.disposed.connect(() => watch.disconnect());
+    nameCells(notebook);
+  };
+
+  // A file name that is too long for its column goes on below, after one of its underscores (a break of no width).
+  const breakNames = browser => {
+    const texts = nodes =>
+      within(nodes, FILE_NAME).flatMap(one => {
+        const walker = document.createTreeWalker(one, NodeFilter.SHOW_TEXT);
+        const found = [];
+        while (walker.nextNode()) {
+          found.push(walker.currentNode);
+        }
+        return found;
+      });
+    const mark = nodes =>
+      texts(nodes).forEach(text => {
+        const marked = text.data.replace(/_(?!\u200b)/g, '_\u200b');
+        if (marked !== text.data) {
+          text.data = marked;
+        }
+      });
+    new MutationObserver(changes => mark(changes.map(change => change.target.closest?.(FILE_NAME) || change.target))).observe(
+      browser.node, {subtree: true, childList: true, characterData: true}
+    );
+    mark([browser.node]);
   };
 
   // The style may come after the first layout, which then is made again: the column of files has another width.
@@ -33,6 +113,7 @@
     const find = (widget, id) =>
       widget.id === id ? widget : [...(widget.layout || [])].map(one => find(one, id)).find(Boolean);
     Promise.all([loaded, app.restored]).then(() => find(app.shell, 'jp-left-stack')?.fit());
+    app.restored.then(() => breakNames(find(app.shell, 'filebrowser')));
   };
 
   // A robot that a single cell draws comes onto the screen whole, once for each run.
@@ -70,6 +151,7 @@
       NotebookActions.executed.connect((_, {cell}) => ended(cell));
       tracker.widgetAdded.connect((_, panel) => {
         markTab(panel);
+        watchNotebook(panel.content);
         panel.context.pathChanged.connect(() => markTab(panel));
       });
     }

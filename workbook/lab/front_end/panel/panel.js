@@ -116,9 +116,9 @@
         this._forget();
       }
 
-      // Watch the domain of this kernel (null: none) of the notebook of this name (null: none is open).
-      follow(kernel, name) {
-        this._notebook = name;
+      // Watch the domain of this kernel (null: none) of the notebook at this path (null: none is open).
+      follow(kernel, path, name) {
+        this._notebook = path;
         this._name.textContent = name || 'No notebook';
         if (this._kernel !== kernel) {
           this._kernel = kernel;
@@ -263,7 +263,10 @@
             return [name, kept];
           }
           const button = make('button', {type: 'button', title: `${type}: show its messages`, 'aria-pressed': 'false'}, name);
-          button.onclick = () => this._choose(this._echo === name ? null : name);
+          button.onclick = () => {
+            this._choose(this._echo === name ? null : name);
+            this._keepChoice();
+          };
           const [rate, value] = [make('td'), make('td', {colspan: '2'})];
           rate.textContent = publishers.length ? '–' : 'no publisher';
           const rows = [make('tr', {}, make('th', {scope: 'row'}, button), rate), make('tr', {}, value)];
@@ -272,6 +275,10 @@
         this._rows = new Map(rows);
         if (this._echo && !this._rows.has(this._echo)) {
           this._choose(null);
+        }
+        const kept = this._keptChoice();
+        if (!this._echo && this._rows.has(kept)) {
+          this._choose(kept);
         }
         const wanted = rows.map(([, one]) => one.row);
         const present = [...this._table.tBodies];
@@ -290,6 +297,16 @@
         this._messages.setAttribute('aria-label', this._echoTitle.textContent);
         this._messages.textContent = 'waiting for the next one …';
         this._send({echo: topic});
+      }
+
+      // The topic chosen beside a notebook, for as long as the browser's tab lives: it outlives a reload of the page, a
+      // restart of the kernel and a look at another notebook.
+      _keepChoice() {
+        sessionStorage.setItem(`${NAME}:${this._notebook}`, this._echo || '');
+      }
+
+      _keptChoice() {
+        return sessionStorage.getItem(`${NAME}:${this._notebook}`);
       }
 
       _showNews({topics, echo, messages}) {
@@ -353,7 +370,8 @@
         context.statusChanged.connect(follow);
       }
       const kernel = context && context.session && context.session.kernel;
-      panel.follow(kernel ? kernel.id : null, notebook && notebook.title.label.replace(/\.ipynb$/, ''));
+      const name = notebook && notebook.title.label.replace(/\.ipynb$/, '');
+      panel.follow(kernel ? kernel.id : null, notebook && notebook.context.path, name);
     };
     tracker.currentChanged.connect(follow);
     follow();
