@@ -95,7 +95,7 @@ def _wires(canvas: Canvas, recording: MachineRecording, place: int, now: float) 
         canvas.line([(center[0], center[1] - 10), center, (center[0] + 7, center[1] + 3)], FRAME)
     else:
         canvas.box((left, middle - 10), (width, 30), FRAME, radius=6)
-        canvas.text((left + width / 2, middle + 9), "DDS thread", SMALL, align="center")
+        canvas.text((left + width / 2, middle + 9), "DDS", PLAIN, align="center")
     front = QUEUE_END - SLOT * _slots(source)
     came = any(one.source == place and 0 <= now - one.came < JUST_S for one in recording.items)
     new = Paint(stroke=BLUE, width=2.4)
