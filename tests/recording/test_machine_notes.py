@@ -90,6 +90,12 @@ def test_a_callback_that_awaits_gives_its_thread_back() -> None:
     assert [seen.looks(now) for now in (3.1, 3.5, 3.9)] == [False, True, False]
 
 
+def test_an_await_that_never_ends_keeps_no_thread() -> None:
+    paused = [[int(3.2 * SECOND), None]]
+    seen = recorded(source("subscription"), [call(3.0, None, sent=1.0, arrived=1.0, pauses=paused)])
+    assert [seen.looks(now) for now in (3.1, 9.5)] == [False, True]
+
+
 @pytest.mark.parametrize(("now", "spins"), [(1.0, False), (2.5, True), (3.5, False)])
 def test_it_says_when_somebody_spins(now: float, spins: bool) -> None:
     assert recorded(source("subscription"), []).spins(now) is spins

@@ -42,9 +42,10 @@ class _Watched:
                     given = next(inner)
                 except StopIteration as end:
                     return end.value
-                paused = time.time_ns()
+                pause: list[int | None] = [time.time_ns(), None]
+                call["pauses"].append(pause)
                 yield given
-                call["pauses"].append([paused, time.time_ns()])
+                pause[1] = time.time_ns()
         finally:
             call["end"] = time.time_ns()
 

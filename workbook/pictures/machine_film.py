@@ -111,7 +111,8 @@ def _events(recording: MachineRecording) -> list[tuple[float, str]]:
 def _came(recording: MachineRecording, item: Item) -> tuple[float, str] | None:
     source = recording.sources[item.source]
     if source.kind == "timer":
-        if item.lost is not None or (item.taken is not None and item.taken - item.came < SOON_S):
+        served = recording.seconds if item.taken is None else item.taken
+        if item.lost is not None or served - item.came < SOON_S:
             return None
         return item.came, f"The timer of {source.callback} is due. Its callback has to wait."
     out = [one for one in recording.items if one.source == item.source and one.lost == item.came]
@@ -149,7 +150,10 @@ def _meanwhile(recording: MachineRecording, now: float) -> str:
         return f"{names} {verb}. {'What is ready has to wait.' if waits else 'Nothing else is ready.'}"
     if not recording.spins(now):
         return "No thread is in spin. What comes waits in its queue."
-    return "Nothing is ready. The executor waits in the wait set."
+    asked = recording.waits_for(now) or ()
+    if any(recording.waiting(place, now) for place in asked):
+        return "Something is ready. The executor takes it next."
+    return "The executor waits in the wait set. Nothing that it asks for is ready."
 
 
 def _one_below_another(frames: Sequence[bytes]) -> bytes:
