@@ -163,10 +163,14 @@ stop()
 # there is a **queue**.
 #
 # A callback may take a second argument, with what rclpy knows *about* the message, such as when it was received. This guard
-# notes that time, and the time of its callback. We publish ten distances in two seconds, and spin only after that.
+# notes that time, and the time of its callback. The sensor is again a program of its own, and publishes every 0.2 s. For 1.5 s
+# nobody spins the guard. `watch_machine` notes what happens between DDS and its callback.
 
 
-# %%
+# %% id="timed-guard"
+from workbook.lesson import show_machine, watch_machine
+
+
 class TimedGuard(Node):
     """Notes when each message was received, and when it was handled (s)."""
 
@@ -181,49 +185,36 @@ class TimedGuard(Node):
         self.handled.append(time.time())
 
 
+start(distance_sensor, period_s=0.2)
 timed = fresh(TimedGuard)
-published = []
-began = time.time()
-for number in range(10):
-    published.append(time.time())
-    sensor.publisher.publish(Float32(data=2.0 - 0.2 * number))
-    time.sleep(0.2)
-spun_at = time.time()
-await run(timed, seconds=5, until=lambda: len(timed.handled) == 10)
+with watch_machine(timed) as seen:
+    time.sleep(1.5)
+    spun_at = time.time()
+    await run(timed, seconds=1.0)
+stop()
 
-print(
-    "received before anybody spun:", sum(moment < spun_at for moment in timed.received)
-)
-print(
-    "handled before anybody spun: ", sum(moment < spun_at for moment in timed.handled)
-)
+received = [moment < spun_at for moment in timed.received]
+handled = [moment < spun_at for moment in timed.handled]
+print("several were received before anybody spun:", sum(received) > 3)
+print("callbacks before anybody spun:            ", sum(handled))
 
-# %%
-from workbook.pictures.figures import figure, show
+# %% [markdown]
+# Here is that recording, played back. It is the **machine** that you will meet again in later lessons. Each number is a message.
 
-rows = {"handled": timed.handled, "received": timed.received, "published": published}
-fig, axes = figure(6.4, 2.0)
-for row, (label, moments) in enumerate(rows.items()):
-    times = [moment - began for moment in moments]
-    axes.plot(
-        times, [row] * len(times), "|", markersize=16, markeredgewidth=3, label=label
-    )
-axes.axvline(spun_at - began, color="#787878", linestyle="--", zorder=0)
-axes.text(spun_at - began + 0.04, 1.5, "spin begins", va="center")
-axes.text(spun_at - began + 0.04, 0, "all ten at once", va="center")
-axes.set(xlabel="seconds", yticks=range(3), xlim=(-0.1, 3.1), ylim=(-0.6, 2.6))
-axes.set_title("received at once, handled when spin begins")
-axes.set_yticklabels(rows)
-axes.grid(axis="y", visible=False)
-show(
-    fig,
-    "ten messages: each is received when it is published, and all ten are handled "
-    "when spin begins, at 2 s",
+# %% id="machine"
+show_machine(
+    seen,
+    "numbered messages fill the queue one by one while nobody spins; then the executor "
+    "takes them, the oldest first, and calls on_distance for each; later ones wait "
+    "hardly at all",
 )
 
 # %% [markdown]
-# The upper two rows are the same: sending and receiving go on without spin. In the lowest row, all ten callbacks run at two
-# seconds, when `run` began. **Publish needs no spin. Receiving needs no spin. Your callback does.**
+# Read it from left to right. DDS puts each message into the **queue**, spin or no spin. Inside `spin`, the **executor** waits
+# in the **wait set**, the list of all that can become ready. It takes the oldest message, and its thread runs your callback.
+# **Publish needs no spin. Receiving needs no spin. Your callback does.**
+#
+# (From another program, a thread of DDS brings the message. Within one program, Fast DDS lets `publish` itself do it.)
 #
 # `rclpy.spin(node)` is a loop: take a waiting message out of a queue, call its callback, repeat. It runs one callback at a
 # time, never two at once. Messages of *one* subscription are handled in the order in which they came. Between different
@@ -328,6 +319,8 @@ reveal(
 )
 
 # %%
+from workbook.pictures.figures import figure, show
+
 fig, axes = figure(6.4, 1.9)
 for row, reader in enumerate(readers):
     lost = sorted(set(range(1, 61)) - set(reader.numbers))

@@ -4,7 +4,7 @@
 # A robot does some things again and again, on time: its heartbeat, its balance, its battery report. It does them with
 # timers.
 #
-# - **Minutes:** 45
+# - **Minutes:** 50
 # - **You need:** lesson 00, and to know that `publish` sends a message on a topic
 # - **You will be able to:**
 #   - give a node work that repeats
@@ -417,6 +417,22 @@ reveal(
 )
 
 # %% [markdown]
+# This is the machine of lesson 04, with two timers. A timer has no queue. It has room for one tick that waits.
+
+# %% id="machine"
+from workbook.lesson import record_machine, show_machine
+
+show_machine(
+    record_machine(blink_and_beep, seconds=3.8, **long_beep),
+    "blink runs at each of its ticks; while beep keeps the only thread, one blink waits, "
+    "the next ones are missed; after beep, one blink runs and all goes on",
+    begin=1.5,
+)
+
+# %% [markdown]
+# While the only thread runs `beep`, it is not in the wait set: its frame is dashed. One blink waits. Each further tick finds
+# that place taken.
+#
 # Five blinks were due while the robot beeped, and four of them never came. When the beep is over, the blink timer sees
 # that it is late and ticks once. Then it goes back to its plan. Missed ticks are **dropped**.
 #

@@ -158,50 +158,32 @@ for call in range(4):
 # `spin_once` eight times, and note what ran in each call and how long it waited.
 
 # %%
-robot = fresh(AttentiveRobot)
-say("stop", "wait", "turn")
-for timer in robot.timers:
-    timer.reset()
-time.sleep(2.2)
+from workbook.lesson import show_machine, watch_machine
 
+robot = fresh(AttentiveRobot)
 calls = []
-for call in range(1, 9):
-    before, began = len(robot.done), time.monotonic()
-    rclpy.spin_once(robot, timeout_sec=2.0)
-    calls.append((call, robot.done[before:], time.monotonic() - began))
+with watch_machine(robot) as seen:
+    say("stop", "wait", "turn")
+    for timer in robot.timers:
+        timer.reset()
+    time.sleep(2.2)
+
+    for call in range(1, 9):
+        before, began = len(robot.done), time.monotonic()
+        rclpy.spin_once(robot, timeout_sec=2.0)
+        calls.append((call, robot.done[before:], time.monotonic() - began))
 
 for call, ran, _ in calls:
     print(f"call {call}: {len(ran)} callback: {', '.join(ran)}")
 
-# %%
-from workbook.pictures.figures import figure, show
-from workbook.pictures.palette import AMBER, BLUE, GREEN, RED
+# %% [markdown]
+# The machine of lesson 04 shows the same eight calls. Each green arrow is one call of `spin_once`.
 
-ROWS = {"heard": BLUE, "look": AMBER, "beat": GREEN}
-fig, (above, below) = figure(6.4, 3.6, rows=2)
-for call, ran, waited in calls:
-    kind, _, word = ran[0].partition(" ")
-    row = list(ROWS).index(kind)
-    above.plot(call, row, "s", markersize=16, color=ROWS[kind])
-    above.annotate(word, (call, row - 0.75), ha="center", fontsize=9)
-    below.bar(call, waited, color=BLUE, width=0.5)
-above.set_title("one callback per call; when nothing is ready, the call waits")
-above.set(
-    yticks=range(3),
-    yticklabels=ROWS,
-    ylim=(-1.0, 2.6),
-    xticks=range(1, 9),
-    xlim=(0.4, 8.6),
-)
-below.set(
-    xlabel="call of spin_once", ylabel="waited (s)", xticks=range(1, 9), xlim=(0.4, 8.6)
-)
-for axes in (above, below):
-    axes.grid(False, axis="x")
-show(
-    fig,
-    "calls 1 to 5 ran beat, look and three words at once; calls 6 to 8 waited for "
-    "beat, beat and look",
+# %% id="machine"
+show_machine(
+    seen,
+    "three words and one tick of each timer wait while nobody spins; then five calls run "
+    "five callbacks at once, timers before words; three more calls wait for the timers",
 )
 
 # %%
@@ -311,6 +293,9 @@ reveal("no-timeout", came_back="after" in seen.log)
 predict("timeout-zero")
 
 # %%
+from workbook.pictures.figures import figure, show
+from workbook.pictures.palette import GREEN, RED
+
 print(inspect.getsource(ways_to_spin.twenty_ticks))
 
 meters = {}

@@ -3,7 +3,7 @@
 #
 # While a callback runs, the rest of its node waits. Where do you put work that takes long?
 #
-# - **Minutes:** 45
+# - **Minutes:** 50
 # - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb), and what a thread is:
 #   a second line of execution in the same program
 # - **You will be able to:**
@@ -244,7 +244,20 @@ counted["4 threads"] = came(watch(threads=4))
 print("with four threads, fewer than half came:", counted["4 threads"] < DUE / 2)
 reveal("four-threads", arrived=counted["4 threads"], due=DUE)
 
+# %% id="machine-of-four-threads"
+from workbook.lesson import record_machine, show_machine
+
+thinking = {"think_period_s": 1.1, "threads": 4}
+show_machine(
+    record_machine(thinking_robot, seconds=2.2, **thinking),
+    "the heart beats until think begins; then one thread runs think, three are free, and "
+    "the wait set has no place for the heart, whose ticks are missed",
+    begin=0.7,
+)
+
 # %% [markdown]
+# Look at the wait set during the thought: a dash stands where the heart was. The executor does not even ask for it.
+#
 # Four threads, and three of them idle. Each callback belongs to a **callback group**. If you name none, it is the node's default group, the same for all of
 # them. This group is *mutually exclusive*: one of its callbacks runs at a time, however many threads there are.
 # That is a safe default: callbacks never run at the same time, so you need no locks. You have to *say* which callbacks may
@@ -310,6 +323,13 @@ show(
     fig,
     "four bars: only four threads together with a group of its own "
     "bring most heartbeats",
+)
+
+# %% id="machine-with-own-group"
+show_machine(
+    record_machine(thinking_robot, seconds=2.2, own_group=True, **thinking),
+    "while one thread runs think, a second one runs each beat of the heart, on time",
+    begin=0.7,
 )
 
 # %% [markdown]

@@ -162,14 +162,22 @@ questions_picture(
 # %% [markdown]
 # ## Look inside
 #
-# Follow the response on its way.
-#
-# 1. `call` sends the request and waits.
-# 2. The server responds. A millisecond later the response is in the client's queue, in our process.
-# 3. The **executor** has to take it from there, inside `spin`, as it does with a message.
-# 4. But the executor is busy: it runs `ask`, and `ask` waits in `call`.
-#
-# So `call` waits for the executor, and the executor waits for `ask`. The heartbeat timer waits, too.
+# Follow the response on its way, through the machine of lesson 04. A client has a queue, too, for responses.
+
+# %% id="machine"
+from workbook.lesson import record_machine, show_machine
+
+case = {"way": "call", "group": "default", "threads": 1}
+show_machine(
+    record_machine(heart_and_question, seconds=1.6, **case),
+    "the heart beats until ask_by_call begins; the response comes and waits in the queue "
+    "of the client; the only thread stays in ask_by_call, and ticks of the heart are missed",
+)
+
+# %% [markdown]
+# The response is in the queue, and the **executor** has to take it from there. But its only thread runs the callback, and the
+# callback waits in `call`. So `call` waits for the executor, and the executor waits for the callback. The heartbeat timer
+# waits, too.
 #
 # ### Two rules
 #
@@ -379,7 +387,17 @@ hearts_picture(
     "none with a done callback",
 )
 
+# %% id="machine-of-await"
+case = {"way": "await", "group": "own", "threads": 1, "server_takes_s": 0.35}
+show_machine(
+    record_machine(heart_and_question, seconds=1.4, **case),
+    "ask_by_await pauses and its thread waits in the wait set; the heart has no place there, "
+    "and misses ticks until the response comes",
+)
+
 # %% [markdown]
+# The thread is free here, and the heart is silent all the same: the wait set does not ask for it.
+#
 # `call` and `await` get their response, because the *client* has a group of its own. But the waiting callback occupies
 # the default group, and the heartbeat timer is in it. A callback that only asks and returns leaves the group at once.
 #

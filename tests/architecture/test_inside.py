@@ -18,6 +18,7 @@ MAY_IMPORT = {
     "tier_probe.py": {"rclpy", "std_msgs"},
     "mypy_server.py": {"mypy"},
     "tap.py": {"rclpy"},
+    "machine_tap.py": {"rclpy"},
 }
 """What else than the standard library. `import_cache.py` imports by name what answers need."""
 STARTED_BY_RUN = ("confine", "fork_server", "host", "mypy_server", "subreaper", "sweeper")

@@ -1,4 +1,4 @@
-"""`python -m workbook.authoring build|check|compare|mutants|typings`: what `make notebooks` and its kin run."""
+"""`python -m workbook.authoring build|check|compare|mutants|robot|typings`: what `make notebooks` and its kin run."""
 
 import argparse
 import sys
@@ -39,6 +39,9 @@ def parser() -> argparse.ArgumentParser:
         help="also list what is still the text of a template, and reports that are out of date; that is no failure",
     )
     commands.add_parser("typings", help="make the stubs of the message packages anew (workbook/typings)")
+    commands.add_parser(
+        "robot", help="record the robot and draw the picture of the README anew (docs/robot.png)"
+    )
     mutating = commands.add_parser("mutants", help="say which small faults of right programs get full marks")
     mutating.add_argument("--only", nargs="+", default=(), metavar="STEM", help="exercises; all if none")
     mutating.add_argument("--most", type=int, default=120, help="mutants that are judged for each exercise")
@@ -76,6 +79,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         from workbook.authoring.typings import write
 
         print(f"{write()} stubs written")
+        return 0
+    if options.command == "robot":
+        from workbook.authoring.robot_picture import write_robot_picture
+
+        print(f"built      {tree.name(write_robot_picture(tree))}")
         return 0
     return run_check(tree, notes=options.notes)
 

@@ -20,7 +20,7 @@ def patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
     return tuple((re.compile(regex), replacement) for regex, replacement in pairs)
 
 
-PICTURE = re.compile(r'(src="data:image/[a-z+]+;base64,[^"]*")')
+PICTURE = re.compile(r'(src(?:set)?="data:image/[a-z+]+;base64,[^"]*")')
 """A picture inside HTML."""
 
 

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from workbook.lesson.doctor_report import doctor
     from workbook.lesson.graphs import graph_picture
     from workbook.lesson.knobs import knob
+    from workbook.lesson.machine import record_machine, show_machine, watch_machine
     from workbook.lesson.older_predictions import predicted, recall
     from workbook.lesson.predictions import predict, reveal
     from workbook.lesson.programs import arrivals, processor_seconds, record, run_program, start, stop, values
@@ -32,15 +33,18 @@ _HOME = {
     "predicted": "workbook.lesson.older_predictions",
     "recall": "workbook.lesson.older_predictions",
     "record": "workbook.lesson.programs",
+    "record_machine": "workbook.lesson.machine",
     "reveal": "workbook.lesson.predictions",
     "robot": "workbook.lesson.views",
     "run": "workbook.ros.session",
     "run_program": "workbook.lesson.programs",
+    "show_machine": "workbook.lesson.machine",
     "spin_for": "workbook.ros.session",
     "start": "workbook.lesson.programs",
     "stop": "workbook.lesson.programs",
     "stub_of": "workbook.lesson.type_reports",
     "values": "workbook.lesson.programs",
+    "watch_machine": "workbook.lesson.machine",
     "watch_robot": "workbook.lesson.views",
     "watch_status": "workbook.lesson.views",
 }
@@ -58,15 +62,18 @@ __all__ = [
     "processor_seconds",
     "recall",
     "record",
+    "record_machine",
     "reveal",
     "robot",
     "run",
     "run_program",
+    "show_machine",
     "spin_for",
     "start",
     "stop",
     "stub_of",
     "values",
+    "watch_machine",
     "watch_robot",
     "watch_status",
 ]

@@ -38,10 +38,17 @@ def film(pictures: Sequence[bytes], *, per_second: float, exact: bool = True) ->
     return file.getvalue()
 
 
-def moving_png(pictures: Sequence[bytes], *, per_second: float, dots_per_pixel: float) -> bytes:
+def moving_png(
+    pictures: Sequence[bytes],
+    *,
+    dots_per_pixel: float,
+    per_second: float = 8.0,
+    durations_ms: Sequence[int] | None = None,
+) -> bytes:
     """The film as an animated PNG, which also moves where a page of code shows a notebook. It plays again and again.
 
-    All pictures share 128 colors, and only what changes is stored. Raises ValueError when there are none.
+    All pictures share 128 colors, and only what changes is stored. `durations_ms`: how long each of them stands;
+    without it, `per_second` of them are shown. Raises ValueError when there are none.
     """
     if not pictures:
         raise ValueError("a film needs at least one picture")
@@ -54,7 +61,7 @@ def moving_png(pictures: Sequence[bytes], *, per_second: float, dots_per_pixel: 
     tops = range(0, sheet.height, height)
     first, *later = (sheet.crop((0, top, width, top + height)) for top in tops)
     file = io.BytesIO()
-    durations = [round(1000 / per_second)] * len(later) + [LAST_MS]
+    durations = list(durations_ms or [round(1000 / per_second)] * len(later) + [LAST_MS])
     first.save(
         file,
         "PNG",

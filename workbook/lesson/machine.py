@@ -1,0 +1,85 @@
+"""The picture of the machine in a lesson: note how messages and ticks come to their callbacks, and play it back."""
+
+import json
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from rclpy.node import Node
+
+from workbook.inside import machine_tap
+from workbook.inside.machine_tap import MachineTap
+from workbook.lesson.programs import Program, program_file
+from workbook.pictures.machine_film import MovingMachine, play
+from workbook.programs.process import NodeProcess
+from workbook.programs.spec import ProgramSpec
+from workbook.recording.machine import MachineRecording, from_notes
+from workbook.ros.scratch import remove_scratch, scratch_folder
+from workbook.watching.observer import Observer
+
+STARTS_WITHIN_S = 30.0
+"""On a busy machine a program may take this long until it spins."""
+POLL_S = 0.02
+
+
+@dataclass
+class Seen:
+    """What is seen of nodes while a `watch_machine` block runs; `recording` is there when it has ended."""
+
+    recording: MachineRecording | None = None
+
+
+@contextmanager
+def watch_machine(*nodes: Node) -> Iterator[Seen]:
+    """Note what happens between DDS and the callbacks of these nodes of the notebook, as long as the block runs."""
+    seen = Seen()
+    with MachineTap(nodes) as tap:
+        yield seen
+    seen.recording = from_notes(tap.notes())
+
+
+def record_machine(program: Program, seconds: float = 3.0, **parameters: object) -> MachineRecording:
+    """Run a program of `lesson_nodes` as a process of its own, and note `seconds` of its node from its first spin on.
+
+    `parameters` are ROS parameters. The node has the name of the file, and the program a `main()`. Raises RuntimeError
+    with the program's log when it ended early or never spun.
+    """
+    file = program_file(program)
+    folder = scratch_folder("machine")
+    notes = folder / "notes.json"
+    try:
+        driver = Path(machine_tap.__file__)
+        spec = ProgramSpec(file, [str(notes), str(seconds), file.stem], parameters=parameters, driver=driver)
+        with Observer() as observer, NodeProcess(spec, observer.domain_id) as process:
+            deadline = time.monotonic() + seconds + STARTS_WITHIN_S
+            while not notes.exists() and not process.wait(POLL_S) and time.monotonic() < deadline:
+                pass
+            process.stop()
+            if process.killed:
+                observer.move()
+            if not notes.exists():
+                raise RuntimeError(f"nothing was noted of {file.name}:\n{process.record().log.strip()}")
+        return from_notes(json.loads(notes.read_text(encoding="utf-8")))
+    finally:
+        remove_scratch(folder)
+
+
+def show_machine(
+    seen: Seen | MachineRecording, description: str, begin: float = 0.0, end: float | None = None
+) -> None:
+    """Play a recording back in the cell, from `begin` to `end` (s). Keep numbers out of the `description`."""
+    from IPython.display import display
+
+    display(film_of(seen, description, begin, end))
+
+
+def film_of(
+    seen: Seen | MachineRecording, description: str, begin: float = 0.0, end: float | None = None
+) -> MovingMachine:
+    """The film that `show_machine` shows."""
+    recording = seen.recording if isinstance(seen, Seen) else seen
+    if recording is None:
+        raise RuntimeError("the block of watch_machine has not ended: show its recording behind it")
+    return play(recording, description, begin, end)
