@@ -8,12 +8,11 @@ import time
 import numpy as np
 import numpy.typing as npt
 import rclpy
-from builtin_interfaces.msg import Time
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import Image
-from std_msgs.msg import String
+from std_msgs.msg import Header, String
 from visualization_msgs.msg import Marker, MarkerArray
 
 from workbook.models import Detection
@@ -22,9 +21,9 @@ Picture = npt.NDArray[np.uint8]
 FILM_EVERY, FILM_LENGTH = 3, 90
 
 
-def seconds_of(stamp: Time) -> float:
-    """A stamp in seconds."""
-    return float(stamp.sec + stamp.nanosec / 1e9)
+def taken_at(header: Header) -> float:
+    """The stamp of a header, in seconds."""
+    return float(header.stamp.sec + header.stamp.nanosec / 1e9)
 
 
 def to_detection(marker: Marker) -> Detection:
@@ -70,7 +69,7 @@ class ToyScope(Node):
         """Keep the detections, and write down how old they are."""
         self.detections = [to_detection(marker) for marker in message.markers]
         if message.markers:
-            self.ages.append(time.time() - seconds_of(message.markers[0].header.stamp))
+            self.ages.append(time.time() - taken_at(message.markers[0].header))
 
     def on_beat(self, message: String) -> None:
         """Write down when a heartbeat came."""

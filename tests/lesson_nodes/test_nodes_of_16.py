@@ -116,7 +116,7 @@ def test_the_faults_of_the_lesson() -> None:
     taken = image.header.stamp
     node, published = detector(stamps_now=True, loads_each_time=True)
     loaded = node.detector
-    node.look(image)
+    node.load_and_look(image)
     assert node.detector is not loaded
     assert published[0].markers[0].header.stamp != taken
 
