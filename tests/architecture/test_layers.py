@@ -43,6 +43,7 @@ MESSAGES = {
     "trajectory_msgs",
     "diagnostic_msgs",
     "std_srvs",
+    "visualization_msgs",
 }
 MODULES = sorted((ROOT / "workbook").rglob("*.py"))
 

@@ -41,3 +41,19 @@ def test_a_direction_has_length_one_and_points_to_the_place() -> None:
     x, y, z = see.seen_direction(see.on_desk(0.8, 0.3))
     assert math.hypot(x, y, z) == pytest.approx(1.0)
     assert x < 0  # to the left
+
+
+def test_toys_are_where_the_camera_sees_them() -> None:
+    scene = see.Scene(
+        see.on_desk(0.8, 0.1),
+        see.on_desk(0.9, -0.1),
+        (see.Box((1.1, 0.3)),),
+        pan=0.1,
+        cups=(see.Cup((0.9, -0.3)),),
+    )
+    found = {one.label: one for one in see.things_seen(scene)}
+    assert found.keys() == {"ball", "brick", "cup"}  # a blue ball is none
+    assert scene.ball is not None
+    u, v = see.seen_pixel(scene.ball, pan=0.1)
+    assert math.dist((found["ball"].u, found["ball"].v), (u, v)) < 1.0
+    assert see.seen_pixel(scene.ball)[0] < u  # the head turns to the left, and all moves to the right

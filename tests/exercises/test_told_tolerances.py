@@ -206,3 +206,28 @@ def test_11_tells_how_soon_a_touch_must_be_reported_and_what_it_may_cost() -> No
     assert f"three in four are reported within {applied['ALONE_MS']:g} ms" in told
     assert f"half within {applied['TOGETHER_MS']:g} ms" in told
     assert f"less than {share(applied['PROCESSOR_SHARE'])} of a processor" in told
+
+
+def test_16_tells_how_fresh_and_how_right_detections_must_be() -> None:
+    applied, told = constants("16_ai_model"), task("16_ai_model")
+    typically, mostly = f"{applied['TYPICALLY_S']:g} s", f"{applied['MOSTLY_S']:g} s"
+    assert round(10 * applied["MOSTLY_SHARE"]) == 9
+    assert f"typically at most {typically} after their picture, nine of ten at most {mostly}" in told
+    assert f"at least {applied['LEAST_HZ']:g} pictures a second" in told
+    soonest, model = f"{applied['SOONEST_S']:g} s", f"{applied['MODEL_S']:g} s"
+    assert f"each comes {soonest} after its picture or later, because the model takes {model}" in told
+    assert f"in {share(applied['RIGHT_SHARE'])} of the messages each toy" in told
+    assert f"within {applied['WITHIN_PIXELS']:g} pixels" in told
+
+
+def test_16_tells_how_the_heart_beats_and_what_a_fall_is() -> None:
+    applied, told = constants("16_ai_model"), task("16_ai_model")
+    shares = f"{share(applied['LEAST_BEATS'])} to {share(applied['MOST_BEATS'])} of ten a second"
+    assert f"{shares}, never more than {applied['LONGEST_SILENCE_S']:g} s without one" in told
+    assert f"the first within {applied['FIRST_BEAT_BY_S']:g} s" in told
+    assert applied["TILTED_SAMPLES"] == 10
+    assert f"ten samples in a row are tilted by more than {applied['TILT_DEG']:g}°" in told
+    assert f"`error` comes at most {applied['FALL_WITHIN_S']:g} s after the tenth" in told
+    assert f"It sends {applied['PICTURES']} pictures" in told
+    blind = sum(end - begin for begin, end in applied["GLARE_S"])
+    assert f"for {blind:.1f} s of them there is glare" in told

@@ -25,6 +25,7 @@ PACKAGES = (
     "std_msgs",
     "std_srvs",
     "trajectory_msgs",
+    "visualization_msgs",
 )
 HEADER = "# Made by `python -m workbook.authoring typings` from the installed message classes; do not edit.\n"
 LONGEST_LINE = 110

@@ -7,7 +7,13 @@ from workbook.criteria.criterion import Criterion, Topic, criterion, topic, watc
 from workbook.criteria.verdict import Verdict, all_of, failed, partial, passed
 from workbook.criteria.vocabulary.arrays import length, varies
 from workbook.criteria.vocabulary.batteries import begins_full, drains, word_fits_charge
-from workbook.criteria.vocabulary.cameras import CameraView, camera_image, seen_direction
+from workbook.criteria.vocabulary.cameras import (
+    CameraView,
+    camera_image,
+    seen_direction,
+    seen_pixel,
+    things_seen,
+)
 from workbook.criteria.vocabulary.driver import DriverCall, driver_calls, driver_reports, failed_in_call
 from workbook.criteria.vocabulary.endings import exits_cleanly
 from workbook.criteria.vocabulary.heartbeats import Beats, beats, beats_meanwhile
@@ -42,7 +48,7 @@ from workbook.criteria.vocabulary.type_checks import (
 from workbook.criteria.vocabulary.values import part_of, values
 from workbook.recording.recording import Arrival, CallSeen, Recording, Said
 from workbook.recording.script import BEFORE_START, calls, says, serves
-from workbook.scenes.scene import Box, Scene, on_desk
+from workbook.scenes.scene import Box, Cup, Plate, Scene, on_desk
 
 __all__ = [
     "BEFORE_START",
@@ -52,8 +58,10 @@ __all__ = [
     "CallSeen",
     "CameraView",
     "Criterion",
+    "Cup",
     "DriverCall",
     "Output",
+    "Plate",
     "Probe",
     "Recording",
     "Said",
@@ -121,7 +129,9 @@ __all__ = [
     "said",
     "says",
     "seen_direction",
+    "seen_pixel",
     "serves",
+    "things_seen",
     "topic",
     "topic_pace",
     "values",

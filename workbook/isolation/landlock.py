@@ -16,6 +16,7 @@ from workbook.isolation.host_files import (
     PATH_OF_PROGRAMS,
     SYSTEM_FILES,
     SYSTEM_FOLDERS,
+    given_files,
     interpreter_folders,
 )
 from workbook.isolation.written_files import WrittenFiles
@@ -68,7 +69,21 @@ class ConfinedProgram:
         if profile is not None and Path(profile).parent != self.files:
             # One that cannot be read would let DDS talk to the whole network.
             inside[PROFILE] = self.bring(Path(profile), "profile.xml")
+        inside["PYTHONPATH"] = str(self.give().parent)
         return inside
+
+    def give(self) -> Path:
+        """Make a package `workbook` of what an answer may import. Returns its folder.
+
+        Python lists a folder to find a package in it, and the folder of the course is hidden.
+        """
+        package = self.files / "given" / "workbook"
+        package.mkdir(parents=True, exist_ok=True)
+        for file in given_files():
+            link = package / file.name
+            if not link.is_symlink():
+                link.symlink_to(file)
+        return package
 
     def options(self, limits: Limits) -> list[str]:
         """What `confine.py` is to do."""

@@ -36,6 +36,14 @@ class UserProgram(ConfinedProgram):
             os.chmod(place, mode)
         return brought
 
+    def give(self) -> Path:
+        """As its base, in folders that only root and the program's user can read."""
+        package = super().give()
+        for folder in (package.parent, package):
+            os.chown(folder, 0, self.ids.user)
+            os.chmod(folder, 0o750)
+        return package
+
     def options(self, limits: Limits) -> list[str]:
         """As its base, and the user id and the limit of processes. Gives `scratch` to the program's user."""
         os.chown(self.scratch, self.ids.user, self.ids.user)

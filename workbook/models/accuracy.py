@@ -16,6 +16,7 @@ SEED_HELD_BACK = 1616
 IMAGES_HELD_BACK = 400
 CLEARLY_VISIBLE = 0.6
 BARELY_VISIBLE = 0.25
+PINHOLE = Pinhole(WIDTH, HEIGHT, 0.875 * WIDTH)
 SAME_PLACE = 0.5
 """A detection is in the place of a thing if the middles are at most half a width and half a height apart."""
 
@@ -34,18 +35,22 @@ class Accuracy:
         return f"right {self.right:.1%}, found {self.found:.1%}, {self.false:.3f} false detections a picture"
 
 
+def held_back(number: int) -> Picture:
+    """A held-back picture, RGB, as `accuracy` takes it."""
+    return DeskCamera(PINHOLE, SEED_HELD_BACK).picture(tabletop(SEED_HELD_BACK, number), number)
+
+
 def accuracy(
     detector: Callable[[Picture], list[Detection]],
     images: int = IMAGES_HELD_BACK,
     change: Callable[[Picture], Any] = lambda picture: picture,
 ) -> Accuracy:
     """The accuracy on so many held-back pictures; `change` is applied to each of them before the detector sees it."""
-    pinhole = Pinhole(WIDTH, HEIGHT, 0.875 * WIDTH)
-    camera = DeskCamera(pinhole, SEED_HELD_BACK)
+    camera = DeskCamera(PINHOLE, SEED_HELD_BACK)
     things, hits, wrong = 0, 0, 0
     for number in range(images):
         scene = tabletop(SEED_HELD_BACK, number)
-        there = things_in(scene, pinhole)
+        there = things_in(scene, PINHOLE)
         found = detector(change(camera.picture(scene, number)))
         asked = [thing for thing in there if thing.visible >= CLEARLY_VISIBLE]
         shown = [thing for thing in there if thing.visible >= BARELY_VISIBLE]

@@ -10,6 +10,7 @@ from workbook.scenes.scene import Place, Scene
 if TYPE_CHECKING:
     from workbook.scenes.desk import DeskCamera
     from workbook.scenes.pinhole import Pinhole
+    from workbook.scenes.tabletop import Thing
 
 FRAME_ID = "head_camera_optical_frame"
 
@@ -74,6 +75,19 @@ def seen_direction(place: Place, width: int = 160) -> tuple[float, float, float]
     seen = _pinhole(width).seen_from(place)
     x, y, z = (seen / (seen @ seen) ** 0.5).tolist()
     return x, y, z
+
+
+def things_seen(scene: Scene, width: int = 160) -> "list[Thing]":
+    """What a camera sees of the toys on the desk: label, middle and size of the upright box around each (pixels)."""
+    from workbook.scenes.tabletop import things_in
+
+    return things_in(scene, _pinhole(width))
+
+
+def seen_pixel(place: Place, width: int = 160, pan: float = 0.0) -> tuple[float, float]:
+    """Column and row where a camera sees a place of the robot's axes (m); the head is turned to the left by `pan`."""
+    pinhole = _pinhole(width)
+    return pinhole.pixel(pinhole.seen_from(place, pan))
 
 
 @lru_cache(maxsize=4)

@@ -1,0 +1,1052 @@
+"""How exercise 16 is judged: the judge is camera and IMU, and knows what is on the desk and when the robot falls."""
+
+import math
+import random
+import statistics
+from collections import Counter
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from itertools import pairwise
+from typing import Any
+
+from sensor_msgs.msg import Image, Imu
+from std_msgs.msg import String
+from visualization_msgs.msg import MarkerArray
+
+import workbook.criteria as see
+from workbook.criteria import (
+    Box,
+    CameraView,
+    Cup,
+    Plate,
+    Recording,
+    Scene,
+    Verdict,
+    criterion,
+    program_runs,
+    topic,
+    watching,
+)
+
+IMAGE = topic("/camera/image", Image)
+IMU = topic("/robot/imu", Imu)
+DETECTIONS = topic("/robot/detections", MarkerArray)
+STATUS = topic("/robot/status", String, hz=10.0)
+
+CAMERA_HZ = 30.0
+IMU_HZ = 50.0
+MODEL_S = 0.2
+SOONEST_S = 0.19
+TYPICALLY_S, MOSTLY_S, MOSTLY_SHARE = 0.30, 0.35, 0.9
+LEAST_HZ = 3.0
+WITHIN_PIXELS = 5.0
+RIGHT_SHARE = 0.8
+WHOLE, HARDLY = 0.9, 0.6
+"""What is seen to this part must be found; what is seen less than that need not be, and may be."""
+LEAST_BEATS, MOST_BEATS = 0.9, 1.1
+HARDLY_ANY = 3
+"""Beats: so few are no heartbeat that has stopped."""
+LONGEST_SILENCE_S = 0.5
+FIRST_BEAT_BY_S = 3.0
+TILT_DEG, TILTED_SAMPLES = 60.0, 10
+FALL_WITHIN_S = 0.5
+OPERATIONAL, ERROR = "operational", "error"
+MOST = 0.6
+"""Which share of what is wrong must look like a reason."""
+SEED = 1616
+FIRST_STAMP_S = 700
+
+BEGIN_S = 0.5
+PICTURES = 330
+GLARE_S = ((3.0, 3.7), (6.2, 6.7))
+"""When (s since the first picture) the light is so bright that the model gives up."""
+# From when to when (s since the first sample), and how far the robot is tilted then (°).
+TILTS = (
+    (1.9, 2.03, 80.0),
+    (2.3, 2.43, 75.0),
+    (4.4, 5.8, 40.0),
+    (5.0, 5.11, 100.0),
+    (8.4, 10.0, 85.0),
+)
+FALL_S = 8.4
+IMU_SECONDS = PICTURES / CAMERA_HZ
+
+
+def scene(seconds: float, light: float) -> Scene:
+    """The desk at a moment: the head turns from side to side, and the ball rolls."""
+    swing, sway = math.sin(2.2 * seconds + 0.4), math.cos(1.3 * seconds)
+    return Scene(
+        see.on_desk(0.84 + 0.05 * sway, 0.02 + 0.12 * swing),
+        see.on_desk(1.16, -0.06),
+        (Box((1.12, 0.36), turn=0.6),),
+        None,
+        pan=0.16 * math.sin(2.9 * seconds),
+        light=light,
+        warm=1.0 + 0.05 * sway,
+        cups=(Cup((0.86, -0.3)),),
+        plates=(Plate((0.8, 0.3)),),
+    )
+
+
+def glare(seconds: float) -> bool:
+    return any(begin <= seconds < end for begin, end in GLARE_S)
+
+
+def views() -> tuple[CameraView, ...]:
+    """All pictures, in order."""
+    made = []
+    for number in range(PICTURES):
+        seconds = number / CAMERA_HZ
+        light = 4.0 if glare(seconds) else 0.8 + 0.2 * math.sin(0.7 * seconds)
+        in_ns = round((FIRST_STAMP_S + seconds) * 1e9)
+        stamp = in_ns // 10**9, in_ns % 10**9
+        made.append(CameraView(scene(seconds, light), stamp, SEED, number, encoding="bgr8"))
+    return tuple(made)
+
+
+def samples() -> list[tuple[float, dict[str, Any]]]:
+    """What the IMU says: when (s), and the fields of an Imu."""
+    dice = random.Random(SEED)
+    made = []
+    for number in range(round(IMU_SECONDS * IMU_HZ)):
+        seconds = number / IMU_HZ
+        tilt = math.radians(tilt_at(seconds))
+        x, z = 9.81 * math.sin(tilt), 9.81 * math.cos(tilt)
+        in_ns = round((FIRST_STAMP_S + seconds) * 1e9)
+        made.append(
+            (
+                BEGIN_S + seconds,
+                {
+                    "header": {
+                        "stamp": {"sec": in_ns // 10**9, "nanosec": in_ns % 10**9},
+                        "frame_id": "imu_link",
+                    },
+                    "linear_acceleration": {
+                        "x": x + dice.gauss(0.0, 0.15),
+                        "y": dice.gauss(0.0, 0.15),
+                        "z": z + dice.gauss(0.0, 0.15),
+                    },
+                },
+            )
+        )
+    return made
+
+
+def tilt_at(seconds: float) -> float:
+    """How far the robot is tilted (°): the most of what there is at that moment."""
+    return max((tilt for begin, end, tilt in TILTS if begin <= seconds < end), default=3.0)
+
+
+VIEWS = views()
+SAMPLES = samples()
+PLACE_OF = {view.stamp: place for place, view in enumerate(VIEWS)}
+IN_GLARE = [place for place in range(PICTURES) if glare(place / CAMERA_HZ)]
+FALL_SAMPLE = round(FALL_S * IMU_HZ) + TILTED_SAMPLES - 1
+"""The sample with which the fall is a fall: the tenth tilted one in a row."""
+AGAIN_FROM_S = [end for _, end in GLARE_S]
+
+WATCH_S = BEGIN_S + IMU_SECONDS + 0.7
+WATCH = watching(
+    wall_seconds=WATCH_S,
+    script=[
+        see.says(
+            IMAGE.name,
+            Image,
+            [
+                (round(BEGIN_S + place / CAMERA_HZ, 4), see.camera_image(view))
+                for place, view in enumerate(VIEWS)
+            ],
+        ),
+        see.says(IMU.name, Imu, SAMPLES),
+    ],
+)
+
+
+@criterion(
+    points=1,
+    title="It listens to /camera/image (Image), and /robot/detections carries MarkerArray",
+    needs=[program_runs],
+)
+def camera_topics(recording: Recording) -> Verdict:
+    return see.all_of(see.listens(recording, IMAGE), see.publishes(recording, DETECTIONS))
+
+
+@criterion(
+    points=0,
+    title="It listens to /robot/imu (Imu), and /robot/status carries String",
+    needs=[program_runs],
+)
+def status_topics(recording: Recording) -> Verdict:
+    return see.all_of(see.listens(recording, IMU), see.publishes(recording, STATUS))
+
+
+@criterion(
+    points=1,
+    title="The heartbeat is kept: /robot/status comes at 10 Hz, also while the model computes",
+    needs=[status_topics],
+)
+@see.needs_messages(STATUS)
+def heartbeat_kept(recording: Recording) -> Verdict:
+    words = see.one_of(recording, STATUS, (OPERATIONAL, ERROR))
+    if not words.ok:
+        return words
+    part = see.part_of(recording, STATUS, lambda data: True)
+    first = recording.topic(STATUS.name).arrivals[0].t
+    beats = see.beats(part, STATUS)
+    saw = (
+        f"{beats.count} of {beats.due} heartbeats ({beats.share:.0%}), the longest silence "
+        f"{beats.silence.seconds:.2f} s"
+    )
+    if first > FIRST_BEAT_BY_S and beats.count > HARDLY_ANY:
+        return see.failed(
+            "heartbeat-kept.begins-late",
+            f"the first heartbeat came after {first:.1f} s",
+            f"one within {FIRST_BEAT_BY_S:g} s",
+            "Nobody spins the node for a long time after its publishers were created.",
+            "Load the model before you create the node, or in another thread.",
+            about_time=True,
+        )
+    if beats.share > MOST_BEATS:
+        return see.failed(
+            "heartbeat-kept.too-many",
+            saw,
+            HEARTBEAT_EXPECTED,
+            "More than one place publishes the status, or the period of its timer is shorter than 0.1 s.",
+            "Let one timer of 0.1 s publish the status, and nothing else.",
+        )
+    if beats.share < LEAST_BEATS or beats.silence.seconds > LONGEST_SILENCE_S:
+        return why_no_heartbeat(recording, beats, saw)
+    return see.passed(saw)
+
+
+@criterion(points=0, title="Detections come", needs=[camera_topics])
+def detections_come(recording: Recording) -> Verdict:
+    given = answers(recording)
+    if any(answer.things for answer in given):
+        return see.passed("detections come")
+    expected = f"what is on the desk, on {DETECTIONS.name}"
+    if given:
+        return see.failed(
+            "detections-come.empty",
+            f"{see.count(len(given), 'message')} on {DETECTIONS.name}, and not one with a marker in it",
+            expected,
+            "The model found nothing in any picture, or its result is not put into the message.",
+            "Is the picture in the colors that the model expects? Print what the model returns for one picture.",
+        )
+    nothing = f"{PICTURES} pictures were sent to {IMAGE.name}, and nothing came on {DETECTIONS.name}"
+    return see.failed_by_error(recording, nothing, expected, about_time=True) or see.failed(
+        "detections-come.nothing",
+        nothing,
+        expected,
+        "Nobody hands pictures to the model, its result is not published, or an exception was lost in a thread.",
+        "Log a line before and after the model is called: which is missing?",
+        about_time=True,
+    )
+
+
+@criterion(
+    points=1,
+    title="One message for a picture, each detection with the stamp of its picture, and in order",
+    needs=[detections_come],
+)
+def stamps_kept(recording: Recording) -> Verdict:
+    given = [answer for answer in answers(recording) if answer.things]
+    return wrong_stamps(given) or see.passed(
+        f"{see.count(len(given), 'message')}, each with the stamp of its picture"
+    )
+
+
+@criterion(
+    points=2,
+    title=f"Detections are fresh: typically at most {TYPICALLY_S:g} s old, nine of ten {MOSTLY_S:g} s",
+    needs=[stamps_kept],
+)
+def fresh(recording: Recording) -> Verdict:
+    seen = timed(recording)
+    ages = [one.age for one in seen]
+    if len(ages) < 3:
+        return few_answers(recording, len(ages))
+    typical = statistics.median(ages)
+    in_time = sum(age <= MOSTLY_S for age in ages) / len(ages)
+    hertz = answered_hz(recording, seen)
+    saw = (
+        f"typically {typical:.2f} s old, {in_time:.0%} at most {MOSTLY_S:g} s; {hertz:.1f} pictures answered "
+        "each second"
+    )
+    if typical < SOONEST_S:
+        return see.failed(
+            "fresh.faster-than-the-model",
+            saw,
+            f"the result of SlowDetector, which takes {MODEL_S:g} s for each picture",
+            "The detections come sooner than the given model can find them: something else finds them.",
+            "Call SlowDetector, and leave it as it is.",
+        )
+    if typical > TYPICALLY_S or in_time < MOSTLY_SHARE:
+        return why_old(recording, seen, saw)
+    if hertz < LEAST_HZ:
+        return why_few(recording, saw)
+    return see.passed(saw)
+
+
+@criterion(
+    points=2, title="The detections are right, in pictures that you have not seen", needs=[stamps_kept]
+)
+def right(recording: Recording) -> Verdict:
+    given = [one for one in answers(recording) if one.things and one.place is not None]
+    known = [(one.place, one) for one in given if one.place is not None and one.place not in IN_GLARE]
+    if not known:
+        return few_answers(recording, 0)
+    wrong = [(place, one) for place, one in known if not is_right(place, one)]
+    saw = f"{len(known) - len(wrong)} of {len(known)} messages are right"
+    if len(known) - len(wrong) >= RIGHT_SHARE * len(known):
+        return see.passed(saw)
+    place, one = wrong[len(wrong) // 2]
+    saw += f". Picture {place + 1} shows {listed(whole(place))}; the message says {listed(one.things)}"
+    reason = first_that_fits(REASONS, wrong) or SOMETHING_ELSE
+    return see.failed(reason.cause, saw, RIGHT_EXPECTED, reason.because, reason.try_this)
+
+
+@criterion(
+    points=1,
+    title="It survives a model that raises: no message for such a picture, a line in the log, and on",
+    needs=[detections_come],
+)
+def survives(recording: Recording) -> Verdict:
+    saw = f"for {len(IN_GLARE)} pictures the model raises RuntimeError (glare)"
+    given = answers(recording)
+    full = [one for one in given if one.things]
+    return (
+        silent_since_glare(recording, saw, full)
+        or too_rarely(saw, full)
+        or answered_glare(saw, full)
+        or said_nothing_there(saw, given)
+        or no_line(recording, saw)
+        or see.passed(f"{saw}: logged, and the pictures after them were answered")
+    )
+
+
+@criterion(
+    points=2,
+    title=f"/robot/status becomes error on a fall: within {FALL_WITHIN_S:g} s, not before, and it stays",
+    needs=[status_topics],
+)
+def fall_reported(recording: Recording) -> Verdict:
+    nothing = see.no_message(recording, STATUS)
+    if nothing is not None:
+        return nothing
+    moments = [word.wall for word in see.said(recording, IMU.name)]
+    if len(moments) <= FALL_SAMPLE:
+        return never_fell(recording)
+    said = [(one.published, one.value["data"]) for one in recording.topic(STATUS.name).arrivals]
+    errors = [at for at, word in said if word == ERROR]
+    fallen = moments[FALL_SAMPLE]
+    begins = moments[FALL_SAMPLE - TILTED_SAMPLES + 1]
+    if errors and errors[0] < begins:
+        return too_early(recording, errors[0], moments)
+    if not errors:
+        return no_error(recording)
+    after = errors[0] - fallen
+    saw = f'"{ERROR}" {max(after, 0.0):.2f} s after the fall'
+    if after > FALL_WITHIN_S:
+        return late_error(recording, saw)
+    again = [at for at, word in said if at > errors[0] and word == OPERATIONAL]
+    if again:
+        return see.failed(
+            "fall-reported.taken-back",
+            f'{saw}, and "{OPERATIONAL}" again {again[0] - errors[0]:.1f} s later',
+            FALL_EXPECTED,
+            "The status follows the tilt of the moment. But a robot that has fallen and was put up again may be "
+            "damaged.",
+            "Remember the fall in an attribute, and never take it back.",
+        )
+    return see.passed(f"{saw}, and from then on")
+
+
+HEARTBEAT_EXPECTED = (
+    f"{LEAST_BEATS:.0%} to {MOST_BEATS:.0%} of ten heartbeats a second, never more than {LONGEST_SILENCE_S:g} s "
+    "without one"
+)
+ONE_EACH = f"one message on {DETECTIONS.name} for a picture, with all that was found in it"
+PICTURE_STAMPS = "in each marker the stamp of the picture that it was found in"
+FRESH_EXPECTED = (
+    f"typically at most {TYPICALLY_S:g} s old, nine of ten at most {MOSTLY_S:g} s; at least {LEAST_HZ:g} pictures "
+    "answered each second"
+)
+RIGHT_EXPECTED = (
+    f"in {RIGHT_SHARE:.0%} of the messages each toy that is seen whole, with its label, within {WITHIN_PIXELS:g} "
+    "pixels, and nothing else"
+)
+SURVIVES_EXPECTED = (
+    "no message for such a picture, a line in the log with the model's words, and then as before"
+)
+FALL_EXPECTED = (
+    f'"{ERROR}" at most {FALL_WITHIN_S:g} s after {TILTED_SAMPLES} samples in a row are tilted by more than '
+    f'{TILT_DEG:g}°, "{OPERATIONAL}" before that, and "{ERROR}" ever after'
+)
+
+
+# --- what came back -----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Toy:
+    """Something on the desk, in a picture or in a marker: its label, and its middle (pixels)."""
+
+    label: str
+    u: float
+    v: float
+
+
+@dataclass(frozen=True)
+class Answered:
+    """One MarkerArray: the place of its picture (None: none, or several), its stamps (s), when it was sent (s)."""
+
+    place: int | None
+    stamps: tuple[float, ...]
+    things: tuple[Toy, ...]
+    wall: float
+
+
+def answers(recording: Recording) -> list[Answered]:
+    """What arrived on the topic of the detections, in the order in which it was published."""
+    found = []
+    for arrival in recording.topic(DETECTIONS.name).arrivals:
+        markers = arrival.value["markers"]
+        if not isinstance(markers, list):
+            continue
+        stamps = [one["header"]["stamp"] for one in markers]
+        pairs = list(dict.fromkeys((stamp["sec"], stamp["nanosec"]) for stamp in stamps))
+        things = [
+            Toy(one["ns"], float(one["pose"]["position"]["x"]), float(one["pose"]["position"]["y"]))
+            for one in markers
+        ]
+        found.append(
+            Answered(
+                PLACE_OF.get(pairs[0]) if len(pairs) == 1 else None,
+                tuple(sec + nanosec / 1e9 for sec, nanosec in pairs),
+                tuple(things),
+                arrival.published,
+            )
+        )
+    return sorted(found, key=lambda one: one.wall)
+
+
+@dataclass(frozen=True)
+class Timed:
+    """An answer to a picture: its place, how old (s) the picture was when it was answered, and when that was (s)."""
+
+    place: int
+    age: float
+    wall: float
+
+
+def timed(recording: Recording) -> list[Timed]:
+    """All answers to pictures, with their age, in order."""
+    sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    return [
+        Timed(one.place, one.wall - sent[one.place], one.wall)
+        for one in answers(recording)
+        if one.place is not None and one.place < len(sent)
+    ]
+
+
+def answered_hz(recording: Recording, seen: Sequence[Timed]) -> float:
+    """How many pictures were answered each second, without the time in which the model could not see anything.
+
+    Of a node that a picture with glare has ended: until then. That is judged elsewhere.
+    """
+    sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    last = max(one.place for one in seen)
+    blind = sum(end - begin for begin, end in GLARE_S if begin * CAMERA_HZ < last)
+    ended = seen[-1].wall if gave_up_in_glare(recording, seen) else sent[-1] + MODEL_S
+    lasted = ended - seen[0].wall - blind
+    return len([one for one in seen if one.place not in IN_GLARE]) / max(lasted, 0.1)
+
+
+def gave_up_in_glare(recording: Recording, given: Sequence[Timed] | Sequence[Answered]) -> bool:
+    """Whether the last answer came when the first pictures with glare were handed to the model, or before the end."""
+    sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    last = max(one.wall for one in given)
+    spans = [(round(begin * CAMERA_HZ), round(end * CAMERA_HZ)) for begin, end in GLARE_S]
+    return any(
+        sent[begin] - MODEL_S <= last <= sent[min(end, len(sent) - 1)] + 2 * MODEL_S
+        for begin, end in spans
+        if begin < len(sent)
+    )
+
+
+# --- the heartbeat ------------------------------------------------------------------------------------------
+
+
+def why_no_heartbeat(recording: Recording, beats: see.Beats, saw: str) -> Verdict:
+    """Why too few heartbeats came, or none for a while."""
+    if beats.count <= HARDLY_ANY:
+        return see.failed(
+            "heartbeat-kept.rarely",
+            saw,
+            HEARTBEAT_EXPECTED,
+            "The status is published once, or when it changes. A listener cannot tell a robot that is well from one "
+            "that has stopped.",
+            "Publish the status in the callback of create_timer(0.1, ...), whether or not it has changed.",
+            about_time=True,
+        )
+    if beats.silence.kind == "after" and beats.silence.seconds > LONGEST_SILENCE_S:
+        saw = f"no heartbeat after {beats.silence.start:.1f} s"
+        return see.ended_by_error(recording, saw, HEARTBEAT_EXPECTED) or see.failed(
+            "heartbeat-kept.stops",
+            saw,
+            HEARTBEAT_EXPECTED,
+            "The heartbeat has stopped: the program ended, or its timer is no longer served.",
+            "Read the log: what was the last thing that happened?",
+            about_time=True,
+        )
+    if waits_for_the_model(recording):
+        return see.failed(
+            "heartbeat-kept.waits-for-the-model",
+            f"{saw}. Most heartbeats come right after a message with detections",
+            HEARTBEAT_EXPECTED,
+            f"The model runs in the thread that serves the timer: for {MODEL_S:g} s no other callback runs.",
+            "Call the model in a thread of its own. Or use a MultiThreadedExecutor, and give the callback that calls "
+            "the model a callback group of its own.",
+            about_time=True,
+        )
+    return why_few_beats(beats, saw)
+
+
+def why_few_beats(beats: see.Beats, saw: str) -> Verdict:
+    """Why beats are missing that the model does not hold up."""
+    if beats.silence.seconds > LONGEST_SILENCE_S:
+        return see.failed(
+            "heartbeat-kept.held-up",
+            f"{saw}, from {beats.silence.start:.1f} s on",
+            HEARTBEAT_EXPECTED,
+            "Something holds up the thread that serves the timer, or keeps the processor for itself.",
+            "Let a thread without slow work serve the timer of the status.",
+            about_time=True,
+        )
+    return see.failed(
+        "heartbeat-kept.too-few",
+        f"{saw}; typically {beats.typical_s:.2f} s from one to the next",
+        HEARTBEAT_EXPECTED,
+        "The period of the timer is too long, or the status is published in a callback that runs more rarely.",
+        "Publish the status in the callback of create_timer(0.1, ...).",
+        about_time=True,
+    )
+
+
+def waits_for_the_model(recording: Recording) -> bool:
+    """Whether most heartbeats come just after the model has finished: one thread does both, by turns."""
+    done = [one.wall for one in answers(recording)]
+    beats = [one.published for one in recording.topic(STATUS.name).arrivals]
+    within = [
+        at for at in beats if done and done[0] <= at <= done[-1] + MODEL_S and not near_glare(recording, at)
+    ]
+    soon = [at for at in within if any(0.0 <= at - end <= 0.03 for end in done)]
+    return len(within) > 5 and len(soon) >= MOST * len(within)
+
+
+def near_glare(recording: Recording, at: float) -> bool:
+    """Whether the model may be busy with a picture that it gives up on."""
+    sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    return any(
+        sent[round(begin * CAMERA_HZ)] <= at <= sent[round(end * CAMERA_HZ)] + 2 * MODEL_S
+        for begin, end in GLARE_S
+        if round(end * CAMERA_HZ) < len(sent)
+    )
+
+
+# --- stamps -------------------------------------------------------------------------------------------------
+
+
+def wrong_stamps(given: Sequence[Answered]) -> Verdict | None:
+    """What is wrong with the stamps; None if nothing is."""
+    return (
+        strange_stamps(given)
+        or several_pictures(given)
+        or later_stamps(given)
+        or answered_twice(given)
+        or not_in_order(given)
+    )
+
+
+def strange_stamps(given: Sequence[Answered]) -> Verdict | None:
+    """Stamps that no picture had."""
+    known = {sec + nanosec / 1e9 for sec, nanosec in PLACE_OF}
+    strange = [one for one in given if not set(one.stamps) <= known]
+    if not strange:
+        return None
+    stamp = next(one for one in strange[0].stamps if one not in known)
+    saw = f"{len(strange)} of {see.count(len(given), 'message')} with a stamp that no picture had, the first {{}}"
+    if all(one.stamps == (0.0,) for one in strange):
+        return see.failed(
+            "stamps-kept.no-stamp",
+            saw.format("0 s"),
+            PICTURE_STAMPS,
+            "New markers are published, and their header was never filled in.",
+            "Give each marker the header of its picture.",
+        )
+    return see.failed(
+        "stamps-kept.own-stamp",
+        saw.format(f"{stamp:.2f} s"),
+        PICTURE_STAMPS,
+        "The node stamps its detections with its own clock, or loses a part of the stamp. But the stamp says when the "
+        "picture was taken, not when the model had looked at it.",
+        "Copy the whole header of the picture into each marker.",
+    )
+
+
+def several_pictures(given: Sequence[Answered]) -> Verdict | None:
+    """Messages with markers of more than one picture."""
+    mixed = [one for one in given if len(one.stamps) > 1]
+    if not mixed:
+        return None
+    return see.failed(
+        "stamps-kept.several-pictures",
+        f"{see.count(len(mixed), 'message')} with markers of {len(mixed[0].stamps)} pictures",
+        ONE_EACH,
+        "Markers of earlier pictures stay in the message, or pictures are collected before they are published.",
+        "Begin a new MarkerArray for each picture.",
+    )
+
+
+def answered_twice(given: Sequence[Answered]) -> Verdict | None:
+    """Pictures that were answered more than once."""
+    place, most = Counter(one.place for one in given).most_common(1)[0]
+    if most < 2 or place is None:
+        return None
+    return see.failed(
+        "stamps-kept.repeated",
+        f"{most} messages with the stamp of picture {place + 1}",
+        ONE_EACH,
+        "One picture is answered again and again, by a timer or a loop that does not notice that nothing is new. Or "
+        "each detection is published in a message of its own.",
+        "Take a picture away when you hand it to the model, and publish one message with all that was found.",
+    )
+
+
+def not_in_order(given: Sequence[Answered]) -> Verdict | None:
+    """Messages that go back to an earlier picture."""
+    places = [one.place for one in given if one.place is not None]
+    back = [(a, b) for a, b in pairwise(places) if b < a]
+    if not back:
+        return None
+    return see.failed(
+        "stamps-kept.goes-back",
+        f"picture {back[0][1] + 1} is answered after picture {back[0][0] + 1}; {len(back)} times it goes back",
+        "messages in the order of their pictures",
+        "Several threads or processes publish at once, or pictures are taken from the wrong end of a queue.",
+        "Let one thread call the model and publish, and hand it the newest picture only.",
+    )
+
+
+def later_stamps(given: Sequence[Answered]) -> Verdict | None:
+    """Whether detections bear the stamp of a picture that came after the one they were found in; None if not."""
+    pairs = [(one.place, one) for one in given if one.place is not None and one.place not in IN_GLARE]
+    moving = [(place, one) for place, one in pairs if place > 12]
+    if len(moving) < 8:
+        return None
+
+    def apart(back: int) -> float:
+        return statistics.median(
+            distance for place, one in moving for distance in distances(one.things, place - back)
+        )
+
+    here = apart(0)
+    best = min(range(1, 13), key=apart)
+    if here <= WITHIN_PIXELS / 2 or apart(best) > 0.4 * here:
+        return None
+    return see.failed(
+        "stamps-kept.later-picture",
+        f"the toys are typically {here:.1f} pixels beside the detections, and {apart(best):.1f} pixels where they were "
+        f"{best} pictures earlier",
+        PICTURE_STAMPS,
+        "A detection gets the stamp of a picture that came while the model was busy. The header was read from an "
+        "attribute that the next picture overwrites.",
+        "Keep pixels and header of a picture together, and hand both to the thread that calls the model.",
+    )
+
+
+# --- whether detections are right ---------------------------------------------------------------------------
+
+
+@cache
+def toys(place: int) -> tuple[tuple[Toy, float], ...]:
+    """What can be seen in a picture, and which part of it is visible."""
+    found = see.things_seen(VIEWS[place].scene)
+    return tuple((Toy(one.label, one.u, one.v), one.visible) for one in found)
+
+
+def whole(place: int) -> list[Toy]:
+    """What must be found in a picture."""
+    return [toy for toy, visible in toys(place) if visible >= WHOLE]
+
+
+def distances(things: Iterable[Toy], place: int) -> list[float]:
+    """How far (pixels) each detection is from the nearest toy with its label; a large number where there is none."""
+    found = []
+    for thing in things:
+        alike = [toy for toy, _ in toys(place) if toy.label == thing.label]
+        found.append(min((apart(thing, toy) for toy in alike), default=99.0))
+    return found
+
+
+def apart(one: Toy, other: Toy) -> float:
+    return math.hypot(one.u - other.u, one.v - other.v)
+
+
+def is_right(place: int, answer: Answered) -> bool:
+    """Whether each toy that is seen whole is there once, and nothing else."""
+    missing = unmatched(whole(place), answer.things)
+    extra = unmatched(answer.things, [toy for toy, _ in toys(place)])
+    return not missing and not extra and len(answer.things) <= len(toys(place))
+
+
+def unmatched(wanted: Iterable[Toy], found: Sequence[Toy]) -> list[Toy]:
+    """Those of `wanted` that are not among the `found`."""
+    return [
+        one
+        for one in wanted
+        if not any(one.label == other.label and apart(one, other) <= WITHIN_PIXELS for other in found)
+    ]
+
+
+def listed(things: Iterable[Toy]) -> str:
+    """Toys as one says them."""
+    return see.listing([f"{toy.label} at ({toy.u:.0f}, {toy.v:.0f})" for toy in things]) or "nothing"
+
+
+@dataclass(frozen=True)
+class Reason:
+    """Why messages are wrong, and whether one message looks like it."""
+
+    cause: str
+    because: str
+    try_this: str
+    fits: Callable[[int, Answered], bool]
+
+
+def first_that_fits(reasons: Iterable[Reason], wrong: Sequence[tuple[int, Answered]]) -> Reason | None:
+    """The first reason that fits most of the messages that are wrong."""
+    for reason in reasons:
+        if sum(reason.fits(place, one) for place, one in wrong) >= MOST * len(wrong):
+            return reason
+    return None
+
+
+@cache
+def decoy(place: int) -> Toy:
+    """The blue ball of a picture: nothing that is to be found."""
+    one = VIEWS[place].scene
+    assert one.blue_ball is not None
+    return Toy("ball", *see.seen_pixel(one.blue_ball, pan=one.pan))
+
+
+def colors_swapped(place: int, answer: Answered) -> bool:
+    """Whether the blue ball was found, and the orange toys were not."""
+    return any(apart(one, decoy(place)) <= WITHIN_PIXELS for one in answer.things) and bool(
+        unmatched(whole(place), answer.things)
+    )
+
+
+def only_the_first(place: int, answer: Answered) -> bool:
+    """Whether one detection stands for all."""
+    return len(answer.things) == 1 and not unmatched(answer.things, [toy for toy, _ in toys(place)])
+
+
+def rows_for_columns(place: int, answer: Answered) -> bool:
+    """Whether columns and rows are exchanged."""
+    turned = [Toy(one.label, one.v, one.u) for one in answer.things]
+    return not unmatched(whole(place), turned)
+
+
+def some_missing(place: int, answer: Answered) -> bool:
+    """Whether what is there is right, and something is missing."""
+    return not unmatched(answer.things, [toy for toy, _ in toys(place)])
+
+
+REASONS = (
+    Reason(
+        "right.colors-swapped",
+        "The blue ball was taken for a toy, and orange toys are missing. Red and blue are exchanged: the camera sends "
+        "bgr8, and the model expects RGB.",
+        "Turn the order of the colors around before you call the model: pixels[:, :, ::-1], or cv2.cvtColor.",
+        colors_swapped,
+    ),
+    Reason(
+        "right.only-one",
+        "Of all that was found, one detection is published.",
+        "Publish a marker for each detection that the model returns.",
+        only_the_first,
+    ),
+    Reason(
+        "right.rows-for-columns",
+        "Columns and rows are exchanged.",
+        "position.x is the column (u), position.y the row (v).",
+        rows_for_columns,
+    ),
+    Reason(
+        "right.some-missing",
+        "What is published is right, but toys are missing that can be seen whole.",
+        "Publish a marker for each detection that the model returns.",
+        some_missing,
+    ),
+)
+SOMETHING_ELSE = Reason(
+    "right.something-else",
+    "The model did not get the picture as the camera took it, or its result was changed. A model that gets wrong "
+    "pixels raises nothing: it finds other things.",
+    "Draw what you hand to the model, for one picture: colors, rows and columns must be as in the picture.",
+    lambda place, answer: True,
+)
+
+
+# --- how old they are ---------------------------------------------------------------------------------------
+
+
+def few_answers(recording: Recording, answered: int) -> Verdict:
+    """Nothing can be said, because hardly any picture was answered."""
+    saw = f"{see.count(answered, 'picture')} of {PICTURES} answered"
+    return see.failed_by_error(recording, saw, FRESH_EXPECTED, about_time=True) or see.failed(
+        "answers.too-few",
+        saw,
+        FRESH_EXPECTED,
+        "The node stopped to answer, or answers very rarely.",
+        "Hand the newest picture to the model as soon as it has finished the one before.",
+        about_time=True,
+    )
+
+
+def why_old(recording: Recording, seen: Sequence[Timed], saw: str) -> Verdict:
+    """Why detections are old: they waited in a queue, or the work for each takes long."""
+    sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    pace = statistics.median(b.wall - a.wall for a, b in pairwise(seen))
+    ages = [one.age for one in seen]
+    tenth = max(len(ages) // 5, 1)
+    first, last = statistics.median(ages[:tenth]), statistics.median(ages[-tenth:])
+    waited = statistics.median(ages) - pace
+    if last > first + 1.0:
+        return see.failed(
+            "fresh.queue-grows",
+            f"{saw}. The first were {first:.1f} s old, the last {last:.1f} s",
+            FRESH_EXPECTED,
+            f"The camera sends {CAMERA_HZ:g} pictures a second, and the model can take five. All others wait in a "
+            "queue, longer and longer.",
+            "Keep the newest picture only: a queue of depth 1, or an attribute that each picture overwrites.",
+            about_time=True,
+        )
+    if pace > 1.5 * MODEL_S:
+        return see.failed(
+            "fresh.slow",
+            f"{saw}. From one message to the next, {pace:.2f} s pass",
+            FRESH_EXPECTED,
+            f"The model takes {MODEL_S:g} s for a picture, and something else takes more. The model is loaded anew for "
+            "each picture, it is called more than once, or the node waits before it publishes.",
+            "Create SlowDetector once, at the start. Call it once for each picture, and publish at once.",
+            about_time=True,
+        )
+    missed = [sum(1 for at in sent if sent[one.place] < at <= one.wall - MODEL_S) for one in seen]
+    return see.failed(
+        "fresh.old-pictures",
+        f"{saw}. When the model began, typically {statistics.median(missed):.0f} newer pictures had come",
+        FRESH_EXPECTED,
+        f"Pictures wait for about {max(waited, 0.0):.2f} s before the model gets them, while newer ones are there. "
+        "They wait in the queue of the subscription, or in one of your own.",
+        "Keep the newest picture only: a queue of depth 1, or an attribute that each picture overwrites.",
+        about_time=True,
+    )
+
+
+def why_few(recording: Recording, saw: str) -> Verdict:
+    """Why too few pictures were answered, though these soon enough."""
+    return see.failed_by_error(recording, saw, FRESH_EXPECTED, about_time=True) or see.failed(
+        "fresh.too-few",
+        saw,
+        FRESH_EXPECTED,
+        "The model stands idle between two pictures: a timer asks for it too rarely, or the node stopped to answer.",
+        "Hand the newest picture to the model as soon as it has finished the one before.",
+        about_time=True,
+    )
+
+
+# --- the model gives up -------------------------------------------------------------------------------------
+
+
+def silent_since_glare(recording: Recording, saw: str, given: Sequence[Answered]) -> Verdict | None:
+    """Why nothing was found any more since the model raised; None if something was."""
+    sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    ended = recording.process.ended_by == "itself"
+    over = len(sent) > IN_GLARE[-1] and given[-1].wall > sent[IN_GLARE[-1]] + 3 * MODEL_S
+    behind = wrong_stamps(given) is None and max(one.place or 0 for one in given) < IN_GLARE[0]
+    if over and not ended and not behind:
+        return None
+    if not ended and (over or not gave_up_in_glare(recording, given)):
+        return see.failed(
+            "survives.not-seen",
+            f"{saw}, and no picture after them was answered",
+            SURVIVES_EXPECTED,
+            "The node lags far behind the camera, or it stopped to answer for another reason.",
+            "See first that fresh pictures are answered until the end.",
+            about_time=True,
+        )
+    if ended:
+        saw = f"{saw}, and the program ended"
+    else:
+        saw = f"{saw}, and then no picture was answered any more"
+    return see.failed(
+        "survives.ended",
+        saw,
+        SURVIVES_EXPECTED,
+        "The exception of the model was not caught where the model is called. It ended the thread, the executor or "
+        "the program.",
+        "try: found = model(pixels) / except RuntimeError as error: log it, and go on with the next picture.",
+        about_time=True,
+    )
+
+
+def too_rarely(saw: str, given: Sequence[Answered]) -> Verdict | None:
+    """Whether so few pictures were answered that the model may have been spared the glare."""
+    pace = [b.wall - a.wall for a, b in pairwise(given)]
+    if pace and statistics.median(pace) <= 3 * MODEL_S:
+        return None
+    return see.failed(
+        "survives.too-rarely",
+        f"{saw}, and so few pictures are looked at that hardly one of these can be among them",
+        SURVIVES_EXPECTED,
+        "Whether the node survives cannot be seen.",
+        "See first that the model gets a picture at least three times a second.",
+        about_time=True,
+    )
+
+
+def answered_glare(saw: str, given: Sequence[Answered]) -> Verdict | None:
+    """Detections for pictures on which the model gave up, where stamps tell which picture they are for."""
+    guessed = [one for one in given if one.place in IN_GLARE]
+    if not guessed or wrong_stamps(given) is not None:
+        return None
+    return see.failed(
+        "survives.answered",
+        f"{saw}, and {len(guessed)} of them were answered with detections",
+        SURVIVES_EXPECTED,
+        "The model returned nothing for these pictures. What was published is left over from an earlier one.",
+        "In the except branch, log and return: publish nothing.",
+    )
+
+
+def said_nothing_there(saw: str, given: Sequence[Answered]) -> Verdict | None:
+    """Messages without any marker."""
+    empty = [one for one in given if not one.things]
+    if not empty:
+        return None
+    return see.failed(
+        "survives.empty",
+        f"{saw}, and {see.count(len(empty), 'message')} came without a marker",
+        SURVIVES_EXPECTED,
+        "An empty message says that the desk is empty. But the model could not see it.",
+        "In the except branch, log and return: publish nothing.",
+    )
+
+
+def no_line(recording: Recording, saw: str) -> Verdict | None:
+    """No line of the log tells what the model said."""
+    if "glare" in recording.process.log:
+        return None
+    return see.failed(
+        "survives.no-line",
+        f'{saw}, and no line of the log says so: "glare" is not in it',
+        SURVIVES_EXPECTED,
+        "The exception is swallowed. An engineer who asks why the robot was blind finds nothing.",
+        'self.get_logger().error(f"the model gave up: {error}")',
+    )
+
+
+# --- the fall -----------------------------------------------------------------------------------------------
+
+
+def never_fell(recording: Recording) -> Verdict:
+    """The watch ended before the fall."""
+    saw = "the program ended before the robot fell"
+    return see.failed_by_error(recording, saw, FALL_EXPECTED, about_time=True) or see.failed(
+        "fall-reported.ended-before",
+        saw,
+        FALL_EXPECTED,
+        "The program must run until Ctrl-C.",
+        "Spin the node until Ctrl-C.",
+        about_time=True,
+    )
+
+
+def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verdict:
+    """Why "error" was said before the fall."""
+    sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    for begin, end, tilt in TILTS:
+        start, stop = (moments[round(one * IMU_HZ)] for one in (begin, end))
+        if tilt > TILT_DEG and start <= at <= stop + 0.25:
+            return see.failed(
+                "fall-reported.on-a-jolt",
+                f'"{ERROR}" after {round((end - begin) * IMU_HZ) + 1} tilted samples at most',
+                FALL_EXPECTED,
+                "A jolt is taken for a fall. Or tilted samples are counted, and the count does not begin again at an "
+                "upright one.",
+                "Count the tilted samples in a row, and set the count to 0 at each upright one. Ten are a fall.",
+            )
+    begin, end, tilt = TILTS[2]
+    if moments[round(begin * IMU_HZ)] <= at <= moments[round(end * IMU_HZ)] + 0.25:
+        return see.failed(
+            "fall-reported.on-leaning",
+            f'"{ERROR}" while the robot leans by {tilt:g}°',
+            FALL_EXPECTED,
+            "The angle from which on the robot counts as tilted is too small, or degrees and radians are mixed up.",
+            f"A sample is tilted when its angle is more than {TILT_DEG:g}°.",
+        )
+    for begin, end in GLARE_S:
+        if sent[round(begin * CAMERA_HZ)] <= at <= sent[round(end * CAMERA_HZ)] + 2 * MODEL_S:
+            return see.failed(
+                "fall-reported.on-glare",
+                f'"{ERROR}" while the model gives up on pictures',
+                FALL_EXPECTED,
+                "An exception of the model is taken for a fall, or changes the status.",
+                "Log the exception. The status belongs to the fall alone.",
+            )
+    return see.failed(
+        "fall-reported.before",
+        f'"{ERROR}" {moments[FALL_SAMPLE] - at:.1f} s before the fall',
+        FALL_EXPECTED,
+        "Nothing had happened to the robot yet.",
+        "Say which condition sets the status, and log the tilt when it is met.",
+    )
+
+
+def no_error(recording: Recording) -> Verdict:
+    """Why "error" never came."""
+    saw = f'the robot fell, and "{ERROR}" never came on {STATUS.name}'
+    return see.failed(
+        "fall-reported.never",
+        saw,
+        FALL_EXPECTED,
+        "The node does not look at all samples: the callback of /robot/imu does not run often enough. Or the status "
+        "does not follow it.",
+        f"Count the samples that are tilted by more than {TILT_DEG:g}°, in the callback of /robot/imu.",
+        about_time=True,
+    )
+
+
+def late_error(recording: Recording, saw: str) -> Verdict:
+    """Why "error" came late."""
+    if waits_for_the_model(recording):
+        return see.failed(
+            "fall-reported.waits-for-the-model",
+            saw,
+            FALL_EXPECTED,
+            "The samples of the IMU wait for the model: one thread serves both.",
+            "Call the model in a thread of its own, so that the callback of /robot/imu runs at once.",
+            about_time=True,
+        )
+    return see.failed(
+        "fall-reported.late",
+        saw,
+        FALL_EXPECTED,
+        "The samples wait in a queue, the node waits for more of them than ten, or it publishes the status rarely.",
+        f"{TILTED_SAMPLES} tilted samples in a row are a fall. Publish the status ten times a second.",
+        about_time=True,
+    )

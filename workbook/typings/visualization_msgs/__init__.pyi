@@ -1,0 +1,1 @@
+# Made by `python -m workbook.authoring typings` from the installed message classes; do not edit.
