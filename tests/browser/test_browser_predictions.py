@@ -82,7 +82,9 @@ def check_opened_again(page: LabPage, artifacts: Path) -> None:
     """A lesson that was run, saved and opened again is as it was saved: its kernel is new, and no button works."""
     page.open(LESSON)
     ask = page.cell('predict("half-a-hertz")')
-    expect(ask.locator(".wb-widget-text")).to_have_text(re.compile("^Choose a, b or c, with a button or by hand"))
+    expect(ask.locator(".wb-widget-text")).to_have_text(
+        re.compile("^Choose a, b or c, with a button or by hand")
+    )
     expect(page.panel).not_to_contain_text("Error displaying widget")
     expect(page.cell('reveal("half-a-hertz"')).to_contain_text("You predicted b. The outcome is c.")
     expect(page.notebook_tabs()).to_have_count(1)
