@@ -21,6 +21,7 @@ FIRST = first_lesson(ROOT) or ""
 EXERCISE = "exercises/05_timers.ipynb"
 USUAL, TALL = ViewportSize(width=1280, height=800), ViewportSize(width=1280, height=1000)
 WIDTHS = (800, 1280, 1600)
+NARROW = (1000, 800)
 LEAST_CONTRAST = 4.5
 WIDEST_PROSE = 95
 """Characters: about ninety, and a line with many narrow ones holds some more."""
@@ -33,6 +34,7 @@ _CUT_NAMES = """
         && getComputedStyle(part).display !== 'inline'))
     .map(one => one.innerText)
 """
+_LEFT_IS_AT_MOST = "width => document.querySelector('#jp-left-stack').clientWidth <= width"
 # The most characters that stand in one line of a lesson's paragraphs.
 _WIDEST_LINE = """
 panel => {
@@ -116,10 +118,23 @@ def check_tour(page: LabPage, artifacts: Path) -> None:
     expect(frame).to_have_count(0)
 
 
-def check_layout(page: LabPage) -> None:
-    """Names of files, width of prose, distance of questions, headings, and the theme that the browser knows."""
-    assert page.page.locator(".jp-DirListing-itemName").count()
+def check_names_of_files(page: LabPage, artifacts: Path) -> None:
+    """Each is shown whole, also in a narrow window, in which its column is as narrow as it can be."""
+    names = page.page.locator(".jp-DirListing-itemName")
+    wanted = {path.name for path in (ROOT / "notebooks").glob("[0-9]*.ipynb")}
+    assert wanted <= {name.replace("\u200b", "").strip() for name in names.all_text_contents()}
     assert page.page.evaluate(_CUT_NAMES) == []
+    for width in NARROW:
+        page.page.set_viewport_size({"width": width, "height": 800})
+        page.page.wait_for_function(_LEFT_IS_AT_MOST, arg=width / 3)
+        assert page.page.evaluate(_CUT_NAMES) == [], f"cut at {width} px"
+        page.page.screenshot(path=artifacts / f"names_{width}.png")
+    page.page.set_viewport_size(USUAL)
+
+
+def check_layout(page: LabPage, artifacts: Path) -> None:
+    """Names of files, width of prose, distance of questions, headings, and the theme that the browser knows."""
+    check_names_of_files(page, artifacts)
     root = page.page.locator(":root")
     for width in WIDTHS:
         page.page.set_viewport_size({"width": width, "height": 800})
@@ -184,7 +199,7 @@ def test_the_first_start(page: LabPage, lab: StudentLab, artifacts: Path) -> Non
     expect(cell.locator(".jp-InputPrompt")).to_have_text("[1]:")
     expect(page.page.locator(f'img[alt^="{ROBOT}"]').first).to_be_in_viewport(ratio=0.99)
     page.page.screenshot(path=artifacts / "first_robot.png")
-    check_layout(page)
+    check_layout(page, artifacts)
     check_prompt(page, artifacts)
     check_traceback(page, page.panel.locator(".jp-CodeCell").nth(1), artifacts)
 

@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Locator, ViewportSize, expect
 
-from .lab_page import LabPage
+from .axe import violations
+from .lab_page import NOTEBOOK, LabPage
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
 LESSON = "notebooks/05_timers.ipynb"
@@ -70,6 +71,7 @@ def test_a_prediction_is_chosen_by_keyboard_and_revealed_after_the_run(
             place.scroll_into_view_if_needed()
             low = {text: ratio for text, ratio in page.contrasts(place).items() if ratio < ENOUGH_CONTRAST}
             assert not low, f"{theme}: {low}"
+        assert violations(page.page, NOTEBOOK) == []
         ask.scroll_into_view_if_needed()
         page.page.screenshot(path=artifacts / f"prediction_{theme}.png")
 

@@ -7,6 +7,7 @@
   const NO_MODEL = 'Error displaying widget: model not found';
   const EDITOR = '.cm-content';
   const SLIDER = '.widget-slider';
+  const WIDE = '(min-width: 1100px)';
   const FILE_NAME = '.jp-DirListing-itemText';
   const running = new Set();
   const watches = new WeakMap();
@@ -104,7 +105,8 @@
     mark([browser.node]);
   };
 
-  // The style may come after the first layout, which then is made again: the column of files has another width.
+  // JupyterLab asks for the least width of the column of files (desk.css) once: again when the style has come, and when
+  // the window becomes narrow or wide.
   const addStyle = app => {
     const link = document.createElement('link');
     Object.assign(link, {rel: 'stylesheet', href: STYLE});
@@ -112,7 +114,21 @@
     document.head.append(link);
     const find = (widget, id) =>
       widget.id === id ? widget : [...(widget.layout || [])].map(one => find(one, id)).find(Boolean);
-    Promise.all([loaded, app.restored]).then(() => find(app.shell, 'jp-left-stack')?.fit());
+    const wide = window.matchMedia(WIDE);
+    const fit = () => find(app.shell, 'jp-left-stack').fit();
+    // In a window that becomes narrow the column gives room, as soon as its new least width is in force.
+    const giveRoom = () => {
+      const split = find(app.shell, 'jp-main-split-panel');
+      const [, ...others] = split.relativeSizes();
+      split.setRelativeSizes([0, ...others]);
+    };
+    wide.addEventListener('change', () => {
+      fit();
+      if (!wide.matches) {
+        requestAnimationFrame(() => requestAnimationFrame(giveRoom));
+      }
+    });
+    Promise.all([loaded, app.restored]).then(fit);
     app.restored.then(() => breakNames(find(app.shell, 'filebrowser')));
   };
 
