@@ -215,7 +215,7 @@ def heartbeat_kept(recording: Recording) -> Verdict:
             "More than one place publishes the status, or the period of its timer is shorter than 0.1 s.",
             "Let one timer of 0.1 s publish the status, and nothing else.",
         )
-    if beats.share < LEAST_BEATS or beats.silence.seconds > LONGEST_SILENCE_S:
+    if round(beats.share, 2) < LEAST_BEATS or round(beats.silence.seconds, 2) > LONGEST_SILENCE_S:
         return why_no_heartbeat(recording, beats, saw)
     return see.passed(saw)
 
@@ -268,13 +268,13 @@ def fresh(recording: Recording) -> Verdict:
     if len(ages) < 3:
         return few_answers(recording, len(ages))
     typical = statistics.median(ages)
-    in_time = sum(age <= MOSTLY_S for age in ages) / len(ages)
+    in_time = sum(round(age, 2) <= MOSTLY_S for age in ages) / len(ages)
     hertz = answered_hz(recording, seen)
     saw = (
         f"typically {typical:.2f} s old, {in_time:.0%} at most {MOSTLY_S:g} s; {hertz:.1f} pictures answered "
         "each second"
     )
-    if typical < SOONEST_S:
+    if round(typical, 2) < SOONEST_S:
         return see.failed(
             "fresh.faster-than-the-model",
             saw,
@@ -282,7 +282,7 @@ def fresh(recording: Recording) -> Verdict:
             "The detections come sooner than the given model can find them: something else finds them.",
             "Call SlowDetector, and leave it as it is.",
         )
-    if typical > TYPICALLY_S or in_time < MOSTLY_SHARE:
+    if round(typical, 2) > TYPICALLY_S or in_time < MOSTLY_SHARE:
         return why_old(recording, seen, saw)
     if hertz < LEAST_HZ:
         return why_few(recording, saw)
@@ -348,7 +348,7 @@ def fall_reported(recording: Recording) -> Verdict:
         return no_error(recording)
     after = errors[0] - fallen
     saw = f'"{ERROR}" {max(after, 0.0):.2f} s after the fall'
-    if after > FALL_WITHIN_S:
+    if round(after, 2) > FALL_WITHIN_S:
         return late_error(recording, saw)
     again = [at for at, word in said if at > errors[0] and word == OPERATIONAL]
     if again:

@@ -1,6 +1,6 @@
-# Sleeps for four seconds before it spins.
+# Sleeps for eight seconds before it spins.
 # loses: heartbeat_kept
 # cause: heartbeat-kept.begins-late
 # replaces: threading.Thread(target=self.look, daemon=True).start()
 threading.Thread(target=self.look, daemon=True).start()
-threading.Event().wait(4.0)
+threading.Event().wait(8.0)
