@@ -48,7 +48,6 @@ LEAST_BEATS, MOST_BEATS = 0.9, 1.1
 HARDLY_ANY = 3
 """Beats: so few are no heartbeat that has stopped."""
 LONGEST_SILENCE_S = 0.5
-FIRST_BEAT_BY_S = 3.0
 TILT_DEG, TILTED_SAMPLES = 60.0, 10
 FALL_WITHIN_S = 0.5
 OPERATIONAL, ERROR = "operational", "error"
@@ -191,22 +190,12 @@ def heartbeat_kept(recording: Recording) -> Verdict:
     words = see.one_of(recording, STATUS, (OPERATIONAL, ERROR))
     if not words.ok:
         return words
-    part = see.part_of(recording, STATUS, lambda data: True)
-    first = recording.topic(STATUS.name).arrivals[0].t
+    part = see.part_of(recording, STATUS, lambda data: True)  # from the first heartbeat on
     beats = see.beats(part, STATUS)
     saw = (
         f"{beats.count} of {beats.due} heartbeats ({beats.share:.0%}), the longest silence "
         f"{beats.silence.seconds:.2f} s"
     )
-    if first > FIRST_BEAT_BY_S and beats.count > HARDLY_ANY:
-        return see.failed(
-            "heartbeat-kept.begins-late",
-            f"the first heartbeat came after {first:.1f} s",
-            f"one within {FIRST_BEAT_BY_S:g} s",
-            "Nobody spins the node for a long time after its publishers were created.",
-            "Load the model before you create the node, or in another thread.",
-            about_time=True,
-        )
     if beats.share > MOST_BEATS:
         return see.failed(
             "heartbeat-kept.too-many",
