@@ -5,7 +5,7 @@ import random
 import statistics
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import pairwise
 from typing import Any
@@ -192,6 +192,11 @@ def heartbeat_kept(recording: Recording) -> Verdict:
         return words
     part = see.part_of(recording, STATUS, lambda data: True)  # from the first heartbeat on
     beats = see.beats(part, STATUS)
+    if (
+        recording.process.ended_by == "itself"
+    ):  # judged by what came until then; that it ended is judged elsewhere
+        times = [arrival.t for arrival in recording.topic(STATUS.name).arrivals]
+        beats = replace(beats, due=round((times[-1] - times[0]) / STATUS.period) + 1)
     saw = (
         f"{beats.count} of {beats.due} heartbeats ({beats.share:.0%}), the longest silence "
         f"{beats.silence.seconds:.2f} s"

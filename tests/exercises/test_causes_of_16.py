@@ -161,3 +161,11 @@ def test_who_never_reached_the_glare_is_not_blamed_for_what_it_brings() -> None:
     behind = [(1.0 + 0.2 * number, markers(number)) for number in range(55)]
     assert judged("survives", recording(behind, log="")).cause == "survives.not-seen"
     assert judged("fresh", recording(behind)).cause == "fresh.queue-grows"
+
+
+def test_the_heartbeat_of_a_program_that_ended_counts_until_its_end() -> None:
+    """The end is noticed late on a busy machine."""
+    seen = recording(status=beats(until=4.0))
+    ended = replace(seen, process=ended_by_itself(), wanted=(STATUS, DETECTIONS))
+    cut = {**ended.topics, DETECTIONS: on(DETECTIONS, "visualization_msgs/msg/MarkerArray", found(until=3.9))}
+    assert judged("heartbeat_kept", replace(ended, topics=cut)).ok
