@@ -44,7 +44,7 @@
 #
 # | your node | so that |
 # |---|---|
-# | keeps the heartbeat | 90 % to 110 % of ten a second, never more than 0.5 s without one; the first within 3 s |
+# | keeps the heartbeat | 90 % to 110 % of ten a second, never more than 0.5 s without one, from the first one on |
 # | answers with fresh detections | typically at most 0.3 s after their picture, nine of ten at most 0.35 s; at least 3 pictures a second |
 # | does not guess | each comes 0.19 s after its picture or later, because the model takes 0.2 s |
 # | stamps each detection with its picture's stamp | one message for a picture, each picture once, in the order of the pictures |

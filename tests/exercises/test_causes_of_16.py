@@ -1,0 +1,171 @@
+"""Exercise 16 on recordings made by hand: a good one, and causes that no wrong answer reaches."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from tests.criteria.by_hand import ended_by_itself, publisher, recorded
+from workbook.criteria import Verdict
+from workbook.exercise.course import course_folder
+from workbook.exercise.definition import load_exercise
+from workbook.recording.recording import Arrival, Recording, Said, SubscriberSeen, TopicRecording
+
+CRITERIA = {one.id: one for one in load_exercise("16_ai_model", course_folder()).criteria}
+NAMES: dict[str, Any] = CRITERIA["survives"].judge.__globals__
+SENT = [0.5 + place / 30 for place in range(NAMES["PICTURES"])]
+FELT = [0.5 + number / 50 for number in range(len(NAMES["SAMPLES"]))]
+FALLEN = FELT[NAMES["FALL_SAMPLE"]]
+LOG = "[ERROR] [desk_watcher]: The model gave up: glare: 97% of the picture is white"
+DETECTIONS, STATUS = "/robot/detections", "/robot/status"
+Message = tuple[float, Any]
+
+
+def markers(place: int) -> dict[str, Any]:
+    """All toys of a picture, with its stamp."""
+    sec, nanosec = NAMES["VIEWS"][place].stamp
+    header = {"stamp": {"sec": sec, "nanosec": nanosec}, "frame_id": ""}
+    toys = [toy for toy, _ in NAMES["toys"](place)]
+    return {
+        "markers": [
+            {"header": header, "ns": toy.label, "pose": {"position": {"x": toy.u, "y": toy.v, "z": 0.0}}}
+            for toy in toys
+        ]
+    }
+
+
+def found(age: float = 0.21, until: float = 12.0) -> list[Message]:
+    """A message every 0.2 s, with what was in the picture of `age` seconds before."""
+    made = []
+    for number in range(56):
+        at = 1.0 + 0.2 * number
+        place = round((at - age - 0.5) * 30)
+        if at < until and 0 <= place < len(SENT) and place not in NAMES["IN_GLARE"]:
+            made.append((at, markers(place)))
+    return made
+
+
+def beats(error_at: float | None = FALLEN + 0.1, until: float = 12.2, period: float = 0.1) -> list[Message]:
+    """The status, as a heartbeat."""
+    times = [period * (n + 1) for n in range(round(until / period))]
+    return [
+        (at, {"data": "error" if error_at is not None and at >= error_at else "operational"}) for at in times
+    ]
+
+
+def on(name: str, kind: str, messages: Iterable[Message]) -> TopicRecording:
+    arrivals = tuple(Arrival(at, at, value) for at, value in messages)
+    return TopicRecording(name, (publisher(kind),), (), arrivals, (0.0, 12.2))
+
+
+def recording(
+    detections: Sequence[Message] | None = None, status: Sequence[Message] | None = None, log: str = LOG
+) -> Recording:
+    made = recorded(
+        on(DETECTIONS, "visualization_msgs/msg/MarkerArray", found() if detections is None else detections),
+        on(STATUS, "std_msgs/msg/String", beats() if status is None else status),
+    )
+    listeners = {
+        name: TopicRecording(name, (), (SubscriberSeen("/desk_watcher", kind, "reliable", "volatile"),))
+        for name, kind in (
+            ("/camera/image", "sensor_msgs/msg/Image"),
+            ("/robot/imu", "sensor_msgs/msg/Imu"),
+        )
+    }
+    said = [Said("/camera/image", at, at, {}) for at in SENT] + [
+        Said("/robot/imu", at, at, {}) for at in FELT
+    ]
+    return replace(
+        made,
+        topics={**made.topics, **listeners},
+        said=tuple(sorted(said, key=lambda one: one.wall)),
+        process=replace(made.process, log=log),
+    )
+
+
+def judged(criterion: str, seen: Recording) -> Verdict:
+    return CRITERIA[criterion](seen)
+
+
+def test_a_good_recording_gets_full_marks() -> None:
+    seen = recording()
+    lost = {name: one(seen) for name, one in CRITERIA.items() if name != "program_runs" and not one(seen).ok}
+    assert lost == {}
+
+
+@pytest.mark.parametrize("age", [0.2, 0.24, 0.3])
+def test_detections_of_any_age_that_is_told_are_fresh(age: float) -> None:
+    assert judged("fresh", recording(found(age))).ok
+
+
+def test_one_late_detection_in_ten_is_forgiven() -> None:
+    late = [(at + (0.16 if number % 11 == 5 else 0.0), value) for number, (at, value) in enumerate(found())]
+    seen = recording(sorted(late, key=lambda one: one[0]))
+    assert judged("fresh", seen).ok and judged("stamps_kept", seen).ok
+
+
+def empty() -> list[Message]:
+    return [(at, {"markers": []}) for at, _ in found()]
+
+
+CASES: list[tuple[str, str, Callable[[], Recording]]] = [
+    ("heartbeat-kept.stops", "heartbeat_kept", lambda: recording(status=beats(until=5.0))),
+    (
+        "heartbeat-kept.held-up",
+        "heartbeat_kept",
+        lambda: recording(status=[one for one in beats() if not 4.0 < one[0] < 6.0]),
+    ),
+    ("detections-come.empty", "detections_come", lambda: recording(empty())),
+    ("answers.too-few", "fresh", lambda: recording(found()[:2])),
+    ("survives.not-seen", "survives", lambda: recording(found(until=2.2))),
+    ("fall-reported.before", "fall_reported", lambda: recording(status=beats(error_at=1.0))),
+    ("fall-reported.late", "fall_reported", lambda: recording(status=beats(error_at=FALLEN + 0.7))),
+    ("right.something-else", "right", lambda: recording([(at, flipped(value)) for at, value in found()])),
+]
+
+
+def flipped(message: dict[str, Any]) -> dict[str, Any]:
+    """The markers of a message, upside down."""
+    turned = []
+    for one in message["markers"]:
+        place = one["pose"]["position"]
+        turned.append({**one, "pose": {"position": {**place, "y": 119.0 - place["y"]}}})
+    return {"markers": turned}
+
+
+@pytest.mark.parametrize(("cause", "criterion", "make"), CASES, ids=[case[0] for case in CASES])
+def test_a_cause(cause: str, criterion: str, make: Callable[[], Recording]) -> None:
+    verdict = judged(criterion, make())
+    assert (verdict.status, verdict.cause) == ("failed", cause), verdict
+    assert verdict.expected and verdict.because and verdict.try_this
+
+
+def test_a_fall_that_waits_for_the_model_is_told_apart() -> None:
+    """The status comes right after each message with detections: one thread serves both."""
+    after = [(at + 0.005, {"data": "error" if at > FALLEN + 0.7 else "operational"}) for at, _ in found()]
+    seen = recording(status=after)
+    assert judged("heartbeat_kept", seen).cause == "heartbeat-kept.waits-for-the-model"
+    assert judged("fall_reported", seen).cause == "fall-reported.waits-for-the-model"
+
+
+def test_a_program_that_ended_before_the_fall_is_not_blamed_for_it() -> None:
+    seen = recording(status=beats(until=5.0))
+    cut = tuple(one for one in seen.said if one.wall < 5.0)
+    verdict = judged("fall_reported", replace(seen, said=cut, process=ended_by_itself()))
+    assert verdict.cause == "fall-reported.ended-before"
+
+
+def test_who_never_reached_the_glare_is_not_blamed_for_what_it_brings() -> None:
+    """A queue that grows: by the end, the pictures of the first seconds are answered."""
+    behind = [(1.0 + 0.2 * number, markers(number)) for number in range(55)]
+    assert judged("survives", recording(behind, log="")).cause == "survives.not-seen"
+    assert judged("fresh", recording(behind)).cause == "fresh.queue-grows"
+
+
+def test_the_heartbeat_of_a_program_that_ended_counts_until_its_end() -> None:
+    """The end is noticed late on a busy machine."""
+    seen = recording(status=beats(until=4.0))
+    ended = replace(seen, process=ended_by_itself(), wanted=(STATUS, DETECTIONS))
+    cut = {**ended.topics, DETECTIONS: on(DETECTIONS, "visualization_msgs/msg/MarkerArray", found(until=3.9))}
+    assert judged("heartbeat_kept", replace(ended, topics=cut)).ok

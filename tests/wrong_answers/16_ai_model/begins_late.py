@@ -1,6 +1,0 @@
-# Sleeps for four seconds before it spins.
-# loses: heartbeat_kept
-# cause: heartbeat-kept.begins-late
-# replaces: threading.Thread(target=self.look, daemon=True).start()
-threading.Thread(target=self.look, daemon=True).start()
-threading.Event().wait(4.0)
