@@ -561,7 +561,7 @@ else:
 #
 # **Before:** [14 · Arrays and filters](14_arrays_and_filters.ipynb)
 #
-# **Next:** you have reached the last lesson that there is at the moment.
+# **Next:** [16 · An AI model in a node](16_ai_model.ipynb)
 #
 # **More:** [sensor_msgs/Image](https://docs.ros.org/en/jazzy/p/sensor_msgs/msg/Image.html) and
 # [OpenCV in Python](https://docs.opencv.org/4.x/d6/d00/tutorial_py_root.html).
