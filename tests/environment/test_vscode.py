@@ -33,7 +33,7 @@ TASK_KEYS = {
     "problemMatcher": list,
 }
 """Of the documented properties of a task those that we use, with their types."""
-ALLOWED = {
+ALLOWED: dict[tuple[str, ...], set[Any]] = {
     ("type",): {"shell", "process"},
     ("group", "kind"): {"build", "test"},
     ("group", "isDefault"): {True, False},
@@ -78,7 +78,7 @@ def test_a_task_is_of_the_documented_shape(task: dict[str, Any]) -> None:
     for key, value in task.items():
         assert isinstance(value, TASK_KEYS[key]), key
         for inner, chosen in value.items() if isinstance(value, dict) else [(None, value)]:
-            place = (key,) if inner is None else (key, inner)
+            place = (key,) if inner is None else (key, str(inner))
             if inner is not None or place in ALLOWED:
                 assert chosen in ALLOWED[place], place
     assert {"label", "type", "command", "problemMatcher"} <= set(task)
