@@ -464,25 +464,33 @@ print(put_newest(shelf, "new"))
 # %% [markdown]
 # ## Talk it through
 #
-# > Write an rclpy node for ROS 2 Jazzy that runs an ONNX object detector on /camera/image (30 Hz, rgb8) and publishes
-# > the detections. Inference takes 0.2 s. The node also publishes a heartbeat at 10 Hz.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
 #
-# Let an assistant answer, then read its node with this list.
+# ```text
+# I program a robot with ROS 2 Jazzy in Python (rclpy). Write a node that runs an ONNX
+# object detector on /camera/image (30 Hz, rgb8) and publishes the detections. Inference
+# takes 0.2 s. The node also publishes a heartbeat at 10 Hz. Name only functions that
+# exist in rclpy for Jazzy.
+# ```
 #
 # <details><summary>What a good answer contains</summary>
 #
 # The network is loaded once and runs in a thread that takes the newest picture. The subscription is best effort with a
-# depth of 1. Detections copy the header of their picture. What assistants typically get wrong:
+# depth of 1. Detections copy the header of their picture. The heartbeat's timer is not held up by the network: with
+# inference in a callback it takes several threads *and* a callback group of its own. One odd picture does not end the
+# thread: the model is called in a `try`, and the error is logged. A good answer asks what the model was trained with:
+# color order, size and scaling.
 #
-# - `create_subscription(Image, "/camera/image", self.on_image, 10)`: reliable, so it gets nothing from a camera that is
-#   best effort; and with a depth of 10, half a second old.
-# - Inference in the callback, beside the timer of the heartbeat, in one thread. Or a `MultiThreadedExecutor`, but with
-#   both in the default callback group, where they still exclude each other.
-# - A thread with a list that grows, instead of a place for the newest picture.
-# - `self.get_clock().now()` as the stamp of the detections.
-# - `CvBridge().imgmsg_to_cv2(msg, "bgr8")`, because OpenCV likes it, for a network that was trained with RGB.
-# - `vision_msgs`, which has to be installed first.
-# - No `try` around the model, so that one odd picture ends the thread, and nobody notices.
+# </details>
+#
+# <details><summary>What to check in the reply</summary>
+#
+# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+#
+# - **`create_subscription(Image, "/camera/image", self.on_image, 10)`:** A plain 10 asks for reliable delivery. From a
+#   camera that is best effort, such a subscription gets nothing. And ten pictures are a third of a second.
+# - **`CvBridge().imgmsg_to_cv2(msg, "bgr8")`, then the network:** This network was trained with RGB. With blue and red
+#   swapped nothing fails, and its detections are wrong.
 #
 # </details>
 

@@ -34,8 +34,12 @@ from std_msgs.msg import Bool, Float32, Float32MultiArray, String
 from std_srvs.srv import Trigger
 
 from tests.programs.support import wait_until
+from workbook.models import DeskDetector
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment
+from workbook.scenes.desk import DeskCamera
+from workbook.scenes.pinhole import Pinhole
+from workbook.scenes.tabletop import tabletop
 
 LONGEST_S = 20.0
 SHORT_S = 0.3
@@ -574,3 +578,24 @@ def test_reshape_without_step() -> None:
         np.array(image.data).reshape(height, width, 3)
     table = np.frombuffer(image.data, np.uint8).reshape(height, image.step)
     assert table[:, : 3 * width].reshape(height, width, 3).shape == (2, 3, 3)
+
+
+# 16
+
+
+def test_a_subscription_with_a_plain_ten() -> None:
+    """`create_subscription(Image, "/camera/image", self.on_image, 10)`"""
+    camera = QoSProfile(depth=10, reliability=ReliabilityPolicy.BEST_EFFORT)
+    plain_ten = QoSProfile(depth=10)  # what rclpy makes of the number
+    assert plain_ten.reliability == ReliabilityPolicy.RELIABLE
+    assert qos_check_compatible(camera, plain_ten)[0] == QoSCompatibility.ERROR
+
+
+def test_bgr_for_a_network_that_knows_rgb() -> None:
+    """`CvBridge().imgmsg_to_cv2(msg, "bgr8")`, then the network"""
+    pinhole = Pinhole(320, 240, 280.0)
+    rgb = DeskCamera(pinhole, 16).picture(tabletop(16, 0), 0)
+    detector = DeskDetector()
+    labels, swapped = ({one.label for one in detector(picture)} for picture in (rgb, rgb[:, :, ::-1].copy()))
+    assert labels
+    assert swapped != labels
