@@ -40,7 +40,7 @@
 #
 # ## What is judged
 #
-# Your program runs as its own process for about 4 s. In this time, 4 lines in its log are enough. Then it gets the
+# Your program runs as its own process for about 4 s. In this time it has to log at least 4 lines. Then it gets the
 # signal that Ctrl-C sends.
 #
 # | points | criterion |

@@ -151,7 +151,7 @@ if __name__ == "__main__":
 #   terminal or the launch file. This is best on a real robot, because the code then does not contain the robot's name.
 #   But arguments given to `init` replace those of the command line; put `sys.argv` before them.
 # - **Two processes, one camera each.** This is the usual way in ROS: start the driver twice, each time with its own
-#   `--ros-args`. If one crashes, the other continues. It costs one more process, about 60 MB each.
+#   `--ros-args`. If one crashes, the other continues. It costs one more process. Each takes about 60 MB.
 # - **A context per camera,** each with its own arguments. This is for classes that take only a context.
 # - **A subclass that calls `super().__init__(...)` with other settings.** This is fine, and the subclass can have a
 #   clear name. But it cannot change the word "camera" either, so it still needs `cli_args`.

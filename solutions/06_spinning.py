@@ -50,7 +50,7 @@
 # | 2 | each of the 20 words that come in a burst is handled during the call |
 # | 1 | the timers keep their rate meanwhile: 80 % of the heartbeats or more, no silence over 0.3 s |
 # | 1 | a second call works, too, and handles the words that waited in the queue |
-# | 1 | a queue of slow jobs does not make it much too late: at most one job (0.4 s) and 0.25 s |
+# | 1 | a queue of slow jobs delays its return by at most one job (0.4 s) and 0.25 s |
 # | 1 | it returns in time (0.25 s) from the quiet robot, too |
 # | 1 | it uses less than 12 % of a processor while the robot is quiet |
 # | 1 | between two calls no callback runs, and the node has the timers and subscriptions that it had |

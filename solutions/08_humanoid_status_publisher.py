@@ -43,7 +43,7 @@
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/battery` carries `Float32` |
-# | 2 | the charge really arrives: 100 % at first, or one drain less, then falling, and never below 0 |
+# | 2 | the charge really arrives: 100 % at first, or 100 % minus one step, then falling, and never below 0 |
 # | 2 | the battery comes at 0.5 Hz, evenly (0.4 to 0.6 Hz, no gap over 3 s) |
 # | 1 | `/robot/status` is as it was: `String`, 1 Hz (0.8 to 1.2 Hz, no gap over 1.5 s), and the word that fits the charge |
 # | 1 | the program runs until it is told to end |
@@ -52,8 +52,9 @@
 # First run the program below as it is: the dashboard shows two of the complaints, `%check` the third. You may change
 # three places or write the program again.
 #
-# The battery of this program is old: it is empty within half a minute, so that the judge also sees the word change. The
-# word may change from the last charge above 0 on. It must have changed when the battery reports 0 for the second time.
+# The battery of this program is old: it is empty within half a minute, so that the judge also sees the word change.
+# The word may change as early as the last charge above 0. It must have changed when the battery reports 0 for the
+# second time.
 #
 # **Not part of it:** new topics, real batteries, other signals than that of Ctrl-C, what you log, and how fast the
 # battery drains. (If yours lasts longer than the watch, the judge never sees it empty.)

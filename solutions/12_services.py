@@ -53,14 +53,14 @@
 # | 1 | they come once a second, also after a call without an answer |
 # | 1 | `/robot/health` exists, carries `String`, and says only the three words |
 # | 2 | each answer is reported: right, in time and once |
-# | 2 | `no answer` is reported in time, and only where there was none |
+# | 2 | `no answer` is reported in time, and only for calls that got no answer |
 # | 2 | the heartbeat comes at 5 Hz, also while a call waits for its answer |
 #
 # These tolerances allow for busy machines. Once a second means typically 0.9 to 1.1 s from one call to the next. At
-# most one pause is over 1.4 s, and none reaches 2.5 s. Only after a call without an answer, each pause may be up to 2.5
-# s. A report may be 0.1 s later than stated above (one of them 0.8 s), a `no answer` 0.1 s earlier or 0.3 s later. 5 Hz
-# means 90 % to 110 % of the beats, typically one every 0.18 to 0.22 s, and no silence over 0.9 s at the end. While
-# calls are open, 60 % of the beats are enough.
+# most one pause is over 1.4 s, and none reaches 2.5 s. One exception: after a call without an answer, each pause may
+# be up to 2.5 s. A report may be 0.1 s later than stated above, and one of them 0.8 s later. A `no answer` may be 0.1
+# s earlier or 0.3 s later. 5 Hz means 90 % to 110 % of the beats, typically one every 0.18 to 0.22 s, and no silence
+# over 0.9 s at the end. While calls are open, 60 % of the beats are enough.
 #
 # The program may have any form: callbacks, `await`, threads, several nodes.
 #

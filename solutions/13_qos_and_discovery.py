@@ -41,7 +41,7 @@
 # | `/dashboard/line` | `String` | 2 Hz, always | the last status that it has received, for example `status: error`; `unknown` only before that; never two of these words |
 # | `/dashboard/alarm` | `Bool` | when it changes, or more often | see below; kept for late subscriptions |
 #
-# A status from before the program started must be on the line at most 1 s after the start. A new status must be there
+# At most 1 s after the start, the line must show a status from before the program started. A new status must be there
 # at most 0.8 s after the robot has published it.
 #
 # The alarm is raised (`True`) when no beat has come for about 2 s. It is raised no earlier than 1 s and no later than 3

@@ -20,8 +20,8 @@
 #
 # The humanoid stands still, and its hands tremble. The motors are fine. The encoders in the joints are noisy, and the
 # controller answers every bit of noise. Put a filter between the two. But a filter looks back, so it is usually a
-# little late, and a robot that learns too late where its joints are falls over. You need both: less noise, and not
-# much delay.
+# little late. If a robot learns too late where its joints are, it falls over. You need both: less noise, and not much
+# delay.
 #
 # **About 35 minutes · difficulty 3 of 5 · 10 points.** You need lesson
 # [14](../notebooks/14_arrays_and_filters.ipynb).
@@ -48,8 +48,8 @@
 # | notices a restart | after a restart, each of the first 8 answers is within 0.1 rad of the joint |
 #
 # The noise has a standard deviation of 0.02 rad and never exceeds 0.05 rad. Now and then an encoder gives NaN: one,
-# several or all of them, in up to three messages in a row. It never does so in the first message after a start, and only
-# while the joints stand still.
+# several or all of them, in up to three messages in a row. It does so only while the joints stand still, and never in
+# the first message after a start.
 #
 # **The restart.** The stamp says how long the board of the encoders had been switched on when it measured. When an engineer
 # switches it off and on again, its stamps begin again near zero, so a stamp is *before* the last one. Meanwhile the
@@ -72,12 +72,13 @@
 # | 1 | it notices the restart, and begins anew |
 # | 1 | a NaN does no harm |
 #
-# The last five wait for a filter: an answer that passes on what came is judged by the first four only. This is
-# decided in the standstills where noise is measured. It passes on if the angles of every joint differ from what came by
-# at most 0.005 rad (root mean square). It also passes on if they are more than 0.05 rad beside a joint. Noise and delay
-# are measured a second (20 messages) after a start or a change, when a filter has settled. Any filter will do, and any
-# shape of program: NumPy, SciPy or plain Python, one class or one for each joint. One executor does not work in this
-# build of rclpy: `rclpy.experimental.EventsExecutor` never calls back in `spin()`.
+# The last five are judged only if the node really filters: an answer that publishes the angles unchanged is judged by
+# the first four only. The judge decides this while the joints stand still, where it also measures the noise. The
+# angles count as unchanged if those of every joint differ from what came by at most 0.005 rad (root mean square). So
+# do angles that are more than 0.05 rad away from where a joint is. Noise and delay are measured a second (20
+# messages) after a start or a change, when a filter has settled. Any filter will do, and any shape of program: NumPy,
+# SciPy or plain Python, one class or one for each joint. One executor does not work in this build of rclpy:
+# `rclpy.experimental.EventsExecutor` never calls back in `spin()`.
 #
 # **Not part of it:** velocities, efforts, the frame of the header, lost messages, stamps at irregular distances, and
 # how your program ends on Ctrl-C.
@@ -181,8 +182,8 @@ if __name__ == "__main__":
 # show(fig, "the angle of the left elbow as it was measured, and as your filter publishes it")
 # %% [hint]
 # Begin without a filter: the starter answers each message as it came, and `%check` shows what is missing. Then ask
-# three things. How many messages may the filter look back, if it may be 0.27 s behind? Where does what it remembers
-# live between two callbacks? And what is in there after a NaN, and after a restart?
+# three things. How many messages may the filter look back, if it may be 0.27 s behind? Where does the node keep the
+# memory of the filter between two callbacks? And what is in there after a NaN, and after a restart?
 #
 # Where NumPy comes in: [NumPy for absolute beginners](https://numpy.org/doc/stable/user/absolute_beginners.html)
 # %% [hint]
@@ -215,8 +216,8 @@ if __name__ == "__main__":
 #   A NaN leaves it by itself after N messages, a filter with feedback keeps it forever.
 # - **Exponential smoothing**, `y += 0.3 * (x - y)`, is one line and remembers one number per joint. For the same delay
 #   it lets a little more noise through.
-# - **A filter for each joint**, in a dictionary by name. Right also where messages hold other joints or another order.
-#   Twelve calls in the place of one: fine for twelve, not for ten thousand.
+# - **A filter for each joint**, in a dictionary by name. This is right also where messages hold other joints, or the
+#   joints in another order. Twelve calls in the place of one: fine for twelve, not for ten thousand.
 # - **A new message instead of the one that came.** `JointState(header=message.header, name=message.name,
 #   position=...)` does not change what you were given. Here nobody else has it, so changing it does no harm.
 # - **A straight line through the last 19 messages** (Savitzky–Golay, `savgol_coeffs(19, 1, pos=18, use="dot")`), and its

@@ -38,8 +38,9 @@
 # `Image` is in `sensor_msgs.msg`, `Vector3Stamped` in `geometry_msgs.msg`.
 #
 # **The scene.** The ball is orange. On the desk there are also a blue ball and a brick that is just as orange as the
-# ball. The robot's own gray hands come into view. The light changes between bright and dim (four tenths of that), and gets a little warmer or colder.
-# There is at most one orange ball, and it is never hidden in part. It is at least 9 pixels wide.
+# ball. The robot's own gray hands come into view. The light changes between bright and dim (40 % of that), and gets a
+# little warmer or colder. There is at most one orange ball, and it is never hidden in part. It is at least 9 pixels
+# wide.
 #
 # **The camera.** It follows the pinhole model, with a focal length of 140 pixels. Column 79.5, row 59.5 looks straight
 # ahead, where (0, 0) is the middle of the pixel at the upper left.
@@ -72,7 +73,8 @@
 # | 1 | the same for rows with padding |
 # | 1 | where there is no ball, it says so |
 #
-# "Good light" means bright light and no padding. Changing light and padding wait until the direction is right in good light.
+# "Good light" means bright light and no padding. Changing light and padding are judged only when the direction is
+# right in good light.
 #
 # **Not part of it:** how far the ball is away, lenses, a ball that is hidden in part, and how your program ends.
 # %% [answer]

@@ -38,9 +38,9 @@
 #
 # `Image` and `Imu` are in `sensor_msgs.msg`, `MarkerArray` in `visualization_msgs.msg`.
 #
-# **The model is given.** `SlowDetector` finds balls, bricks, cups and plates, all of them orange. It expects RGB pixels
-# (`uint8`), and waits for its accelerator without holding the GIL. Loading it takes one second. In glare it gives up
-# and raises `RuntimeError`. A blue ball is no toy. `to_markers` and `tilt` are given as well.
+# **The model is given.** `SlowDetector` finds balls, bricks, cups and plates, all of them orange. It expects RGB
+# pixels (`uint8`), and waits for its accelerator without holding the GIL. Loading it takes one second. In glare it
+# gives up and raises `RuntimeError`. A blue ball does not count as a toy. `to_markers` and `tilt` are given as well.
 #
 # | your node | so that |
 # |---|---|
@@ -49,7 +49,7 @@
 # | does not guess | each comes 0.19 s after its picture or later, because the model takes 0.2 s |
 # | stamps each detection with its picture's stamp | one message for a picture, each picture once, in the order of the pictures |
 # | is right | in 80 % of the messages each toy that is seen whole, with its label, within 5 pixels, and nothing else |
-# | survives the model | where it raises, nothing is published, a line in the log holds its words, and the node goes on |
+# | survives the model | where it raises, nothing is published, a line in the log has the text of the exception, and the node goes on |
 # | reports a fall | ten samples in a row are tilted by more than 60°; `error` comes at most 0.5 s after the tenth |
 # | does not cry wolf | a jolt of seven samples is no fall, nor is leaning by 40°; before the fall, `error` never comes |
 # | remembers the fall | after the first `error` comes no `operational`, even when the robot is put up again |
@@ -59,9 +59,9 @@
 #
 # ## What is judged
 #
-# Your program runs as a process of its own for about twelve real seconds. The judge is camera and IMU. It sends 330
-# pictures that you have not seen; for 1.2 s of them there is glare. It knows what is on the desk, and when the robot
-# falls.
+# Your program runs as a process of its own for about twelve real seconds. The judge plays the camera and the IMU. It
+# sends 330 pictures that you have not seen; for 1.2 s of them there is glare. It knows what is on the desk, and when
+# the robot falls.
 #
 # | points | criterion |
 # |---:|---|
@@ -71,7 +71,7 @@
 # | 2 | detections are fresh, and come from the given model |
 # | 2 | they are right |
 # | 1 | it survives a model that raises |
-# | 2 | `/robot/status` becomes `error` on a fall, not before, and stays it |
+# | 2 | `/robot/status` becomes `error` on a fall, not before, and does not change back |
 #
 # **Not part of it:** training, where the toys are in the room, getting up, and how your program ends. Of a marker, only
 # `header`, `ns` (the label) and `pose.position` (x: column, y: row) are judged.
@@ -218,8 +218,9 @@ def main(args: list[str] | None = None) -> None:
 if __name__ == "__main__":
     main()
 # %% [hint]
-# First find out who waits for whom. How long does the model take, and which thread runs it? Which callbacks does that
-# thread serve besides? Then ask what happens to the pictures that come meanwhile: which one should the model see next?
+# First find out who waits for whom. How long does the model take, and which thread runs it? Which other callbacks
+# does that thread run? Then ask what happens to the pictures that come meanwhile: which one should the model see
+# next?
 #
 # Lesson [10](../notebooks/10_slow_callbacks.ipynb) shows a slow callback beside a heartbeat.
 # %% [hint]
@@ -267,4 +268,5 @@ if __name__ == "__main__":
 # - **Two nodes.** One sees, one watches over the robot, each in a process of its own. A crash of the model cannot stop
 #   the heartbeat. Robots in production do it like this.
 # - **A timer that takes the newest picture** is simple, but between two ticks the model stands idle.
-# - **A time limit.** A model can also hang. Who notices, and after how long? A status of its own for "blind" would tell.
+# - **A time limit.** A model can also hang. Who notices, and after how long? A separate status, such as "blind",
+#   would report that.

@@ -65,8 +65,8 @@ def test_12_tells_when_a_report_is_in_time() -> None:
     assert f"no earlier than {patience} and no later than {limit} after the call" in told
     slack, longer = f"{applied['SLACK_S']:g} s", f"{applied['LONG_SLACK_S']:g} s"
     once = f"{applied['BELONGS_S'] - applied['TOLD_WITHIN_S']:g} s"
-    assert f"be {slack} later than stated above (one of them {once})" in told
-    assert f"a `no answer` {slack} earlier or {longer} later" in told
+    assert f"be {slack} later than stated above, and one of them {once} later" in told
+    assert f"A `no answer` may be {slack} earlier or {longer} later" in told
     assert (
         f"some after {applied['SLOW']:g} s" in told and {10.0: "ten real seconds"}[applied["WATCH_S"]] in told
     )
@@ -88,7 +88,7 @@ def test_12_tells_what_once_a_second_and_five_hertz_mean() -> None:
 
 def test_13_tells_when_the_line_and_the_alarm_must_come() -> None:
     applied, told = constants("13_qos_and_discovery"), task("13_qos_and_discovery")
-    assert f"at most {applied['AT_ONCE_S']:g} s after the start" in told
+    assert f"At most {applied['AT_ONCE_S']:g} s after the start, the line must show" in told
     assert f"at most {applied['FOLLOWS_S']:g} s after the robot has published it" in told
     earliest, latest = f"{applied['NOT_BEFORE_S']:g} s", f"{applied['NOT_AFTER_S']:g} s"
     assert f"raised no earlier than {earliest} and no later than {latest} after the last beat" in told
@@ -110,7 +110,7 @@ def test_14_tells_how_much_noise_and_delay_is_left_and_how_near_an_angle_must_be
     assert f"within {applied['FOLLOWS_RAD']:g} rad when they have moved on" in told
     assert f"at least half of the answers come within {applied['TYPICALLY_S']:g} s" in told
     assert f"differ from what came by at most {applied['LEAST_CHANGE_RAD']:g} rad (root mean square)" in told
-    assert f"more than {applied['LARGEST_NOISE_RAD']:g} rad beside a joint" in told
+    assert f"more than {applied['LARGEST_NOISE_RAD']:g} rad away from where a joint is" in told
     assert round(10 * applied["SHARE_AT_ONCE"]) == 9
     assert f"nine of ten within {applied['AT_ONCE_S']:g} s" in told
 
@@ -158,14 +158,14 @@ def test_03_tells_how_exact_a_number_must_be_and_how_many_calls_there_are() -> N
 def test_01_tells_how_long_the_guard_is_watched_and_what_it_must_log() -> None:
     applied, told = constants("01_the_context"), task("01_the_context")
     watched, lines = f"{applied['WATCH_S']:g} s", f"{applied['LEAST_ROUNDS']} lines"
-    assert f"for about {watched}. In this time, {lines} in its log are enough" in told
+    assert f"for about {watched}. In this time it has to log at least {lines}" in told
 
 
 def test_05_tells_what_evenly_means() -> None:
     told = task("05_timers")
     assert f"on average within {share(MEAN_TOLERANCE)}, and never more than one and a half periods" in told
     assert LONGEST_GAP_PERIODS == 1.5
-    assert "For them a tenth of a period is allowed" in told and INTERVAL_TOLERANCE == 0.1
+    assert "each interval may differ from the period by a tenth of it" in told and INTERVAL_TOLERANCE == 0.1
 
 
 @pytest.mark.parametrize("stem", ["08_humanoid_status_publisher", "09_joint_positions"])
