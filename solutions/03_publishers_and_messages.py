@@ -130,8 +130,8 @@ class BatteryPublisher(Node):
 #     print("Not all of the calls came back.")
 # print(desk.table())
 # %% [hint]
-# Write the shortest method that could work: make a `Float32`, publish it. Then start it and look at the table. In which
-# rows does another value arrive than you gave? You will see two different problems:
+# Write the shortest method that could work: make a `Float32`, publish it. Then start it and look at the table. In
+# which rows is the value that arrives not the value that you gave? You will see two different problems:
 #
 # - a **number** of a type other than `float` arrives as 0.0,
 # - a value that is **not a number** is sent as if it were one.

@@ -183,5 +183,5 @@ if __name__ == "__main__":
 # - **Collect in the callback, publish in a timer.** This works if no reading is lost in between. But late readings are
 #   of little use, and you must keep the order yourself. Do this only when subscribers must not receive too many
 #   messages.
-# - **The type of the future.** `sensor_msgs/BatteryState` has fields for charge, voltage, current and whether a battery
-#   is present. `Float32` has none of these; it is fine for learning.
+# - **A message type for a real robot.** `sensor_msgs/BatteryState` has fields for charge, voltage, current and
+#   whether a battery is present. `Float32` has none of these; it is fine for learning.

@@ -57,8 +57,9 @@
 # | 1 | every request is answered by one plan, in order, one search at a time |
 # | 1 | the program is still running at the end of the watch |
 #
-# **Not part of it:** a faster planner, services, and what the text of a heartbeat says. Nor is what happens after the
-# nine seconds, or how your program ends on Ctrl-C. `ElbowPlanner` is judged by what it finds and how long it takes.
+# **Not part of it:** a faster planner, services, and what the text of a heartbeat says. What happens after the nine
+# seconds, and how your program ends on Ctrl-C, are not judged either. `ElbowPlanner` is judged by what it finds and
+# how long it takes.
 # %% [answer]
 """A humanoid that shows its heartbeat, and plans the bend of its elbow when asked."""
 

@@ -64,8 +64,8 @@
 #
 # The program may have any form: callbacks, `await`, threads, several nodes.
 #
-# **Not part of it:** offering a service, waiting for the service to appear, and what the text of a heartbeat says. Nor
-# is how your program ends on Ctrl-C.
+# **Not part of it:** offering a service, waiting for the service to appear, and what the text of a heartbeat says.
+# How your program ends on Ctrl-C is not judged either.
 # %% [answer]
 """Calls the self-test of the robot once a second, and reports the result to the control room."""
 

@@ -76,7 +76,7 @@
 # "Good light" means bright light and no padding. Changing light and padding are judged only when the direction is
 # right in good light.
 #
-# **Not part of it:** how far the ball is away, lenses, a ball that is hidden in part, and how your program ends.
+# **Not part of it:** how far away the ball is, lenses, a ball that is partly hidden, and how your program ends.
 # %% [answer]
 """Looks at the pictures of a camera, and publishes in which direction the orange ball lies."""
 
@@ -249,6 +249,6 @@ if __name__ == "__main__":
 # - **Other color spaces.** In Lab or YCrCb, brightness has a channel of its own, too.
 # - **Another measure of roundness.** 4π · area / perimeter² is 1 for a circle; a comparison of width and height is
 #   coarser, but enough for this brick.
-# - **A search near the last place.** It is faster, and for a while it bridges a ball that is hidden. But then the
+# - **A search near the last place.** It is faster, and it can go on for a while when the ball is hidden. But then the
 #   node must notice that it has lost the ball.
 # - **A small neural network** finds balls that no rule describes. Lesson 16 does that.

@@ -241,8 +241,9 @@ print(inspect.getsource(toy_detector.ToyDetector.keep_newest))
 print(inspect.getsource(toy_detector.ToyDetector.work))
 
 # %% [markdown]
-# `waiting` is a `queue.Queue(maxsize=1)`. The callback throws away a picture that was not taken, then puts in the new
-# one. The thread takes what it finds. It handles exceptions itself, because nobody else would see them.
+# `waiting` is a `queue.Queue(maxsize=1)`. If the thread has not fetched the last picture, the callback throws it
+# away. Then it puts in the new one. The thread takes what it finds. It handles exceptions itself, because nobody else
+# would see them.
 
 # %% id="thread"
 threaded = await watch(number=22, where="thread")
@@ -283,7 +284,7 @@ show(
 # ### Experiment 3: how sure is sure enough?
 #
 # Each detection has a **score** from 0 to 1. The node drops what is below a *threshold* of 0.5. Sometimes the network
-# is wrong, and says so with a score above that. Here are two such pictures.
+# is wrong, and still gives a score above that. Here are two such pictures.
 
 # %%
 from workbook.models.accuracy import accuracy, held_back
@@ -366,12 +367,12 @@ stop()
 print("outputs are older than a second:", median(loading.ages) > 1.0)
 
 # %% [markdown]
-# Load it once, in `__init__`. If even that is too slow, load it in the thread, and show the heartbeat meanwhile.
+# Load it once, in `__init__`. If even that is too slow, load it in the thread, and publish the heartbeat meanwhile.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A ball rolls with 0.45 m/s. How far does it get, while an output gets as old as we measured?
+# **Worked.** A ball rolls at 0.45 m/s. How far does it get, while an output gets as old as we measured?
 
 # %% id="worked"
 for depth in (1, 50):

@@ -212,7 +212,7 @@ def test_16_tells_how_fresh_and_how_right_detections_must_be() -> None:
     assert f"at least {applied['LEAST_HZ']:g} pictures a second" in told
     soonest, model = f"{applied['SOONEST_S']:g} s", f"{applied['MODEL_S']:g} s"
     assert f"each comes {soonest} after its picture or later, because the model takes {model}" in told
-    assert f"in {share(applied['RIGHT_SHARE'])} of the messages each toy" in told
+    assert f"at least {share(applied['RIGHT_SHARE'])} of the messages have each toy" in told
     assert f"within {applied['WITHIN_PIXELS']:g} pixels" in told
 
 
