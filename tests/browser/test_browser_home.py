@@ -56,6 +56,12 @@ panel => {
     return most;
 }
 """
+# Parts of the home page that are wider than their place: they would cover what stands beside them.
+_STANDS_OUT = """
+home => [...home.querySelectorAll('.wb-lessons > li > *, .wb-sums > *')]
+    .filter(one => one.scrollWidth > one.clientWidth + 1)
+    .map(one => one.innerText)
+"""
 # For each question of a quiz: how far its first option is below it, and how far it is below the options before (px).
 _GAPS = """
 panel => [...panel.querySelectorAll('details + p:has(+ details)')].map(one => [
@@ -271,6 +277,7 @@ def check_home(page: LabPage, home: Locator, artifacts: Path) -> None:
         for width in WIDTHS:
             page.page.set_viewport_size({"width": width, "height": 900})
             assert home.evaluate("one => one.scrollWidth - one.clientWidth") == 0, f"cut at {width} px"
+            assert home.evaluate(_STANDS_OUT) == [], f"one over the other at {width} px"
             page.page.screenshot(path=artifacts / f"home_{width}_{theme}.png")
         assert violations(page.page, ".wb-home") == []
         low = {text: ratio for text, ratio in page.contrasts(home).items() if ratio < LEAST_CONTRAST}
