@@ -202,7 +202,7 @@ def test_full_marks() -> None:
     assert "Please review" in reader.text
     assert "Fix first" not in reader.text
     assert "%hint" not in reader.text
-    assert reader.text.count("✓ holds") == 8
+    assert reader.text.count("✓ passes") == 8
 
 
 def test_a_failed_card_says_what_to_mend_first_and_why() -> None:
@@ -225,13 +225,13 @@ def test_a_failed_card_says_what_to_mend_first_and_why() -> None:
 
 def test_what_waits_says_so_instead_of_a_red_line() -> None:
     text = Reader(card_of(judged("wrong_name"))._repr_html_()).text
-    assert text.count("– waits") == text.count("because this has not passed yet") == 4
+    assert text.count("– not judged") == text.count("because this has not passed yet") == 4
     assert text.count("✗ not yet") == 1
     assert "/robot/joint_angles" in text
 
 
 def test_a_sign_and_a_word_stand_beside_each_color() -> None:
-    words = {"passed": "✓ holds", "failed": "✗ not yet", "skipped": "– waits", "partial": "◐ in part"}
+    words = {"passed": "✓ passes", "failed": "✗ not yet", "skipped": "– not judged", "partial": "◐ in part"}
     for judgement in (judged("wrong_name"), in_part()):
         text = Reader(as_html(judgement)).text
         for result in judgement.criteria:

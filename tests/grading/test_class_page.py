@@ -82,7 +82,7 @@ def test_everybody_has_a_row_the_fewest_points_first(few: list[Result]) -> None:
     page = Page(class_page(few, EXERCISE))
     students = [row[0].strip() for row in page.rows if row and row[0].strip() in {one.student for one in few}]
     assert students[:6] == ["kim", "joe", "bob", "eve", "ada", "mallory"]
-    assert page.row_of("kim")[1:4] == ["3", "✗ not yet", "– waits"]
+    assert page.row_of("kim")[1:4] == ["3", "✗ not yet", "– not judged"]
     assert page.row_of("mallory")[1:4] == ["–", "", ""]
 
 

@@ -9,7 +9,7 @@ SIGNS = {"passed": "✓", "failed": "✗", "partial": "◐", "skipped": "–"}
 SHORTEST_WATCH_S = 0.5
 """A shorter one would be told as 0 s."""
 NOTHING_WATCHED = "The program ended before there was anything to watch."
-WORDS = {"passed": "holds", "failed": "not yet", "partial": "in part", "skipped": "waits"}
+WORDS = {"passed": "passes", "failed": "not yet", "partial": "in part", "skipped": "not judged"}
 
 
 def points(value: float) -> str:
