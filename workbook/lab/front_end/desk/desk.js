@@ -6,6 +6,7 @@
   const ROBOT = 'img[alt^="a humanoid robot"]';
   const NO_MODEL = 'Error displaying widget: model not found';
   const EDITOR = '.cm-content';
+  const FOLD = '.jp-collapseHeadingButton';
   const SLIDER = '.widget-slider';
   const WIDE = '(min-width: 1100px)';
   const FILE_NAME = '.jp-DirListing-itemText';
@@ -54,6 +55,9 @@
     slider.querySelector('.widget-readout')?.setAttribute('role', 'textbox');
   };
 
+  // The arrow before a heading, which JupyterLab leaves without a name.
+  const nameFold = button => button.setAttribute('aria-label', 'Fold or unfold this section');
+
   // A button or a slider whose kernel has ended comes back as its text, which says what to do.
   const showText = (notebook, place) => {
     const cell = notebook.widgets.find(one => one.outputArea?.node.contains(place));
@@ -72,6 +76,7 @@
       const removed = changes.flatMap(change => [...change.removedNodes]);
       added.filter(node => node.data === NO_MODEL && node.parentElement).forEach(node => showText(notebook, node.parentElement));
       within(added, SLIDER).forEach(nameSlider);
+      within(added, FOLD).forEach(nameFold);
       if (within([...added, ...removed], EDITOR).length) {
         nameCells(notebook);
       }
@@ -79,6 +84,7 @@
     watch.observe(notebook.node, {subtree: true, childList: true});
     notebook.disposed.connect(() => watch.disconnect());
     nameCells(notebook);
+    within([notebook.node], FOLD).forEach(nameFold);
   };
 
   // A file name that is too long for its column goes on below, after one of its underscores (a break of no width).
