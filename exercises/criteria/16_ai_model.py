@@ -314,7 +314,7 @@ def survives(recording: Recording) -> Verdict:
         silent_since_glare(recording, saw, full)
         or too_rarely(saw, full)
         or answered_glare(saw, full)
-        or said_nothing_there(saw, given)
+        or said_nothing_there(recording, saw, given)
         or no_line(recording, saw)
         or see.passed(f"{saw}: logged, and the pictures after them were answered")
     )
@@ -927,9 +927,15 @@ def answered_glare(saw: str, given: Sequence[Answered]) -> Verdict | None:
     )
 
 
-def said_nothing_there(saw: str, given: Sequence[Answered]) -> Verdict | None:
-    """Messages without any marker."""
-    empty = [one for one in given if not one.things]
+def said_nothing_there(recording: Recording, saw: str, given: Sequence[Answered]) -> Verdict | None:
+    """Messages without any marker, soon after a picture with glare: at other times the model may have found nothing."""
+    sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    glaring = [sent[place] for place in IN_GLARE if place < len(sent)]
+    empty = [
+        one
+        for one in given
+        if not one.things and any(0.9 * MODEL_S <= one.wall - at <= 3 * MODEL_S for at in glaring)
+    ]
     if not empty:
         return None
     return see.failed(

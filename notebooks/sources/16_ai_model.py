@@ -128,7 +128,8 @@ print(inspect.getsource(toy_detector.ToyDetector.answer))
 # option `stamps_now` is a fault that we need further down.
 #
 # What does the network get? Not bytes from 0 to 255, but `float32` from 0 to 1; not color last, but color first; and
-# always 160 by 120 pixels. It was trained with such numbers. Nothing checks that you pass the same.
+# always 160 by 120 pixels. It was trained with such numbers. ONNX Runtime refuses another type of number or another
+# shape. Nothing checks the range of the numbers, nor the order of the colors.
 
 # %% id="input"
 from workbook.models.detector import to_input
@@ -277,8 +278,8 @@ show(
 
 # %% [markdown]
 # The thread helps because the network waits outside Python, or releases the **GIL**, the lock that lets only one thread
-# run Python code. ONNX Runtime and PyTorch release it while they compute. A model in pure Python would not, and would
-# need a process of its own.
+# run Python code. ONNX Runtime and PyTorch release it while they compute. A model in pure Python would take turns with
+# the callbacks; as in lesson 10, it belongs in a process of its own.
 
 # %% [markdown]
 # ### Experiment 3: how sure is sure enough?
@@ -297,8 +298,8 @@ for number in (43, 220):
     )
 
 # %% [markdown] prediction="threshold"
-# In the first picture a plate that is half behind an arm is called a cup, in the second one a brick. You raise the
-# threshold to 0.8. What do 200 pictures show?
+# In the first picture, a plate that is half behind an arm is called a cup. In the second one, that happens to a brick.
+# You raise the threshold to 0.8. What do 200 pictures show?
 #
 # - **a** Fewer wrong detections, and all the right ones.
 #   when `lost <= 0`
@@ -308,7 +309,7 @@ for number in (43, 220):
 #   ✗ A threshold only removes.
 # - **c** Fewer wrong ones, and fewer right ones, too.
 #   when `lost > 0 and gained <= 0`
-#   ✓ There is no threshold without both mistakes. You choose which one costs less.
+#   ✓ The threshold trades one mistake for the other. You choose which one costs less.
 
 # %%
 predict("threshold")
@@ -326,8 +327,9 @@ reveal(
 )
 
 # %% [markdown]
-# A score is not a probability. Choose the threshold on pictures that were not used for training. Then think of the
-# robot: a hand that grasps should miss a cup rather than grab an arm.
+# A score is not a probability: networks tend to be [surer than they are right](https://arxiv.org/abs/1706.04599). Choose
+# the threshold on pictures that were not used for training. Then think of the robot: a hand that grasps should miss a
+# cup rather than grab an arm.
 
 # %% [markdown]
 # ## When it goes wrong
