@@ -230,7 +230,7 @@ print("a domain between 1 and 101:", 1 <= int(os.environ["ROS_DOMAIN_ID"]) <= 10
 #   ✗ The hand does move faster. But how often the program reports is another number, `period_s`, and we left it
 #   alone.
 # - **c** The hand moves as before, and more messages come in a second.
-#   ✗ `waves_per_second` is about the movement, and that is what changed. The messages have a number of their own.
+#   ✗ `waves_per_second` is about the movement, and that is what changed. How often messages come is another number.
 
 # %%
 predict("wave-faster")

@@ -48,8 +48,8 @@ print("after the end:  ", node_list())
 #   ✗ `shutdown` ends the context, and the publisher needs it. Without a context nothing can be sent.
 # - **b** Nothing, silently: no other program can receive it any more.
 #   ✗ It is not silent. rclpy sees that the context is not valid any more, and says so.
-# - **c** It does not come to that: `shutdown` refuses as long as there is a node.
-#   ✗ `shutdown` does not ask for nodes. It ends the context only. The node and its publisher stay, as objects without a
+# - **c** The call is never reached: `shutdown` refuses as long as there is a node.
+#   ✗ `shutdown` does not look for nodes. It ends only the context. The node and its publisher stay, as objects without a
 #   valid context.
 # - **d** An error: the objects are still there, but their context is not.
 #   ✓ The Python objects are still there, but the context that they belong to is not. `publish` raises an error.

@@ -324,7 +324,7 @@ for hertz in (0.5, 1, 5, 100):
 #   ✗ A tick that has to wait a moment is not lost. The executor calls the second callback as soon as the first returns.
 # - **c** 60 blinks and no beep: when both are due, the beep is lost, and it is never due alone.
 #   when `blinks > 50 and beeps < 10`
-#   ✗ The timer that was created first has no right to be the only one. Both are called, one after the other.
+#   ✗ The timer that was created first does not push out the other one. Both are called, one after the other.
 # - **d** 45 of each: the two timers take turns.
 #   when `40 <= blinks <= 50 and 40 <= beeps <= 50`
 #   ✗ The callbacks take turns only when both are due. How often each one is due is up to its own period.
@@ -424,8 +424,8 @@ from workbook.lesson import record_machine, show_machine
 
 show_machine(
     record_machine(blink_and_beep, seconds=3.8, **long_beep),
-    "blink runs at each of its ticks; while beep keeps the only thread, one blink waits, "
-    "the next ones are missed; after beep, one blink runs and all goes on",
+    "blink runs at each of its ticks; while beep keeps the only thread, one blink "
+    "waits, the next ones are missed; after beep, one blink runs and all goes on",
     begin=1.5,
 )
 

@@ -58,13 +58,13 @@ print("moved while we did:             ", list(arms.angles) != at_first)
 #
 # - **a** 1.
 #   when `heard == 1`
-#   ✓ One call of `spin_once` runs one callback, and each word has a callback of its own. Four words go on waiting.
+#   ✓ One call of `spin_once` runs one callback, and each word needs a call of its own. Four words still wait.
 # - **b** 5: one spin handles all that has come.
 #   when `heard == 5`
 #   ✗ `spin_once` runs one callback and returns. Each word that waits needs a call of its own.
 # - **c** As many as fit into half a second.
 #   when `1 < heard < 5`
-#   ✗ The timeout is no time to work in. It is the longest time that the call waits when nothing is ready.
+#   ✗ The timeout is not working time. It is the longest time that the call waits when nothing is ready.
 # - **d** 0: the callback ran by itself when each word came, so nothing is left to do.
 #   when `heard == 0`
 #   ✗ Words arrive by themselves, but the callback runs in your thread, and only while that thread spins.
@@ -182,8 +182,8 @@ for call, ran, _ in calls:
 # %% id="machine"
 show_machine(
     seen,
-    "three words and one tick of each timer wait while nobody spins; then five calls run "
-    "five callbacks at once, timers before words; three more calls wait for the timers",
+    "three words and one tick of each timer wait while nobody spins; then five calls "
+    "run five callbacks at once, timers before words; three more wait for the timers",
 )
 
 # %%
@@ -279,10 +279,10 @@ reveal("no-timeout", came_back="after" in seen.log)
 # If waiting is dangerous, why wait at all? With `timeout_sec=0` the call only polls, and returns at once. Three loops serve the same 10 Hz timer until it has ticked twenty times, with timeouts of 0, 0.01 and 0.1 s. What do you
 # expect of the first?
 #
-# - **a** It takes as long, and keeps a processor busy all the time.
+# - **a** It takes as long as the others, and keeps a processor busy all the time.
 #   when `soonest_s > 1.9 and times_as_many_calls > 5`
-#   ✓ The ticks come when they are due, so it takes as long. In between, the loop never sleeps.
-# - **b** It takes as long, and hardly more work: polling costs nothing.
+#   ✓ The ticks come when they are due, so it takes as long as the others. In between, the loop never sleeps.
+# - **b** It takes as long as the others, and hardly more work: polling costs nothing.
 #   when `soonest_s > 1.9 and times_as_many_calls <= 5`
 #   ✗ Each call asks the middleware what is ready. One call is cheap, many thousands a second are not.
 # - **c** It has its twenty ticks before the others, because it polls more often.

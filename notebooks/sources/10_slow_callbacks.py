@@ -250,8 +250,8 @@ from workbook.lesson import record_machine, show_machine
 thinking = {"think_period_s": 1.1, "threads": 4}
 show_machine(
     record_machine(thinking_robot, seconds=2.2, **thinking),
-    "the heart beats until think begins; then one thread runs think, three are free, and "
-    "the wait set has no place for the heart, whose ticks are missed",
+    "the heart beats until think begins; then one thread runs think, three are free, "
+    "and the wait set has no place for the heart, whose ticks are missed",
     begin=0.7,
 )
 

@@ -170,8 +170,8 @@ from workbook.lesson import record_machine, show_machine
 case = {"way": "call", "group": "default", "threads": 1}
 show_machine(
     record_machine(heart_and_question, seconds=1.6, **case),
-    "the heart beats until ask_by_call begins; the response comes and waits in the queue "
-    "of the client; the only thread stays in ask_by_call, and ticks of the heart are missed",
+    "the heart beats until ask_by_call begins; the response comes and waits in the "
+    "queue of the client; the only thread stays in ask_by_call, and ticks are missed",
 )
 
 # %% [markdown]
@@ -391,8 +391,8 @@ hearts_picture(
 case = {"way": "await", "group": "own", "threads": 1, "server_takes_s": 0.35}
 show_machine(
     record_machine(heart_and_question, seconds=1.4, **case),
-    "ask_by_await pauses and its thread waits in the wait set; the heart has no place there, "
-    "and misses ticks until the response comes",
+    "ask_by_await pauses and its thread waits in the wait set; the heart has no place "
+    "there, and misses ticks until the response comes",
 )
 
 # %% [markdown]

@@ -105,7 +105,7 @@ def behind(film):
 
 
 near, far = behind(first.film), behind(tenfold.film)
-print("depth 10 is at least half as far again behind as depth 1:", far >= 1.5 * near)
+print("depth 10 is at least half as far again behind as depth 1:", far / near >= 1.5)
 reveal("how-far-behind", near=near, far=far)
 
 # %% [markdown]
@@ -476,8 +476,8 @@ print(put_newest(shelf, "new"))
 # <details><summary>What a good answer contains</summary>
 #
 # The network is loaded once and runs in a thread that takes the newest picture. The subscription is best effort with a
-# depth of 1. Detections copy the header of their picture. The heartbeat's timer is not held up by the network: with
-# inference in a callback it takes several threads *and* a callback group of its own. One odd picture does not end the
+# depth of 1. Detections copy the header of their picture. The network does not hold up the timer of the heartbeat.
+# With inference in a callback, that takes several threads *and* a callback group of its own. One odd picture does not end the
 # thread: the model is called in a `try`, and the error is logged. A good answer asks what the model was trained with:
 # color order, size and scaling.
 #

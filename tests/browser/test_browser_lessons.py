@@ -21,8 +21,9 @@ from workbook.authoring.nbval_glue import MOST_PICTURES
 from workbook.authoring.tree import Tree
 from workbook.lesson.predictions import UNATTENDED
 
+from .axe import violations
 from .conftest import OpenPage, running_lab
-from .lab_page import ROBOT, LabPage
+from .lab_page import NOTEBOOK, ROBOT, LabPage
 from .student_lab import ROOT, StudentLab
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -147,3 +148,4 @@ def test_a_lesson_runs_from_top_to_bottom(
         if pictures.count():
             pictures.first.scroll_into_view_if_needed()
         page.page.screenshot(path=artifacts / f"lesson_{stem}_{theme}.png")
+        assert violations(page.page, NOTEBOOK) == []

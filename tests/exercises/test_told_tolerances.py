@@ -42,9 +42,7 @@ def test_06_tells_how_exact_a_call_must_be() -> None:
     applied, told = constants("06_spinning"), task("06_spinning")
     first = f"{applied['ASKED_S'][applied['BURST']]:g} s"
     early, late, job = (f"{applied[name]:g} s" for name in ("EARLY_S", "LATE_S", "JOB_S"))
-    assert (
-        f"after {first} when it was asked for {first}: at most {early} earlier, at most {late} later" in told
-    )
+    assert f"after {first} when asked for {first}: at most {early} earlier, at most {late} later" in told
     assert f"at most one job ({job}) and {late}" in told
     assert f"it returns in time ({late}) from the quiet robot" in told
 
@@ -80,7 +78,7 @@ def test_12_tells_what_once_a_second_and_five_hertz_mean() -> None:
         f"{applied['SHORTEST_PERIOD_S']:g} to {applied['LONGEST_PERIOD_S']:g} s from one call to the next"
     )
     pause = f"{applied['LONGEST_PAUSE_S']:g} s"
-    assert f"{period}, with at most one pause over {applied['PAUSE_S']:g} s, and never {pause}" in told
+    assert f"{period}. At most one pause is over {applied['PAUSE_S']:g} s, and none reaches {pause}" in told
     assert f"each pause may be up to {pause}" in told and applied["PAUSES"] == 1
     assert f"{share(applied['LEAST_SHARE'])} to {share(applied['MOST_SHARE'])} of the beats" in told
     assert f"one every {applied['SHORTEST_BEAT_S']:g} to {applied['LONGEST_BEAT_S']:g} s" in told
@@ -92,10 +90,8 @@ def test_13_tells_when_the_line_and_the_alarm_must_come() -> None:
     applied, told = constants("13_qos_and_discovery"), task("13_qos_and_discovery")
     assert f"at most {applied['AT_ONCE_S']:g} s after the start" in told
     assert f"at most {applied['FOLLOWS_S']:g} s after the robot has published it" in told
-    assert (
-        f"never before {applied['NOT_BEFORE_S']:g} s, and at most {applied['NOT_AFTER_S']:g} s after the last beat"
-        in told
-    )
+    earliest, latest = f"{applied['NOT_BEFORE_S']:g} s", f"{applied['NOT_AFTER_S']:g} s"
+    assert f"raised no earlier than {earliest} and no later than {latest} after the last beat" in told
     assert f"at most {applied['FALLS_WITHIN_S']:g} s after that" in told
     assert f"may be raised, and end, {applied['SLACK_S']:g} s later" in told
     assert f"{applied['SLOWEST_HZ']:g} to {applied['FASTEST_HZ']:g} Hz" in told
@@ -169,7 +165,7 @@ def test_05_tells_what_evenly_means() -> None:
     told = task("05_timers")
     assert f"on average within {share(MEAN_TOLERANCE)}, and never more than one and a half periods" in told
     assert LONGEST_GAP_PERIODS == 1.5
-    assert "for them a tenth of a period is allowed" in told and INTERVAL_TOLERANCE == 0.1
+    assert "For them a tenth of a period is allowed" in told and INTERVAL_TOLERANCE == 0.1
 
 
 @pytest.mark.parametrize("stem", ["08_humanoid_status_publisher", "09_joint_positions"])
