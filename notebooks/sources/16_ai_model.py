@@ -508,6 +508,8 @@ print(put_newest(shelf, "new"))
 #
 # **Before:** [15 · A camera](15_camera.ipynb)
 #
+# **Deeper:** [16 · Deeper: falls, and where a model runs](16_ai_model_deeper.ipynb)
+#
 # **Next:** you have reached the last lesson that there is at the moment.
 #
 # **More:** [ONNX Runtime in Python](https://onnxruntime.ai/docs/get-started/with-python.html) and

@@ -1,4 +1,4 @@
-"""A trained detector for the toys on the desk, and what trained it. No ROS: NumPy and ONNX Runtime only.
+"""A trained detector for the toys on the desk, what trained it, and samples of a robot that falls. No ROS.
 
 `workbook.models.train` trains it again (`make model`) and needs PyTorch; nothing else here does unless it is asked to.
 """

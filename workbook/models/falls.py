@@ -1,0 +1,134 @@
+"""What joints and IMU of a robot measure while it stands, bows, is pushed or falls, and how soon falls are noticed.
+
+The body is an inverted pendulum on its feet, and the torso bends forward at the hip. NumPy only; the same seed brings
+the same samples.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import exp, sin
+
+import numpy as np
+import numpy.typing as npt
+
+Floats = npt.NDArray[np.float64]
+Flags = npt.NDArray[np.bool_]
+
+RATE_HZ = 50
+LENGTH_S = 4.0
+WINDOW = 10
+"""Samples in a window: 0.2 s."""
+CHANNELS = ("pitch", "pitch_rate", "hip", "knee")
+"""Tilt of the torso from the IMU (rad), its rate from the gyroscope (rad/s), and two joints (rad)."""
+KINDS = ("stands", "bows", "is pushed", "falls")
+ON_THE_GROUND = 1.2
+"""Tilt of the body (rad) at which a fall is over."""
+STEPS = 4
+"""Steps of the pendulum to a sample."""
+
+_NOISE = np.array([0.02, 0.08, 0.01, 0.01])
+_GRAVITY_OVER_LENGTH = 16.0
+_STIFFNESS, _DAMPING = 42.0, 8.0
+
+
+@dataclass(frozen=True)
+class Episode:
+    """Up to four seconds of a robot. `samples`: shape (samples, channels). `falls_from`: its first sample in a fall."""
+
+    kind: str
+    samples: Floats
+    falls_from: int | None = None
+
+
+@dataclass(frozen=True)
+class Alarms:
+    """How late alarms came, and how often there was none or a false one.
+
+    `late_s`: for each fall that was noticed, how long after its begin. `missed`: falls that were not. `false`: episodes
+    with an alarm when the robot was not falling.
+    """
+
+    late_s: tuple[float, ...]
+    missed: int
+    false: int
+
+
+def episodes(seed: int, number: int) -> list[Episode]:
+    """So many episodes, a quarter of each kind."""
+    generator = np.random.default_rng(seed)
+    return [_episode(KINDS[place % len(KINDS)], generator) for place in range(number)]
+
+
+def windows(episode: Episode) -> tuple[Floats, Flags]:
+    """Each window of an episode as a row, oldest sample first, and whether the robot falls at its last sample."""
+    rows = np.lib.stride_tricks.sliding_window_view(episode.samples, WINDOW, axis=0)
+    last = np.arange(WINDOW - 1, len(episode.samples))
+    falls = np.zeros(len(last), dtype=bool) if episode.falls_from is None else last >= episode.falls_from
+    return np.ascontiguousarray(rows.transpose(0, 2, 1)).reshape(len(rows), -1), falls
+
+
+def all_windows(some: Sequence[Episode]) -> tuple[Floats, Flags]:
+    """The windows of several episodes, one below the other, and whether the robot falls."""
+    rows, falls = zip(*map(windows, some), strict=True)
+    return np.concatenate(rows), np.concatenate(falls)
+
+
+def alarms(some: Sequence[Episode], is_falling: Callable[[Floats], npt.NDArray[np.bool_]]) -> Alarms:
+    """When `is_falling`, which judges windows, raises the alarm in these episodes."""
+    late, missed, false = [], 0, 0
+    for episode in some:
+        rows, falls = windows(episode)
+        raised = np.asarray(is_falling(rows), dtype=bool)
+        false += bool(np.any(raised & ~falls))
+        if episode.falls_from is not None:
+            in_time = np.flatnonzero(raised[falls])
+            missed += not len(in_time)
+            late += [float(in_time[0]) / RATE_HZ] if len(in_time) else []
+    return Alarms(tuple(late), missed, false)
+
+
+def _episode(kind: str, generator: np.random.Generator) -> Episode:
+    """An episode with random sway, moment and strength."""
+    event_s = generator.uniform(0.8, 2.0)
+    push = generator.uniform(0.5, 1.3) if kind in ("is pushed", "falls") else 0.0
+    slips_s = event_s if kind == "falls" else None
+    tilt, rate = _body(event_s, push, slips_s, generator.uniform(0.0, 6.28))
+    bend = _bow(event_s, generator) if kind == "bows" else np.zeros(len(tilt))
+    bend_rate = np.gradient(bend) * RATE_HZ if len(bend) > 1 else bend
+    knee = 0.2 + 0.1 * bend + 0.4 * np.abs(tilt)
+    clean = np.column_stack([tilt + bend, rate + bend_rate, bend, knee])
+    samples = clean + _NOISE * generator.standard_normal(clean.shape)
+    return Episode(kind, samples, None if slips_s is None else int(np.ceil(slips_s * RATE_HZ)))
+
+
+def _body(event_s: float, push: float, slips_s: float | None, phase: float) -> tuple[Floats, Floats]:
+    """Tilt (rad) and its rate (rad/s) of a body that is pushed once. From `slips_s` on nothing holds it."""
+    tilts, rates = [], []
+    tilt = rate = 0.0
+    step = 1.0 / (RATE_HZ * STEPS)
+    for count in range(round(LENGTH_S / step)):
+        now = count * step
+        if count % STEPS == 0:
+            tilts.append(tilt)
+            rates.append(rate)
+        if now <= event_s < now + step:
+            rate += push
+        falls = slips_s is not None and now >= slips_s
+        wanted = 0.02 * sin(3.0 * now + phase)
+        hold = 0.0 if falls else _STIFFNESS * (tilt - wanted) + _DAMPING * rate
+        rate += step * (_GRAVITY_OVER_LENGTH * sin(tilt) - hold)
+        tilt += step * rate
+        if tilt > ON_THE_GROUND:
+            break
+    return np.array(tilts), np.array(rates)
+
+
+def _bow(event_s: float, generator: np.random.Generator) -> Floats:
+    """The angle of the hip (rad) while the robot bows, stays, and straightens up."""
+    depth, sharpness = generator.uniform(0.5, 0.9), generator.uniform(6.0, 11.0)
+    stays = generator.uniform(0.6, 1.2)
+    middles = event_s + 0.3, event_s + 0.9 + stays
+    moments = np.arange(round(LENGTH_S * RATE_HZ)) / RATE_HZ
+    down, up = (np.array([1.0 / (1.0 + exp(-sharpness * (t - at))) for t in moments]) for at in middles)
+    bent: Floats = depth * (down - up)
+    return bent
