@@ -23,9 +23,10 @@ print("started", start(joint_position_publisher))
 await watch_robot(seconds=6, ease=0.1)
 
 # %% [markdown]
-# That was not a film. Two programs were at work. One computed the angles of the robot's twelve joints, twenty times a
-# second, and sent them. This notebook received the numbers and drew the robot. The robot is simulated, but the sending
-# and receiving is real. It is the software that runs on real robots: **ROS 2**, the Robot Operating System.
+# What you just saw was not a recording. Two programs were at work. One computed the angles of the robot's twelve
+# joints, twenty times a second, and sent them. This notebook received the numbers and drew the robot. The robot is
+# simulated, but the sending and receiving is real. It is the software that runs on real robots: **ROS 2**, the Robot
+# Operating System.
 
 # %% [markdown]
 # **What is rclpy?** It is the Python library of ROS 2. You write an ordinary Python class with a few methods. rclpy makes
@@ -47,7 +48,8 @@ await watch_robot(seconds=6, ease=0.1)
 # look. Then change a number. A wrong prediction is worth more than a right one, because it shows what you can learn.
 #
 # **`await`.** This word stands before calls that take a while. It keeps the notebook alive meanwhile, so that pictures
-# move and the stop button works. Write it where you see it. (Lesson 12 explains it.)
+# move and the stop button works. When you copy or change such a call, keep the word in front of it. (Lesson 12
+# explains it.)
 #
 # This notebook is your own copy, so change whatever you like. First, stop the robot's program:
 
@@ -377,7 +379,7 @@ ready = doctor()
 print("this machine is ready:", ready)
 
 # %% [markdown]
-# If it is not, do what stands behind the first `→`, and run the cell again. A line with `!` is only a note.
+# If it is not, follow the instruction after the first `→`, and run the cell again. A line with `!` is only a note.
 #
 # *Two: a second window on the same robot.* Start it, and let it run:
 

@@ -356,9 +356,10 @@ guard.destroy_node()
 guard.get_name()
 
 # %% [markdown]
-# The text says *Destroyable*. Read "node". Most often `destroy_node()` is a line too early, before a last log or publish.
+# The error message calls the node a *Destroyable*. Most often `destroy_node()` is a line too early, before a last log
+# or publish.
 #
-# **Two spellings of other versions.** The first is a habit from ROS 1:
+# **Two calls from other versions of ROS.** The first is a habit from ROS 1:
 
 # %% id="positional-arguments" tags=["raises-exception"]
 import sys
@@ -377,8 +378,9 @@ with rclpy.init():
     guard = Node("guard")
 
 # %% [markdown]
-# In newer versions `init` returns an object for `with`. In Jazzy it returns `None`. Use `try` and `finally`. One caveat:
-# `init` itself *was* called, so the context is up now, and the next `init` raises.
+# In newer versions `init` returns an object for `with`. In Jazzy it returns `None`. Use `try` and `finally`. One
+# caveat: the failing line *did* call `init` before it raised. So the context is up now, and the next `init` raises an
+# error, too.
 
 # %%
 print(rclpy.ok())
@@ -584,7 +586,7 @@ print("box locked: ", "box locked" in end.log)
 #
 # - **`with rclpy.init():`:** Newer versions have it. In Jazzy it raises a `TypeError`.
 # - **Publish "parked" in `except KeyboardInterrupt` or `finally`:** With the default signal handlers the context is
-#   shut down at that moment. `publish` then raises an error, unless it is just in time.
+#   shut down at that moment. `publish` then raises an error, unless it happens to run just before that.
 #
 # </details>
 

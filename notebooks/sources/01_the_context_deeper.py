@@ -6,7 +6,7 @@
 # - **Minutes:** 20
 # - **You need:** lesson [01](01_the_context.ipynb)
 # - **You will be able to:**
-#   - say what comes out of `spin` for each way to end a program
+#   - say which exception `spin` raises, if any, for each way to end a program
 #   - publish a last message on Ctrl-C
 # - **Left out:** lifecycle nodes, what `spin` does inside (lesson 06)
 

@@ -523,9 +523,9 @@ say("info", "battery fine")
 say("warning", "battery low")
 
 # %% [markdown]
-# rclpy remembers for each *line of code* with which severity it logs, so that `once=True` can work. One line with two
-# severities is an error. Write an `if`, with one line for each severity. The logger carries the name of the node with
-# its namespace, and each line also goes to `/rosout`.
+# For each *line of code*, rclpy remembers the severity with which it logs. That is how `once=True` can work. One line
+# with two severities is an error. Write an `if`, with one line for each severity. The logger carries the name of the
+# node with its namespace, and each line also goes to `/rosout`.
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -659,7 +659,7 @@ else:
 #
 # <details><summary>a) A dictionary is not allowed there, it must be a list</summary>
 #
-# ✗ With a list it was just as quiet in this lesson.
+# ✗ In this lesson it was a list, and the timer did not tick either, without any error.
 #
 # </details>
 # <details><summary>b) The node is not spun</summary>
@@ -691,9 +691,9 @@ else:
 # file, a remapping or an environment variable. It is never in the code. Inside the namespace, nodes use relative names
 # for what they share, and private names for what belongs to one node. Only what all robots share, such as a common stop
 # or a map, gets an absolute name. The dashboard finds robots by asking the graph for namespaces or topics, and takes
-# the namespace as the robot's name. A good answer also asks how many nodes may see each other. (Here that is 300 in one
-# domain. A domain per robot and a bridge may be better.) And it asks what happens when two robots get one number by
-# mistake. (They have duplicate node names, so check at the start.)
+# the namespace as the robot's name. A good answer also asks how many nodes may see each other. (Here, all 300 nodes
+# of the twenty robots are in one domain. A domain per robot and a bridge may be better.) And it asks what happens
+# when two robots get one number by mistake. (They have duplicate node names, so check at the start.)
 #
 # </details>
 #

@@ -207,10 +207,10 @@ print(Float32())
 # reads the memory of a Python float, **without a check of what kind of object it has**. An `int` has other bytes there.
 # Read as a float, they mostly are a number so tiny that it becomes 0.0.
 #
-# **`std_msgs` is for learning.** `Float32`, `String` and the other single-value types of `std_msgs` have been deprecated
-# as types of real interfaces since ROS 2 Foxy. For example, 0.8 on `/robot/battery` does not say whether it is percent,
-# of which battery, and when. This course uses them because they are short. On a robot, use types with meaning, such as
-# `sensor_msgs/BatteryState`, or define your own.
+# **`std_msgs` is for learning.** Since ROS 2 Foxy, `Float32`, `String` and the other single-value types of `std_msgs`
+# have been deprecated: real robots should not use them. For example, 0.8 on `/robot/battery` does not say whether it
+# is percent, of which battery, and when. This course uses them because they are short. On a robot, use types with
+# meaning, such as `sensor_msgs/BatteryState`, or define your own.
 
 # %% [markdown]
 # ### The three arguments of `create_publisher`
@@ -315,8 +315,8 @@ for one, other in zip(numbers, (half, tenth, large, huge), strict=True):
 reveal("a-tenth", arrived=tenth)
 
 # %% [markdown]
-# 32 bits hold about seven digits. 0.5 is a sum of powers of two and fits exactly, 0.1 does not. Above 16 777 216 not
-# even each whole number fits. What is larger than 3.4e38 becomes infinite, silently.
+# 32 bits hold about seven digits. 0.5 is a sum of powers of two and fits exactly, 0.1 does not. Above 16 777 216,
+# some whole numbers do not fit either. What is larger than 3.4e38 becomes infinite, silently.
 #
 # So never ask whether such a number *is* 0.1. Ask whether it is close:
 
@@ -361,8 +361,8 @@ print("switched on after the import: 80 arrives as", *values(late, "/robot/batte
 # After the import it does nothing, silently. The class reads the variable once, when it is loaded. For a single message
 # there is another switch, which works at any time: `Float32(data=level, check_fields=True)`.
 #
-# Checks find such a fault, but they do not fix it. They refuse an honest `80`, they are off on a robot where nobody set
-# them, and they accept `nan`. Convert and check the value yourself, where it comes in.
+# Checks find such a fault, but they do not fix it. They refuse a harmless `80`, and they accept `nan`. And they are
+# off on any robot where nobody switched them on. Convert and check the value yourself, where it comes in.
 
 # %% [markdown]
 # ### Not a message
@@ -661,8 +661,9 @@ else:
 #
 # Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
 #
-# - **An int in a float field raises a `TypeError`, or is converted:** In Jazzy the check is off by default. With these
-#   wheels 0.0 arrives, and other builds may crash. Type hints do not help, because rclpy does not read them.
+# - **An int in a float field raises a `TypeError`, or is converted:** In Jazzy the check is off by default. With the
+#   packages of this course, 0.0 arrives; other builds may crash. Type hints do not help, because rclpy does not read
+#   them.
 # - **Set `os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"` in `main()`:** Too late: the variable is read when the message
 #   type is imported.
 #

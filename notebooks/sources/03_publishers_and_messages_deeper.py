@@ -1,7 +1,8 @@
 # %% [markdown]
 # # 03 · Deeper: queues, pictures and messages with meaning
 #
-# A camera robot publishes pictures in bursts. Whether all of them arrive depends on a number that most programs copy.
+# A camera robot publishes pictures in bursts. Whether all of them arrive depends on the depth of a queue, a number
+# that most programs copy from an example.
 #
 # - **Minutes:** 15
 # - **You need:** lesson [03](03_publishers_and_messages.ipynb)
@@ -104,9 +105,9 @@ reveal("whose-queue", arrived=min(counts[1, 921_600]))
 # | a burst in which each message counts, such as the parts of a map | at least the length of the burst |
 #
 # In one process, or with small messages, the publisher's depth hardly matters: they are delivered before the next one
-# comes. That is why tests on a desk look fine. These notebooks use the loopback network only, while Fast DDS as it comes
-# also uses shared memory. We measured both, three bursts each: with 300 kB and 900 kB, both lost pictures at depth 1 and
-# 10, and none at 100.
+# comes. That is why tests on a desk look fine. These notebooks use only the loopback network, while Fast DDS by
+# default also uses shared memory. We measured both, with pictures of 300 kB and of 900 kB, three bursts each. Every
+# time, pictures were lost at depths 1 and 10, and none at 100.
 
 # %% [markdown]
 # ## Look inside
@@ -194,8 +195,8 @@ print(
 print("JointState has:  ", ", ".join(JointState.get_fields_and_field_types()))
 
 # %% [markdown]
-# A time stamp, names, and units that are written down. "Not known" is `nan`, *if you say so*: these fields, too, begin with
-# 0.0. Dashboards and loggers of other people understand such a message without asking you.
+# A time stamp, names, and units that are written down. For "not known", set `nan` *yourself*: these fields, too,
+# begin with 0.0. Dashboards and loggers of other people understand such a message without asking you.
 
 # %% [markdown]
 # ### Where 0.0 comes from

@@ -214,7 +214,8 @@ show_machine(
 # in the **wait set**, the list of all that can become ready. It takes the oldest message, and its thread runs your callback.
 # **Publish needs no spin. Receiving needs no spin. Your callback does.**
 #
-# (From another program, a thread of DDS brings the message. Within one program, Fast DDS lets `publish` itself do it.)
+# (If the message comes from another program, a thread of DDS puts it into the queue. Within one program, Fast DDS
+# does so inside the call of `publish`.)
 #
 # `rclpy.spin(node)` is a loop: take a waiting message out of a queue, call its callback, repeat. It runs one callback at a
 # time, never two at once. Messages of *one* subscription are handled in the order in which they came. Between different
@@ -779,9 +780,9 @@ else:
 # is the oldest of the last ten, a third of a second old. With a depth of 1 it is as fresh as can be. Pictures are
 # skipped then, but only the newest one is of use. The button is an event, and no press may be lost. A depth of 10 is
 # fine: the button has its own queue, which pictures cannot fill. But all callbacks run one after another, so the
-# button's comes 80 ms late or more. No depth changes that. For the battery, 1 is enough. In a good answer, the button
-# does not share a thread with the camera (lesson 10), or has a node of its own. And a button that must stop the robot
-# is not left to a topic alone.
+# callback of the button may run 80 ms late or more. No depth changes that. For the battery, 1 is enough. In a good
+# answer, the button does not share a thread with the camera (lesson 10), or has a node of its own. And a button that
+# must stop the robot is not left to a topic alone.
 #
 # </details>
 #
@@ -801,7 +802,8 @@ else:
 # - `create_subscription(type, topic, callback, depth)`: rclpy calls the callback for each message, in the order in
 #   which they came.
 # - Publishing and receiving need no spin. Callbacks do: no spin, no callback, and no error either.
-# - Up to `depth` messages wait; each further one pushes out the oldest. Small for a state, large for an event.
+# - Up to `depth` messages wait; each further one pushes out the oldest. Choose a small depth for a state, and a large
+#   one for an event.
 # - The first argument decides which type comes, not the hint. With another type or name, no message comes. Ask
 #   `topic_info`.
 # - Hand over the callback without parentheses. The node keeps the subscription; you need not.
@@ -813,5 +815,5 @@ else:
 # **More:** [Writing a simple publisher and
 # subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html),
 # step by step, and [quality of
-# service](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html), which include
+# service](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html), which covers
 # the depth.

@@ -430,8 +430,8 @@ show_machine(
 )
 
 # %% [markdown]
-# While the only thread runs `beep`, it is not in the wait set: its frame is dashed. One blink waits. Each further tick finds
-# that place taken.
+# While the only thread runs `beep`, nobody waits in the wait set. That is why the frame of the wait set is dashed.
+# One blink waits. Each further tick finds that place taken.
 #
 # Five blinks were due while the robot beeped, and four of them never came. When the beep is over, the blink timer sees
 # that it is late and ticks once. Then it goes back to its plan. Missed ticks are **dropped**.
@@ -664,9 +664,9 @@ else:
 #
 # Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
 #
-# - **Missed ticks come later, in a burst:** They are dropped.
-# - **Use a rate: `rate.sleep()` in the callback:** It waits for a timer that the same thread should run. In a callback
-#   of `rclpy.spin` it never returns.
+# - **Missed ticks come later, in a burst:** In fact, they are dropped.
+# - **Use a rate: `rate.sleep()` in the callback:** In fact, that call waits for a timer that the same thread would
+#   have to run. In a callback of `rclpy.spin` it never returns.
 #
 # </details>
 
@@ -683,5 +683,6 @@ else:
 #
 # **Next:** [06 · Spinning](06_spinning.ipynb): who calls the callback of a timer, and when.
 #
-# **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html), who look after
-# the timers, and [clock and time](https://design.ros2.org/articles/clock_and_time.html), where robot time comes from.
+# **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html), which look
+# after the timers, and [clock and time](https://design.ros2.org/articles/clock_and_time.html), which explains where
+# robot time comes from.

@@ -454,7 +454,8 @@ _ = try_out(ways_to_spin.thread_ended)
 
 # %% [markdown]
 # **A timer that takes every iteration.** It is due every 10 ms, and its callback takes 20 ms. So it is always ready.
-# Five messages wait. We spin for two seconds, first with all the time that is left as the timeout, then with 50 ms.
+# Five messages wait. We spin for two seconds, twice. First, each call gets all the remaining time as its timeout;
+# then each gets 50 ms.
 
 # %% id="unfair-turns"
 print("timeout_sec=left")
@@ -472,9 +473,9 @@ _ = try_out(ways_to_spin.busy_timer, 0.05, show_code=False)
 # ## From a worked example to your own
 #
 # **Worked.** "Wait until the robot has heard a word, but at most two seconds." Three things make such a loop safe: a condition
-# that ends it, a time that ends it, and short waits with the *same* timeout. It may end one wait later than asked. Where
-# that matters, use `min(left, 0.1)`: then only the last wait is shorter. Compute `left` once per iteration, and check it: a
-# *negative* timeout waits forever.
+# that ends it, a time that ends it, and short waits with the *same* timeout. It may end late, by up to one wait.
+# Where that matters, use `min(left, 0.1)`: then only the last wait is shorter. Compute `left` once per iteration, and
+# check it: a *negative* timeout waits forever.
 
 
 # %%
@@ -630,8 +631,8 @@ else:
 # Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
 #
 # - **`rclpy.spin_some(node)`:** That is C++ (rclcpp). rclpy has `spin_once`.
-# - **`spin_once(node, timeout_sec=0)` handles everything that waits:** It runs one callback. Five waiting messages need
-#   five calls.
+# - **`spin_once(node, timeout_sec=0)` handles everything that waits:** In fact, it runs one callback. Five waiting
+#   messages need five calls.
 #
 # </details>
 

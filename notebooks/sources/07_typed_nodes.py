@@ -230,12 +230,14 @@ reveal("seven-mistakes", mistakes_found=len(found(as_installed)))
 # be at the first tick, or on the day the battery runs low. Mistakes 3 and 4 raise nothing in this build. The text
 # arrives as `0.0`, and a callback for a `String` gets a `Float32`.
 #
-# **On a robot, mistake 4 may crash the program.** 0.0 is what *these wheels* do. The message code of the Ubuntu packages
-# may be compiled with assertions. Then such a value aborts the whole process, and no `except` can catch that
-# ([rclpy #1297](https://github.com/ros2/rclpy/issues/1297), [#1437](https://github.com/ros2/rclpy/issues/1437)).
+# **On a robot, mistake 4 may crash the program.** With *the packages of this course*, 0.0 arrives. The message code
+# of the Ubuntu packages may be compiled with assertions. Then such a value aborts the whole process, and no `except`
+# can catch that ([rclpy #1297](https://github.com/ros2/rclpy/issues/1297),
+# [#1437](https://github.com/ros2/rclpy/issues/1437)).
 #
 # Why does mypy find so little in the messages? It told us: `Skipping analyzing "std_msgs.msg"`, with the code
-# `import-untyped`. We ask what it makes of a message then. `reveal_type(x)` is a question to mypy, not to Python.
+# `import-untyped`. So what type does mypy give a message? We ask it: `reveal_type(x)` is a question to mypy, not to
+# Python.
 
 # %%
 QUESTIONS = '''\
@@ -254,11 +256,13 @@ check_types(QUESTIONS, stubs=False, notes=True)
 # The publisher is a `Publisher`. The message is **Any**: a type about which nothing is known. mypy accepts everything that
 # you do with it.
 #
-# A package says with a file named `py.typed` that its hints may be used. rclpy has that file. The message packages are
-# generated, without hints and without the file. Do not silence `import-untyped`: it is the only sign that your messages
-# are not checked.
+# If a package contains a file named `py.typed`, type checkers may use its hints. rclpy has that file. The message
+# packages are generated, without hints and without the file. Do not silence `import-untyped`: it is the only sign
+# that your messages are not checked.
 #
 # ### The second net: stubs
+#
+# Each check is a **net**: the next one may catch what falls through. Plain mypy was the first.
 #
 # A **stub** is a file with the ending `.pyi`. It holds the hints for a module that has none. This course has stubs for the
 # message packages, made from the message classes. Here is the one for `Float32`:
@@ -357,8 +361,8 @@ nets_picture(
 )
 
 # %% [markdown]
-# No net catches all. The two on the right catch a mistake only once the line is reached. Mistake 3 is still free. You
-# will catch it yourself, further down.
+# No net catches all. The two on the right catch a mistake only once the line is reached. None of the five catches
+# mistake 3. You will catch it yourself, further down.
 
 # %% [markdown]
 # ## Change it
@@ -656,9 +660,10 @@ for misuse in (
 # %% [markdown]
 # The second error comes from rclpy: `publish` checks the class of the message. It does not check the fields.
 #
-# **Faded.** Mistake 3 is still free: a subscription for one message with a callback for another. `listen` connects the two:
-# `Message` stands for one type, the same in both hints. Two hints are missing. When they are right, mypy objects to the
-# last line, and to no other. `Callable[[X], None]` is a function that takes an `X` and returns nothing.
+# **Faded.** No net has caught mistake 3 yet: a subscription for one message type with a callback for another.
+# `listen` connects the two: `Message` stands for one type, the same in both hints. Two hints are missing. When they
+# are right, mypy objects to the last line, and to no other. `Callable[[X], None]` is a function that takes an `X` and
+# returns nothing.
 
 # %%
 LISTEN = '''\
@@ -720,7 +725,7 @@ else:
 #
 # **2. `def on_tick(self): self.create_timer("2 s", self.send)`. What does plain mypy say of it?**
 #
-# <details><summary>a) That a text is no period</summary>
+# <details><summary>a) That a text is not a valid period</summary>
 #
 # ✗ It would, with `-> None`. Or with `--strict`, which reads all functions.
 #
@@ -745,7 +750,8 @@ else:
 # </details>
 # <details><summary>b) The text goes into the message: 0.0 is sent, or the program crashes</summary>
 #
-# ✓ These wheels send 0.0; with the Ubuntu packages the process can abort. A check of your own would have stopped it.
+# ✓ With the packages of this course, 0.0 is sent; with the Ubuntu packages the process can abort. A check of your own
+# would have stopped it.
 #
 # </details>
 # <details><summary>c) Python converts it to a float, because the hint says so</summary>
@@ -758,7 +764,8 @@ else:
 #
 # <details><summary>a) If it has a method publish that takes a Float32</summary>
 #
-# ✓ A Protocol describes. Every object with that method fits, also a small class that you write for a test.
+# ✓ A Protocol only lists what an object must have. Every object with that method fits, also a small class that you
+# write for a test.
 #
 # </details>
 # <details><summary>b) If its class inherits from SendsFloats</summary>
@@ -820,8 +827,8 @@ else:
 #
 # - **`self.level: Publisher[Float32] = …`:** In Jazzy `Publisher` takes no type in brackets: Python raises a
 #   `TypeError` when it runs such a hint. Newer versions allow it.
-# - **mypy will find the misspelled field `msg.dta`:** Not by itself: the message packages come without types, so each
-#   message is `Any`. It takes stubs.
+# - **mypy will find the misspelled field `msg.dta`:** In fact, it cannot on its own: the message packages come
+#   without types, so each message is `Any`. It takes stubs.
 #
 # </details>
 

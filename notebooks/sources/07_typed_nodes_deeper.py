@@ -124,7 +124,8 @@ nets_picture(
 # ## Take away
 #
 # - A generic Protocol describes many types at once; its type variable is contravariant if it goes only in.
-# - A function with `kind: type[Message]` and the result `Sends[Message]` makes one from the message class.
+# - A function that takes `kind: type[Message]` and returns `Sends[Message]` gets the type of the publisher from the
+#   message class.
 #
 # **Before:** [07 · Typed nodes](07_typed_nodes.ipynb)
 #

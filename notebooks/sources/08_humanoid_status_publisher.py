@@ -196,8 +196,8 @@ humanoid.destroy_node()
 # %% [markdown]
 # ### Step 4: the finished node
 #
-# This class from `lesson_nodes/humanoid_status_publisher.py` drove the dashboard. New are names for the numbers, a
-# docstring that lists the topics, and a check of the start value.
+# This class from `lesson_nodes/humanoid_status_publisher.py` drove the dashboard. Three things are new: names for the
+# numbers, a docstring that lists the topics, and a check of the start value.
 
 # %%
 import inspect
@@ -211,15 +211,16 @@ print(inspect.getsource(HumanoidStatusPublisher))
 #
 # - **Topics in the docstring**, with type, rate and meaning. It is the contract with all subscribers.
 # - **Type hints** (`-> None`, `battery_level: float`). Your editor and mypy read them. ROS does not.
-# - **A unit in each name or comment** (`STATUS_PERIOD_S`, percent). Many bugs are seconds taken for hertz.
+# - **A unit in each name or comment** (`STATUS_PERIOD_S`, percent). Many bugs come from a number in hertz where
+#   seconds are expected, or the other way round.
 
 # %% [markdown]
 # ## Change it
 #
 # ### Experiment 1: until the battery is empty
 #
-# From full, that takes about 11 minutes: 0.3 % per message on average, one message every 2 s. So we begin with 10 %. This
-# program takes the class and gives it another start value.
+# A full battery takes about 11 minutes to run empty: 0.3 % per message on average, one message every 2 s. So we begin
+# with 10 %. This program takes the class and gives it another start value.
 
 # %%
 # %%writefile evening.py
@@ -482,10 +483,10 @@ await run(fresh(Forecaster), seconds=10)
 # ### Whole percents
 #
 # `Float32(data=round(level))` puts an int into a float field (lesson 03). The result is **wrong, or a crash, depending on
-# the build.** These wheels send 0.0 without an error. The Ubuntu packages can abort the whole process
+# the build.** The packages of this course send 0.0 without an error. The Ubuntu packages can abort the whole process
 # ([rclpy #1297](https://github.com/ros2/rclpy/issues/1297), [#1437](https://github.com/ros2/rclpy/issues/1437),
-# [diagnostics #427](https://github.com/ros/diagnostics/issues/427)). With `ROS_PYTHON_CHECK_FIELDS=1` in the environment,
-# as in this notebook, you get an exception instead:
+# [diagnostics #427](https://github.com/ros/diagnostics/issues/427)). With `ROS_PYTHON_CHECK_FIELDS=1` in the
+# environment, as in this notebook, you get an exception instead:
 
 # %% id="whole-percents" tags=["raises-exception"]
 Float32(data=round(99.4))
@@ -718,8 +719,8 @@ print("exit code", outcome.exit)
 # A message says what the node believed when it was sent. A missing message can mean a dead process, a deaf node, a blocked
 # callback, or a network that is down. They look the same from outside. One late message is no alarm, since timers and
 # networks jitter: two to three periods are a common compromise. A good answer says what the robot does meanwhile (slow
-# down, stop, sit down). It notices that the robot may have to stop by itself when *it* no longer hears the monitor. A
-# plus: ROS can watch this for you, with a deadline in the QoS.
+# down, stop, sit down). It also says that the robot may have to stop on its own when the *robot* no longer hears the
+# monitor. A plus: ROS can watch this for you, with a deadline in the QoS.
 #
 # </details>
 #

@@ -502,7 +502,7 @@ else:
 # </details>
 # <details><summary>c) Only a subscriber that counts</summary>
 #
-# ✓ So the agreement of twelve joints in this order is yours to keep, on both sides.
+# ✓ So you must make sure, on both sides, that there are twelve joints in this order.
 #
 # </details>
 #

@@ -782,10 +782,10 @@ print("paths:", queue_guide.paths or hint)
 #
 # *Group and threads:* goals wait in the subscription's queue; beyond its depth the oldest are lost. The order is kept as
 # long as the group is mutually exclusive. An exception comes out of `spin` and ends the program. *Queue and worker:* the
-# queue can be long, so the robot may work off goals of a minute ago. An exception must be handled in the worker, or no
-# plan is made any more. *Process:* the heart survives even a crash of the planner, but something has to notice and restart
-# it. Good answers ask whether an old goal is worth planning at all: often only the newest counts, and a depth of 1 is
-# right. They do not propose a reentrant group, because two plans would share one planner.
+# queue can be long, so the robot may still be planning for goals that are a minute old. An exception must be handled
+# in the worker, or no plan is made any more. *Process:* the heart survives even a crash of the planner, but something
+# has to notice and restart it. Good answers ask whether an old goal is worth planning at all: often only the newest
+# counts, and a depth of 1 is right. They do not propose a reentrant group, because two plans would share one planner.
 #
 # </details>
 #
@@ -795,8 +795,8 @@ print("paths:", queue_guide.paths or hint)
 #
 # - **Replace the executor by a `MultiThreadedExecutor`; that is enough:** All callbacks of a node are in one mutually
 #   exclusive group unless you say otherwise. They still run one at a time.
-# - **The executor logs an exception in a callback and goes on:** It comes out of `spin`, and without an `except` the
-#   program ends.
+# - **The executor logs an exception in a callback and goes on:** In fact, the exception comes out of `spin`, and
+#   without an `except` the program ends.
 #
 # </details>
 

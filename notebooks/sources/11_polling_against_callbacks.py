@@ -9,7 +9,7 @@
 #   - tell polling from callbacks when you see it
 #   - measure what polling costs in time, in lost messages and in processor time
 #   - turn a loop that polls into callbacks
-# - **Left out:** how much of a queue is right for which data (lesson 13), real-time systems
+# - **Left out:** which depth of a queue suits which data (lesson 13), real-time systems
 
 # %% [markdown]
 # To check again and again whether something happened is called **polling**. With a **callback**, rclpy calls your code when
@@ -608,7 +608,7 @@ print("everyone was greeted" if both else "one visitor still waits")
 #
 # <details><summary>a) It polls only a few times a second</summary>
 #
-# ✗ Then it would be late, as polling is. It was late by a millisecond.
+# ✗ Then it would be late, as polling is. But in this lesson, the callback was only about a millisecond late.
 #
 # </details>
 # <details><summary>b) It sleeps until the operating system wakes it for a message or a timer</summary>
@@ -657,10 +657,11 @@ print("everyone was greeted" if both else "one visitor still waits")
 #
 # The bumper is an event: polling is up to 20 ms late, and two bumps within 20 ms become one. A callback is quicker and
 # complete. The camera is a state for most purposes: a queue of depth 1 and a callback, or a timer at the pace of its user.
-# The battery is slow, and 99 of 100 polls find nothing new. The wish behind the loop is one place and one order. An
-# executor with one thread also is one place: callbacks run one after another. Neither shows the order of events: the loop
-# takes what it checks first, and the executor takes timers before messages. For the order, compare time stamps. Good
-# answers mention the processor time, and that one slow check holds up all three (lesson 10).
+# The battery is slow, and 99 of 100 polls find nothing new. Your colleague wants everything in one place and in one
+# order. An executor with one thread gives you one place, too: callbacks run one after another. Neither shows the
+# order of events: the loop takes what it checks first, and the executor takes timers before messages. For the order,
+# compare time stamps. Good answers mention the processor time, and that one slow check holds up all three (lesson
+# 10).
 #
 # </details>
 #

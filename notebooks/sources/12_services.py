@@ -118,8 +118,8 @@ predict("call-in-a-callback")
 # ## Run it
 #
 # The node may hang, so it runs outside of this notebook. `try_out` runs it as a process of its own, records two
-# seconds, and ends it. The node also publishes on `/robot/asked` and `/robot/answered` what it does. Its server runs in
-# another node, with a thread of its own.
+# seconds, and ends it. The node also publishes what it does, on `/robot/asked` and `/robot/answered`. Its server runs
+# in another node, with a thread of its own.
 
 # %% id="deadlock"
 from lesson_nodes import heart_and_question
@@ -205,7 +205,7 @@ show_machine(
 # Before you run the next cell, decide for each line: do the responses come? Use the two rules. "Own" means that the
 # client has a callback group of its own. Everything else is in the default group.
 #
-# | | how it waits | group of the client | threads |
+# | case | how it waits | group of the client | threads |
 # |---|---|---|---|
 # | 1 | `call` | default | 1 |
 # | 2 | `call` | default | 4 |
@@ -271,7 +271,7 @@ hearts_picture(
 # %% [markdown]
 # ### Topic or service?
 #
-# | | topic | service |
+# | question | topic | service |
 # |---|---|---|
 # | who takes part | any number of publishers and subscriptions | one client asks, one server responds |
 # | does the sender know it arrived? | no | yes, by the response |
@@ -396,7 +396,8 @@ show_machine(
 )
 
 # %% [markdown]
-# The thread is free here, and the heart is silent all the same: the wait set does not ask for it.
+# The thread is free here, and there is still no heartbeat: the executor leaves the heartbeat timer out of its wait
+# set.
 #
 # `call` and `await` get their response, because the *client* has a group of its own. But the waiting callback occupies
 # the default group, and the heartbeat timer is in it. A callback that only asks and returns leaves the group at once.
@@ -590,8 +591,9 @@ questions_picture(
 )
 
 # %% [markdown]
-# `rclpy.spin_until_future_complete` adds the node to the *global* executor, which takes it away from its own. When the
-# future is done, the node is in no executor. Use the function in `main()`, before `spin`, and never in a callback.
+# `rclpy.spin_until_future_complete` adds the node to the *global* executor. That removes the node from the executor
+# that was spinning it. When the future is done, the node is in no executor. Use the function in `main()`, before
+# `spin`, and never in a callback.
 
 # %% [markdown]
 # ## From a worked example to your own

@@ -10,7 +10,8 @@
 #   - say why a subscription hears nothing
 #   - give a late program the last status at once
 #   - notice when a publisher goes silent
-# - **Left out:** liveliness, lifespan and history (three more policies), discovery servers, settings of one DDS
+# - **Left out:** liveliness, lifespan and history (three more policies), discovery servers, settings that only one
+#   DDS implementation has
 
 # %% [markdown]
 # This robot publishes its status once, when it starts. Its heart beats four times a second. We record it for five
@@ -596,7 +597,7 @@ stop()
 # </details>
 # <details><summary>c) As soon as the robot is switched on</summary>
 #
-# ✗ Then a message comes, in time.
+# ✗ Then the first message comes, so no deadline is missed.
 #
 # </details>
 #
@@ -604,7 +605,7 @@ stop()
 #
 # <details><summary>a) The domain</summary>
 #
-# ✗ On another domain, neither would be listed beside the other.
+# ✗ If the domains differed, you would not see both in one list.
 #
 # </details>
 # <details><summary>b) The types</summary>
@@ -647,9 +648,10 @@ stop()
 #
 # Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
 #
-# - **`QoSProfile(depth=10, deadline=0.1)`:** Seconds are not taken. It must be `Duration(seconds=0.1)`.
-# - **A best-effort subscriber does not match a reliable publisher:** It does: it asks for less than is offered. The
-#   other way round does not match.
+# - **`QoSProfile(depth=10, deadline=0.1)`:** A plain number of seconds is not accepted. It must be
+#   `Duration(seconds=0.1)`.
+# - **A best-effort subscriber does not match a reliable publisher:** In fact, it does match, because it asks for less
+#   than is offered. The other way round does not match.
 #
 # </details>
 

@@ -241,10 +241,11 @@ with lease_domain() as desk_a, lease_domain() as desk_b:
 # A tool is on one domain, too, so no tool shows this pair. A topic that is not listed means another domain
 # (`ROS_DOMAIN_ID`), another network, or a program that is not running. A listed topic without messages means QoS or type.
 #
-# **Listed, and nothing arrives, with a container.** Fast DDS sends messages through shared memory (`/dev/shm`) if it
-# takes both programs to be on one machine. A container that shares its host's network, but not `/dev/shm`, looks like
-# that. Then every topic is listed, and no message arrives. Share `/dev/shm` and the user (`--ipc=host`, `--user`), or turn
-# shared memory off, as this workbook does. `workbook doctor` checks each link of this chain.
+# **With a container: a topic is listed, and nothing arrives.** Fast DDS sends messages through shared memory
+# (`/dev/shm`) if it takes both programs to be on one machine. A container that shares its host's network, but not
+# `/dev/shm`, seems to be on the same machine. Then every topic is listed, and no message arrives. Share `/dev/shm`
+# and the user (`--ipc=host`, `--user`), or turn shared memory off, as this workbook does. `workbook doctor` checks
+# all of these.
 
 # %% [markdown]
 # ## Take away

@@ -116,8 +116,9 @@ print("the first callback reads 9.0: ", all(first))
 print("the second callback reads 9.0:", any(second))
 
 # %% [markdown]
-# rclpy makes a new Python object for **each subscription**. Other callbacks and other nodes do not see your change. Those
-# who get *this* object from you do: a list in which you keep it, a method to which you pass it, a publisher.
+# rclpy makes a new Python object for **each subscription**. Other callbacks and other nodes do not see your change.
+# Only code that gets *this* object from you sees it: a list that keeps it, a method that takes it, a publisher that
+# sends it.
 #
 # rclpy keeps a field of numbers whose **length may vary** in an `array.array` from Python's standard library. There the
 # numbers lie side by side, without a Python object for each: so the view works. A field of **fixed length** is a NumPy
@@ -217,9 +218,10 @@ print("the view of a million values costs less than 50 times that of 12:", cheap
 # Here are two filters for one number. The moving average remembers the last measurements. The **Butterworth** filter
 # lets slow movements pass, and holds back what is faster than its cutoff frequency. It feeds its own results back.
 #
-# In `butter(2, ...)`, 2 is the **order**. A higher order separates slow from fast more sharply, and is later. SciPy
-# splits a filter into *second-order sections*, `sos`, because these stay exact in computing: order 2 is one section.
-# `sosfilt` hands us its memory `zi`, two numbers for each section, and we give it back in the next call.
+# In `butter(2, ...)`, 2 is the **order**. A higher order separates slow from fast more sharply, but delays the result
+# more. SciPy splits a filter into *second-order sections*, `sos`, because rounding errors stay small that way. Order
+# 2 is one section. `sosfilt` hands us its memory `zi`, two numbers for each section, and we give it back in the next
+# call.
 
 # %%
 from collections import deque
@@ -414,8 +416,9 @@ show(fig, "noise against delay: both filters fall from little delay to little no
 # Neither filter gets into the lower left corner. **Choose by what the robot can afford.** A balance controller cannot use
 # an angle that is 0.3 s old. A display can.
 #
-# Is there a filter without delay that looks back only? A **Savitzky–Golay** filter puts a straight line through the last
-# messages, and takes its end. Here is one of 19 messages, on noise, on a ramp, and on a step from 0 to 1.
+# Is there a filter without delay that looks back only? A **Savitzky–Golay** filter fits a straight line to the last
+# messages, and returns the value at the end of that line. Here is such a filter over 19 messages, applied to noise,
+# to a ramp, and to a step from 0 to 1.
 
 # %% id="line-through-the-last"
 from scipy.signal import savgol_coeffs
@@ -543,7 +546,7 @@ print(
 # NaN − NaN is NaN, so it stays in the sum. For each filter: ask `np.isfinite` *before* it, and put the last good value
 # in the place of each NaN.
 #
-# **The filter swings in.** The memory begins with zeros, and the joint stands at 0.9 rad:
+# **The filter needs time to settle.** The memory begins with zeros, and the joint stands at 0.9 rad:
 
 # %% id="swings-in"
 from_zero = Butterworth(1.0)
@@ -553,9 +556,9 @@ print("begun with zeros:      ", [round(value, 1) for value in first])
 print("begun where the joint is:", round(Butterworth(1.0).step(0.9), 1))
 
 # %% [markdown]
-# For half a second the filter reports a movement that never was. `sosfilt_zi(sos) * value` is the memory after a long
-# time at `value`. The same fault comes back when a source restarts somewhere else: then what the filter remembers is
-# wrong, and you have to begin anew.
+# For half a second the filter reports a movement that never was. `sosfilt_zi(sos) * value` is the memory of a filter
+# whose input has been `value` for a long time. The same fault comes back when a source restarts somewhere else: then
+# what the filter remembers is wrong, and you have to begin anew.
 #
 # **An array for whole numbers.** The dtype of an array is fixed when it is made:
 
@@ -580,7 +583,7 @@ message.position.append(0.4)
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** All twelve joints at once: the memory is a list of arrays, and the mean goes along time, `axis=0`.
+# **Worked.** All twelve joints at once: the memory is a list of arrays, and the mean is taken over time, `axis=0`.
 
 
 # %%
@@ -610,7 +613,8 @@ stamps = {stamp for stamp, _ in scope.measured}
 print("stamps kept:", all(stamp in stamps for stamp, _ in scope.filtered))
 
 # %% [markdown]
-# **Twelve joints and `sosfilt`.** One call filters them all along time, `axis=0`. The memory has one state for each joint.
+# **Twelve joints and `sosfilt`.** One call filters all twelve over time, `axis=0`. The memory has one state for each
+# joint.
 
 # %% id="twelve-states"
 at_rest = sosfilt_zi(sos)  # 1 section, 2 numbers
@@ -693,9 +697,9 @@ else:
 #
 # **3. After one NaN, all results of your Butterworth filter are NaN. What helps?**
 #
-# <details><summary>a) `np.nan_to_num` behind the filter</summary>
+# <details><summary>a) `np.nan_to_num` after the filter</summary>
 #
-# ✗ The NaN sits in the memory of the filter. Behind it, you would publish zeros forever.
+# ✗ The NaN sits in the memory of the filter. If you replace it only after the filter, you publish zeros forever.
 #
 # </details>
 # <details><summary>b) A lower cutoff frequency</summary>

@@ -13,8 +13,8 @@
 # - **Left out:** lenses and calibration, two cameras and depth, neural networks (lesson 16)
 
 # %% [markdown]
-# How does a robot get from pixels to a direction? Here is what ours sees. Its hands come from the joint angles of
-# lesson 09. A ball rolls over the desk, two bricks lie on it, and clouds pass by the window.
+# How does a robot get from pixels to a direction? Here is what ours sees. The joint angles of lesson 09 tell where
+# its hands are. A ball rolls over the desk, two bricks lie on it, and clouds pass by the window.
 
 # %%
 from lesson_nodes import head_camera
@@ -72,8 +72,8 @@ print(f"data: {len(image.data)} bytes")
 # | `is_bigendian` | which byte of a larger number comes first; only for pixels of 16 bits and more, such as `mono16` |
 # | `header.stamp` | when the picture was taken |
 #
-# `data` is an `array.array` of bytes, so an array of NumPy can be a view of it, as in lesson 14. First one row of bytes
-# for each row of the picture, then cut off the padding, then three bytes to a pixel.
+# `data` is an `array.array` of bytes, so an array of NumPy can be a view of it, as in lesson 14. First make one row
+# of bytes for each row of the picture, then cut off the padding, then group three bytes into a pixel.
 
 # %% id="to-pixels"
 import numpy as np
@@ -451,8 +451,9 @@ buffer[:] = 200  # the next picture arrives
 print("the view says", kept_view[0, 0, 0], "and the copy", kept_copy[0, 0, 0])
 
 # %% [markdown]
-# Copy what you keep: `pixels.copy()`. And **`imshow` in a callback** does not belong into a node. It draws from the
-# thread that receives, and in the `headless` OpenCV that servers and robots have, it does not exist.
+# Copy what you keep: `pixels.copy()`. And **`imshow` in a callback** does not belong in a node. It draws in the
+# thread that runs your callbacks. And servers and robots have the `headless` build of OpenCV, in which `imshow` only
+# raises an error.
 
 # %% id="imshow" tags=["raises-exception"]
 cv2.imshow("camera", pixels)
@@ -460,7 +461,7 @@ cv2.imshow("camera", pixels)
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** Which direction does the ball of our picture have, and how far would the neck have to turn?
+# **Worked.** In which direction is the ball in our picture, and how far would the neck have to turn?
 
 # %% id="worked"
 x, y, z = direction(*find_ball(pixels))
@@ -528,7 +529,7 @@ else:
 # </details>
 # <details><summary>c) Cameras do not measure brightness</summary>
 #
-# ✗ They measure nothing else, behind three color filters.
+# ✗ Brightness is all that they measure, through red, green and blue filters.
 #
 # </details>
 #
@@ -575,8 +576,8 @@ else:
 #
 # Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
 #
-# - **`from cv_bridge import CvBridge`:** It comes with a ROS installation and not with these wheels. `np.frombuffer`
-#   does the same in one line.
+# - **`from cv_bridge import CvBridge`:** It comes with a ROS installation, but not with the packages of this course.
+#   `np.frombuffer` does the same in one line.
 # - **`np.array(msg.data).reshape(height, width, 3)`:** It ignores `step` and `encoding`. With padded rows it raises an
 #   error; with `bgr8` it swaps red and blue.
 #

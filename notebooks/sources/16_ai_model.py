@@ -46,7 +46,8 @@ show_film(
 
 # %% [markdown]
 # The boxes of cup, plate and brick fit. The box of the ball is late, because the ball has rolled on while the network
-# was computing. Ours is small and needs a few milliseconds. To be like a large one, the node waits until 0.2 s are over.
+# was computing. Ours is small and needs a few milliseconds. To imitate a large one, the node waits until 0.2 s have
+# passed.
 
 # %% [markdown] prediction="how-far-behind"
 # ## Predict
@@ -80,7 +81,7 @@ show_film(
 )
 
 # %% [markdown]
-# How far behind is it? We look at each picture of the films once more, at once, with the same network.
+# How far behind is it? We run the same network once more on each picture of the films, this time without a delay.
 
 # %% id="how-far-behind"
 from statistics import mean
@@ -125,11 +126,11 @@ print(inspect.getsource(toy_detector.ToyDetector.answer))
 
 # %% [markdown]
 # Each detection goes out as a *marker* with the header of its picture: the label in `ns`, the place in pixels. The
-# option `stamps_now` is a fault that we need further down.
+# option `stamps_now` builds in a fault on purpose; a section further down shows it.
 #
-# What does the network get? Not bytes from 0 to 255, but `float32` from 0 to 1; not color last, but color first; and
-# always 160 by 120 pixels. It was trained with such numbers. ONNX Runtime refuses another type of number or another
-# shape. Nothing checks the range of the numbers, nor the order of the colors.
+# What does the network get? Not bytes from 0 to 255, but `float32` from 0 to 1. In the array, the axis of the
+# colors comes before rows and columns, not after them. And there are always 160 by 120 pixels. ONNX Runtime refuses
+# another type of number or another shape. Nothing checks the range of the numbers, nor the order of the colors.
 
 # %% id="input"
 from workbook.models.detector import to_input
@@ -142,8 +143,8 @@ print("found:", sorted(one.label for one in detector(picture)))
 
 # %% [markdown]
 # **Where the network comes from.** PyTorch trained it on pictures that the camera of lesson 15 would take, with random
-# desks (`workbook/models/train.py`). It was saved in the format ONNX, and **ONNX Runtime** runs it without PyTorch. The
-# file with its *provenance* says how it was made and how good it is on pictures that it never saw.
+# desks (`workbook/models/train.py`). It was saved in the format ONNX, and **ONNX Runtime** runs it without PyTorch. A
+# second file holds its *provenance*: how it was made, and how good it is on pictures that it never saw.
 
 # %% id="provenance"
 import tomllib
@@ -359,9 +360,10 @@ impossible = median(stamped.ages) < 0.2
 print("by their stamps, outputs are younger than the network takes:", impossible)
 
 # %% [markdown]
-# That cannot be. The reader believes that the ball is there *now*. Copy the header of the picture.
+# No output can be that young: the network alone takes 0.2 s. The reader believes that the ball is there *now*. Copy
+# the header of the picture.
 #
-# **The network is loaded in each callback.** Large networks take seconds to load; this one is made to take one.
+# **The network is loaded in each callback.** Large networks take seconds to load; we let this one take one second.
 
 # %% id="loaded-each-time"
 loading = await watch(number=4, loads_each_time=True, load_s=1.0)
@@ -374,7 +376,7 @@ print("outputs are older than a second:", median(loading.ages) > 1.0)
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A ball rolls at 0.45 m/s. How far does it get, while an output gets as old as we measured?
+# **Worked.** A ball rolls at 0.45 m/s. How far does it roll in the time that we measured as the age of an output?
 
 # %% id="worked"
 for depth in (1, 50):
@@ -405,7 +407,7 @@ print(put_newest(shelf, "new"))
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/16_ai_model.ipynb) you build a node around a slow model: fresh outputs, a
-# steady heartbeat, and a word when the robot falls.
+# steady heartbeat, and the status `error` when the robot falls.
 
 # %% [markdown]
 # ## Check yourself
@@ -504,7 +506,7 @@ print(put_newest(shelf, "new"))
 # - A queue of one picture, best effort: the newest is the best one.
 # - A slow network belongs in a thread that takes the newest picture; the executor keeps the heartbeat.
 # - Detections carry the stamp of their picture.
-# - Color order and scaling must be those of the training. Nothing else tells you.
+# - Color order and scaling must be those of the training. No error tells you when they differ.
 #
 # **Before:** [15 · A camera](15_camera.ipynb)
 #
