@@ -795,8 +795,8 @@ print("paths:", queue_guide.paths or hint)
 #
 # - **Replace the executor by a `MultiThreadedExecutor`; that is enough:** All callbacks of a node are in one mutually
 #   exclusive group unless you say otherwise. They still run one at a time.
-# - **The executor logs an exception in a callback and goes on:** In fact, the exception comes out of `spin`, and
-#   without an `except` the program ends.
+# - **The executor logs an exception in a callback and goes on:** In fact, the exception comes out of `spin`. Without
+#   an `except` the program ends.
 #
 # </details>
 
