@@ -98,7 +98,7 @@ def floats_arrive(recording: Recording) -> Verdict:
     return verdict
 
 
-@criterion(points=1, title="An empty battery arrives: 0.0, when it is meant", needs=[sends])
+@criterion(points=1, title="0.0 arrives when the battery is really empty", needs=[sends])
 def zero_arrives(recording: Recording) -> Verdict:
     return all_arrived(recording, EMPTY, "0.0 arrived as 0.0")
 

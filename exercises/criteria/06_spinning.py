@@ -144,8 +144,8 @@ def returns_in_time(recording: Recording) -> Verdict:
         worst = max(took, key=lambda n: took[n] - ASKED_S[n])
         return see.failed(
             "in-time.too-late",
-            f"asked for {ASKED_S[worst]:g} s, back after {took[worst]:.2f} s; in the median of "
-            f"{see.count(len(took), 'call')} {typical:.2f} s late",
+            f"asked for {ASKED_S[worst]:g} s, back after {took[worst]:.2f} s; the median delay of "
+            f"{see.count(len(took), 'call')} was {typical:.2f} s",
             IN_TIME,
             "It uses a different time from the one that was asked for: rounded up, or never below some minimum. "
             "Or its last wait is longer than the time that is left.",
@@ -153,8 +153,8 @@ def returns_in_time(recording: Recording) -> Verdict:
             about_time=True,
         )
     return see.passed(
-        f"asked for {ASKED_S[BURST]:g} s, took {took[BURST]:.2f} s; in the median of {see.count(len(took), 'call')} "
-        f"{max(0.0, typical):.2f} s late"
+        f"asked for {ASKED_S[BURST]:g} s, took {took[BURST]:.2f} s; the median delay of "
+        f"{see.count(len(took), 'call')} was {max(0.0, typical):.2f} s"
     )
 
 
@@ -269,7 +269,7 @@ def again(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=1, title="Slow callbacks do not make it much too late", needs=[returns])
+@criterion(points=1, title="Slow callbacks delay the return by about one callback at most", needs=[returns])
 def slow_callbacks(recording: Recording) -> Verdict:
     verdict = in_time(recording, SLOW, extra=JOB_S)
     if not verdict.ok:

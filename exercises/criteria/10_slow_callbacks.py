@@ -557,7 +557,7 @@ def not_told_apart(made: Sequence[Plan], expected: str) -> Verdict:
         return see.passed(f"{len(made)} plans for {len(DISTANCES)} requests, in order")
     return see.failed(
         "all-in-order.not-told-apart",
-        f"{see.count(len(made), 'plan')} for {len(DISTANCES)} requests; not each fits a request",
+        f"{see.count(len(made), 'plan')} for {len(DISTANCES)} requests; at least one plan fits no request",
         expected,
         "As long as plans fit no request, it is impossible to tell which request they answer.",
         "First make sure that each plan is right.",

@@ -426,9 +426,10 @@ def missed_now_and_then(missed: list[int], saw: str, expected: str) -> Verdict:
     """Touches were missed here and there: those that came together, or any."""
     together = sum(number not in ALONE for number in missed)
     if together >= MOSTLY * len(missed):
+        which = "it" if len(missed) == 1 else "all of them" if together == len(missed) else "most of them"
         return see.failed(
             "none-missed.came-together",
-            f"{saw}, {'only' if together == len(missed) else 'mostly'} such as came together with others",
+            f"{saw}; {which} came together with others",
             expected,
             "When several touches come at once, there is room for too few. A variable holds only the last "
             "one, a queue has a small depth, or touches that follow another one too soon are skipped.",

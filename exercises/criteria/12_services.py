@@ -153,8 +153,8 @@ def results_told(recording: Recording) -> Verdict:
         answer, delay = late[0]
         return see.failed(
             "results-told.late",
-            f"{len(late)} of {len(fitting)} answers were reported late: the one that came at {answer.at:.1f} s "
-            f"{delay:.1f} s later",
+            f"{len(late)} of {len(fitting)} answers were reported late: for example, the answer that came at "
+            f"{answer.at:.1f} s was reported {delay:.1f} s later",
             EACH_ANSWER_ONCE,
             "The result is read only when the next request is sent, so each report belongs to an earlier call.",
             "Read the answer in a done callback: future.add_done_callback(self.on_answer).",
@@ -165,7 +165,7 @@ def results_told(recording: Recording) -> Verdict:
 
 @criterion(
     points=2,
-    title='"no answer" is reported in time, and only where there was none',
+    title='"no answer" is reported in time, and only for calls that got no answer',
     needs=[calls_arrive, health_topic, alive_at_end],
 )
 def unanswered_told(recording: Recording) -> Verdict:
@@ -465,8 +465,8 @@ def why_results_do_not_fit(recording: Recording) -> Verdict:
         or next(filter(None, (why_wrongly_told(recording, one, words) for one in answers)), None)
         or see.failed(
             "results-told.other-order",
-            f"{len(answers)} answers came, but the {len(words)} results on {HEALTH.name} are others, or in another "
-            "order",
+            f"{len(answers)} answers came, but the {len(words)} results on {HEALTH.name} do not match them, or "
+            "are in another order",
             EACH_ANSWER_ONCE,
             "The reported result belongs to another call.",
             "In the done callback, use the future that was passed to it, and no other.",
@@ -529,8 +529,8 @@ def why_changes_only(recording: Recording, answers: list[Answer], words: list[Re
     one, before = repeated[0]
     return see.failed(
         "results-told.changes-only",
-        f'the answer at {one.at:.1f} s repeated the "{one.word}" of {before.at:.1f} s and was not reported; every '
-        "answer that differed from the one before was",
+        f'the answer at {one.at:.1f} s was "{one.word}", like the one at {before.at:.1f} s, and was not reported. All '
+        "answers that differed from the one before were reported",
         EACH_ANSWER_ONCE,
         "Your node reports a result only when it differs from the last one. The control room then cannot see "
         "whether the robot is still tested.",
@@ -778,8 +778,8 @@ def why_given_up(recording: Recording, in_vain: list[float]) -> Verdict:
         call = waiting[0]
         return see.failed(
             "unanswered-told.still-open",
-            f'"{NO_ANSWER}" {at - call.t:.1f} s after the call at {call.t:.1f} s, which was answered '
-            f"{(call.answered_t or at) - call.t:.1f} s after it",
+            f'your node said "{NO_ANSWER}" {at - call.t:.1f} s after the call at {call.t:.1f} s; the answer to this '
+            f"call came {(call.answered_t or at) - call.t:.1f} s after the call",
             ONE_NO_ANSWER,
             f"It gives up too early: an answer may take {MAY_TAKE_S} s.",
             "Give up no earlier than the next request.",

@@ -438,7 +438,7 @@ def why_followed_no_more(followed: int, saw: str, expected: str) -> Verdict:
     if followed:
         return see.failed(
             "status-follows.not-always",
-            f"{saw}; {see.count(followed, 'change')} before it had been followed",
+            f"{saw}; before that, the line had followed {see.count(followed, 'change')}",
             expected,
             "The line follows some changes but not others. Perhaps a repeated status is skipped, one status is "
             "never replaced, or the program stops handling messages after some time.",
@@ -502,7 +502,7 @@ def why_never_raised(recording: Recording, began: float, ended: float, expected:
             f"nothing in {ended - began:.1f} s of silence, and True when the heart beat again",
             expected,
             "You check the clock in the callback of the heartbeat, and nothing calls it during a silence.",
-            "Check the clock in a timer, or use the event for a missed deadline. Both need no message.",
+            "Check the clock in a timer, or use the event for a missed deadline. Neither of them needs a message.",
             about_time=True,
         )
     said = [at for at, _ in alarms(recording, began + NOT_BEFORE_S, ended)]

@@ -178,7 +178,7 @@ def labels_kept(recording: Recording) -> Verdict:
     if lengths:
         return see.failed(
             "labels-kept.other-length",
-            f"{lengths[0]} angles beside {len(JOINTS)} names",
+            f"{lengths[0]} angles for {len(JOINTS)} names",
             f"an angle for each of the {len(JOINTS)} names",
             "The angles go through an array of another shape, or only some joints are filtered and kept.",
             "Print filtered.shape; publish one angle for each joint: position = filtered.tolist().",
@@ -228,8 +228,8 @@ def filters(recording: Recording) -> Verdict:
             f"the angles come out nearly as they went in: {left[0]:.0%} of the noise is left",
             f"{LITTLE_LEFT}; angles that differ from what came by less than {LEAST_CHANGE_RAD} rad (root mean "
             "square) count as passed on",
-            "The filter takes too much of what is new: its weight for that is near 1, or its cutoff frequency is high.",
-            "Let it look back farther, or give what is new a smaller weight, such as 0.3.",
+            "The filter gives new measurements too much weight: the weight is near 1, or the cutoff frequency is high.",
+            "Let it look back farther, or give new measurements a smaller weight, such as 0.3.",
         )
     return see.failed(
         "filters.passes-through",
@@ -253,7 +253,8 @@ def noise_reduced(recording: Recording) -> Verdict:
     if off > LARGEST_NOISE_RAD:
         return see.failed(
             "noise-reduced.beside-after-restart",
-            f"a second after the restart, the answers for {JOINTS[joint]} are still typically {off:.2f} rad beside it",
+            f"a second after the restart, the answers for {JOINTS[joint]} are still typically {off:.2f} rad away "
+            "from its true angle",
             LITTLE_LEFT,
             "The filter has not reached the joint. It still remembers where the joint was before, it began with "
             "zeros, or its result is no longer used.",
@@ -299,7 +300,7 @@ def restart_noticed(recording: Recording) -> Verdict:
         f"{verdict.saw}. But at each full second the filter began anew",
         verdict.expected,
         "The stamps are compared by their nanosec alone, which begins again with each second. The restart went "
-        "unnoticed, because there nanosec grew.",
+        "unnoticed, because nanosec happened to increase at that moment.",
         "Compare both parts together: (sec, nanosec) as a pair, or sec * 10**9 + nanosec.",
     )
 
@@ -327,8 +328,8 @@ def survives_nan(recording: Recording) -> Verdict:
     if not set(bad) <= set(NAN_AT):
         return see.failed(
             "survives-nan.in-the-window",
-            f"{see.count(len(bad), 'answer')} with NaN, the first of them for {shown(bad[0])}, but only "
-            f"{see.count(len(NAN_AT), 'message')} with NaN came in",
+            f"{see.count(len(bad), 'answer')} went out with a NaN, the first of them for {shown(bad[0])}. Only "
+            f"{see.count(len(NAN_AT), 'message')} came in with one",
             FINITE,
             "NaN got into the memory of the filter, and stays until it falls out at the end of the window. A "
             "comparison such as angle == math.nan never finds it: NaN is not equal to itself.",
@@ -590,7 +591,8 @@ def lost_after_nan(recording: Recording) -> Verdict | None:
         f"an angle within {FOLLOWS_RAD} rad of the joint when it moves again",
         "NaN got into the memory of the filter, and there it stays. What is published in its place, such as 0 or the "
         "last answer, only hides it.",
-        "Replace NaN before the filter, not behind it: by the last good angle of that joint, see np.isfinite.",
+        "Replace each NaN before the filter, not after it: put in the last good angle of that joint. "
+        "np.isfinite is False for a NaN.",
     )
 
 
@@ -607,7 +609,7 @@ def at_once(recording: Recording) -> Verdict:
             "every-one-answered.too-slow",
             f"an answer takes {took_s:.2f} s on average, and a message comes every {PERIOD_S} s",
             f"typically within {TYPICALLY_S} s, and {SHARE_AT_ONCE:.0%} of them within {AT_ONCE_S} s",
-            "The callback sleeps or computes long.",
+            "The callback sleeps or takes long to compute.",
             "Take the sleep out of the callback: it is called for each message, and answers it at once.",
             about_time=True,
         )
@@ -621,7 +623,8 @@ def at_once(recording: Recording) -> Verdict:
         f"an answer came typically {typical:.2f} s after its message, and {len(late)} of {len(waited)} more than "
         f"{AT_ONCE_S} s after it",
         f"typically within {TYPICALLY_S} s, and {SHARE_AT_ONCE:.0%} of them within {AT_ONCE_S} s",
-        "Messages are collected and answered later, by a timer or in groups; or the callback sleeps or computes long.",
+        "Messages are collected and answered later, by a timer or in groups. Or the callback sleeps, or takes long to "
+        "compute.",
         "Publish each answer inside the callback, at once, and let nothing in it sleep.",
         about_time=True,
     )
@@ -682,7 +685,7 @@ def why_other_names(others: list[Answered], given: int) -> Verdict:
     if sorted(names) == sorted(JOINTS):
         return see.failed(
             "labels-kept.other-order",
-            f"{names[0]} in the first place, where {JOINTS[0]} was",
+            f"the first name is {names[0]}, but in the message it was {JOINTS[0]}",
             expected,
             "The names are sorted, or come out of a set. Angles and names belong together by their places.",
             "Copy them as they came: answer.name = message.name.",
@@ -777,7 +780,7 @@ def missing_after_a_start(saw: str, missing: list[int]) -> Verdict | None:
             f"{saw}; after a start, the answers begin late",
             ONE_EACH,
             "The filter waits until its memory is full, or the first messages only fill it.",
-            "Fill the memory with the first message as often as it has room, and answer from the first one on.",
+            "Fill every place in the memory with the first message, and answer from the first message on.",
             about_time=True,
         )
     return None
@@ -882,7 +885,7 @@ def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verd
             saw,
             LITTLE_LEFT,
             "The memory of the filter is not carried on from call to call, so each call begins with what it remembered "
-            "at the start. Or something behind the filter adds as much as it takes away.",
+            "at the start. Or something after the filter adds as much noise as the filter removes.",
             "Give the filter in each call the memory that it handed back in the last one, and publish its result as it "
             "is.",
         )
@@ -891,7 +894,7 @@ def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verd
         saw,
         LITTLE_LEFT,
         "The filter lets too much through: its window is too short, its cutoff frequency too high, or its weight for "
-        "what is new too large.",
+        "new measurements too large.",
         "A moving average of N messages leaves 1/sqrt(N) of the noise. Let it look back farther, and look at the delay "
         "again.",
     )
@@ -907,8 +910,9 @@ def why_begun_anew(recording: Recording, saw: str) -> Verdict | None:
                 f"before the restart, {first[0]:.0%} of the noise is left, and after it {last[0]:.0%}",
                 LITTLE_LEFT,
                 "After the restart nothing is filtered: each message looks like a restart, because the last stamp is "
-                "not updated. Or the memory is given up at the restart, and never kept again.",
-                "Store the stamp of every message. After the first one that is before it, filter as usual.",
+                "not updated. Or the memory is discarded at the restart, and not kept from then on.",
+                "Store the stamp of every message. Begin anew at a stamp that is smaller than the one before, and "
+                "filter as usual after that.",
             )
     if not begins_anew_each_second(recording):
         return None
@@ -939,8 +943,8 @@ def why_no_filter(recording: Recording, saw: str) -> Verdict | None:
         "noise-reduced.stands-still",
         f"{saw}; the answers do not change from message to message",
         LITTLE_LEFT,
-        "The answer keeps an old value until a new one is far from it (a dead band). It is calm, but as far beside "
-        "the joint as that old value was.",
+        "The answer keeps an old value until a new one is far from it (a dead band). It is calm, but as wrong "
+        "as that old value was.",
         "Let each measurement count a little: take a mean of the last ones, or go a part of the way to each.",
     )
 
@@ -964,10 +968,10 @@ def too_few(cause: str) -> Verdict:
     """Nothing can be said, because most answers are missing."""
     return see.failed(
         cause,
-        "fewer than half of the messages that this is judged by were answered",
+        "fewer than half of the messages that count for this criterion were answered",
         "an answer to each",
-        "Without answers, nothing can be seen of the filter.",
-        "See first that every message is answered.",
+        "Without answers, the filter cannot be judged.",
+        "First make sure that every message is answered.",
         about_time=True,
     )
 

@@ -227,7 +227,8 @@ def refuses_others(recording: Recording) -> Verdict:
             "refuses-others.says-no-ball",
             f"{saw}, and {len(guessed)} of them were answered with (0, 0, 0)",
             expected,
-            'The node says "no ball" where it could not look. A listener takes that for a look at the desk.',
+            'The node says "no ball" where it could not look. A listener then believes that the node has '
+            "looked at the desk and found no ball.",
             RETURN_EARLY,
         )
     if guessed:
@@ -291,8 +292,8 @@ def no_ball_said(recording: Recording) -> Verdict:
         )
     place, answer = wrong[0]
     saw = (
-        f"picture {place + 1} shows no orange ball, and the answer is {shown(answer.vector)}; so it is for "
-        f"{see.count(len(wrong), 'picture')} of {len(known)}"
+        f"picture {place + 1} shows no orange ball, but the answer is {shown(answer.vector)}. The answer is wrong for "
+        f"{len(wrong)} of {see.count(len(known), 'such picture')}"
     )
     reason = why_a_ball(wrong, first_answers(recording))
     return see.failed(reason.cause, saw, expected, reason.because, reason.try_this)
@@ -440,7 +441,7 @@ def directions(recording: Recording, places: Iterable[int], suspected: "Reason |
         f"{view.scene.light:.0%}): the ball is at {shown(ball_of(place))}, and the answer is {shown(answer.vector)}"
     )
     if math.isfinite(off):
-        saw += f", {off:.1f}° beside it"
+        saw += f", {off:.1f}° away from it"
     reason = why_wrong(wrong)
     if suspected is not None and reason.cause in UNCLEAR and len(wrong) >= MOST * len(known):
         reason = suspected
@@ -480,7 +481,7 @@ def why_wrong(wrong: Wrong) -> Reason:
     """The first reason that fits most of the directions that are wrong."""
     return first_that_fits(REASONS, wrong) or Reason(
         "direction.beside",
-        "Something else than the ball was taken, or only a part of it. Or the pixel was turned into a direction with "
+        "Something other than the ball was found, or only a part of it. Or the pixel was turned into a direction with "
         "another focal length or middle than the task names.",
         "Draw the mask of what you take for orange, for one such picture, and mark the pixel that you found.",
         lambda place, answer: True,
@@ -540,7 +541,7 @@ REASONS = (
     Reason(
         "direction.no-ball",
         "The ball was not found. The range of colors may not fit this light, or the bytes were read in another order "
-        "of rows or colors. Or the ball was taken for too small, or not round.",
+        "of rows or colors. Or the ball was rejected as too small, or as not round.",
         "Look at the pixels of the ball in such a picture, in the color space that you use: which bounds exclude them?",
         lambda place, answer: answer.length < LENGTH_SLACK,
     ),
@@ -611,7 +612,7 @@ def why_silent(recording: Recording, expected: str) -> Verdict:
         return too_few("no-ball-said.too-few-answers")
     return see.failed(
         "no-ball-said.silent",
-        "no picture without a ball was answered, and others were",
+        "other pictures were answered, but none of those without a ball",
         expected,
         'The node is silent when it finds no ball. A listener cannot tell "no ball" from "no camera".',
         "Publish (0, 0, 0) with the header of the picture: a new Vector3Stamped says just that.",
@@ -712,8 +713,8 @@ def one_behind(given: list[Answered]) -> Verdict | None:
         return None
     return see.failed(
         "stamps-kept.one-behind",
-        f"the directions are typically {here:.1f}° beside the ball, and {before:.1f}° beside where it was a picture "
-        "earlier",
+        f"the directions are typically {here:.1f}° away from the ball, but only {before:.1f}° away from where the "
+        "ball was one picture earlier",
         PICTURE_STAMPS,
         "A direction gets the stamp of the next picture. The picture before is kept and answered, or a new header is "
         "put on an old result.",
@@ -744,7 +745,7 @@ def why_late(saw: str, waited: list[float]) -> Verdict:
         "keeps-up.late",
         saw,
         expected,
-        "Pictures wait in a queue or for a timer, or the callback sleeps or computes long.",
+        "Pictures wait in a queue or for a timer, or the callback sleeps or takes long to compute.",
         "Look at each picture inside its callback and publish at once; keep the queue short.",
         about_time=True,
     )
@@ -772,9 +773,9 @@ def too_few(cause: str) -> Verdict:
     """Nothing can be said, because most answers are missing."""
     return see.failed(
         cause,
-        "fewer than half of the pictures that this is judged by were answered",
+        "fewer than half of the pictures that count for this criterion were answered",
         "an answer to each",
-        "Without answers, nothing can be seen of the tracker.",
-        "See first that every picture is answered.",
+        "Without answers, the tracker cannot be judged.",
+        "First make sure that every picture is answered.",
         about_time=True,
     )

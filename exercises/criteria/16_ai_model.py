@@ -303,7 +303,7 @@ def right(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="It survives a model that raises: no message for such a picture, a line in the log, and on",
+    title="It survives a model that raises: no message for such a picture, a line in the log, and it continues",
     needs=[detections_come],
 )
 def survives(recording: Recording) -> Verdict:
@@ -350,7 +350,7 @@ def fall_reported(recording: Recording) -> Verdict:
             "fall-reported.taken-back",
             f'{saw}, and "{OPERATIONAL}" again {again[0] - errors[0]:.1f} s later',
             FALL_EXPECTED,
-            "The status follows the tilt of the moment. But a robot that has fallen and was put up again may be "
+            "The status follows the current tilt. But a robot that has fallen and was put up again may be "
             "damaged.",
             "Remember the fall in an attribute, and never take it back.",
         )
@@ -652,8 +652,8 @@ def later_stamps(given: Sequence[Answered]) -> Verdict | None:
         return None
     return see.failed(
         "stamps-kept.later-picture",
-        f"the toys are typically {here:.1f} pixels beside the detections, and {apart(best):.1f} pixels where they were "
-        f"{best} pictures earlier",
+        f"the detections are typically {here:.1f} pixels away from the toys, but only {apart(best):.1f} pixels "
+        f"away from where the toys were {see.count(best, 'picture')} earlier",
         PICTURE_STAMPS,
         "A detection gets the stamp of a picture that came while the model was busy. The header was read from an "
         "attribute that the next picture overwrites.",
@@ -805,7 +805,7 @@ def few_answers(recording: Recording, answered: int) -> Verdict:
         "answers.too-few",
         saw,
         FRESH_EXPECTED,
-        "The node stopped to answer, or answers very rarely.",
+        "The node stopped answering, or answers very rarely.",
         "Hand the newest picture to the model as soon as it has finished the one before.",
         about_time=True,
     )
@@ -857,7 +857,7 @@ def why_few(recording: Recording, saw: str) -> Verdict:
         "fresh.too-few",
         saw,
         FRESH_EXPECTED,
-        "The model stands idle between two pictures: a timer asks for it too rarely, or the node stopped to answer.",
+        "The model stands idle between two pictures: a timer calls it too rarely, or the node stopped answering.",
         "Hand the newest picture to the model as soon as it has finished the one before.",
         about_time=True,
     )
@@ -879,8 +879,8 @@ def silent_since_glare(recording: Recording, saw: str, given: Sequence[Answered]
             "survives.not-seen",
             f"{saw}, and no picture after them was answered",
             SURVIVES_EXPECTED,
-            "The node lags far behind the camera, or it stopped to answer for another reason.",
-            "See first that fresh pictures are answered until the end.",
+            "The node lags far behind the camera, or it stopped answering for another reason.",
+            "First make sure that fresh pictures are answered until the end.",
             about_time=True,
         )
     if ended:
@@ -905,10 +905,10 @@ def too_rarely(saw: str, given: Sequence[Answered]) -> Verdict | None:
         return None
     return see.failed(
         "survives.too-rarely",
-        f"{saw}, and so few pictures are looked at that hardly one of these can be among them",
+        f"{saw}, but so few pictures were answered that the model probably got none of these",
         SURVIVES_EXPECTED,
         "Whether the node survives cannot be seen.",
-        "See first that the model gets a picture at least three times a second.",
+        "First make sure that the model gets a picture at least three times a second.",
         about_time=True,
     )
 
@@ -984,7 +984,7 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
         if tilt > TILT_DEG and start <= at <= stop + 0.25:
             return see.failed(
                 "fall-reported.on-a-jolt",
-                f'"{ERROR}" after {round((end - begin) * IMU_HZ) + 1} tilted samples at most',
+                f'"{ERROR}" after no more than {round((end - begin) * IMU_HZ) + 1} tilted samples',
                 FALL_EXPECTED,
                 "A jolt is taken for a fall. Or tilted samples are counted, and the count does not begin again at an "
                 "upright one.",
@@ -996,7 +996,7 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
             "fall-reported.on-leaning",
             f'"{ERROR}" while the robot leans by {tilt:g}°',
             FALL_EXPECTED,
-            "The angle from which on the robot counts as tilted is too small, or degrees and radians are mixed up.",
+            "The angle above which the robot counts as tilted is too small, or degrees and radians are mixed up.",
             f"A sample is tilted when its angle is more than {TILT_DEG:g}°.",
         )
     for begin, end in GLARE_S:
@@ -1006,7 +1006,7 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
                 f'"{ERROR}" while the model gives up on pictures',
                 FALL_EXPECTED,
                 "An exception of the model is taken for a fall, or changes the status.",
-                "Log the exception. The status belongs to the fall alone.",
+                "Log the exception. Only a fall may change the status.",
             )
     return see.failed(
         "fall-reported.before",
