@@ -21,7 +21,7 @@ MAY_IMPORT = {
     "machine_tap.py": {"rclpy"},
 }
 """What else than the standard library. `import_cache.py` imports by name what answers need."""
-STARTED_BY_RUN = ("confine", "fork_server", "host", "mypy_server", "subreaper", "sweeper")
+STARTED_BY_RUN = ("confine", "fork_server", "group_keeper", "host", "mypy_server", "subreaper", "sweeper")
 PROC = re.compile(r"[\"']/proc/")
 MENTIONS_PROC = {"workbook/inside/proc.py", "workbook/inside/landlock.py", "workbook/inside/tier_probe.py"}
 """The one module that reads /proc, the rule of Landlock that lets a program do so, and a program of our own."""

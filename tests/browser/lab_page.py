@@ -38,6 +38,19 @@ _ALL_RAN = """
 """
 
 # The moments (ms) at which another picture of the robot came onto the page.
+# A number may be the same after the run: a saved notebook has that of a kernel before. In between stands an asterisk.
+CHANGED = "data-changed"
+_NOTE_CHANGE = f"""
+(prompt) => {{
+    prompt.removeAttribute("{CHANGED}");
+    const observer = new MutationObserver(() => {{
+        prompt.setAttribute("{CHANGED}", "yes");
+        observer.disconnect();
+    }});
+    observer.observe(prompt, {{childList: true, characterData: true, subtree: true}});
+}}
+"""
+
 _COUNT_FRAMES = """
 (name) => {
     const moments = [];
@@ -244,10 +257,10 @@ class LabPage:
     def run(self, cell: Locator) -> None:
         """Ctrl+Enter in a cell; waits until it has ended."""
         prompt = cell.locator(".jp-InputPrompt")
-        before = prompt.inner_text()
+        prompt.evaluate(_NOTE_CHANGE)
         cell.locator(".cm-content").click()
         self.page.keyboard.press("Control+Enter")
-        expect(prompt).not_to_have_text(before)
+        expect(prompt).to_have_attribute(CHANGED, "yes")
         expect(prompt).to_have_text(re.compile(r"\[\d+\]"), timeout=CELL_MS)
 
     # --- what shows ------------------------------------------------------------------------------------------

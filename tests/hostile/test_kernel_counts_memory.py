@@ -3,7 +3,6 @@
 The figures are small, so that nothing here takes much of the machine.
 """
 
-import os
 import re
 import subprocess
 import sys
@@ -206,10 +205,10 @@ def test_no_group_outlives_a_grader_that_is_killed() -> None:
         else:
             assert folder == "None"
         grader.kill()
-    wait_until(lambda: not os.path.isdir(folder), "the group of the slot goes")
     if groups_problem() is None:
-        left = [path.name for path in find_hierarchy().own.glob(f"{PREFIX}{grader.pid}-*")]
-        assert left == []
+        kept = f"{PREFIX}{grader.pid}-*"
+        wait_until(lambda: not list(find_hierarchy().own.glob(kept)), "the group of the slot and all above it go")
+        assert not Path(folder).exists()
 
 
 def test_the_doctor_says_how_memory_is_limited() -> None:

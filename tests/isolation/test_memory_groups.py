@@ -10,14 +10,15 @@ from pathlib import Path
 
 import pytest
 
-from tests.programs.support import write
-from workbook.inside import memory_cgroup
+from tests.programs.support import wait_until, write
+from workbook.inside import group_keeper, memory_cgroup
 from workbook.isolation import memory_groups
 from workbook.isolation.grouped import GroupedTier
 from workbook.isolation.memory_groups import (
     LEAF,
     PREFIX,
     Hierarchy,
+    KeptGroup,
     LeasedGroups,
     MemoryGroup,
     NoMemoryGroups,
@@ -74,6 +75,7 @@ class PaperKernel:
         patch.setattr(memory_cgroup.os, "rmdir", self.rmdir)
         patch.setattr(os, "mkdir", self.mkdir)
         patch.setattr(memory_groups, "write", self.write)
+        patch.setattr(memory_cgroup, "write", self.write)
         self._fill(self.own)
 
     def mkdir(self, path: str | Path, mode: int = 0o777) -> None:
@@ -90,8 +92,9 @@ class PaperKernel:
                 path.unlink()
         self._rmdir(group)
 
-    def write(self, path: Path, text: str) -> None:
+    def write(self, name: str, text: str) -> None:
         """As the kernel does: a group that holds processes is not divided, and who joins one leaves another."""
+        path = Path(name)
         procs = path.parent / "cgroup.procs"
         if path.name == "cgroup.subtree_control":
             if procs.read_text().strip():
@@ -214,8 +217,8 @@ def test_an_answer_whose_group_is_refused_runs_without_one(tmp_path: Path) -> No
 def test_a_group_whose_limit_cannot_be_set_is_removed(
     kernel: PaperKernel, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def refuse(path: Path, text: str) -> None:
-        raise PermissionError(errno.EACCES, "Permission denied", str(path))
+    def refuse(path: str, text: str) -> None:
+        raise PermissionError(errno.EACCES, "Permission denied", path)
 
     monkeypatch.setattr(memory_groups, "write", refuse)
     with pytest.raises(PermissionError):
@@ -274,10 +277,10 @@ def without_groups(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     missing = str(Path("/no/such/table"))
     monkeypatch.setattr(memory_groups, "find_hierarchy", lambda: find_hierarchy(missing, missing))
     memory_groups.groups_problem.cache_clear()
-    memory_groups._place.cache_clear()
+    memory_groups._kept.cache_clear()
     yield
     memory_groups.groups_problem.cache_clear()
-    memory_groups._place.cache_clear()
+    memory_groups._kept.cache_clear()
 
 
 def test_without_a_cgroup_memory_is_watched_and_that_is_said(without_groups: None) -> None:
@@ -287,33 +290,63 @@ def test_without_a_cgroup_memory_is_watched_and_that_is_said(without_groups: Non
     )
 
 
-def test_the_groups_of_killed_graders_are_swept_and_no_others(kernel: PaperKernel) -> None:
-    deep = kernel.own / "deep"
+@pytest.fixture
+def alive(tmp_path: Path) -> Iterator[KeptGroup]:
+    """A group that its keeper has made, where a kernel of paper is not needed: in an ordinary folder."""
+    kept = KeptGroup(tmp_path)
+    yield kept
+    kept.close()
+    assert not kept.path.exists()
+
+
+def test_the_groups_of_killed_graders_are_swept_and_no_others(alive: KeptGroup, tmp_path: Path) -> None:
+    deep = tmp_path / "deep"
     deep.mkdir()
     left = Path(tempfile.mkdtemp(prefix=f"{PREFIX}1-", dir=deep))
-    MemoryGroup(left, LIMITS)
-    alive = LeasedGroups(kernel.own)
-    sweep_groups(kernel.own.parent)
+    (left / "slot-1" / "answer-1").mkdir(parents=True)
+    sweep_groups(tmp_path)
     assert not left.exists()
-    assert alive.path.is_dir()
+    assert alive.path.is_dir(), "somebody keeps it"
     assert deep.is_dir()
-    alive.remove()
 
 
-def test_a_lease_ends_with_the_process_that_has_it(kernel: PaperKernel) -> None:
-    """However suddenly: the kernel gives up its lock."""
-    folder = tempfile.mkdtemp(prefix=f"{PREFIX}1-", dir=kernel.own)
-    holds = (
-        "import fcntl, os, sys; fcntl.flock(os.open(sys.argv[1], os.O_RDONLY), fcntl.LOCK_EX); "
-        "print(flush=True); input()"
+def test_a_group_goes_with_its_grader_and_all_that_is_below(tmp_path: Path) -> None:
+    """However suddenly: its keeper sees that its input is closed."""
+    makes = (
+        "import sys; from pathlib import Path; from workbook.isolation.memory_groups import KeptGroup, LeasedGroups; "
+        "kept = KeptGroup(Path(sys.argv[1])); print(LeasedGroups(kept.path).path, flush=True); input()"
     )
     with subprocess.Popen(
-        [sys.executable, "-c", holds, folder], stdin=subprocess.PIPE, stdout=subprocess.PIPE
-    ) as holder:
-        assert holder.stdout is not None
-        holder.stdout.readline()
-        sweep_groups(kernel.own)
-        assert Path(folder).is_dir()
-        holder.kill()
-    sweep_groups(kernel.own)
-    assert not Path(folder).exists()
+        [sys.executable, "-c", makes, str(tmp_path)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as grader:
+        assert grader.stdout is not None
+        slot = Path(grader.stdout.readline().strip())
+        assert slot.is_dir()
+        assert slot.parent.parent == tmp_path
+        sweep_groups(tmp_path)
+        assert slot.is_dir()
+        grader.kill()
+    wait_until(lambda: list(tmp_path.iterdir()) == [], "its group goes")
+
+
+def test_where_no_group_can_be_made_the_keeper_says_why(tmp_path: Path) -> None:
+    with pytest.raises(NoMemoryGroups, match=r"no group can be made in .*: No such file or directory"):
+        KeptGroup(tmp_path / "there is none")
+
+
+def test_a_group_that_was_swept_before_it_was_locked_is_made_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    swept: list[str] = []
+    mkdir = os.mkdir
+
+    def sometimes(path: str) -> None:
+        """The first time, another grader is quicker."""
+        if swept:
+            mkdir(path)
+        swept.append(path)
+
+    monkeypatch.setattr(os, "mkdir", sometimes)
+    group, lock = group_keeper.make_locked(str(tmp_path), PREFIX)
+    os.close(lock)
+    assert [len(swept), group] == [2, swept[-1]]

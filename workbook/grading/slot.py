@@ -30,7 +30,6 @@ from workbook.exercise.judgement import Judgement, Report
 from workbook.exercise.judging import Judge
 from workbook.exercise.serialization import judgement_to_json
 from workbook.inside.libc import set_parent_death_signal
-from workbook.inside.memory_cgroup import remove_group
 from workbook.inside.orphans import StillThere, adopt_orphans, sweep_orphans
 from workbook.isolation.sandbox import sandbox_environment
 from workbook.isolation.tiers import Isolation, make_tier, named_tier
@@ -106,8 +105,6 @@ def serve(
     tier = make_tier(isolation, ids=ids, server=server, groups=groups)
     warm_up(isolation, server)
     with contextlib.closing(server), contextlib.ExitStack() as stack:
-        if groups is not None:
-            stack.callback(remove_group, str(groups), 0.0)  # whoever leased it may have been killed
         try:
             observer = stack.enter_context(Observer(tier=tier))
         except NoDomainFree as error:

@@ -1,10 +1,9 @@
 """Runs a command and outlives it, to end all that is left below.
 
-    python -I -S run.py subreaper PARENT [--groups FOLDER] COMMAND...
+    python -I -S run.py subreaper PARENT COMMAND...
 
 When the command ends, or when the process PARENT does, however suddenly. A sandbox of bubblewrap ends with its owner
 too, but only from a certain moment of its start on: until then a killed grader would leave it behind for ever.
-FOLDER is that of its memory cgroups, which goes last.
 """
 
 import os
@@ -13,7 +12,6 @@ import signal
 import sys
 
 from workbook.inside.libc import set_parent_death_signal
-from workbook.inside.memory_cgroup import remove_group
 from workbook.inside.orphans import StillThere, adopt_orphans, sweep_orphans
 
 HEARD = {signal.SIGTERM, signal.SIGCHLD, signal.SIGINT}
@@ -55,8 +53,4 @@ def end_alike(code: int) -> None:
 def main(arguments: list[str]) -> None:
     """Run the command and end as it ended, with the arguments above."""
     parent, *command = arguments
-    groups = command[1] if command[0] == "--groups" else None
-    code = run_and_reap(int(parent), command if groups is None else command[2:])
-    if groups is not None:
-        remove_group(groups)
-    end_alike(code)
+    end_alike(run_and_reap(int(parent), command))

@@ -30,14 +30,13 @@ def outer_command(command: Sequence[str], groups: Path | None = None) -> list[st
     """`command` in a network of its own, with the files of the machine read-only and a private /dev/shm.
 
     For children of this process: all ends with it, and with the thread that starts it. `groups`: the folder for memory
-    cgroups, the one place of the machine that it may write to, and that is removed with it. Raises NoSandbox.
+    cgroups, the one place of the machine that it may write to. Raises NoSandbox.
 
     /proc must stay that of the machine: the kernel refuses a fresh one in the inner sandbox otherwise.
     """
-    removed = [] if groups is None else ["--groups", str(groups)]
     writable = [] if groups is None else ["--bind", str(groups), str(groups)]
     return [
-        *(sys.executable, "-I", "-S", str(RUN), "subreaper", str(os.getpid()), *removed),
+        *(sys.executable, "-I", "-S", str(RUN), "subreaper", str(os.getpid())),
         _bwrap(),
         *("--unshare-user", "--unshare-net", "--unshare-ipc", "--die-with-parent"),
         *("--ro-bind", "/", "/", "--bind", "/proc", "/proc", "--dev-bind", "/dev", "/dev"),

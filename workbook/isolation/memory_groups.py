@@ -1,22 +1,33 @@
 """Memory cgroups: the kernel itself counts all memory of an answer, and ends it at the limit.
 
-It counts what watching cannot see at once: files in memory, shared memory, pipes, page tables, and sockets. A grader
-makes one group for each slot (`lease_groups`), below its own group and never elsewhere, so that whatever limits the
-grader limits its answers as well. The slot makes one in it for each answer. Where that cannot be done, `groups_problem`
-says why, and resident and shared memory are watched as before.
+It counts what watching cannot see at once: files in memory, shared memory, pipes, page tables, and sockets. All groups
+of a grader are below its own, so that whatever limits the grader limits its answers as well: one that `group_keeper`
+makes and removes, however the grader ends; in it one for each slot (`lease_groups`), and in that one for each answer.
+Where that cannot be done, `groups_problem` says why, and resident and shared memory are watched as before.
 """
 
+import atexit
 import errno
 import fcntl
 import os
 import subprocess
+import sys
 import tempfile
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from workbook.inside.memory_cgroup import groups_in, open_group, processes_in, remove_group
+from workbook.inside import RUN
+from workbook.inside.memory_cgroup import (
+    divide_group,
+    groups_in,
+    open_group,
+    processes_in,
+    remove_group,
+    version_of,
+    write,
+)
 from workbook.inside.proc import OWN_GROUPS, OWN_MOUNTS, mounted, own_groups, process_tree, read_text
 from workbook.recording.limits import ANSWER_LIMITS, Limits
 
@@ -25,7 +36,6 @@ LEAF = "grader-of-rclpy-workbook"
 """Where a grader moves in cgroup v2: a group that holds processes cannot divide its memory among groups below it."""
 SOCKETS_FACTOR = 2
 """The kernel lets sockets hold twice what the judge does, so that the judge sees who holds too much, and says so."""
-LEASE_TRIES = 5
 _JOIN = ("/bin/sh", "-c", 'echo 0 >"$0"')
 _JOIN_S = 10.0
 _DELEGATE = "systemd-run --user --scope -p Delegate=memory workbook grade …"
@@ -60,25 +70,11 @@ def find_hierarchy(groups: str = OWN_GROUPS, mounts: str = OWN_MOUNTS) -> Hierar
     raise NoMemoryGroups("this process is in no cgroup that can be seen")
 
 
-def version_of(group: Path) -> int:
-    """1 or 2, by the files of a group."""
-    return 2 if (group / "cgroup.controllers").exists() else 1
-
-
-def write(path: Path, text: str) -> None:
-    """Write to a file of the kernel, which must be there. Raises OSError."""
-    descriptor = os.open(path, os.O_WRONLY)
-    try:
-        os.write(descriptor, text.encode())
-    finally:
-        os.close(descriptor)
-
-
 class MemoryGroup:
     """The group of one answer, with its limits. Raises OSError when the kernel grants none."""
 
     def __init__(self, folder: Path, limits: Limits) -> None:
-        self.version = version_of(folder)
+        self.version = version_of(str(folder))
         self._limits = limits
         self._exceeded: str | None = None
         self.path = Path(tempfile.mkdtemp(prefix="answer-", dir=folder))
@@ -97,17 +93,17 @@ class MemoryGroup:
     def _limit(self) -> None:
         memory, queued = self._limits.memory, self._limits.queued
         if self.version == 2:
-            write(self.path / "memory.max", str(memory))
+            write(str(self.path / "memory.max"), str(memory))
             for name, value in (("memory.swap.max", "0"), ("memory.oom.group", "1")):
                 with suppress(FileNotFoundError):  # a kernel without swap, or older than 4.19
-                    write(self.path / name, value)
+                    write(str(self.path / name), value)
             return
-        write(self.path / "memory.limit_in_bytes", str(memory))
+        write(str(self.path / "memory.limit_in_bytes"), str(memory))
         with suppress(OSError):  # a kernel that does not count swap
-            write(self.path / "memory.memsw.limit_in_bytes", str(memory))
+            write(str(self.path / "memory.memsw.limit_in_bytes"), str(memory))
         if queued is not None:
             with suppress(OSError):  # or sockets
-                write(self.path / "memory.kmem.tcp.limit_in_bytes", str(SOCKETS_FACTOR * queued))
+                write(str(self.path / "memory.kmem.tcp.limit_in_bytes"), str(SOCKETS_FACTOR * queued))
 
     def exceeded(self) -> str | None:
         """The limit that was exceeded up to now, in the words of `Limits`; None if none was."""
@@ -143,20 +139,12 @@ def number_in(path: Path, name: str = "") -> int:
 
 
 class LeasedGroups:
-    """The group of one slot, which holds those of its answers. It is this process's until `remove`, or its end.
+    """The group of one slot, below `above`, which holds those of its answers. Raises OSError."""
 
-    A lock on the folder says so: the kernel takes it away with the process. Raises OSError; BlockingIOError or
-    FileNotFoundError when somebody else swept it before it was locked.
-    """
-
-    def __init__(self, own: Path) -> None:
-        self.path = Path(tempfile.mkdtemp(prefix=f"{PREFIX}{os.getpid()}-", dir=own))
-        self._lock = os.open(self.path, os.O_RDONLY | os.O_CLOEXEC)
+    def __init__(self, above: Path) -> None:
+        self.path = Path(tempfile.mkdtemp(prefix="slot-", dir=above))
         try:
-            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            os.stat(self.path)
-            if version_of(self.path) == 2:
-                write(self.path / "cgroup.subtree_control", "+memory")
+            divide_group(str(self.path))
         except OSError:
             self.remove()
             raise
@@ -164,9 +152,31 @@ class LeasedGroups:
     def remove(self) -> None:
         """End what is left in it, and remove it."""
         remove_group(str(self.path))
-        if self._lock >= 0:
-            os.close(self._lock)
-            self._lock = -1
+
+
+class KeptGroup:
+    """A group below `own` that is gone when this process is, and by `close`. Raises NoMemoryGroups."""
+
+    def __init__(self, own: Path) -> None:
+        self._owner = os.getpid()
+        self._keeper = subprocess.Popen(
+            [sys.executable, "-I", "-S", str(RUN), "group_keeper", str(own), f"{PREFIX}{os.getpid()}-"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            start_new_session=True,
+        )
+        assert self._keeper.stdout is not None
+        told = self._keeper.stdout.readline().strip()
+        if not told.startswith("/"):
+            self.close()
+            raise NoMemoryGroups(f"no group can be made in {own}: {told.removeprefix('!')}")
+        self.path = Path(told)
+
+    def close(self) -> None:
+        """Have it removed, and wait for that. A fork of this process has nothing to close."""
+        if self._owner == os.getpid():
+            self._keeper.communicate()
 
 
 def lease_groups() -> LeasedGroups | None:
@@ -174,17 +184,9 @@ def lease_groups() -> LeasedGroups | None:
     if groups_problem() is not None:
         return None
     try:
-        return lease_below(_place())
-    except (OSError, NoMemoryGroups):
+        return LeasedGroups(_kept().path)
+    except OSError:
         return None
-
-
-def lease_below(own: Path) -> LeasedGroups:
-    """A group for one slot below `own`. Raises OSError."""
-    for _ in range(LEASE_TRIES - 1):
-        with suppress(BlockingIOError, FileNotFoundError):
-            return LeasedGroups(own)
-    return LeasedGroups(own)
 
 
 @cache
@@ -196,7 +198,7 @@ def groups_problem() -> str | None:
     try:
         hierarchy = find_hierarchy()
         sweep_groups(hierarchy.mount)
-        try_out(_place())
+        try_out(_kept().path)
     except NoMemoryGroups as error:
         return str(error)
     return None
@@ -211,9 +213,11 @@ def groups_in_words() -> str:
 
 
 @cache
-def _place() -> Path:
-    """The group below which this process makes others. Raises NoMemoryGroups."""
-    return prepare(find_hierarchy())
+def _kept() -> KeptGroup:
+    """The group that holds all others of this process. Raises NoMemoryGroups."""
+    kept = KeptGroup(prepare(find_hierarchy()))
+    atexit.register(kept.close)
+    return kept
 
 
 def prepare(hierarchy: Hierarchy) -> Path:
@@ -238,7 +242,7 @@ def prepare(hierarchy: Hierarchy) -> Path:
 def _divide(own: Path) -> None:
     control = own / "cgroup.subtree_control"
     try:
-        write(control, "+memory")
+        write(str(control), "+memory")
         return
     except OSError as error:
         if error.errno != errno.EBUSY or set(processes_in(str(own))) - set(process_tree(os.getpid())):
@@ -247,8 +251,8 @@ def _divide(own: Path) -> None:
     leaf.mkdir(exist_ok=True)
     for pid in processes_in(str(own)):
         with suppress(ProcessLookupError):
-            write(leaf / "cgroup.procs", str(pid))
-    write(control, "+memory")
+            write(str(leaf / "cgroup.procs"), str(pid))
+    write(str(control), "+memory")
 
 
 def _words(path: Path) -> list[str]:
@@ -258,21 +262,21 @@ def _words(path: Path) -> list[str]:
         return []
 
 
-def try_out(own: Path) -> None:
-    """Make a group for an answer below `own`, let a process join it, and remove it. Raises NoMemoryGroups."""
+def try_out(above: Path) -> None:
+    """Make a group for an answer, let a process join it, and remove it. Raises NoMemoryGroups."""
     try:
-        groups = lease_below(own)
+        groups = LeasedGroups(above)
     except OSError as error:
-        raise NoMemoryGroups(f"no group can be made in {own}: {error.strerror}") from error
+        raise NoMemoryGroups(f"no group can be made in {above}: {error.strerror}") from error
     try:
         group = MemoryGroup(groups.path, ANSWER_LIMITS)
         if group.version == 1 and "oom_kill" not in _words(group.path / "memory.oom_control"):
             raise NoMemoryGroups("this kernel is older than 4.13")
         joined = subprocess.run([*_JOIN, group.joins], stderr=subprocess.DEVNULL, timeout=_JOIN_S)
         if joined.returncode != 0:
-            raise NoMemoryGroups(f"no process may join a group in {own}")
+            raise NoMemoryGroups(f"no process may join a group in {above}")
     except OSError as error:
-        raise NoMemoryGroups(f"no limit can be set in {own}: {error.strerror}") from error
+        raise NoMemoryGroups(f"no limit can be set in {above}: {error.strerror}") from error
     finally:
         groups.remove()
 
