@@ -106,6 +106,7 @@ def groups() -> Iterator[LeasedGroups | None]:
     leased = lease_groups()
     yield leased
     if leased is not None:
+        assert leased.path.is_dir(), "its keeper was ended"
         leased.remove()
         assert not leased.path.exists(), "a group is left"
 
@@ -207,7 +208,9 @@ def test_no_group_outlives_a_grader_that_is_killed() -> None:
         grader.kill()
     if groups_problem() is None:
         kept = f"{PREFIX}{grader.pid}-*"
-        wait_until(lambda: not list(find_hierarchy().own.glob(kept)), "the group of the slot and all above it go")
+        wait_until(
+            lambda: not list(find_hierarchy().own.glob(kept)), "the group of the slot and all above it go"
+        )
         assert not Path(folder).exists()
 
 

@@ -28,6 +28,7 @@ from workbook.inside.memory_cgroup import (
     version_of,
     write,
 )
+from workbook.inside.orphans import exempt, forget
 from workbook.inside.proc import OWN_GROUPS, OWN_MOUNTS, mounted, own_groups, process_tree, read_text
 from workbook.recording.limits import ANSWER_LIMITS, Limits
 
@@ -166,6 +167,7 @@ class KeptGroup:
             text=True,
             start_new_session=True,
         )
+        exempt(self._keeper.pid)
         assert self._keeper.stdout is not None
         told = self._keeper.stdout.readline().strip()
         if not told.startswith("/"):
@@ -177,6 +179,7 @@ class KeptGroup:
         """Have it removed, and wait for that. A fork of this process has nothing to close."""
         if self._owner == os.getpid():
             self._keeper.communicate()
+            forget(self._keeper.pid)
 
 
 def lease_groups() -> LeasedGroups | None:
