@@ -5,7 +5,10 @@ import os
 import subprocess
 import sys
 import tempfile
+import threading
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -276,11 +279,48 @@ def without_groups(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """On this machine no memory cgroup can be had."""
     missing = str(Path("/no/such/table"))
     monkeypatch.setattr(memory_groups, "find_hierarchy", lambda: find_hierarchy(missing, missing))
-    memory_groups.groups_problem.cache_clear()
-    memory_groups._kept.cache_clear()
+    memory_groups._groups_problem.cache_clear()
+    monkeypatch.setattr(memory_groups, "_keeper", memory_groups._Keeper())
     yield
-    memory_groups.groups_problem.cache_clear()
-    memory_groups._kept.cache_clear()
+    memory_groups._groups_problem.cache_clear()
+
+
+def test_slots_share_one_keeper_which_ends_with_the_last(
+    tmp_path: Path, without_groups: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    both = threading.Barrier(2)
+    made: list[Path] = []
+    closed: list[Path] = []
+
+    class Kept:
+        def __init__(self, own: Path) -> None:
+            made.append(own)
+            with suppress(threading.BrokenBarrierError):  # alone, as it should be
+                both.wait(0.5)
+            self.path = own
+
+        def close(self) -> None:
+            closed.append(self.path)
+
+    monkeypatch.setattr(memory_groups, "divide_group", lambda folder: None)
+    monkeypatch.setattr(memory_groups, "find_hierarchy", lambda: Hierarchy(1, tmp_path, tmp_path))
+    monkeypatch.setattr(memory_groups, "KeptGroup", Kept)
+    monkeypatch.setattr(memory_groups, "try_out", lambda above: None)
+    with ThreadPoolExecutor(2) as threads:
+        first, second = [
+            one.result() for one in [threads.submit(memory_groups.lease_groups) for _ in range(2)]
+        ]
+    assert first is not None and second is not None
+    assert made == [tmp_path]
+    first.remove()
+    first.remove()
+    assert closed == []
+    second.remove()
+    assert closed == [tmp_path]
+    third = memory_groups.lease_groups()
+    assert made == [tmp_path, tmp_path] and third is not None
+    third.remove()
+    assert closed == [tmp_path, tmp_path]
 
 
 def test_without_a_cgroup_memory_is_watched_and_that_is_said(without_groups: None) -> None:

@@ -13,6 +13,8 @@ import os
 import subprocess
 import sys
 import tempfile
+import threading
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
@@ -40,6 +42,8 @@ SOCKETS_FACTOR = 2
 _JOIN = ("/bin/sh", "-c", 'echo 0 >"$0"')
 _JOIN_S = 10.0
 _DELEGATE = "systemd-run --user --scope -p Delegate=memory workbook grade …"
+_once = threading.RLock()
+"""Slots start side by side; what they share is made by the first one, while the others wait."""
 
 
 class NoMemoryGroups(RuntimeError):
@@ -140,19 +144,26 @@ def number_in(path: Path, name: str = "") -> int:
 
 
 class LeasedGroups:
-    """The group of one slot, below `above`, which holds those of its answers. Raises OSError."""
+    """The group of one slot, below `above`, which holds those of its answers. Raises OSError.
 
-    def __init__(self, above: Path) -> None:
+    `given_back` is called once, after it was removed.
+    """
+
+    def __init__(self, above: Path, given_back: Callable[[], None] = lambda: None) -> None:
+        self._given_back: list[Callable[[], None]] = []
         self.path = Path(tempfile.mkdtemp(prefix="slot-", dir=above))
         try:
             divide_group(str(self.path))
         except OSError:
             self.remove()
             raise
+        self._given_back.append(given_back)
 
     def remove(self) -> None:
         """End what is left in it, and remove it."""
         remove_group(str(self.path))
+        while self._given_back:
+            self._given_back.pop()()
 
 
 class KeptGroup:
@@ -165,6 +176,7 @@ class KeptGroup:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
+            env={},
             start_new_session=True,
         )
         exempt(self._keeper.pid)
@@ -183,25 +195,36 @@ class KeptGroup:
 
 
 def lease_groups() -> LeasedGroups | None:
-    """A group for one slot; None where none can be had (see `groups_problem`)."""
+    """A group for one slot; None where none can be had (see `groups_problem`).
+
+    With the last one that is removed, their keeper ends, too.
+    """
     if groups_problem() is not None:
         return None
-    try:
-        return LeasedGroups(_kept().path)
-    except OSError:
-        return None
+    with _once:
+        try:
+            leased = LeasedGroups(_keeper.kept().path, _keeper.given_back)
+        except (OSError, NoMemoryGroups):
+            return None
+        _keeper.leases += 1
+        return leased
 
 
-@cache
 def groups_problem() -> str | None:
     """Why answers get no memory cgroup here; None when they do. Makes one, joins it and removes it, once.
 
     Removes what killed graders have left, too.
     """
+    with _once:
+        return _groups_problem()
+
+
+@cache
+def _groups_problem() -> str | None:
     try:
         hierarchy = find_hierarchy()
         sweep_groups(hierarchy.mount)
-        try_out(_kept().path)
+        try_out(_keeper.kept().path)
     except NoMemoryGroups as error:
         return str(error)
     return None
@@ -215,12 +238,36 @@ def groups_in_words() -> str:
     return f"Memory is watched 20 times a second, without a cgroup: {problem}."
 
 
-@cache
-def _kept() -> KeptGroup:
-    """The group that holds all others of this process. Raises NoMemoryGroups."""
-    kept = KeptGroup(prepare(find_hierarchy()))
-    atexit.register(kept.close)
-    return kept
+class _Keeper:
+    """The group that holds all others of this process, while there is a use for it. Not for two threads at once."""
+
+    def __init__(self) -> None:
+        self._kept: KeptGroup | None = None
+        self.leases = 0
+
+    def kept(self) -> KeptGroup:
+        """The group, made now if there is none. Raises NoMemoryGroups."""
+        if self._kept is None:
+            self._kept = KeptGroup(prepare(find_hierarchy()))
+            atexit.register(self._kept.close)
+        return self._kept
+
+    def given_back(self) -> None:
+        """One lease less."""
+        with _once:
+            self.leases -= 1
+            if not self.leases:
+                self.close()
+
+    def close(self) -> None:
+        """Have the group removed."""
+        if self._kept is not None:
+            kept, self._kept = self._kept, None
+            atexit.unregister(kept.close)
+            kept.close()
+
+
+_keeper = _Keeper()
 
 
 def prepare(hierarchy: Hierarchy) -> Path:
