@@ -185,7 +185,7 @@ def says_everything(card: Locator, exercise: Exercise) -> None:
     """Headline, advice, and sign, word, points and title of each criterion can be read."""
     expect(card).to_contain_text("8 of 10 points.")
     expect(card).to_contain_text("Fix first: The joint positions come at 0.5 Hz")
-    expect(card).to_contain_text("Likely reason")
+    expect(card).to_contain_text("Likely cause")
     expect(card).not_to_contain_text("data-jp-theme")
     rows = card.locator("table").last.locator("tbody tr")
     results = worst_first(stored_judgement(exercise))

@@ -211,7 +211,7 @@ def test_a_failed_card_says_what_to_mend_first_and_why() -> None:
     for words in (
         "every message has 11 values",
         "exactly 12 values",
-        "Likely reason",
+        "Likely cause",
         "Try",
         "✗ not yet",
         "%hint",

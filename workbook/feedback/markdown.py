@@ -55,9 +55,9 @@ def as_markdown(judgement: Judgement) -> str:
 
 def _advice(result: CriterionResult) -> str:
     advice = (
-        ("You showed", result.saw),
+        ("What we saw", result.saw),
         ("Expected", result.expected),
-        ("Likely reason", result.because),
+        ("Likely cause", result.because),
         ("Try", result.try_this),
     )
     return render("feedback/github_advice", advice=advice, plain=plain_markup)
