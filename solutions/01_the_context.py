@@ -1,6 +1,6 @@
 # ---
 # exercise: 01_the_context
-# title: A guard that goes home well
+# title: A guard that shuts down cleanly
 # minutes: 20
 # difficulty: 2
 # kind: program
@@ -11,12 +11,12 @@
 #   - end a program with exit code 0 and without a traceback
 #   - remove your node from the graph, so that no ghost of it stays
 # out_of_scope:
-#   - SIGTERM and other signals than that of Ctrl-C (this rclpy loses some of them)
+#   - SIGTERM and signals other than the one that Ctrl-C sends (this rclpy loses some of them)
 #   - topics, and what the guard does on its rounds
 #   - a last message on a topic, which needs other signal handlers
 # ---
 # %% [markdown]
-# # Exercise 01 · A guard that goes home well
+# # Exercise 01 · A guard that shuts down cleanly
 #
 # The night guard of the museum is finished, except for its `main()`. At six in the morning the day shift presses
 # Ctrl-C. Last week the robot then froze in the middle of a step, with both arms in the air, and its screen showed a

@@ -51,7 +51,7 @@
 # | 2 | pictures of the rear camera come at 2 Hz |
 # | 1 | both report on `/robot/faults`, each once a second |
 # | 2 | no other node is there: no duplicate, no third node, none outside of `/robot` |
-# | 1 | the program is still running at the end of the watch |
+# | 1 | the program is still running when the judge stops watching |
 #
 # **Not part of it:** what is in the pictures, launch files, and how your program ends.
 # %% [answer]
@@ -132,7 +132,7 @@ if __name__ == "__main__":
 # - `cli_args` is what you would type in a terminal, as a list of words: first `"--ros-args"`, then `"-r"`, then the
 #   rule.
 # - The rule for the name of a node is `__node:=new_name`, with two underscores, `:=` and no spaces. The new name has no
-#   slash; the folder is set by the namespace.
+#   slash; `namespace=` sets the part before it.
 # - Return every node that you create in the list; otherwise nothing spins it.
 #
 # [Passing arguments to nodes](https://docs.ros.org/en/jazzy/How-To-Guides/Node-arguments.html)
@@ -145,8 +145,8 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **Remap the folder as well:** `cli_args=["--ros-args", "-r", "__ns:=/robot", "-r", "__node:=rear_camera"]`. This is
-#   useful when a class takes `cli_args` but no namespace. Here `namespace=` is shorter.
+# - **Remap the namespace as well:** `cli_args=["--ros-args", "-r", "__ns:=/robot", "-r", "__node:=rear_camera"]`. This
+#   is useful when a class takes `cli_args` but no namespace. Here `namespace=` is shorter.
 # - **The namespace for the whole program:** `rclpy.init(args=["--ros-args", "-r", "__ns:=/robot"])`, or the same in the
 #   terminal or the launch file. This is best on a real robot, because the code then does not contain the robot's name.
 #   But arguments given to `init` replace those of the command line; put `sys.argv` before them.

@@ -60,8 +60,8 @@
 # | 1 | no alarm for good readings |
 # | 1 | it ignores `/other_robot/battery` |
 #
-# The program may have any form: a class, a function as a callback, two nodes, another executor. On a busy machine one
-# good reading in ten may come later than 0.5 s.
+# The program may have any form: a class, a function as a callback, two nodes, another executor. On a busy machine, up
+# to one good reading in ten may come later than 0.5 s.
 #
 # **Not part of it:** rates, how fast an alarm comes, repairing bad readings, and how your program ends on Ctrl-C.
 # %% [answer]
@@ -102,7 +102,7 @@ class BatteryMonitor(Node):
         # [solution]
         if EMPTY <= message.data <= FULL:
             self.battery_publisher.publish(message)
-        else:  # also when it is nan: no comparison with nan is true
+        else:  # also when it is nan, which is not between any two numbers
             self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
         # [starter]
         # | # TODO 3: is message.data a charge from 0 to 100 %? Publish it, or else publish an alarm

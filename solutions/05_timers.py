@@ -53,7 +53,7 @@
 # | 2 | 30 battery reports in the minute, evenly |
 # | 1 | `/robot/tilt` exists and carries `Float32` |
 # | 2 | 300 tilt values in the minute, evenly |
-# | 1 | the program is still running at the end of the watch |
+# | 1 | the program is still running when the judge stops watching |
 #
 # The program may have any form: three timers, one timer that counts, several nodes, another executor.
 #
@@ -178,6 +178,6 @@ if __name__ == "__main__":
 # - **Keep the timer.** `self.tilt_timer = self.create_timer(...)` is not needed to keep the timer: the node keeps it.
 #   It is useful when you want to `cancel()` or `reset()` it later.
 # - **Three nodes, one rate each.** This is right when the parts have different jobs or may fail separately. For three
-#   lines of work it is too much.
+#   timers it is too much.
 # - **A loop with `sleep`.** This works for one rate, but drifts. With three rates you must compute yourself what is
 #   next, and when. That is the timer's job.

@@ -34,7 +34,7 @@
 # | while the time runs | runs every callback of `node` that is ready: timers and subscriptions |
 # | when the time is up | returns: not earlier, and at most one callback later |
 # | as long as nothing is ready | waits, and does not use the processor |
-# | after that | nothing of it keeps running; the node is as it was, and `pump` can be called again |
+# | after that | nothing that it started keeps running; the node is as it was, and `pump` can be called again |
 #
 # ## What is judged
 #
@@ -102,7 +102,7 @@ def pump(node: Node, seconds: float) -> None:
 # await run(watcher, seconds=4.0)
 # print("pump(robot, 2.0) took", "too long" if watcher.took is None else f"{watcher.took:.2f} s")
 # picture = strip(watcher.rows, periods={"heartbeats": 0.1}, end=3.0, noun="marks")
-# show(picture, "begin and end of the call, the heartbeats of the robot, and the words that it handled")
+# show(picture, "start and end of the call, the heartbeats of the robot, and the words that it handled")
 # %% [hint]
 # The starter waits for one callback and then returns. What would you do by hand? Look at the clock, let the robot do
 # one thing, look at the clock again. That is a loop. Two questions decide whether it is a good one: what ends it, and

@@ -35,15 +35,15 @@
 # | `battery_publisher` | has `publish`, for a `Float32` and nothing else | sends on `/robot/battery` |
 # | `status_publisher` | has `publish`, for a `String` and nothing else | sends on `/robot/status` |
 # | `send_battery(level)` | a number, such as `55.25`, `42` or `0.0` | sends it as a float; anything else raises an error and sends nothing |
-# | `send_status(word)` | `"operational"` or `"error"`, letter by letter | sends it; anything else raises an error and sends nothing |
+# | `send_status(word)` | exactly `"operational"` or `"error"` | sends it; anything else raises an error and sends nothing |
 #
-# The node still reports by itself: the battery at 1 Hz, the status at 0.5 Hz, 20 % more or less. It is never silent for
+# The node still reports by itself: the battery at 1 Hz, the status at 0.5 Hz, each within 20 %. It is never silent for
 # more than one and a half periods.
 #
 # ## What is judged
 #
 # mypy checks your program, in strict mode and with the stubs of this course. Then it checks code that uses your node
-# rightly and wrongly. After that your node runs, and is used rightly and wrongly again.
+# correctly, and code that misuses it. After that your node runs, and is used and misused again.
 #
 # | points | criterion |
 # |---:|---|
@@ -51,14 +51,14 @@
 # | 2 | mypy --strict finds nothing in your program |
 # | 2 | mypy objects to a message of the wrong type |
 # | 1 | mypy objects to a value of the wrong type and to any other word |
-# | 1 | every number arrives as that number, also `42` and `0.0` |
+# | 1 | every number arrives as that number, including `42` and `0.0` |
 # | 2 | at run time a wrong value or message raises an error, and nothing is sent |
 # | 1 | at run time any other word raises an error, and is not sent |
 #
 # The judge ignores `# type: ignore`, and you may not write `Any`: neither makes the node safer.
 #
-# **Not part of it:** the end on Ctrl-C, subscriptions, services, parameters. You decide what happens to `True`, `nan`
-# and NumPy's numbers; exercise 03 was about those.
+# **Not part of it:** how the program ends on Ctrl-C, subscriptions, services, parameters. You decide what happens to
+# `True`, `nan` and NumPy's numbers; exercise 03 was about those.
 # %% [answer]
 """Reports battery and status of a humanoid. Others send through it, too, and cannot get the types wrong unnoticed."""
 
@@ -200,7 +200,7 @@ if __name__ == "__main__":
 # %start
 # check_types("07_typed_nodes")
 # %% [hint]
-# There are three checks. Take one after another.
+# There are three checks. Take them one at a time.
 #
 # - **mypy on your own program.** The cell under *Watch it run* shows all its messages. It does not check functions
 #   without hints, so begin with `-> None`.

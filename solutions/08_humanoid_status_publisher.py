@@ -52,12 +52,12 @@
 # First run the program below as it is: the dashboard shows two of the complaints, `%check` the third. You may change
 # three places or write the program again.
 #
-# The battery of this program is old: it is empty within half a minute, so that the judge also sees the word change.
-# The word may change as early as the last charge above 0. It must have changed when the battery reports 0 for the
-# second time.
+# The battery of this program is old: it is empty within half a minute, so that the judge also sees the word change. The
+# word may change as soon as the last charge above 0 is published. It must have changed when the battery reports 0 for
+# the second time.
 #
-# **Not part of it:** new topics, real batteries, other signals than that of Ctrl-C, what you log, and how fast the
-# battery drains. (If yours lasts longer than the watch, the judge never sees it empty.)
+# **Not part of it:** new topics, real batteries, signals other than the one that Ctrl-C sends, what you log, and how
+# fast the battery drains. (If yours lasts longer than the judge watches, the judge never sees it empty.)
 # %% [answer]
 """A humanoid robot that reports its state once a second and its battery every two seconds."""
 

@@ -58,7 +58,7 @@
 # | 2 | the joint positions come at 0.5 Hz, evenly (0.4 to 0.6 Hz, no gap over 3 s) |
 # | 1 | `/robot/status` is as it was (0.8 to 1.2 Hz, no gap over 1.5 s; the word fits the charge) |
 # | 1 | `/robot/battery` is as it was (0.4 to 0.6 Hz, no gap over 3 s; falling) |
-# | 1 | the program is still running at the end of the watch |
+# | 1 | the program is still running when the judge stops watching |
 #
 # First of all, the program must start. If it never creates a publisher, the feedback says why, and the rest is not
 # judged. The program may have any form: one class, several nodes, another executor.
@@ -66,7 +66,7 @@
 # **Not part of it:**
 #
 # - motors, real encoders, URDF, other topics
-# - which joint stands at which place
+# - which value belongs to which joint
 # - the charge at which the battery begins, and how fast it drains
 # - how your program ends on Ctrl-C
 # %% [answer]
@@ -244,4 +244,4 @@ if __name__ == "__main__":
 # - **`sensor_msgs/msg/JointState`.** This is what a real robot uses. `Float32MultiArray` does not say which number is
 #   which joint, in what unit, or when it was measured, so both sides must agree on it elsewhere. For that reason, the
 #   plain types of `std_msgs` have been deprecated since ROS 2 Foxy: fine for learning, but not for a lasting design.
-#   `JointState` has names, positions, velocities and a time stamp. A later lesson changes to it.
+#   `JointState` has names, positions, velocities and a time stamp. A later lesson switches to it.

@@ -1,6 +1,6 @@
 # ---
 # exercise: 10_slow_callbacks
-# title: A heart that beats while the arm is planned
+# title: A heart that beats while the robot plans
 # minutes: 30
 # difficulty: 3
 # kind: program
@@ -12,10 +12,10 @@
 # out_of_scope:
 #   - a faster planner; do not change it
 #   - services and actions, which are made for requests (lesson 12)
-#   - what happens after the watch, how the program ends, and how the code is written
+#   - what happens after the nine seconds, how the program ends, and how the code is written
 # ---
 # %% [markdown]
-# # Exercise 10 · A heart that beats while the arm is planned
+# # Exercise 10 · A heart that beats while the robot plans
 #
 # Your humanoid serves tea. Before it stretches its arm, a planner computes how far to bend the elbow, and asks the
 # collision checker at every step. One plan takes 0.8 s. Meanwhile the safety system expects a heartbeat ten times a
@@ -55,7 +55,7 @@
 # | 1 | the program subscribes to `/robot/plan_request` and publishes `Float32` on `/robot/plan` |
 # | 2 | each plan is what `ElbowPlanner` finds, to 0.000001 rad, and comes 0.78 s after its request, or later |
 # | 1 | every request is answered by one plan, in order, one search at a time |
-# | 1 | the program is still running at the end of the watch |
+# | 1 | the program is still running when the judge stops watching |
 #
 # **Not part of it:** a faster planner, services, and what the text of a heartbeat says. What happens after the nine
 # seconds, and how your program ends on Ctrl-C, are not judged either. `ElbowPlanner` is judged by what it finds and
@@ -134,7 +134,7 @@ class TeaRobot(Node):
         self.plan_publisher = self.create_publisher(Float32, "/robot/plan", 10)
         self.create_timer(HEARTBEAT_PERIOD_S, self.beat)
         # [solution]
-        # A group of its own: planning may run beside the heartbeat, but never beside another planning.
+        # A group of its own: planning may run beside the heartbeat, but never two plans at once.
         planning = MutuallyExclusiveCallbackGroup()
         self.create_subscription(
             Float32, "/robot/plan_request", self.on_request, 10, callback_group=planning
@@ -245,5 +245,5 @@ if __name__ == "__main__":
 # - **The group for the heartbeat.** It does not matter which of the two gets its own group, as long as they are not in
 #   the same group.
 # - **A reentrant group with a lock.** This works, but the order in which threads get a lock is not defined, so the
-#   order of the plans is luck. Each waiting request also holds a thread of the executor. With enough of them, none is
-#   left for the heartbeat.
+#   order of the plans is left to chance. Each waiting request also holds a thread of the executor. With enough of them,
+#   none is left for the heartbeat.

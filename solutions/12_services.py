@@ -7,8 +7,8 @@
 # clock: wall
 # objectives:
 #   - call a service from a timer without holding up the node
-#   - report each answer when it comes, and once
-#   - give up a call that is not answered, and continue with the next
+#   - report each answer as soon as it comes, and only once
+#   - give up on a call that is not answered, and continue with the next
 # out_of_scope:
 #   - offering a service; another program offers the self-test
 #   - waiting until the service is there; it already is
@@ -36,7 +36,7 @@
 #
 # - Publish `ok` when the field `success` of the response is true, `faulty` when it is not. (The text in `message` is
 #   for people, and the same text may come with both.) Report each answer when it comes, at most 0.8 s later, and only
-#   once. Report it also when it is the same as the one before.
+#   once. Report it even when it is the same as the one before.
 # - An answer may take 0.8 s. If it has not come one second after the call, it will never come. Then publish
 #   `no answer`, once for each such call: no earlier than 0.8 s and no later than 2 s after the call. Then continue with
 #   the next calls. (While you wait for an answer, you may skip one call.)
@@ -48,19 +48,19 @@
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | the program is still running at the end of the watch |
+# | 1 | the program is still running when the judge stops watching |
 # | 1 | calls of `/robot/self_test` arrive, again and again |
-# | 1 | they come once a second, also after a call without an answer |
+# | 1 | they come once a second, even after a call without an answer |
 # | 1 | `/robot/health` exists, carries `String`, and says only the three words |
 # | 2 | each answer is reported: right, in time and once |
 # | 2 | `no answer` is reported in time, and only for calls that got no answer |
-# | 2 | the heartbeat comes at 5 Hz, also while a call waits for its answer |
+# | 2 | the heartbeat comes at 5 Hz, even while a call waits for its answer |
 #
 # These tolerances allow for busy machines. Once a second means typically 0.9 to 1.1 s from one call to the next. At
-# most one pause is over 1.4 s, and none reaches 2.5 s. One exception: after a call without an answer, each pause may
-# be up to 2.5 s. A report may be 0.1 s later than stated above, and one of them 0.8 s later. A `no answer` may be 0.1
-# s earlier or 0.3 s later. 5 Hz means 90 % to 110 % of the beats, typically one every 0.18 to 0.22 s, and no silence
-# over 0.9 s at the end. While calls are open, 60 % of the beats are enough.
+# most one pause is over 1.4 s, and none reaches 2.5 s. One exception: after a call without an answer, each pause may be
+# up to 2.5 s. A report may be 0.1 s later than stated above, and one of them 0.8 s later. A `no answer` may be 0.1 s
+# earlier or 0.3 s later. 5 Hz means 90 % to 110 % of the beats, typically one every 0.18 to 0.22 s. The last one comes
+# at most 0.9 s before the end. While calls are open, 60 % of the beats are enough.
 #
 # The program may have any form: callbacks, `await`, threads, several nodes.
 #
@@ -177,7 +177,7 @@ if __name__ == "__main__":
 # - `future.add_done_callback(self.on_answer)`: rclpy calls `self.on_answer(future)` when the answer is there. Its
 #   `future.result()` is the response, with the fields `success` and `message`.
 # - Store the future in an attribute. If that future is still open when the timer fires again, its time is up.
-# - A call that you have given up should not call you later: `self.self_test.remove_pending_request(future)`.
+# - A call that you have given up on should not call you back later: `self.self_test.remove_pending_request(future)`.
 #
 # Why not simply `call()`: [Synchronous vs. asynchronous service
 # clients](https://docs.ros.org/en/jazzy/How-To-Guides/Sync-Vs-Async.html)

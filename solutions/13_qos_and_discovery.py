@@ -21,8 +21,8 @@
 # The night nurse comes on duty and switches on the dashboard of the ward robot. The robot has been up for hours. It
 # published `operational` this morning, and has not needed to publish its status again. The nurse wants to see it *now*.
 # And if the robot's heartbeat stops in the middle of the night, the dashboard must raise an alarm within three seconds.
-# It must not raise one for every short delay, or she will soon ignore it. And it must not last forever: when the heart
-# beats again, the alarm is over.
+# It must not raise one for every short delay, or she will soon ignore it. And an alarm must not last forever: when the
+# heart beats again, it is over.
 #
 # **About 30 minutes · difficulty 3 of 5 · 10 points.** You need lesson
 # [13](../notebooks/13_qos_and_discovery.ipynb).
@@ -38,7 +38,7 @@
 #
 # | topic | type | when | content |
 # |---|---|---|---|
-# | `/dashboard/line` | `String` | 2 Hz, always | the last status that it has received, for example `status: error`; `unknown` only before that; never two of these words |
+# | `/dashboard/line` | `String` | 2 Hz, always | the last status that it has received, for example `status: error`; `unknown` until the first one arrives; never two of these words in one line |
 # | `/dashboard/alarm` | `Bool` | when it changes, or more often | see below; kept for late subscriptions |
 #
 # At most 1 s after the start, the line must show a status from before the program started. A new status must be there
@@ -225,8 +225,9 @@ if __name__ == "__main__":
 # - **A timer that is reset.** `self.watchdog = self.create_timer(2.0, self.on_silence)`, and `self.watchdog.reset()` at
 #   every beat. It fires only when it was not reset for 2 s. This is short and clear. It also fires if no beat ever
 #   came.
-# - **`last_beat = None` until the first beat,** and no alarm before it. This gives no alarm when the dashboard starts
-#   before the robot, and full marks here. But a heart that stopped before the dashboard started is then never reported.
+# - **`last_beat = None` until the first beat,** and no alarm before it. A dashboard that starts before the robot then
+#   raises no alarm. This gets full marks here. But a heart that stopped before the dashboard started is then never
+#   reported.
 # - **Publish the alarm on every tick,** changed or not. Then a subscriber can distinguish "all is well" from "the
 #   dashboard is dead", and a lost message does no harm. Publishing only on change, with transient local, needs fewer
 #   messages. Many robots do both.

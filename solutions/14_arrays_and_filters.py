@@ -12,7 +12,7 @@
 #   - keep a NaN out of a filter, and begin anew when the source has restarted
 # out_of_scope:
 #   - velocities and efforts
-#   - messages that get lost on their way, and stamps at irregular distances
+#   - messages that get lost on their way, and stamps at irregular intervals
 #   - how the program ends (lesson 01 judges that)
 # ---
 # %% [markdown]
@@ -51,9 +51,9 @@
 # several or all of them, in up to three messages in a row. It does so only while the joints stand still, and never in
 # the first message after a start.
 #
-# **The restart.** The stamp says how long the board of the encoders had been switched on when it measured. When an engineer
-# switches it off and on again, its stamps begin again near zero, so a stamp is *before* the last one. Meanwhile the
-# joints were turned by hand. What your filter remembers is then worth nothing.
+# **The restart.** The stamp says how long the board of the encoders had been switched on when it measured. When an
+# engineer switches it off and on again, its stamps begin again near zero, so a stamp is *earlier* than the previous
+# one. Meanwhile the joints were turned by hand. What your filter remembers is then worth nothing.
 #
 # ## What is judged
 #
@@ -73,14 +73,14 @@
 # | 1 | a NaN does no harm |
 #
 # The last five are judged only if the node really filters: an answer that publishes the angles unchanged is judged by
-# the first four only. The judge decides this while the joints stand still, where it also measures the noise. The
-# angles count as unchanged if those of every joint differ from what came by at most 0.005 rad (root mean square). So
-# do angles that are more than 0.05 rad away from where a joint is. Noise and delay are measured a second (20
-# messages) after a start or a change, when a filter has settled. Any filter will do, and any shape of program: NumPy,
-# SciPy or plain Python, one class or one for each joint. One executor does not work in this build of rclpy:
-# `rclpy.experimental.EventsExecutor` never calls back in `spin()`.
+# the first four only. The judge decides this while the joints stand still, where it also measures the noise. The angles
+# count as unchanged if, at every joint, they differ by at most 0.005 rad (root mean square) from what came. An answer
+# whose angles at a joint are on average more than 0.05 rad off is judged by the first four only, too. Noise and delay
+# are measured a second (20 messages) after a start or a change, when a filter has settled. Any filter will do, and any
+# shape of program: NumPy, SciPy or plain Python, one class or one for each joint. One executor does not work in this
+# build of rclpy: `rclpy.experimental.EventsExecutor` never calls back in `spin()`.
 #
-# **Not part of it:** velocities, efforts, the frame of the header, lost messages, stamps at irregular distances, and
+# **Not part of it:** velocities, efforts, the frame of the header, lost messages, stamps at irregular intervals, and
 # how your program ends on Ctrl-C.
 # %% [answer]
 """Listens to noisy encoders, and publishes the angles of all joints with less noise and little delay."""
@@ -140,7 +140,7 @@ class JointFilter(Node):
         message.position = filtered[0].tolist()
         # [starter]
         # | # TODO 2: is this the first message, or the first one after a restart? Then begin anew
-        # | # TODO 3: put something sensible in the place of each NaN
+        # | # TODO 3: replace each NaN with something sensible
         # | # TODO 4: filter the angles
         # | message.position = angles.tolist()
         # [end]
@@ -213,14 +213,15 @@ if __name__ == "__main__":
 # ## Other good ways
 #
 # - **A moving average** of 5 to 11 messages needs NumPy only, and its memory is easy to understand: the last messages.
-#   A NaN leaves it by itself after N messages, a filter with feedback keeps it forever.
+#   A NaN leaves the average by itself after N messages; a filter with feedback keeps it forever.
 # - **Exponential smoothing**, `y += 0.3 * (x - y)`, is one line and remembers one number per joint. For the same delay
 #   it lets a little more noise through.
-# - **A filter for each joint**, in a dictionary by name. This is right also where messages hold other joints, or the
-#   joints in another order. Twelve calls in the place of one: fine for twelve, not for ten thousand.
+# - **A filter for each joint**, in a dictionary by name. This also works where messages hold other joints, or the
+#   joints in another order. Twelve calls instead of one: fine for twelve, not for ten thousand.
 # - **A new message instead of the one that came.** `JointState(header=message.header, name=message.name,
 #   position=...)` does not change what you were given. Here nobody else has it, so changing it does no harm.
-# - **A straight line through the last 19 messages** (Savitzky–Golay, `savgol_coeffs(19, 1, pos=18, use="dot")`), and its
-#   end. It is not behind at all while the joints move evenly. The price: it overshoots when they stop or turn around.
+# - **A straight line through the last 19 messages** (Savitzky–Golay, `savgol_coeffs(19, 1, pos=18, use="dot")`),
+#   evaluated at its end. It is not behind at all while the joints move evenly. The price: it overshoots when they stop
+#   or turn around.
 # - **A Kalman filter** knows how noisy the encoder is and how the joint can move, and so needs less delay for the same
 #   noise. Worth it when there is a model of the movement.

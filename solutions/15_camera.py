@@ -13,7 +13,7 @@
 # out_of_scope:
 #   - how far away the ball is, and where it will be next
 #   - lenses that bend straight lines (`CameraInfo` describes them)
-#   - a ball that is hidden in part
+#   - a ball that is partly hidden
 #   - how the program ends (lesson 01 judges that)
 # ---
 # %% [markdown]
@@ -38,8 +38,8 @@
 # `Image` is in `sensor_msgs.msg`, `Vector3Stamped` in `geometry_msgs.msg`.
 #
 # **The scene.** The ball is orange. On the desk there are also a blue ball and a brick that is just as orange as the
-# ball. The robot's own gray hands come into view. The light changes between bright and dim (40 % of that), and gets a
-# little warmer or colder. There is at most one orange ball, and it is never hidden in part. It is at least 9 pixels
+# ball. The robot's own gray hands come into view. The light changes between bright and dim (40 % as bright), and gets a
+# little warmer or colder. There is at most one orange ball, and it is never partly hidden. It is at least 9 pixels
 # wide.
 #
 # **The camera.** It follows the pinhole model, with a focal length of 140 pixels. Column 79.5, row 59.5 looks straight
@@ -49,7 +49,7 @@
 # |---|---|
 # | publishes the direction of the ball as a vector of length 1 | x to the right, y down, z forward; the length is within 0.02 |
 # | is right | each direction is within 1.0° of the middle of the ball |
-# | says "no ball" where none is | the vector is (0, 0, 0) |
+# | says "no ball" where there is none | the vector is (0, 0, 0) |
 # | keeps the stamp of the picture | each answer has the header's stamp of its picture |
 # | keeps up with 30 pictures a second | at least 80 % of them are answered, each once; typically within 0.1 s, and nine of ten within 0.4 s |
 # | reads `rgb8` and `bgr8` | the order of the colors is that of the encoding; it may change from picture to picture |
@@ -118,7 +118,7 @@ def find_ball(image: Image) -> tuple[float, float] | None:
     return None
     # [starter]
     # | # TODO 1: turn image.data into pixels; mind image.step and image.encoding
-    # | # TODO 2: find what is orange, and what of it is round
+    # | # TODO 2: find what is orange, and which part of that is round
     # | return CENTER
     # [end]
 
@@ -165,7 +165,7 @@ class BallTracker(Node):
         if ball is not None:
             answer.vector.x, answer.vector.y, answer.vector.z = direction(*ball)
         # [starter]
-        # | # TODO 5: what is published where no ball is?
+        # | # TODO 5: what is published where there is no ball?
         # | answer.vector.x, answer.vector.y, answer.vector.z = direction(*ball)
         # [end]
         self.publisher.publish(answer)
@@ -193,7 +193,7 @@ if __name__ == "__main__":
 # %start
 # start(head_camera, width=160)
 # init()
-# scope = fresh(BallScope)  # writes down the pictures, and the directions that your node says
+# scope = fresh(BallScope)  # writes down the pictures, and the directions that your node publishes
 # await run(scope, seconds=10, until=lambda: len(scope.directions) >= 60)
 # stop(head_camera)
 # print("pictures:", len(scope.pictures), "directions:", len(scope.directions))

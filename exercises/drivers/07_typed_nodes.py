@@ -1,4 +1,4 @@
-"""Runs the answer's RobotReport, and on a word from the bench uses it rightly and wrongly, as its callers will.
+"""Runs the answer's RobotReport, and on a word from the bench uses it correctly and incorrectly, as its callers will.
 
 Topics:
     /driver/go (std_msgs/String), heard: each one is an order to make all calls once.

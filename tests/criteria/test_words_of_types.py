@@ -195,5 +195,5 @@ def test_a_probe_is_dedented_and_must_be_python() -> None:
     assert one.code == "x = 1\nx = 'a'  # wrong\n"
     lines: Sequence[tuple[int, str, bool]] = list(one.lines())
     assert lines == [(1, "x = 1", False), (2, "x = 'a'", True)]
-    with pytest.raises(ValueError, match="no Python"):
+    with pytest.raises(ValueError, match="not valid Python"):
         probe("broken", "x = = 1")

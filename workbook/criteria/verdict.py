@@ -95,7 +95,7 @@ def partial(
     *,
     about_time: bool = False,
 ) -> Verdict:
-    """A part of the criterion is met. `cause`: what the rest is missing for.
+    """A part of the criterion is met. `cause`: why the rest is not met.
 
     Raises ValueError when `share` does not lie between 0 and 1.
     """
@@ -107,7 +107,7 @@ def partial(
 
 
 def all_of(*verdicts: Verdict) -> Verdict:
-    """Passed if all are; otherwise the first that is not. What was seen of the passed ones is joined."""
+    """Passed if all are, and then says what each of them saw; otherwise the first that is not passed."""
     for verdict in verdicts:
         if not verdict.ok:
             return replace(verdict, status="failed", share=0.0)

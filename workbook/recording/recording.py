@@ -198,7 +198,7 @@ class Phase:
 
 @dataclass(frozen=True)
 class Recording:
-    """One watch of one program: what it published, heard and called, and how its process ran and ended.
+    """One observed run of one program: what it published, heard and called, and how its process ran and ended.
 
     `findings`: what the type checker said; None if it was not asked. `wanted`: topics and services that a right program
     has, so that none of them is taken for a misspelled other one. `following`: by topic, whether its messages were

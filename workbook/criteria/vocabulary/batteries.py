@@ -29,7 +29,7 @@ def _levels(recording: Recording, battery: Topic) -> list[float]:
 
 @if_messages
 def begins_full(recording: Recording, battery: Topic) -> Verdict:
-    """The first charge is 100 %, or less by one drain."""
+    """The first charge is 100 %, or one step of draining below that."""
     levels = _levels(recording, battery)
     if not levels:
         return passed("no numbers in it")
@@ -39,7 +39,8 @@ def begins_full(recording: Recording, battery: Topic) -> Verdict:
     first = levels[0]
     if first + drops * max(0.0, largest) >= FULL - ROUNDING:
         return passed(f"the first charge is {number(first)} %")
-    saw, expected = f"{number(first)} % in the first message", "100 % in the first message, or one drain less"
+    saw = f"{number(first)} % in the first message"
+    expected = "100 % in the first message, or one step of draining below that"
     if 0.0 < max(levels) <= 1.0:
         return failed(
             "begins-full.fraction",
@@ -59,7 +60,7 @@ def begins_full(recording: Recording, battery: Topic) -> Verdict:
 
 @if_messages
 def drains(recording: Recording, battery: Topic) -> Verdict:
-    """The charge falls, also in the second half of the watch, until it is empty."""
+    """The charge falls until it is empty, and does not stop halfway through the recording."""
     levels = _levels(recording, battery)
     if len(levels) < 2 or levels[-1] == 0.0 < levels[0]:
         return passed("it drains")
@@ -75,8 +76,8 @@ def drains(recording: Recording, battery: Topic) -> Verdict:
     if len(levels) >= HALVES_FROM and levels[-1] >= middle:
         return failed(
             "drains.stops",
-            f"{number(levels[0])} % in the first message, but {number(middle)} % in the middle of the watch and "
-            f"{number(levels[-1])} % at its end",
+            f"{number(levels[0])} % in the first message, but {number(middle)} % halfway through and "
+            f"{number(levels[-1])} % at the end",
             "a battery that drains a little with every message",
             "The charge falls at first, then stays the same: the drain depends on a condition or a counter.",
             "Subtract a little from self.battery_level in every call of the callback.",
@@ -157,7 +158,7 @@ def _error_while_charged(at: float, level: float, *, before: bool, back: bool) -
 def _no_error_when_empty(at: float, empty_at: float) -> Verdict:
     return failed(
         "word-fits-charge.never-error",
-        f'"operational" at {seconds(at)}, though the battery is at 0 % since {seconds(empty_at)}',
+        f'"operational" at {seconds(at)}, though the battery has been at 0 % since {seconds(empty_at)}',
         '"operational" while the battery has charge, and "error" once it is empty',
         "The word does not depend on the charge, or it depends on a level that never reaches 0.",
         'Use the level itself: "operational" if self.battery_level > 0.0 else "error".',

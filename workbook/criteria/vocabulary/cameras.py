@@ -17,7 +17,7 @@ FRAME_ID = "head_camera_optical_frame"
 
 @dataclass(frozen=True)
 class CameraView:
-    """One picture of a camera: what there is to see, and how it is sent. It is 3/4 as high as wide, in pixels.
+    """One picture of a camera: what there is to see, and how it is sent. Its height is 3/4 of its width, in pixels.
 
     `stamp`: seconds and nanoseconds. `seed` and `number` decide on the noise. `padding`: unused bytes behind each row.
     """
@@ -66,12 +66,12 @@ class _Fields(Mapping[str, Any]):
 
 
 def camera_image(view: CameraView) -> Mapping[str, Any]:
-    """The fields of a `sensor_msgs/Image` with this picture, for `says`. It is painted when it is needed first."""
+    """The fields of a `sensor_msgs/Image` with this picture, for `says`. It is painted when it is first needed."""
     return _Fields(view)
 
 
 def seen_direction(place: Place, width: int = 160) -> tuple[float, float, float]:
-    """Where a camera sees a place of the robot's axes (m): length 1; x to the right, y down, z forward."""
+    """Unit vector from a camera to a place (m, axes of the robot): x to the right, y down, z forward."""
     seen = _pinhole(width).seen_from(place)
     x, y, z = (seen / (seen @ seen) ** 0.5).tolist()
     return x, y, z
@@ -85,7 +85,7 @@ def things_seen(scene: Scene, width: int = 160) -> "list[Thing]":
 
 
 def seen_pixel(place: Place, width: int = 160, pan: float = 0.0) -> tuple[float, float]:
-    """Column and row where a camera sees a place of the robot's axes (m); the head is turned to the left by `pan`."""
+    """Column and row where a camera sees a place (m, axes of the robot); `pan` (rad) turns the head to the left."""
     pinhole = _pinhole(width)
     return pinhole.pixel(pinhole.seen_from(place, pan))
 

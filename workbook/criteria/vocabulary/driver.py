@@ -19,7 +19,7 @@ def driver_reports(recording: Recording, topic: Topic) -> list[str]:
 
 @dataclass
 class DriverCall:
-    """One call by a driver: its number, its argument as Python writes it, and how it came back (None: not heard of).
+    """One call by a driver: its number, its argument as Python writes it, and how it came back (None: not reported).
 
     `sent`: what the answer published during the call; `later`: what it published between this call and the next.
     """

@@ -38,10 +38,11 @@ def exits_cleanly(recording: Recording) -> Verdict:
     if process.exit == 1 and shutdown_overtaken(process.end_log):
         return failed(
             "exits-cleanly.overtaken",
-            "exit code 1 after Ctrl-C, and the traceback of a shutdown that Ctrl-C had overtaken",
+            "exit code 1 after Ctrl-C, with a traceback from rclpy's own spin or shutdown",
             _EXPECTED,
-            "Now and then rclpy's own handling of Ctrl-C overtakes a spin or a shutdown, which is no fault of the "
-            "program. So the program is started again, up to two times, and one end without a traceback is enough.",
+            "Now and then rclpy's own handling of Ctrl-C shuts the context down in the middle of a spin or a shutdown. "
+            "That is no fault of the program. So it is started again, up to two times, and one end without a "
+            "traceback is enough.",
             "Run it again. If it always ends like this, look at what your program does and prints after Ctrl-C: let "
             "main() return after rclpy.try_shutdown().",
         )

@@ -122,7 +122,7 @@ KNOWN_ERRORS = (
     KnownError(
         "error.no-message-class",
         r"has no attribute '_TYPE_SUPPORT'",
-        "The message type that was given is not a message class. (The words about ROS 1 are a guess of rclpy, and "
+        "The message type that was given is not a message class. (The words about ROS 1 are rclpy's guess, and "
         "usually wrong.)",
         "Give the class itself, for example Float32 from std_msgs.msg, not a Python type or a name in quotes.",
     ),
@@ -171,7 +171,7 @@ KNOWN_ERRORS = (
     KnownError(
         "error.reads-keyboard",
         r"EOFError: EOF when reading a line",
-        "The program waits for keyboard input. A robot program has no keyboard, and neither has the judge.",
+        "The program waits for keyboard input. A robot program has no keyboard, and neither does the judge.",
         "Remove input(), or read the value from a parameter.",
     ),
     KnownError(

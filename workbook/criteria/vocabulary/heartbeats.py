@@ -29,7 +29,7 @@ class Beats:
 
 
 def beats(recording: Recording, topic: Topic) -> Beats:
-    """How the beats of `topic` came over its window, against its rate."""
+    """The beats of `topic` in its window: how many came, how many were due, and the longest silence."""
     seen = topic_pace(recording, topic)
     start, end = window_of(recording, recording.topic(topic.name))
     return Beats(seen.count, round((end - start) * (topic.hz or 0.0)), seen.typical_interval or 0.0, seen.gap)
@@ -47,7 +47,7 @@ class BeatsMeanwhile:
 def beats_meanwhile(
     recording: Recording, topic: Topic, spans: Sequence[tuple[float, float]]
 ) -> BeatsMeanwhile:
-    """How the beats of `topic` came while the program was busy: in spans from begin to end (s of robot time)."""
+    """How many beats came and were due while the program was busy. `spans`: start and end (s of robot time)."""
     times = [arrival.t for arrival in recording.topic(topic.name).arrivals]
     return BeatsMeanwhile(
         came=sum(begin <= t <= end for begin, end in spans for t in times),

@@ -170,7 +170,7 @@ def failed_by_error(
 
 
 def failed_at_the_end(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """A failed verdict that blames the last Python error after Ctrl-C; None if there is none, or none of the program's.
+    """A failed verdict that blames the last Python error after Ctrl-C; None if there is none, or only rclpy's own.
 
     `saw` says what is missing because of it; the error is put behind it.
     """

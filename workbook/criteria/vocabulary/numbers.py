@@ -29,7 +29,7 @@ def finite(recording: Recording, topic: Topic) -> Verdict:
 
 @if_messages
 def really_arrives(recording: Recording, topic: Topic) -> Verdict:
-    """No message says 0.0 in place of another number: neither the first message nor one that another number follows.
+    """Numbers arrive as they are: the first one is not 0.0, and no 0.0 is followed by another number.
 
     For a quantity that starts above zero and never comes back from it, such as a charge. The usual cause of a failure
     is a value that is no Python float: the message packages of these wheels send it as 0.0.
@@ -53,7 +53,7 @@ def really_arrives(recording: Recording, topic: Topic) -> Verdict:
 
 @if_messages
 def given_floats(recording: Recording, topic: Topic) -> Verdict:
-    """Where every number on the topic is 0.0, the program means 0.0: it does not give the field another type."""
+    """If every number is 0.0, the program really sends 0.0: it does not put a value of a wrong type into the field."""
     seen = [value for value in values(recording, topic) if isinstance(value, (int, float))]
     if not seen or any(value != 0.0 for value in seen) or said_by_field_checks(recording) == "":
         return passed("its numbers are floats")
@@ -61,9 +61,9 @@ def given_floats(recording: Recording, topic: Topic) -> Verdict:
 
 
 def _zeros(recording: Recording, saw: str) -> Verdict:
-    expected = "the number that your program means, in every message"
+    expected = "the number that your program wants to send, in every message"
     try_this = (
-        "Give the field a float: float(level), or 100.0 instead of 100. Do not use int() or round() before."
+        "Give the field a float: float(level), or 100.0 instead of 100. Do not use int() or round() first."
     )
     if said_by_field_checks(recording) == "":
         return failed(

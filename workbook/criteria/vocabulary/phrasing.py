@@ -24,7 +24,7 @@ def seconds(value: float) -> str:
 
 
 def listing(names: Sequence[str]) -> str:
-    """Names as an English list. Of very many, the first ones and how many more there are."""
+    """Names as an English list. If there are very many: the first ones, and how many more there are."""
     if len(names) > MOST_NAMES + 1:
         names = [*names[:MOST_NAMES], f"{len(names) - MOST_NAMES} more"]
     if len(names) < 2:

@@ -154,7 +154,7 @@ def ended_by_error(recording: Recording, saw: str, expected: str) -> Verdict | N
 
 
 def alive_at_end(recording: Recording) -> Verdict:
-    """The program still runs when the watch ends."""
+    """The program still runs when the judge stops watching."""
     process = recording.process
     expected = "a program that runs until it is stopped"
     stop = stopped_for(process)

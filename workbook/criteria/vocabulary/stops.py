@@ -37,7 +37,7 @@ _STOPS = {
     "memory": Stop(
         "stopped.memory",
         f"took more than {_MEMORY_GB:g} GB of memory, all its processes together",
-        "A list grows without end, or each of several processes keeps a copy of much data.",
+        "A list grows without end, or each of several processes keeps a copy of a lot of data.",
         "Keep only what the next message needs, and start only the processes that you need.",
     ),
     "sockets": Stop(

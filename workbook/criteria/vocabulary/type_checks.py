@@ -30,13 +30,13 @@ class Probe:
 def probe(name: str, code: str) -> Probe:
     """Declare code that imports from `answer` and uses it. Lines that end with `# wrong` are misuse.
 
-    Raises ValueError when it is no Python.
+    Raises ValueError when it is not valid Python.
     """
     code = textwrap.dedent(code).strip() + "\n"
     try:
         compile(code, name, "exec")
     except SyntaxError as error:
-        raise ValueError(f"the probe {name!r} is no Python: {error}") from error
+        raise ValueError(f"the probe {name!r} is not valid Python: {error}") from error
     return Probe(name, code)
 
 
@@ -108,7 +108,7 @@ def _hidden(found: list[Finding], expected: str) -> Verdict | None:
 
 def mypy_accepts(recording: Recording, one: Probe) -> Verdict:
     """The type checker finds no error in the unmarked lines of a probe."""
-    expected = f"no objection of mypy to {one.name}"
+    expected = f"no objection from mypy to {one.name}"
     unfinished = _unfinished(recording, expected)
     if unfinished is not None:
         return unfinished
@@ -153,7 +153,7 @@ def mypy_objects(recording: Recording, one: Probe, *, cause: str, because: str, 
             return failed(
                 cause,
                 f"mypy accepts `{text}`",
-                f"an error of mypy for {one.name}",
+                f"a mypy error for {one.name}",
                 because,
                 try_this,
             )

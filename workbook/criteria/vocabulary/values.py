@@ -19,7 +19,7 @@ def values(recording: Recording, topic: Topic, field: str = "data") -> list[Any]
 
 
 def part_of(recording: Recording, topic: Topic, keep: Callable[[Any], bool]) -> Recording:
-    """The recording, but of `topic` only the messages whose data `keep` accepts, watched from the first of them on.
+    """The recording with only those messages of `topic` whose data `keep` accepts, watched from the first of them on.
 
     For a topic on which several talk, of whom one may be connected later than another.
     """
