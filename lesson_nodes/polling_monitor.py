@@ -1,4 +1,4 @@
-"""A monitor of touches that looks now and then whether there is a new one: a while loop with a sleep.
+"""A monitor of touches that polls: a while loop with a sleep checks whether there is a new one.
 
 Run it with ``python -m lesson_nodes.polling_monitor`` and end it with Ctrl-C.
 """
@@ -26,11 +26,11 @@ class PollingMonitor(Node):
         /robot/touch (std_msgs/Int32): the number of the touch.
 
     Parameters:
-        poll_s (float): How long to sleep between two looks, in real seconds; 0 is no sleep at all.
-        keep_all (bool): Whether to keep all touches up to the next look, and not only the last one.
+        poll_s (float): How long to sleep between two polls, in real seconds; 0 is no sleep at all.
+        keep_all (bool): Whether to keep all touches up to the next poll, and not only the last one.
 
     Raises:
-        ValueError: The time between two looks is less than nothing.
+        ValueError: The time between two polls is negative or not finite.
     """
 
     def __init__(self) -> None:
@@ -38,7 +38,9 @@ class PollingMonitor(Node):
         self.poll_s = self.declare_parameter("poll_s", POLL_S).value
         keep_all = self.declare_parameter("keep_all", False).value
         if not 0.0 <= self.poll_s < math.inf:
-            raise ValueError(f"Between two looks there are 0 s or more, not {self.poll_s}.")
+            raise ValueError(
+                f"The time between two polls must be finite and at least 0 s, not {self.poll_s}."
+            )
         self.kept: deque[int] = deque(maxlen=None if keep_all else 1)
         self.report_publisher = self.create_publisher(Int32, "/monitor/by_polling", 100)
         self.create_subscription(Int32, "/robot/touch", self.keep, 100)
@@ -48,7 +50,7 @@ class PollingMonitor(Node):
         self.kept.append(message.data)
 
     def look(self) -> None:
-        """Report what is new since the last look."""
+        """Report what is new since the last poll."""
         while self.kept:
             self.report_publisher.publish(Int32(data=self.kept.popleft()))
 

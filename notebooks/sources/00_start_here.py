@@ -72,7 +72,7 @@ stop()
 # - **d** The robot keeps waving: the notebook knows the movement by now.
 #   ✗ The notebook does not work out the movement. It draws the numbers that it receives, and there are no new ones.
 #
-# Run the cell below and press the button of your choice. You can change it until the run.
+# Run the cell below and press the button of your choice. You can change it until you see the outcome.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -226,7 +226,7 @@ print("a domain between 1 and 101:", 1 <= int(os.environ["ROS_DOMAIN_ID"]) <= 10
 #
 # - **a** The hand moves faster, and as many messages come as before.
 #   when `messages_per_second < 25`
-#   ✓ `waves_per_second` sets how fast the hand moves. The program still reports once in 0.05 s.
+#   ✓ `waves_per_second` sets how fast the hand moves. The program still reports once every 0.05 s.
 # - **b** The hand moves faster, and more messages come in a second.
 #   when `messages_per_second >= 25`
 #   ✗ The hand does move faster. But how often the program reports is another number, `period_s`, and we left it
@@ -312,7 +312,8 @@ topic_info("/robot/joint_postions")
 
 # %% [markdown]
 # `positions` lost an `i`. The tools guess what you meant. A subscriber would not: it would wait silently, on a topic
-# without a publisher. This is the most frequent fault of beginners, so check names first when no message comes.
+# without a publisher. Misspelled names are a very common beginner's mistake. When no message comes, check the names
+# first.
 
 # %%
 stop()
@@ -450,7 +451,8 @@ stop()
 # </details>
 # <details><summary>b) It publishes all the same, and the messages are gone</summary>
 #
-# ✓ Publishers and subscribers come and go on their own. (How a late one can still get the last message is lesson 13.)
+# ✓ Publishers and subscribers come and go on their own. (Lesson 13 shows how a late
+# subscriber can still get the last message.)
 #
 # </details>
 # <details><summary>c) It gets an error</summary>
@@ -498,7 +500,7 @@ stop()
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). A team builds a humanoid. Should

@@ -28,7 +28,7 @@ print("after the end:  ", node_list())
 
 # %% [markdown]
 # Its **node** appeared, and after the end it is gone, without an error. That is less common than you would think. Many
-# programs on the web end with a page of error messages. At the end of this lesson, yours will not.
+# programs that you find on the web end with a page of error messages. At the end of this lesson, yours will not.
 
 # %% [markdown] prediction="publish-after-shutdown"
 # ## Predict
@@ -95,9 +95,9 @@ print("and the node still knows its name:", guard.get_name())
 # %% [markdown]
 # ## Look inside
 #
-# `init` made a **context**, and `shutdown` ended it. A context is what one *process* shares in ROS: its domain, its
-# arguments from the command line, and what happens on Ctrl-C. Every node belongs to a context. You did not name it,
-# because `rclpy.init()` makes the **default context**, and `Node(...)` takes that one.
+# `init` made a **context**, and `shutdown` ended it. A context holds what the nodes of one *process*
+# share: their domain, the arguments from the command line, and what happens on Ctrl-C. Every node belongs to a context.
+# You did not name it, because `rclpy.init()` makes the **default context**, and `Node(...)` takes that one.
 #
 # A context has three states, and it goes through them once: *not initialized* → *ok* → *shut down*. There is no way back.
 # `rclpy.ok()` is true only in the middle one.
@@ -158,7 +158,7 @@ for row, action in enumerate(actions):
 # ### Experiment 1: three contexts in one notebook
 #
 # A process usually has one context. It may have more, and each can be on another **domain**. Here are three robots in
-# one process, each with a context of its own. `kitchen` and `hall` are on the domain A, `garden` is on the domain B.
+# one process, each with a context of its own. `kitchen` and `hall` are on domain A, `garden` is on domain B.
 # All three publish their names on the topic `/building/hello`, and subscribe to it. Who hears whom?
 #
 # - **a** None hears another one: each has a context of its own.
@@ -167,7 +167,7 @@ for row, action in enumerate(actions):
 #   would.
 # - **b** `kitchen` and `hall` hear each other, and `garden` is alone.
 #   when `kitchen_hears == 1 and garden_hears == 0`
-#   ✓ The domain decides who hears whom. Two of the three contexts are on the domain A.
+#   ✓ The domain decides who hears whom. Two of the three contexts are on domain A.
 # - **c** All hear all others: it is one process and one topic.
 #   when `kitchen_hears == 2 and garden_hears == 2`
 #   ✗ `garden` is on another domain. Nodes on different domains do not meet, not even within one process.
@@ -253,8 +253,8 @@ show(
 # %% [markdown]
 # ### Experiment 2: Ctrl-C
 #
-# Most robot programs end by Ctrl-C. Linux then sends a **signal**, SIGINT, and Python turns it into the exception
-# `KeyboardInterrupt`. Here are three ways to write `main`. You find all of them on the web.
+# While you develop, you stop most robot programs with Ctrl-C. Linux then sends a **signal**, SIGINT, and Python turns
+# it into the exception `KeyboardInterrupt`. Here are three ways to write `main`. You find all of them on the web.
 
 # %%
 import inspect
@@ -270,8 +270,8 @@ print(
 # %% [markdown] prediction="after-ctrl-c"
 # `guard.park()` folds the arms and prints `arms parked`. `spin` lets the node work.
 #
-# A program reports how it ended by its **exit code**: 0 means well, and anything else means trouble. Scripts, service
-# managers and launch files read it. Which of the three programs end with 0 after Ctrl-C?
+# A program reports how it ended by its **exit code**: 0 means success, and any other number means trouble. Scripts,
+# service managers and launch files read it. Which of the three programs end with 0 after Ctrl-C?
 #
 # - **a** `seasoned` only
 #   when `hopeful != 0 and careful != 0 and seasoned == 0`
@@ -285,7 +285,7 @@ print(
 #   already.
 # - **d** None: after Ctrl-C the code is never 0.
 #   when `hopeful != 0 and careful != 0 and seasoned != 0`
-#   ✗ The exit code is 0 whenever the program comes to its end without an exception, also after Ctrl-C.
+#   ✗ The exit code is 0 whenever the program comes to its end without an exception, even after Ctrl-C.
 
 # %%
 predict("after-ctrl-c")
@@ -560,7 +560,7 @@ print("box locked: ", "box locked" in end.log)
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My robot arm is controlled by a
@@ -593,7 +593,8 @@ print("box locked: ", "box locked" in end.log)
 # %% [markdown]
 # ## Take away
 #
-# - A context is what a process shares in ROS. It goes once from not initialized to ok to shut down, and never back.
+# - A context holds what the nodes of a process share. It goes once from not initialized to ok to shut down, and never
+#   back.
 # - `rclpy.init()` once, in `main`, before the first node. After `shutdown` or `destroy_node`, a node can do nothing.
 # - The domain decides who hears whom. Set it outside of the program, with `ROS_DOMAIN_ID`.
 # - On Ctrl-C rclpy shuts the context down by itself, and `spin` raises. Clean up in `finally`, with `try_shutdown()`.

@@ -1,7 +1,8 @@
 # %% [markdown]
 # # 01 · Deeper: signals, threads and UDP ports
 #
-# A robot in the field is not ended by Ctrl-C, but by a service manager. And its last message must get out in time.
+# In the field, a robot's programs are stopped by a service manager, not by Ctrl-C. And its last message must get out in
+# time.
 #
 # - **Minutes:** 20
 # - **You need:** lesson [01](01_the_context.ipynb)
@@ -86,7 +87,8 @@ print("SIGTERM and Ctrl-C come out alike:", on_sigterm == on_ctrl_c)
 # ## Look inside
 #
 # When can other programs find yours? A program that uses DDS receives on **UDP ports** of its domain. The next cell makes
-# a context, a node, and ends both. Meanwhile a thread asks Linux a hundred times a second whether these ports are open.
+# a context and a node, and then ends both. Meanwhile a thread asks Linux a hundred times a second whether these ports
+# are open.
 
 # %%
 import threading
@@ -212,7 +214,7 @@ for handled_by in ("ALL", "NO"):
 # There is a price: a node without a timer does not wake up on Ctrl-C, and SIGTERM ends the process at once.
 #
 # **In these notebooks it is different.** Here only Python handles SIGINT, which is what the stop button (■) sends. So your
-# nodes survive it. We press the button from within, and then run the same lines as a program:
+# nodes survive it. The next cell sends itself the signal of that button. Then we run the same lines as a program:
 
 # %% id="interrupt-in-the-kernel"
 import os

@@ -9,7 +9,7 @@
 #   - write a node class, and give it a name and a namespace
 #   - run one class twice under two names
 #   - recognize duplicate node names
-#   - read the errors of names and attributes
+#   - read error messages about names and attributes
 # - **Left out:** what nodes say to each other (lessons 03 and 04), parameters, nodes in C++ packages and launch files
 
 # %% [markdown]
@@ -355,7 +355,7 @@ reveal("remapped-node", names=end.log.split())
 # %% [markdown]
 # The driver does not change, and its private and relative names follow. So good drivers use relative and private names.
 #
-# What if both cameras live in one process? The arguments of the command line count for *all* nodes of the process. Both
+# What if both cameras live in one process? The arguments of the command line apply to *all* nodes of the process. Both
 # would be called `rear_camera`: duplicate names again. There are two ways out. On the command line, name the node that you
 # mean: `-r camera_a:__node:=rear_camera` renames only the node that the code calls `camera_a`. Both cameras are called
 # `camera` in the code, so this program uses the other way, `cli_args`. It passes the same arguments as a list, to one
@@ -641,7 +641,7 @@ else:
 #
 # <details><summary>a) Both `scout`</summary>
 #
-# ✓ The command line counts for all nodes of the process. Give `cli_args` to one of them instead.
+# ✓ The arguments of the command line apply to all nodes of the process. Give `cli_args` to one of them instead.
 #
 # </details>
 # <details><summary>b) The first one `scout`, the second one as before</summary>
@@ -676,7 +676,7 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). Our warehouse has twenty robots
@@ -693,7 +693,7 @@ else:
 # or a map, gets an absolute name. The dashboard finds robots by asking the graph for namespaces or topics, and takes
 # the namespace as the robot's name. A good answer also asks how many nodes may see each other. (Here, all 300 nodes
 # of the twenty robots are in one domain. A domain per robot and a bridge may be better.) And it asks what happens
-# when two robots get one number by mistake. (They have duplicate node names, so check at the start.)
+# when two robots get the same number by mistake. (They have duplicate node names, so check at the start.)
 #
 # </details>
 #

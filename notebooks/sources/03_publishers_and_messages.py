@@ -68,7 +68,7 @@ show_path(
 # - **a** 80.0, because Python turns 80 into 80.0 wherever a float is wanted.
 #   when `arrived_for_80 == 80`
 #   ✗ Python converts nothing here. The field is set to the int 80, as it is.
-# - **b** Nothing, because `Float32(data=80)` raises an error: 80 is no float.
+# - **b** Nothing, because `Float32(data=80)` raises an error: 80 is not a float.
 #   ✗ It does so when field checks are on. By default they are off, and the message takes any object.
 # - **c** 0.0
 #   when `arrived_for_80 == 0`
@@ -205,12 +205,12 @@ print(Float32())
 # %% [markdown]
 # `publish` serializes the message: it writes the bytes that any other program can read. For a `float32` field, this build
 # reads the memory of a Python float, **without a check of what kind of object it has**. An `int` has other bytes there.
-# Read as a float, they mostly are a number so tiny that it becomes 0.0.
+# Read as a float, they usually give a number so tiny that it becomes 0.0.
 #
 # **`std_msgs` is for learning.** Since ROS 2 Foxy, `Float32`, `String` and the other single-value types of `std_msgs`
 # have been deprecated: real robots should not use them. For example, 0.8 on `/robot/battery` does not say whether it
-# is percent, of which battery, and when. This course uses them because they are short. On a robot, use types with
-# meaning, such as `sensor_msgs/BatteryState`, or define your own.
+# is a percentage, which battery it belongs to, or when it was measured. This course uses them because they are short. On
+# a robot, use types with meaning, such as `sensor_msgs/BatteryState`, or define your own.
 
 # %% [markdown]
 # ### The three arguments of `create_publisher`
@@ -253,7 +253,7 @@ print(command)
 #   ✓ The radius is the speed forward divided by the speed of turning. Half the turning gives twice the radius.
 # - **b** A circle half as wide
 #   when `width_m < 0.6`
-#   ✗ It is the other way round: a slower turn takes the robot further before the circle is closed.
+#   ✗ It is the other way around: a slower turn takes the robot further before the circle is closed.
 # - **c** The same circle, driven at half the speed
 #   when `0.6 <= width_m < 1.2`
 #   ✗ The speed forward stays 0.4 m/s. Only the turning is slower, and that changes the circle.
@@ -286,13 +286,13 @@ print(f"from side to side: {max(xs) - min(xs):.1f} m")
 reveal("the-wider-circle", width_m=max(xs) - min(xs))
 
 # %% [markdown]
-# The robot drives as fast as before and turns half as fast. So a round takes twice as long, and is twice as far. The radius
-# is speed divided by rate of turn: 0.4 / 0.5 = 0.8 m.
+# The robot drives as fast as before and turns half as fast. So one lap takes twice as long, and covers twice the
+# distance. The radius is speed divided by rate of turn: 0.4 / 0.5 = 0.8 m.
 
 # %% [markdown] prediction="a-tenth"
 # ### Experiment 2: a tenth
 #
-# `Float32` has 32 bits for its number, a Python float has 64. We send four good Python floats. Does 0.1 arrive as 0.1?
+# `Float32` has 32 bits for its number; a Python float has 64. We send four good Python floats. Does 0.1 arrive as 0.1?
 #
 # - **a** Yes: 0.1 is a simple number, 32 bits are plenty.
 #   when `arrived == 0.1`
@@ -565,7 +565,7 @@ else:
 #
 # <details><summary>a) `command.angular.z = -0.5`, all the rest as it is</summary>
 #
-# ✓ Turns to the left are above zero, turns to the right below. Speeds that you do not set are zero.
+# ✓ Turns to the left are positive; turns to the right are negative. Speeds that you do not set are zero.
 #
 # </details>
 # <details><summary>b) `command.angular = -0.5`</summary>
@@ -617,7 +617,7 @@ else:
 #
 # **5. A leg sends its length as `Float32(data=0.1)`. A monitor asks `if message.data == 0.1`, and never reacts. Why?**
 #
-# <details><summary>a) 0.1 in 32 bits is another number than 0.1 in 64 bits</summary>
+# <details><summary>a) 0.1 in 32 bits is not the same number as 0.1 in 64 bits</summary>
 #
 # ✓ The monitor gets 0.10000000149011612. `math.isclose(message.data, 0.1, rel_tol=1e-6)` is the question to ask.
 #
@@ -636,7 +636,7 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). The screen of our robot shows 64

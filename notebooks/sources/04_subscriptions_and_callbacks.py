@@ -11,8 +11,8 @@
 #   - say when it is called and when it is not
 #   - choose how many messages may wait
 #   - tell how old a message is
-# - **Left out:** repeating work (lesson 05), the steps inside `spin` (06), long work in a callback (10), qualities of a
-#   connection besides its depth (13)
+# - **Left out:** repeating work (lesson 05), the steps inside `spin` (06), long work in a callback (10), settings
+#   of a connection other than its queue depth (13)
 
 # %% [markdown]
 # Watch the robot. It walks up to a wall and away from it, again and again. One program measures how far the wall is,
@@ -442,7 +442,7 @@ reveal("age-of-a-message", last_age_s=deep.ages_s[-1])
 # | a state: distance, battery, camera picture | small, 1 to 10 | only the newest one is of use |
 # | an event: a button, an order, a fault | large enough for the longest burst | each one counts |
 #
-# No depth makes a slow callback fast. What to do about that is lesson 10.
+# No depth makes a slow callback fast. Lesson 10 shows what to do about that.
 
 # %% [markdown] prediction="wrong-hint"
 # ### Experiment 3: what the type hint does
@@ -679,7 +679,7 @@ else:
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/04_subscriptions_and_callbacks.ipynb) you write a battery monitor. The
-# judge sends it twenty readings, one of which is impossible, and looks at what your node makes of them.
+# judge sends it about fifty readings, good and bad ones, and compares them with what your node publishes.
 
 # %% [markdown]
 # ## Check yourself
@@ -704,14 +704,14 @@ else:
 #
 # **2. A subscription has depth 10. While its node is busy for a second, 25 messages come. What then?**
 #
-# <details><summary>a) rclpy raises an error: the queue has run over</summary>
+# <details><summary>a) rclpy raises an error: the queue has overflowed</summary>
 #
 # ✗ It drops the oldest and says nothing. If each message counts, you must choose the depth for it.
 #
 # </details>
 # <details><summary>b) The callback gets the first 10; the others found the queue full</summary>
 #
-# ✗ The other way round: the newest message always gets in.
+# ✗ The other way around: the newest message always gets in.
 #
 # </details>
 # <details><summary>c) All 25 come, only late</summary>
@@ -739,7 +739,7 @@ else:
 # </details>
 # <details><summary>c) The result has to be kept in an attribute</summary>
 #
-# ✗ The node keeps it. You asked the garbage collector yourself.
+# ✗ The node keeps it. In this lesson you ran the garbage collector, and the subscription stayed.
 #
 # </details>
 #
@@ -764,7 +764,7 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My robot has one node that

@@ -27,7 +27,7 @@ stop()
 
 # %% [markdown]
 # One node, two timers, two rhythms. Run the next cell and move its slider: each move starts the node again with the new
-# period. How short must it be until both arms look alike to you?
+# period. How short must it be for both arms to look alike to you?
 
 # %%
 from workbook.lesson import knob
@@ -503,7 +503,7 @@ print("blinks:", silent.blinks)
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A guide robot counts two things: every half second one step of its walk, and every 2 s it looks around.
+# **Worked.** A guide robot has two rhythms: it takes a step every half second, and it looks around every 2 s.
 # Each rhythm is one period, one timer, one method.
 
 # %%
@@ -623,7 +623,7 @@ else:
 #
 # <details><summary>a) The garbage collector takes it sooner or later</summary>
 #
-# ✗ You asked the collector yourself in this lesson, and the timer ticked on.
+# ✗ In this lesson you ran the collector yourself, and the timer kept ticking.
 #
 # </details>
 # <details><summary>b) It ticks as long as the node lives</summary>
@@ -640,7 +640,7 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My robot reads a distance sensor
@@ -676,7 +676,7 @@ else:
 # - `create_timer(period, callback)`: the period is in seconds, and hertz is 1 divided by it.
 # - A timer keeps a plan. It has jitter, but it does not drift. A loop that sleeps does.
 # - One node can have many timers. They share one thread and take turns.
-# - A slow callback makes others late. Missed ticks are dropped, they do not come in a burst.
+# - A slow callback makes others late. Missed ticks are dropped; they do not come in a burst.
 # - Hand over the callback without parentheses, and spin the node.
 #
 # **Before:** [04 · Subscriptions and callbacks](04_subscriptions_and_callbacks.ipynb)

@@ -93,7 +93,7 @@ mouth = fresh(Node, "mouth").create_publisher(String, "/robot/words", 10)
 
 
 def slow_robot():
-    """A robot whose timers tick once in 1000 s."""
+    """A robot whose timers tick once every 1000 s."""
     robot = AttentiveRobot()
     for timer in robot.timers:
         timer.timer_period_ns = 1000 * 10**9
@@ -520,7 +520,7 @@ else:
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/06_spinning.ipynb) you write a function that lets a node work for some seconds, and then
-# returns. It is judged by a robot with timers, a burst of words, slow callbacks, and a robot that says nothing.
+# returns. The judge tries it with two robots: one with timers, slow callbacks and a burst of words, and a quiet one.
 
 # %% [markdown]
 # ## Check yourself
@@ -601,7 +601,7 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My program reads a joystick in a
@@ -618,7 +618,7 @@ else:
 #    never block.
 # 2. Keep the loop, and replace the sleep by spinning until the 20 ms are over. Call `spin_once` with a short timeout
 #    again and again, because one call runs only one callback. The stop is then handled within one callback's time. With
-#    `timeout_sec=0` in place of the sleep, the loop would keep a processor busy.
+#    `timeout_sec=0` instead of the sleep, the loop would keep a processor busy.
 # 3. Spin in a thread of its own, with an executor of its own, and end it with `shutdown` and `join`. This is right when
 #    the library that reads the joystick blocks. Then two threads touch the same data.
 #

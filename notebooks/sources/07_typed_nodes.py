@@ -361,7 +361,7 @@ nets_picture(
 )
 
 # %% [markdown]
-# No net catches all. The two on the right catch a mistake only once the line is reached. None of the five catches
+# No net catches everything. The two on the right catch a mistake only once the line is reached. None of the five catches
 # mistake 3. You will catch it yourself, further down.
 
 # %% [markdown]
@@ -394,7 +394,7 @@ for name, module in SHAPES.items():
 #   in one.
 # - **b** in the class and the closure, because there is more structure
 #   when `script == 0 and closure > 0 and in_class > 0`
-#   ✗ It is the other way round: there, the call is inside a function without hints, and mypy skips it.
+#   ✗ It is the other way around: there, the call is inside a function without hints, and mypy skips it.
 # - **c** in none: there are no hints any more
 #   when `script == 0 and closure == 0 and in_class == 0`
 #   ✗ Hints of your own are gone, but those of rclpy are still there. Code outside of functions is checked against
@@ -429,8 +429,8 @@ reveal(
 )
 
 # %% [markdown]
-# mypy does not check a function without hints, unless you run it with `--strict`. Code at the top of a file belongs to no
-# function, so it is always checked. `-> None` is enough to change that.
+# mypy does not check a function without hints, unless you run it with `--strict`. One hint, such as `-> None`, is enough
+# to have the function checked. Code at the top level of a file belongs to no function, so it is always checked.
 #
 # Which shape is best? A script is fine for ten lines. The state of a closure is hidden, so it is hard to test. In a class
 # everything has a name and a type, and a second robot is a second object. So most nodes are classes.
@@ -511,7 +511,7 @@ print("and field checks:", with_checks.log.strip().splitlines()[-1])
 #
 # - **a** `str`: no objection. `Literal`: mypy objects, and at run time there is an error.
 #   ✗ mypy objects, but at run time there is no error. Python keeps hints and does not check them.
-# - **b** mypy finds the misspelled word in both: it is no English word.
+# - **b** mypy finds the misspelled word in both: it is not an English word.
 #   ✗ mypy knows no English. For the hint `str`, every text is right.
 # - **c** `str`: no objection. `Literal`: mypy objects, and at run time the word is sent all the same.
 #   ✓ `Literal` is for mypy, and there the word does not fit. When the program runs, Python does not compare it with
@@ -547,7 +547,7 @@ reveal("one-of-two-words")
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Hints from newer books.** In newer ROS a publisher is generic, and one reads `Publisher[String]` everywhere. Here:
+# **Hints from newer books.** In newer ROS a publisher is generic, and you see `Publisher[String]` everywhere. Here:
 
 # %% id="publisher-subscript" tags=["raises-exception"]
 from rclpy.publisher import Publisher
@@ -764,7 +764,7 @@ else:
 #
 # <details><summary>a) If it has a method publish that takes a Float32</summary>
 #
-# ✓ A Protocol only lists what an object must have. Every object with that method fits, also a small class that you
+# ✓ A Protocol only lists what an object must have. Every object with that method fits, even a small stand-in that you
 # write for a test.
 #
 # </details>
@@ -800,7 +800,7 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). We have thirty nodes, written
@@ -815,9 +815,9 @@ else:
 # Not everything on Monday: `--strict` on thirty nodes gives hundreds of findings, and people then silence them with
 # `# type: ignore`. Stubs for the messages come first, because without them most of ROS is `Any`. Then plain mypy on all
 # nodes, so that nothing gets worse. Then `-> None` and argument hints, node by node, and strict settings for a node once
-# it is clean. mypy does not find values from outside, an int in a float field, topic names that do not match, wrong
-# periods, and everything about time. That needs checks at run time, field checks in tests, and tests that check what
-# arrives.
+# it is clean. mypy does not find bad values from outside, an int in a float field, topic names that do not match, or
+# wrong periods. It knows nothing about time. These faults need checks at run time, field checks in tests, and tests that
+# check what arrives.
 #
 # </details>
 #
@@ -825,8 +825,8 @@ else:
 #
 # Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
 #
-# - **`self.level: Publisher[Float32] = …`:** In Jazzy `Publisher` takes no type in brackets: Python raises a
-#   `TypeError` when it runs such a hint. Newer versions allow it.
+# - **`self.level: Publisher[Float32] = …`:** In Jazzy `Publisher` takes no type in brackets, and mypy reports it.
+#   Inside a method, Python ignores this hint; in a signature, it raises a `TypeError`. Newer versions allow it.
 # - **mypy will find the misspelled field `msg.dta`:** In fact, it cannot on its own: the message packages come
 #   without types, so each message is `Any`. It takes stubs.
 #

@@ -62,7 +62,7 @@ reveal(
 # ## Look inside
 #
 # `contravariant=True` says that the type goes only in. A publisher that takes every message may stand where one for
-# `Float32` is expected, but not the other way round.
+# `Float32` is expected, but not the other way around.
 #
 # `make_publisher` connects two hints. `Message` stands for one type, the same in both places: for `kind=Float32` the
 # result is a `Sends[Float32]`.

@@ -56,13 +56,13 @@ stop()
 #   ✗ On a topic nobody asks. A subscription gets the next message that is published.
 # - **b** 2 s: one period of the battery's timer.
 #   when `1.5 <= longest_wait_s < 2.6`
-#   ✓ Who just missed a message waits one period of that topic. The period is the longest wait.
+#   ✓ A subscriber that has just missed a message waits one period of that topic. That is the longest wait.
 # - **c** 1 s: then the next message of this node comes.
 #   when `0.5 <= longest_wait_s < 1.5`
 #   ✗ After 1 s at most there is a status. The battery has a timer of its own, with a longer period.
 # - **d** 3 s: first comes the status, then the battery.
 #   when `longest_wait_s >= 2.6`
-#   ✗ The timers do not take turns. Each one is due by its own period.
+#   ✗ The timers do not take turns. Each one follows its own period.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -212,7 +212,7 @@ print(inspect.getsource(HumanoidStatusPublisher))
 # - **Topics in the docstring**, with type, rate and meaning. It is the contract with all subscribers.
 # - **Type hints** (`-> None`, `battery_level: float`). Your editor and mypy read them. ROS does not.
 # - **A unit in each name or comment** (`STATUS_PERIOD_S`, percent). Many bugs come from a number in hertz where
-#   seconds are expected, or the other way round.
+#   seconds are expected, or the other way around.
 
 # %% [markdown]
 # ## Change it
@@ -383,7 +383,7 @@ humanoid.destroy_node()
 # - **b** The estimate is missing, the status goes on: the timers are independent.
 #   when `in_the_last_second > 0`
 #   ✗ Both timers are called by one thread, and the exception has ended it.
-# - **c** All timers stop, the program lives on, and from outside it looks well.
+# - **c** All timers stop, the program lives on, and from outside everything looks fine.
 #   when `exit_code == 0 and in_the_last_second == 0`
 #   ✓ The thread that spins is gone, so no callback runs any more. The node is still on the graph.
 
@@ -482,9 +482,9 @@ await run(fresh(Forecaster), seconds=10)
 #
 # ### Whole percents
 #
-# `Float32(data=round(level))` puts an int into a float field (lesson 03). The result is **wrong, or a crash, depending on
-# the build.** The packages of this course send 0.0 without an error. The Ubuntu packages can abort the whole process
-# ([rclpy #1297](https://github.com/ros2/rclpy/issues/1297), [#1437](https://github.com/ros2/rclpy/issues/1437),
+# `Float32(data=round(level))` puts an int into a float field (lesson 03). The result is **a wrong value or a crash,
+# depending on the build.** The packages of this course send 0.0 without an error. The Ubuntu packages can abort the
+# whole process ([rclpy #1297](https://github.com/ros2/rclpy/issues/1297), [#1437](https://github.com/ros2/rclpy/issues/1437),
 # [diagnostics #427](https://github.com/ros/diagnostics/issues/427)). With `ROS_PYTHON_CHECK_FIELDS=1` in the
 # environment, as in this notebook, you get an exception instead:
 
@@ -579,9 +579,9 @@ print(said(outcome).splitlines()[0])
 print("exit code", outcome.exit)
 
 # %% [markdown]
-# **Faded.** Now the foot counts its steps, and reports them on `/robot/steps` once in four seconds, as a `Float32`. Fill
-# in three blanks `___`: the period, the float, and how the program ends. You are done when it prints `sent 1.0` and exit
-# code 0.
+# **Faded.** Now the foot counts its steps, and reports them on `/robot/steps` once every four seconds, as a `Float32`.
+# Fill in three blanks `___`: the period, the float, and how the program ends. You are done when it prints `sent 1.0`
+# and exit code 0.
 
 # %%
 FADED = """
@@ -642,7 +642,7 @@ print("exit code", outcome.exit)
 # </details>
 # <details><summary>c) create_timer(2.0, self.publish_battery())</summary>
 #
-# ✗ The brackets call the method right away and hand over what it returns, `None`. The timer wants the method itself.
+# ✗ The parentheses call the method right away and hand over what it returns, `None`. The timer wants the method itself.
 #
 # </details>
 #
@@ -658,7 +658,7 @@ print("exit code", outcome.exit)
 # ✗ The depth says how many messages may wait. It never changes what is in them.
 #
 # </details>
-# <details><summary>c) The level in the message is no Python float</summary>
+# <details><summary>c) The level in the message is not a Python float</summary>
 #
 # ✓ In this build, an int, a str or a bool in a float field is sent as a wrong value, mostly 0.0. The Ubuntu packages may
 # abort the process.
@@ -697,14 +697,14 @@ print("exit code", outcome.exit)
 # </details>
 # <details><summary>c) `finally` is not executed after an exception</summary>
 #
-# ✗ It always is. That is just why the second shutdown happens.
+# ✗ It is always executed. That is why the second shutdown happens.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My humanoid publishes its status
@@ -740,7 +740,7 @@ print("exit code", outcome.exit)
 #
 # - Each topic needs a publisher, a timer and a short callback; many fit into one thread.
 # - `create_timer` takes seconds: 0.5 Hz is 2.0.
-# - Put only a Python `float` into a float field. Anything else is wrong, or a crash, depending on the build.
+# - Put only a Python `float` into a float field. Anything else gives a wrong value or a crash, depending on the build.
 # - An exception in a background spin stops all callbacks of a node, and the node stays on the graph.
 # - End with `except (KeyboardInterrupt, ExternalShutdownException)` and `rclpy.try_shutdown()`.
 #

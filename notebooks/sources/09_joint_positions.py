@@ -147,12 +147,13 @@ show(
 reveal("the-slow-drawing", share_of_the_swing=float(worst / swing))
 
 # %% [markdown]
-# Between two messages a subscriber knows nothing new: DDS delivers, it does not guess. The elbow swings 0.8 times a second.
-# In 2 s it can go to the other end and back. The battery is different: it drains by at most 0.5 % in 2 s, so the last
-# message is never wrong by more than that.
+# Between two messages a subscriber learns nothing new: DDS delivers, it does not guess. The elbow swings 0.8 times a
+# second. In 2 s it can go to the other end and back. The battery is different: it drains by at most 0.5 % in 2 s, so
+# the last message is never wrong by more than that.
 #
-# **Publish as fast as the value changes in a way that a subscriber needs to know.** Batteries: once every few seconds.
-# Joints that a planner uses: 10 to 100 Hz. Motor control inside the joint: 1000 Hz and more, and not over a Python topic.
+# **Publish often enough that a subscriber learns of every change that matters to it.** Batteries: once every few
+# seconds. Joints that a planner uses: 10 to 100 Hz. Motor control inside the joint: 1000 Hz and more, and not over a
+# Python topic.
 #
 # The message type is `Float32MultiArray`: a list of 32-bit floats with an optional `layout` that describes rows and
 # columns. It has no joint names. Sender and receiver must agree on the order, as we did in the table above.
@@ -180,7 +181,7 @@ print("left elbow kept:", message.data[ELBOW])
 #
 # - **a** less than a third
 #   when `share_of_the_error < 1 / 3`
-#   ✓ The last message is at most 0.1 s old, in place of 2 s. In that time the elbow moves only a little.
+#   ✓ The last message is at most 0.1 s old, instead of 2 s. In that time the elbow moves only a little.
 # - **b** about half
 #   when `1 / 3 <= share_of_the_error <= 0.8`
 #   ✗ Twenty times as many messages come as before. The error shrinks by much more than half.
@@ -290,7 +291,7 @@ show(fig, "the height of the waving hand, computed from the angles, goes up and 
 #   ✗ At 0.5 Hz much of the processor time does not go to messages. DDS works in the background at any rate.
 # - **b** the same
 #   when `times_as_much <= 1`
-#   ✗ To fill a message, serialize it and send it is work, and 100 Hz does it 200 times as often.
+#   ✗ Filling, serializing and sending a message is work. At 100 Hz it is done 200 times as often.
 # - **c** more, but less than 200 times as much
 #   when `1 < times_as_much < 200`
 #   ✓ Each message costs a little. But the background work of DDS costs the same at any rate, and at 0.5 Hz it is a
@@ -362,7 +363,7 @@ joint_pub.publish(waving(0.0))
 # %% [markdown]
 # `publish` needs a message. Put the list into its `data` field: `Float32MultiArray(data=angles)`.
 #
-# **One number instead of twelve.** The field is an array, also for a single value.
+# **One number instead of twelve.** The field is an array, even for a single value.
 
 # %% tags=["raises-exception"]
 Float32MultiArray(data=1.57)
@@ -409,7 +410,7 @@ from rclpy.logging import LoggingSeverity, set_logger_level
 
 from lesson_nodes.humanoid_status_publisher import HumanoidStatusPublisher
 
-# Its log was lesson 08.
+# Hides its log messages of level INFO. You saw them in lesson 08.
 set_logger_level("humanoid_status_publisher", LoggingSeverity.WARN)
 
 class WithHeadAngle(HumanoidStatusPublisher):
@@ -484,7 +485,7 @@ else:
 # </details>
 # <details><summary>c) As fast as the loop can go</summary>
 #
-# ✗ Every subscriber pays for every message. A rate without need takes time from other topics.
+# ✗ Every subscriber pays for every message. A rate that is higher than needed takes time away from other topics.
 #
 # </details>
 #
@@ -546,7 +547,7 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My humanoid publishes twelve
@@ -578,7 +579,7 @@ else:
 # %% [markdown]
 # ## Take away
 #
-# - A message is a snapshot; between two of them a subscriber knows nothing.
+# - A message is a snapshot; between two of them a subscriber learns nothing new.
 # - Choose a rate by how fast the value changes and who needs to know.
 # - `Float32MultiArray` carries any number of floats; order and count are an agreement.
 # - A subscriber that publishes needs no timer: messages drive it.

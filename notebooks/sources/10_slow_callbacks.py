@@ -402,7 +402,7 @@ def spin_with(executor, node, seconds):
     while time.monotonic() < end:
         executor.spin_once(timeout_sec=0.1)
     executor.remove_node(node)
-    time.sleep(0.2)  # let what has begun come to its end
+    time.sleep(0.2)  # let callbacks that are running finish
     executor.shutdown()
 
 
@@ -439,8 +439,8 @@ print("mutually exclusive: steps were lost:", orderly.steps < len(orderly.called
 reveal("the-steps", steps=lively.steps, calls=len(lively.called))
 
 # %% [markdown]
-# Both feet read 41, both add one, both write 42. One step is lost. This is a **race**: the result depends on the order in
-# time. There is no error, and a short test may never show it.
+# Both feet read 41, both add one, both write 42. One step is lost. This is a **race**: the result depends on the order
+# in which the threads happen to run. There is no error, and a short test may never show it.
 #
 # Python's own lock, the GIL, does not protect *your* three lines: Python may switch threads between any two of them.
 #
@@ -684,8 +684,8 @@ hint = "none yet: fill in the two places, then run this cell again"
 print("paths:", queue_guide.paths or hint)
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/10_slow_callbacks.ipynb) the heartbeat of a humanoid stops whenever its arm
-# is planned. Both are watched from outside: the beats, and whether each plan is right.
+# **Your own.** In the [exercise](../exercises/10_slow_callbacks.ipynb) the heartbeat of a humanoid stops whenever it
+# plans a movement of its arm. Both are watched from outside: the beats, and whether each plan is right.
 
 # %% [markdown]
 # ## Check yourself
@@ -767,7 +767,7 @@ print("paths:", queue_guide.paths or hint)
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My robot publishes a heartbeat

@@ -12,9 +12,9 @@
 # - **Left out:** which depth of a queue suits which data (lesson 13), real-time systems
 
 # %% [markdown]
-# To check again and again whether something happened is called **polling**. With a **callback**, rclpy calls your code when
-# it happens. Here is a robot with both. The skin of its hand numbers each touch and publishes it. Two monitors report
-# touches: one polls, one has a callback.
+# Checking again and again whether something has happened is called **polling**. With a **callback**, rclpy calls your
+# code when it happens. Here is a robot with both. The skin of its hand numbers each touch and publishes it. Two
+# monitors report touches: one polls, one has a callback.
 
 # %%
 from lesson_nodes import callback_monitor, polling_monitor, touch_sensor
@@ -144,7 +144,7 @@ reveal("the-touches", reported=len(first.polling), sent=TOUCHES)
 # %% [markdown]
 # ## Look inside
 #
-# Here are the first touches. Touches of one moment are drawn above each other.
+# Here are the first touches. Touches that came at the same moment are drawn one above the other.
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -239,7 +239,7 @@ squeeze(
 #
 # ### Experiment 1: poll more often
 #
-# Let the loop sleep for 5 ms in place of 50. What follows?
+# Let the loop sleep for 5 ms instead of 50. What happens?
 #
 # - **a** Quick now, and nothing is missed any more.
 #   when `times_as_late < 0.5 and reported >= sent * 2 / 3`
@@ -643,7 +643,7 @@ print("everyone was greeted" if both else "one visitor still waits")
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My robot has a camera (30

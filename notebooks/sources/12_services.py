@@ -10,7 +10,7 @@
 #   - choose between a topic and a service
 #   - call from a callback without hanging your node
 #   - handle a response that never comes
-# - **Left out:** actions (long jobs with progress), services of your own type, parameters (lesson 16)
+# - **Left out:** actions (long jobs with progress), services of your own type, parameters
 
 # %% [markdown]
 # The first cell starts a robot, as a program of its own. It stands still. It offers a **service**, `/robot/wave`: you
@@ -52,7 +52,7 @@ print(f"success={response.success}, {response.message!r}")
 await watch_robot(seconds=4)
 
 # %% [markdown]
-# The side that asks has a **client**, the side that responds has a **server**. The response tells you that the request
+# The side that asks has a **client**; the side that responds has a **server**. The response tells you that the request
 # was handled. A message on a topic tells you nothing like that. Ask for the same thing again, then for the opposite:
 
 # %%
@@ -101,7 +101,7 @@ stop()
 #   ✓ The callback waits for the response, and the executor waits for the callback. That is a deadlock.
 # - **b** About twenty beats and four responses.
 #   when `answered >= 3 and beats >= 18`
-#   ✗ The response does arrive after a millisecond. But to take it in is work for the executor, and its only thread
+#   ✗ The response does arrive after a millisecond. But taking it in is the executor's job, and its only thread
 #   waits in `call`.
 # - **c** Four responses; the heart misses a beat now and then, while `call` waits.
 #   when `answered >= 3 and beats < 18`
@@ -288,8 +288,8 @@ hearts_picture(
 #
 # ### Experiment 1: other groups, other threads
 #
-# A *reentrant* group lets any number of callbacks run at a time. Here are three more cases. The client changes its group,
-# and with "reentrant" the timer that asks does, too:
+# A *reentrant* group lets any number of callbacks run at a time. Here are three more cases, in other groups than the
+# default one. With "reentrant", not only the client but also the timer that makes the call is in that group:
 #
 # - `call`, own group, 1 thread
 # - `call`, reentrant group, 4 threads
@@ -466,8 +466,8 @@ reveal("server-dies", old_call_is_done=old_call_is_done)
 
 # %% [markdown]
 # Nothing tells the client that the server is gone. `service_is_ready()` says whether a server is there *now*, and nothing
-# about your open call. So the client has to check the clock. After a time that you choose, give the call up with
-# `remove_pending_request(future)`, and ask again or raise an alarm.
+# about your open call. So the client has to check the clock. After a time that you choose, give up on the call with
+# `remove_pending_request(future)`. Then ask again or raise an alarm.
 
 # %% [markdown]
 # ## When it goes wrong
@@ -748,7 +748,7 @@ else:
 # </details>
 # <details><summary>b) Nothing</summary>
 #
-# ✓ That is why the client has to check the clock: give the call up, report it, go on.
+# ✓ That is why the client has to check the clock: give up on the call, report that, and go on.
 #
 # </details>
 # <details><summary>c) The done callback, with the result None</summary>
@@ -778,7 +778,7 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My node has a 20 Hz balance

@@ -279,8 +279,8 @@ stop()
 #
 # - **a** Never: no message, no callback.
 #   when `missed == 0`
-#   ✗ There is no message, but there is an event: DDS measures the time since the last message and reports when it is
-#   over.
+#   ✗ There is no message, but there is an event: DDS measures the time since the last message, and reports when
+#   that time is longer than the deadline.
 # - **b** Once, one second after the last beat.
 #   when `missed == 1`
 #   ✗ After a missed deadline, DDS starts to count anew, and reports again when the next period is over.
@@ -362,7 +362,7 @@ print("the first event came after about 1 s:", 0.9 < waits[0] < 1.9)
 print("all events in the silence:", all(t < watcher.beats[-1] for t in watcher.missed))
 
 # %% [markdown]
-# The event comes when the time is over, and again after each further period, until the next message. Two limits:
+# The event comes when the deadline has passed, and again after each further period, until the next message. Two limits:
 #
 # - The time counts from the last message. Before the first message there is no event.
 # - No event says that messages are back. You see that in `on_beat`.
@@ -559,7 +559,7 @@ stop()
 # ✓ Yes. The two match, and nothing from before was requested.
 #
 # </details>
-# <details><summary>c) These, and the last message from before</summary>
+# <details><summary>c) Every message from the match on, and the last one from before</summary>
 #
 # ✗ The publisher hands earlier messages only to subscriptions that request transient local.
 #
@@ -585,7 +585,7 @@ stop()
 #
 # **4. You request a deadline of 2 s, and the robot is still switched off. When does `on_missed` run first?**
 #
-# <details><summary>a) 2 s without a message after the first message</summary>
+# <details><summary>a) After the first message, as soon as 2 s pass without another one</summary>
 #
 # ✓ Before the first message there is no event. A timer that shows `unknown` covers that time.
 #
@@ -623,7 +623,7 @@ stop()
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My robot publishes a laser scan
@@ -651,7 +651,7 @@ stop()
 # - **`QoSProfile(depth=10, deadline=0.1)`:** A plain number of seconds is not accepted. It must be
 #   `Duration(seconds=0.1)`.
 # - **A best-effort subscriber does not match a reliable publisher:** In fact, it does match, because it asks for less
-#   than is offered. The other way round does not match.
+#   than is offered. The other way around does not match.
 #
 # </details>
 

@@ -114,8 +114,8 @@ for fix, words in FIXES.items():
 # ### How long does discovery take?
 #
 # This workbook makes discovery fast, by a few settings for DDS (`workbook/ros/loopback.xml`). They keep all traffic on
-# this machine, and each program repeats its announcement ten times a second. A robot's default is once in three seconds.
-# We ask six newcomers with these settings, and six without.
+# this machine, and each program repeats its announcement ten times a second. The default on a robot is once every
+# three seconds. We ask six newcomers with these settings, and six without.
 
 # %%
 from workbook.lesson.qos_trials import found_picture, greet_without_profile
@@ -250,7 +250,8 @@ with lease_domain() as desk_a, lease_domain() as desk_b:
 # %% [markdown]
 # ## Take away
 #
-# - A message from before the match is lost, also with reliable. Wait for `get_subscription_count()` or the matched event.
+# - A message from before the match is lost, even with reliable QoS. Wait for `get_subscription_count()` or the matched
+#   event.
 # - Discovery takes milliseconds or seconds. Do not sleep for a fixed time.
 # - Nine of the sixteen pairs match: those where no request is higher than the offer.
 # - Not listed: domain or network. Listed, but silent: QoS, type, or shared memory.

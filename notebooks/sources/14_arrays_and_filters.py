@@ -358,7 +358,8 @@ show(fig, "noisy dots around a slow wave; both filtered curves are smooth, and l
 #   middle message: (4 − 1)/2 = 1.5 and (16 − 1)/2 = 7.5, five times as much.
 # - **c** A quarter of the noise, and the same delay: computing a mean takes no time.
 #   when `noise_ratio < 0.4 and delay_ratio < 3.0`
-#   ✗ The delay does not come from computing. A mean of old and new values is about the time in their middle.
+#   ✗ The delay does not come from computing. A mean of old and new values shows how things were halfway
+#   between the oldest and the newest.
 
 # %%
 predict("longer-average")
@@ -380,7 +381,7 @@ def delay(one):
 for length in (4, 16):
     print(f"average of {length:>2}: {delay(MovingAverage(length)):.1f} messages behind")
 quieter = noise_left(MovingAverage(16)) / noise_left(MovingAverage(4))
-print(f"16 in place of 4 leaves {quieter:.1f} times the noise")
+print(f"16 instead of 4 leaves {quieter:.1f} times the noise")
 longer = delay(MovingAverage(16)) / delay(MovingAverage(4))
 reveal("longer-average", noise_ratio=float(quieter), delay_ratio=longer)
 
@@ -496,7 +497,7 @@ for one in (forward, forward_and_back):
     print(f"{one.__name__}: {abs(behind):.1f} messages behind on a ramp")
 
 # %% [markdown]
-# `sosfiltfilt`, and its older sister `filtfilt`, are not late because they **look ahead**. In a callback the future is
+# `sosfiltfilt`, and its older sister `filtfilt`, avoid the delay by **looking ahead**. In a callback the future is
 # not there yet. Use them for recordings: to draw a clean curve, or to compare your live filter with the best that was
 # possible.
 
@@ -543,8 +544,8 @@ print(
 )
 
 # %% [markdown]
-# NaN − NaN is NaN, so it stays in the sum. For each filter: ask `np.isfinite` *before* it, and put the last good value
-# in the place of each NaN.
+# NaN − NaN is NaN, so it stays in the sum. *Before* any filter, check each value with `np.isfinite`, and replace each
+# NaN with the last good value.
 #
 # **The filter needs time to settle.** The memory begins with zeros, and the joint stands at 0.9 rad:
 
@@ -556,9 +557,9 @@ print("begun with zeros:      ", [round(value, 1) for value in first])
 print("begun where the joint is:", round(Butterworth(1.0).step(0.9), 1))
 
 # %% [markdown]
-# For half a second the filter reports a movement that never was. `sosfilt_zi(sos) * value` is the memory of a filter
-# whose input has been `value` for a long time. The same fault comes back when a source restarts somewhere else: then
-# what the filter remembers is wrong, and you have to begin anew.
+# For half a second the filter reports a movement that never happened. `sosfilt_zi(sos) * value` is the memory of a
+# filter whose input has been `value` for a long time. The same fault comes back when a source restarts somewhere else:
+# then what the filter remembers is wrong, and you have to begin anew.
 #
 # **An array for whole numbers.** The dtype of an array is fixed when it is made:
 
@@ -578,7 +579,7 @@ view = np.asarray(message.position)
 message.position.append(0.4)
 
 # %% [markdown]
-# Assign a new list in place of `append`, or make a copy with `np.array`.
+# Assign a new list instead of using `append`, or make a copy with `np.array`.
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -734,7 +735,7 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My humanoid's hands tremble
@@ -771,7 +772,7 @@ else:
 # - For twelve values take what reads best; for a million, nothing that touches them one by one.
 # - A filter in a callback needs a memory that outlives the callback, begun at the first measurement.
 # - An average of N leaves 1/√N of the noise and is (N − 1)/2 messages late; Butterworth pays a similar price.
-# - `filtfilt` is not late because it looks ahead: it is for recordings.
+# - `filtfilt` avoids the delay by looking ahead, so it is for recordings only.
 #
 # **Before:** [13 · QoS and discovery](13_qos_and_discovery.ipynb)
 #

@@ -140,7 +140,7 @@ def orange_of(pixels):
     hsv = cv2.cvtColor(pixels, cv2.COLOR_RGB2HSV)
     # From and to: hue, saturation, value.
     mask = cv2.inRange(hsv, (4, 130, 35), (22, 255, 255))
-    return cv2.medianBlur(mask, 3)  # without single pixels
+    return cv2.medianBlur(mask, 3)  # without isolated pixels
 
 
 def find_ball(pixels):
@@ -157,7 +157,7 @@ def find_ball(pixels):
 
 
 # %% [markdown]
-# Is it true of hue? Here are the orange things of the film, in its darkest and in its brightest picture.
+# Is it true that hue hardly changes? Here are the orange things in the darkest and in the brightest picture of the film.
 
 # %% id="hue-stays"
 by_light = sorted(scope.film, key=np.mean)
@@ -190,9 +190,10 @@ show(
 )
 
 # %% [markdown]
-# **From pixel to direction.** In the **pinhole model**, all light goes through one point. The *focal length* says how
-# many pixels the picture is behind that point: 560 for this camera. A pixel that is `x` pixels to the right of the
-# middle looks in the direction (`x`, `y`, 560). Divided by its length, this is a vector of length 1.
+# **From pixel to direction.** In the **pinhole model**, all light goes through one point. The *focal length* is the
+# distance from that point to the picture, in pixels: 560 for this camera. A pixel that is `x` pixels to the right of the
+# middle and `y` pixels below it looks in the direction (`x`, `y`, 560). Divided by its length, this is a vector of
+# length 1.
 #
 # ROS fixes the axes of a camera ([REP 103](https://www.ros.org/reps/rep-0103.html), *optical* frames): x to the right,
 # y down, z forward.
@@ -308,7 +309,7 @@ print("later, the ball is typically less than 80 pixels beside the middle:", nea
 #   ✓ JPEG drops what eyes hardly see. It pays with the time to encode and decode, and with small errors in each color.
 # - **b** 2 to 8 times.
 #   when `smaller <= 8 and smaller >= 2`
-#   ✗ That is far from it. Compression without loss, such as PNG, has to keep the noise, too.
+#   ✗ JPEG makes it far smaller than that. Lossless compression, such as PNG, has to keep the noise, too.
 # - **c** It stays about the same, because of the noise.
 #   when `smaller < 2`
 #   ✗ JPEG does not keep the noise as it is. That is why it gets so small.
@@ -422,8 +423,8 @@ reveal(
 )
 
 # %% [markdown]
-# That is why nobody warns you. Viewer, camera and network look fine, and the slow program alone acts on pictures of a
-# second ago. For cameras, keep the queue short.
+# That is why nobody warns you. Viewer, camera and network look fine. Only the slow program acts on pictures that are a
+# second old. For cameras, keep the queue short.
 #
 # *Reliable* on both sides changes nothing here. DDS confirms a picture when it enters the queue, not when your callback
 # has handled it, so nothing is sent again. We measured it: the network carries as many bytes as with best effort.
@@ -491,8 +492,8 @@ else:
     print("the shape of the HSV pixels:", to_hsv(image).shape)
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/15_camera.ipynb) you write the tracker: it says where the ball is, and
-# also when there is none.
+# **Your own.** In the [exercise](../exercises/15_camera.ipynb) you write the tracker: it says where the ball is, or
+# that there is none.
 
 # %% [markdown]
 # ## Check yourself
@@ -554,7 +555,7 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My robot should keep its eyes on
@@ -588,7 +589,7 @@ else:
 #
 # - `encoding` says what the bytes mean, `step` where a row begins; nobody checks them for you.
 # - Sensor-data QoS and a short queue: the newest picture is the best one.
-# - Hue stays when the light changes; the center of many pixels is known to a fraction of one.
+# - Hue hardly changes with the light; the center of many pixels is known to a fraction of a pixel.
 # - From pixels to a direction: subtract the middle, divide by the focal length, give it the length 1.
 # - A loop that goes a part of the way with each picture follows a ball, without knowing how far away it is.
 #

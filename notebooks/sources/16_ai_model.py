@@ -60,7 +60,7 @@ show_film(
 #   ✗ It now works on a picture that has waited in the queue.
 # - **b** Closer to the ball: no picture is lost.
 #   when `far < 0.5 * near`
-#   ✗ Pictures are still lost, thirty against five a second. And those that are kept get old.
+#   ✗ Pictures are still lost: thirty come each second, and only five are handled. And those that are kept get old.
 # - **c** Much further behind.
 #   when `far >= 1.5 * near`
 #   ✓ The queue is always full. Each picture waits until those before it are done.
@@ -230,10 +230,10 @@ show(
 #   ✓ A thread makes room for the other callbacks. It does not make the network faster.
 # - **b** The outputs get much younger. The heartbeat stays as it is.
 #   when `beats < 1.3 * beats_before and age < 0.2`
-#   ✗ The network still takes 0.2 s. The callbacks are what no longer waits.
+#   ✗ The network still takes 0.2 s. Only the callbacks no longer wait for it.
 # - **c** Both: a regular heartbeat and much younger outputs.
 #   when `beats >= 1.3 * beats_before and age < 0.2`
-#   ✗ No output can be younger than the network takes.
+#   ✗ The network alone takes 0.2 s, and no output can be younger than that.
 
 # %%
 predict("thread")
@@ -328,9 +328,9 @@ reveal(
 )
 
 # %% [markdown]
-# A score is not a probability: networks tend to be [surer than they are right](https://arxiv.org/abs/1706.04599). Choose
-# the threshold on pictures that were not used for training. Then think of the robot: a hand that grasps should miss a
-# cup rather than grab an arm.
+# A score is not a probability: networks tend to be
+# [more confident than they should be](https://arxiv.org/abs/1706.04599). Choose the threshold on pictures that were
+# not used for training. Then think of the robot: a hand that grasps should miss a cup rather than grab an arm.
 
 # %% [markdown]
 # ## When it goes wrong
@@ -357,7 +357,7 @@ print("numbers up to 255:        less than 20 % right:", unscaled < 0.2)
 # %% id="stamped-now"
 stamped = await watch(number=8, stamps_now=True)
 impossible = median(stamped.ages) < 0.2
-print("by their stamps, outputs are younger than the network takes:", impossible)
+print("by their stamps, outputs are younger than 0.2 s:", impossible)
 
 # %% [markdown]
 # No output can be that young: the network alone takes 0.2 s. The reader believes that the ball is there *now*. Copy
@@ -469,7 +469,7 @@ print(put_newest(shelf, "new"))
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. Say your own view first.
+# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). Write a node that runs an ONNX
@@ -512,7 +512,7 @@ print(put_newest(shelf, "new"))
 #
 # **Deeper:** [16 · Deeper: falls, and where a model runs](16_ai_model_deeper.ipynb)
 #
-# **Next:** you have reached the last lesson that there is at the moment.
+# **Next:** this is the last lesson so far.
 #
 # **More:** [ONNX Runtime in Python](https://onnxruntime.ai/docs/get-started/with-python.html) and
 # [QoS in Jazzy](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html).

@@ -1,8 +1,8 @@
 # %% [markdown]
 # # 16 · Deeper: falls, and where a model runs
 #
-# A robot should notice early that it falls. Which model can do that, and where should a model run so that it holds up
-# nothing?
+# A robot should notice early that it is falling. Which model can do that, and where should a model run so that it holds
+# up nothing?
 #
 # - **Minutes:** 35
 # - **You need:** lesson [16](16_ai_model.ipynb)
@@ -176,9 +176,9 @@ axes.set_title("An early alarm costs false alarms")
 show(fig, "delay against false alarms: a low threshold is early and often wrong")
 
 # %% [markdown]
-# A robot that is pushed and catches itself looks like one that falls, for a moment. A robot that stretches out its arms
-# can stand a false alarm. One that cuts its power cannot. In a node, the window is a `collections.deque(maxlen=10)`.
-# Empty it when the source restarts.
+# A robot that is pushed and catches itself looks like one that falls, for a moment. If the robot only
+# stretches out its arms, a false alarm does little harm. If it cuts its power, a false alarm makes it fall. In a node,
+# the window is a `collections.deque(maxlen=10)`. Empty it when the source restarts.
 
 # %% [markdown] prediction="which-holds-the-heartbeat"
 # ## Change it
@@ -458,8 +458,8 @@ print("the first call takes longer than the second:", min(firsts) > min(seconds)
 # %% [markdown]
 # ## When it goes wrong
 #
-# **The model raises in a thread.** Python ends this thread, and only this thread. `threading.excepthook` gets to know
-# of it.
+# **The model raises in a thread.** Python ends this thread, and only this thread. It calls
+# `threading.excepthook` with the exception.
 
 # %% id="raised-in-a-thread"
 unseen = []
@@ -526,14 +526,14 @@ print("silent for 1.5 s or more:         ", again.silence() >= 1.5)
 #
 # - For a few numbers, a small model from scikit-learn may be enough. Hold back whole episodes.
 # - When falls are rare, do not count right windows. Count late alarms and false ones.
-# - A thread is enough if the model releases the GIL. Python code has to when another thread
-#   waits, C code does it only if it was written so.
-# - A process helps against a lock that is kept and against crashes. What it gets is copied: send little.
+# - A thread is enough if the model releases the GIL. Python code has to release it when another thread
+#   waits. C code releases it only if it was written to do so.
+# - A process of its own helps against code that keeps the GIL, and against crashes. What it gets is copied: send little.
 # - Load and warm up before the first picture. On one core, a batch saves little and makes outputs old.
 #
 # **Before:** [16 · An AI model in a node](16_ai_model.ipynb)
 #
-# **Next:** you have reached the last lesson that there is at the moment.
+# **Next:** this is the last lesson so far.
 #
 # **More:** [scikit-learn: common pitfalls](https://scikit-learn.org/stable/common_pitfalls.html),
 # [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html).

@@ -67,7 +67,7 @@ CASES = [
     ("# - **Missed ticks come later:**", "# - Missed ticks come later:", "two wrong claims, each as"),
     ("What a good answer contains", "Answer", "What a good answer contains"),
     ("# - Five\n", "", "exactly five lines that begin with '- ', it has 4"),
-    ("# **Next:** you have reached the last lesson that there is at the moment.\n", "", "needs the line '**Next:** …'"),
+    ("# **Next:** this is the last lesson so far.\n", "", "needs the line '**Next:** …'"),
     ("https://docs.ros.org/en/jazzy/", "https://example.org/", "official documentation"),
     ("print(1 / 2.0)", "# !pip install beep\nprint(1 / 2.0)", "no set-up cell"),
 ]  # fmt: skip

@@ -143,7 +143,7 @@ def test_the_first_letter_of_a_choice_counts(
     screen: Screen, capsys: pytest.CaptureFixture[str], choice: str
 ) -> None:
     predict("the-queue", choice)
-    assert capsys.readouterr().out == "Your prediction: b. You can change it until the run.\n"
+    assert capsys.readouterr().out == "Your prediction: b. You can change it until you see the outcome.\n"
     assert load_progress(STEM).predictions == {"the-queue": "b"}
 
 
