@@ -51,7 +51,7 @@
 # | 2 | pictures of the rear camera come at 2 Hz |
 # | 1 | both report on `/robot/faults`, each once a second |
 # | 2 | no other node is there: no duplicate, no third node, none outside of `/robot` |
-# | 1 | the program is still running at the end of the watch |
+# | 1 | the program is still running when the judge stops watching |
 #
 # **Not part of it:** what is in the pictures, launch files, and how your program ends.
 # %% [answer]

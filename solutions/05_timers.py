@@ -53,7 +53,7 @@
 # | 2 | 30 battery reports in the minute, evenly |
 # | 1 | `/robot/tilt` exists and carries `Float32` |
 # | 2 | 300 tilt values in the minute, evenly |
-# | 1 | the program is still running at the end of the watch |
+# | 1 | the program is still running when the judge stops watching |
 #
 # The program may have any form: three timers, one timer that counts, several nodes, another executor.
 #

@@ -58,7 +58,7 @@
 # | 2 | the joint positions come at 0.5 Hz, evenly (0.4 to 0.6 Hz, no gap over 3 s) |
 # | 1 | `/robot/status` is as it was (0.8 to 1.2 Hz, no gap over 1.5 s; the word fits the charge) |
 # | 1 | `/robot/battery` is as it was (0.4 to 0.6 Hz, no gap over 3 s; falling) |
-# | 1 | the program is still running at the end of the watch |
+# | 1 | the program is still running when the judge stops watching |
 #
 # First of all, the program must start. If it never creates a publisher, the feedback says why, and the rest is not
 # judged. The program may have any form: one class, several nodes, another executor.

@@ -55,7 +55,7 @@
 # | 1 | the program subscribes to `/robot/plan_request` and publishes `Float32` on `/robot/plan` |
 # | 2 | each plan is what `ElbowPlanner` finds, to 0.000001 rad, and comes 0.78 s after its request, or later |
 # | 1 | every request is answered by one plan, in order, one search at a time |
-# | 1 | the program is still running at the end of the watch |
+# | 1 | the program is still running when the judge stops watching |
 #
 # **Not part of it:** a faster planner, services, and what the text of a heartbeat says. What happens after the nine
 # seconds, and how your program ends on Ctrl-C, are not judged either. `ElbowPlanner` is judged by what it finds and

@@ -48,7 +48,7 @@
 # | 2 | no touch is reported twice, and all are reported in order |
 # | 2 | of the touches that come alone, three in four are reported within 10 ms; of those that come together, half within 200 ms |
 # | 1 | while no touch comes, the program uses less than 5 % of a processor |
-# | 1 | the program is still running at the end of the watch |
+# | 1 | the program is still running when the judge stops watching |
 #
 # **Not part of it:** what the grip control does, lost messages, longer pauses than three seconds, and how your program
 # ends on Ctrl-C. When your program starts, the judge does not see a report that is published before its subscription is

@@ -36,7 +36,7 @@
 #
 # - Publish `ok` when the field `success` of the response is true, `faulty` when it is not. (The text in `message` is
 #   for people, and the same text may come with both.) Report each answer when it comes, at most 0.8 s later, and only
-#   once. Report it also when it is the same as the one before.
+#   once. Report it even when it is the same as the one before.
 # - An answer may take 0.8 s. If it has not come one second after the call, it will never come. Then publish
 #   `no answer`, once for each such call: no earlier than 0.8 s and no later than 2 s after the call. Then continue with
 #   the next calls. (While you wait for an answer, you may skip one call.)
@@ -48,13 +48,13 @@
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | the program is still running at the end of the watch |
+# | 1 | the program is still running when the judge stops watching |
 # | 1 | calls of `/robot/self_test` arrive, again and again |
-# | 1 | they come once a second, also after a call without an answer |
+# | 1 | they come once a second, even after a call without an answer |
 # | 1 | `/robot/health` exists, carries `String`, and says only the three words |
 # | 2 | each answer is reported: right, in time and once |
 # | 2 | `no answer` is reported in time, and only for calls that got no answer |
-# | 2 | the heartbeat comes at 5 Hz, also while a call waits for its answer |
+# | 2 | the heartbeat comes at 5 Hz, even while a call waits for its answer |
 #
 # These tolerances allow for busy machines. Once a second means typically 0.9 to 1.1 s from one call to the next. At
 # most one pause is over 1.4 s, and none reaches 2.5 s. One exception: after a call without an answer, each pause may

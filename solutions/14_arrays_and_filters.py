@@ -74,8 +74,8 @@
 #
 # The last five are judged only if the node really filters: an answer that publishes the angles unchanged is judged by
 # the first four only. The judge decides this while the joints stand still, where it also measures the noise. The
-# angles count as unchanged if those of every joint differ from what came by at most 0.005 rad (root mean square). So
-# do angles that are more than 0.05 rad away from where a joint is. Noise and delay are measured a second (20
+# angles count as unchanged if those of every joint are within 0.005 rad (root mean square) of those received. So do
+# angles that are more than 0.05 rad away from where a joint is. Noise and delay are measured a second (20
 # messages) after a start or a change, when a filter has settled. Any filter will do, and any shape of program: NumPy,
 # SciPy or plain Python, one class or one for each joint. One executor does not work in this build of rclpy:
 # `rclpy.experimental.EventsExecutor` never calls back in `spin()`.
@@ -217,7 +217,7 @@ if __name__ == "__main__":
 # - **Exponential smoothing**, `y += 0.3 * (x - y)`, is one line and remembers one number per joint. For the same delay
 #   it lets a little more noise through.
 # - **A filter for each joint**, in a dictionary by name. This is right also where messages hold other joints, or the
-#   joints in another order. Twelve calls in the place of one: fine for twelve, not for ten thousand.
+#   joints in another order. Twelve calls instead of one: fine for twelve, not for ten thousand.
 # - **A new message instead of the one that came.** `JointState(header=message.header, name=message.name,
 #   position=...)` does not change what you were given. Here nobody else has it, so changing it does no harm.
 # - **A straight line through the last 19 messages** (Savitzky–Golay, `savgol_coeffs(19, 1, pos=18, use="dot")`), and its

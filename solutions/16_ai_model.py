@@ -52,7 +52,7 @@
 # | survives the model | where it raises, nothing is published, a line in the log has the text of the exception, and the node goes on |
 # | reports a fall | ten samples in a row are tilted by more than 60°; `error` comes at most 0.5 s after the tenth |
 # | does not cry wolf | a jolt of seven samples is no fall, nor is leaning by 40°; before the fall, `error` never comes |
-# | remembers the fall | after the first `error` comes no `operational`, even when the robot is put up again |
+# | remembers the fall | after the first `error` comes no `operational`, even when the robot is set upright again |
 #
 # The stamps come from the clock of the robot's sensors. Compare them with each other, not with the clock of your
 # program.
@@ -66,7 +66,7 @@
 # | points | criterion |
 # |---:|---|
 # | 1 | it listens to `/camera/image`, with the type `Image`, and `/robot/detections` carries `MarkerArray` |
-# | 1 | the heartbeat is kept, also while the model computes |
+# | 1 | the heartbeat is kept, even while the model computes |
 # | 1 | each detection has the stamp of its picture: one message for a picture, in order |
 # | 2 | detections are fresh, and come from the given model |
 # | 2 | they are right |

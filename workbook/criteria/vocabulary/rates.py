@@ -183,7 +183,7 @@ def counts(recording: Recording, topic: Topic) -> Verdict:
 @_of_pace
 @if_messages
 def keeps_period(recording: Recording, topic: Topic) -> Verdict:
-    """The typical interval is the topic's period, within a tenth: exact also where few messages were watched.
+    """The typical interval is the topic's period, within a tenth: exact even where few messages were watched.
 
     On robot time, where many are watched, the mean interval is so within 4 %.
     """

@@ -41,7 +41,7 @@ def publishes(recording: Recording, topic: Topic) -> Verdict:
             "publishes.other-type",
             f"{topic.name} carries {got}",
             expected,
-            f"The publisher was created with another message type than {topic.short_type}.",
+            f"The publisher was created with a message type other than {topic.short_type}.",
             f"Import {topic.short_type} from {topic.type.split('/')[0]}.msg and give it to create_publisher().",
         )
     return _not_published(recording, topic, expected)
@@ -198,7 +198,7 @@ def _some_are_broken(recording: Recording, topic: Topic) -> Verdict | None:
             "all-kept.undecodable",
             f"beside {right} on {topic.name}, {seen.undecodable} came that could not be decoded{since}",
             expected,
-            "The bytes on the wire are no message of this type.",
+            "The bytes on the wire are not a message of this type.",
             "Publish message objects only, not raw bytes.",
         )
     if seen.too_large:
