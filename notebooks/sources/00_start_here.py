@@ -72,7 +72,7 @@ stop()
 # - **d** The robot keeps waving: the notebook knows the movement by now.
 #   ✗ The notebook does not work out the movement. It draws the numbers that it receives, and there are no new ones.
 #
-# Run the cell below and press the button of your choice. You can change it until the run.
+# Run the cell below and press the button of your choice. You can change it until you see the outcome.
 
 # %%
 from workbook.lesson import predict, reveal

@@ -617,7 +617,7 @@ else:
 #
 # **5. A leg sends its length as `Float32(data=0.1)`. A monitor asks `if message.data == 0.1`, and never reacts. Why?**
 #
-# <details><summary>a) 0.1 in 32 bits is another number than 0.1 in 64 bits</summary>
+# <details><summary>a) 0.1 in 32 bits is not the same number as 0.1 in 64 bits</summary>
 #
 # ✓ The monitor gets 0.10000000149011612. `math.isclose(message.data, 0.1, rel_tol=1e-6)` is the question to ask.
 #

@@ -658,7 +658,7 @@ print("exit code", outcome.exit)
 # ✗ The depth says how many messages may wait. It never changes what is in them.
 #
 # </details>
-# <details><summary>c) The level in the message is no Python float</summary>
+# <details><summary>c) The level in the message is not a Python float</summary>
 #
 # ✓ In this build, an int, a str or a bool in a float field is sent as a wrong value, mostly 0.0. The Ubuntu packages may
 # abort the process.

@@ -362,7 +362,7 @@ joint_pub.publish(waving(0.0))
 # %% [markdown]
 # `publish` needs a message. Put the list into its `data` field: `Float32MultiArray(data=angles)`.
 #
-# **One number instead of twelve.** The field is an array, also for a single value.
+# **One number instead of twelve.** The field is an array, even for a single value.
 
 # %% tags=["raises-exception"]
 Float32MultiArray(data=1.57)

@@ -466,7 +466,7 @@ reveal("server-dies", old_call_is_done=old_call_is_done)
 
 # %% [markdown]
 # Nothing tells the client that the server is gone. `service_is_ready()` says whether a server is there *now*, and nothing
-# about your open call. So the client has to check the clock. After a time that you choose, give the call up with
+# about your open call. So the client has to check the clock. After a time that you choose, give up on the call with
 # `remove_pending_request(future)`, and ask again or raise an alarm.
 
 # %% [markdown]
@@ -748,7 +748,7 @@ else:
 # </details>
 # <details><summary>b) Nothing</summary>
 #
-# ✓ That is why the client has to check the clock: give the call up, report it, go on.
+# ✓ That is why the client has to check the clock: give up on the call, report it, go on.
 #
 # </details>
 # <details><summary>c) The done callback, with the result None</summary>

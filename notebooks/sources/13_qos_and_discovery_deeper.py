@@ -250,7 +250,7 @@ with lease_domain() as desk_a, lease_domain() as desk_b:
 # %% [markdown]
 # ## Take away
 #
-# - A message from before the match is lost, also with reliable. Wait for `get_subscription_count()` or the matched event.
+# - A message from before the match is lost, even with reliable. Wait for `get_subscription_count()` or the matched event.
 # - Discovery takes milliseconds or seconds. Do not sleep for a fixed time.
 # - Nine of the sixteen pairs match: those where no request is higher than the offer.
 # - Not listed: domain or network. Listed, but silent: QoS, type, or shared memory.

@@ -543,8 +543,8 @@ print(
 )
 
 # %% [markdown]
-# NaN − NaN is NaN, so it stays in the sum. For each filter: ask `np.isfinite` *before* it, and put the last good value
-# in the place of each NaN.
+# NaN − NaN is NaN, so it stays in the sum. For each filter: ask `np.isfinite` *before* it, and replace each NaN with
+# the last good value.
 #
 # **The filter needs time to settle.** The memory begins with zeros, and the joint stands at 0.9 rad:
 

@@ -512,7 +512,7 @@ print(put_newest(shelf, "new"))
 #
 # **Deeper:** [16 · Deeper: falls, and where a model runs](16_ai_model_deeper.ipynb)
 #
-# **Next:** you have reached the last lesson that there is at the moment.
+# **Next:** this is the last lesson so far.
 #
 # **More:** [ONNX Runtime in Python](https://onnxruntime.ai/docs/get-started/with-python.html) and
 # [QoS in Jazzy](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html).

@@ -533,7 +533,7 @@ print("silent for 1.5 s or more:         ", again.silence() >= 1.5)
 #
 # **Before:** [16 · An AI model in a node](16_ai_model.ipynb)
 #
-# **Next:** you have reached the last lesson that there is at the moment.
+# **Next:** this is the last lesson so far.
 #
 # **More:** [scikit-learn: common pitfalls](https://scikit-learn.org/stable/common_pitfalls.html),
 # [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html).

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from workbook.authoring.tree import Tree
 
-LAST = "you have reached the last lesson that there is at the moment."
+LAST = "this is the last lesson so far."
 _PARAGRAPH = r"^# \*\*{name}:\*\*(?:.*\n)(?:# \S.*\n)*"
 _BEFORE = re.compile(_PARAGRAPH.format(name="Before"), re.MULTILINE)
 _NEXT = re.compile(_PARAGRAPH.format(name="Next"), re.MULTILINE)
@@ -114,6 +114,6 @@ def link_violations(tree: Tree, stem: str, text: str) -> Iterator[tuple[int, str
             if link["stem"] >= stem or link["text"] != link["number"]:
                 yield (
                     number,
-                    f"'You need' links to earlier lessons, as [{link['number']}]({link['stem']}.ipynb); "
+                    f"'You need' links to earlier lessons, such as [{link['number']}]({link['stem']}.ipynb); "
                     f"{link[0]} is not such a link",
                 )
