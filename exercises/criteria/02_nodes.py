@@ -51,7 +51,7 @@ def shared_faults(recording: Recording) -> Verdict:
     return see.passed("both cameras report their faults once a second")
 
 
-@criterion(points=2, title="Nobody else is there", needs=[program_runs])
+@criterion(points=2, title="No other node is there", needs=[program_runs])
 def nobody_else(recording: Recording) -> Verdict:
     expected = f"{FRONT} and {REAR}, each once, and no other node"
     duplicates = sorted(node.name for node in recording.nodes if node.most > 1)
@@ -82,7 +82,7 @@ def nobody_else(recording: Recording) -> Verdict:
             "The program makes one node too many, or one node has the wrong name.",
             "Make the two cameras and no other node.",
         )
-    return see.passed("nobody else is there")
+    return see.passed("no other node is there")
 
 
 @criterion(points=1, title="The program is still alive at the end", needs=[program_runs])
@@ -100,7 +100,7 @@ def pictures_of(recording: Recording, frames: Topic, camera: str) -> Verdict:
         return see.failed(
             "pictures.other-node",
             f"{names_or_nobody(found)} on {frames.name}",
-            f"{camera} on {frames.name}, and nobody else",
+            f"{camera} on {frames.name}, and no other node",
             "The name of this topic is written out or remapped, so it does not follow the name of the node.",
             "Leave the driver as it was delivered, and rename the node with __node:=. Its private topics follow.",
         )
@@ -216,7 +216,7 @@ def why_no_reports(recording: Recording, camera: str, frames: Topic) -> Verdict:
     if strange:
         return see.failed(
             "shared-faults.nameless",
-            f"{saw}; somebody reports {str(strange[0])[:LONGEST_QUOTE]!r}",
+            f"{saw}; another text comes: {str(strange[0])[:LONGEST_QUOTE]!r}",
             expected,
             "The text of the reports was changed. Without the name, no one knows which camera to repair.",
             "Leave the driver as it was delivered.",
@@ -277,4 +277,4 @@ def other_faults_topics(recording: Recording) -> list[str]:
 
 
 def names_or_nobody(names: list[str]) -> str:
-    return " and ".join(names) if names else "nobody"
+    return " and ".join(names) if names else "no node"

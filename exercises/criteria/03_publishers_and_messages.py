@@ -75,11 +75,11 @@ def battery_topic(recording: Recording) -> Verdict:
     return see.publishes(silent, BATTERY)
 
 
-@criterion(points=0, title="A number that it is given goes out", needs=[battery_topic])
+@criterion(points=0, title="A number that it is given is published", needs=[battery_topic])
 def sends(recording: Recording) -> Verdict:
     numbers = [call for call in judged_calls(recording) if call.argument in MEANT]
     if any(call.sent or call.later for call in numbers):
-        return see.passed("numbers go out")
+        return see.passed("numbers are published")
     return why_not_arrived(numbers[0], numbers)
 
 
@@ -105,7 +105,7 @@ def zero_arrives(recording: Recording) -> Verdict:
 
 @criterion(points=2, title="Other numbers arrive, too: int and NumPy's", needs=[sends])
 def numbers_arrive(recording: Recording) -> Verdict:
-    return all_arrived(recording, OTHER_NUMBERS, "ints and NumPy's numbers arrived as their number")
+    return all_arrived(recording, OTHER_NUMBERS, "ints and NumPy's numbers arrived with the right value")
 
 
 @criterion(points=1, title="None, words, a list and a tuple are refused with an error", needs=[sends])
@@ -466,7 +466,7 @@ def why_zero_raised(made: list[DriverCall], saw: str, expected: str) -> Verdict:
             "number.int-refused",
             saw,
             expected,
-            "Your check refuses too much: an int is a number, also when it is 0 or 1.",
+            "Your check refuses too much: an int is a number, even when it is 0 or 1.",
             "Accept every kind of number (numbers.Real includes NumPy's), then send float(level).",
         )
     return see.failed(

@@ -447,7 +447,7 @@ def why_nothing_came(recording: Recording) -> Verdict:
 def why_some_are_missing(recording: Recording, lost: tuple[int, ...]) -> Verdict:
     """Why these good readings, by their places, did not come."""
     came = len(GOOD) - len(lost)
-    saw = f"{came} of {len(GOOD)} good readings came, the first that is missing is {shown(GOOD[lost[0]])} %"
+    saw = f"{came} of {len(GOOD)} good readings came; the first missing one is {shown(GOOD[lost[0]])} %"
     return (
         ended_with_an_error(recording, saw, EXPECTED)
         or kept_back_for_its_value(saw, set(lost))

@@ -203,12 +203,13 @@ def timers_tick(recording: Recording) -> Verdict:
     wanted = round(asked / HEARTBEAT_PERIOD_S)
     beats, looks = (done_in(recording, one.name, BURST) for one in (HEARTBEAT, LOOK))
     expected = (
-        f"at least {LEAST_SHARE:.0%} of {wanted} heartbeats, looks, and no silence over {LONGEST_SILENCE_S} s"
+        f"at least {LEAST_SHARE:.0%} of {wanted} heartbeats, at least one look around, and no silence over "
+        f"{LONGEST_SILENCE_S} s"
     )
     if len(beats) < LEAST_SHARE * wanted or not looks:
         return see.failed(
             "timers-tick.too-few",
-            f"{len(beats)} heartbeats and {len(looks)} looks around in {asked} s",
+            f"{len(beats)} heartbeats in {asked} s, and it looked around {len(looks)} times",
             expected,
             "A timer fires only while the node is spun, and one spin_once runs one callback.",
             "Spin until the time is up, and never sleep in between.",
@@ -239,7 +240,7 @@ def again(recording: Recording) -> Verdict:
             "again.ends-early",
             f"the second call came back after {took:.2f} s",
             f"back after {ASKED_S[AGAIN]} s",
-            "Something of the first call is still there and ends the second one: a timer, a flag, or a future.",
+            "Something from the first call is still there and ends the second one: a timer, a flag, or a future.",
             "Destroy what you created on the node (node.destroy_timer), and create it again in each call.",
         )
     late = took is not None and took > ASKED_S[AGAIN] + 2 * LATE_S + kept_waiting(recording, AGAIN)

@@ -42,7 +42,7 @@ WRONG_MESSAGES = (
 )
 
 RIGHT_USE = probe(
-    "right use of your node",
+    "correct use of your node",
     """
     from answer import RobotReport
     from std_msgs.msg import Float32, String
@@ -114,7 +114,7 @@ def clean(recording: Recording) -> Verdict:
     return see.mypy_clean(recording)
 
 
-@criterion(points=0, title="mypy accepts right use of your node", needs=[program_runs])
+@criterion(points=0, title="mypy accepts correct use of your node", needs=[program_runs])
 def right_use(recording: Recording) -> Verdict:
     return see.mypy_accepts(recording, RIGHT_USE)
 
@@ -301,8 +301,8 @@ def refuses_wrong_numbers(recording: Recording) -> Verdict:
             "refuses-wrong-types.text-read",
             saw,
             expected,
-            "float('87.5') turns a text into a number. It is still a text, and the next one may be '87 %'. A "
-            "mistake of the caller should not be accepted by luck.",
+            "float('87.5') turns a text into a number. It is still a text, and the next one may be '87 %'. "
+            "A caller's mistake should not be accepted by chance.",
             hint,
         )
     return see.failed(
@@ -337,7 +337,7 @@ def refuses_wrong_messages(recording: Recording) -> Verdict:
             errors_expected(WRONG_MESSAGES),
             "Your publisher turns what it is given into a message, or drops it. It must accept messages of one "
             "type and nothing else.",
-            "Pass what comes to rclpy's publisher, which refuses it, or raise a TypeError.",
+            "Pass the argument on to rclpy's publisher, which refuses a wrong type, or raise a TypeError.",
         )
     return see.failed(
         "refuses-wrong-types.message-accepted",

@@ -504,7 +504,7 @@ def too_soon(made: Sequence[Plan]) -> Verdict | None:
             expected,
             "The first plan was stored and used again. Since then, something may have moved into the way of the "
             "arm.",
-            "Let the planner search for every request, also for a distance that was requested before.",
+            "Let the planner search for every request, even for a distance that was requested before.",
         )
     if again:
         return None
@@ -606,7 +606,7 @@ def why_missing(made: Sequence[Plan], missing: list[float], expected: str) -> Ve
     if len(order) > 1 and order == DISTANCES[: len(order)]:
         return see.failed(
             "all-in-order.stops",
-            f"{saw}. Nothing came after the plan number {len(made)}",
+            f"{saw}. Nothing came after plan number {len(made)}",
             expected,
             "The planning has stopped: a loop has ended, an error has ended its thread, or a 'busy' flag was "
             "never reset.",

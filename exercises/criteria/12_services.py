@@ -487,7 +487,7 @@ def why_early_for_an_answer(recording: Recording, answers: list[Answer]) -> Verd
                 f"{too_soon[0] - answer.call.t:.1f} s",
                 EACH_ANSWER_ONCE,
                 f"It gave up too early: an answer may take {MAY_TAKE_S} s.",
-                "Give a call up when the next one is due, and no earlier.",
+                "Give up on a call when the next one is due, and no earlier.",
                 about_time=True,
             )
     return None
@@ -534,7 +534,7 @@ def why_changes_only(recording: Recording, answers: list[Answer], words: list[Re
         EACH_ANSWER_ONCE,
         "Your node reports a result only when it differs from the last one. The control room then cannot see "
         "whether the robot is still tested.",
-        "Publish for each answer, also when it says the same again.",
+        "Publish for each answer, even when it says the same again.",
     )
 
 
@@ -727,7 +727,7 @@ def why_early(call: CallSeen, at: float) -> Verdict:
         f'the call at {call.t:.1f} s got no answer, and your node said "{NO_ANSWER}" after {at - call.t:.1f} s',
         ONE_NO_ANSWER,
         f"It gave up too early: an answer may take {MAY_TAKE_S} s.",
-        "Give a call up when the next one is due, and no earlier.",
+        "Give up on a call when the next one is due, and no earlier.",
     )
 
 
@@ -753,7 +753,7 @@ def why_not_given_up(recording: Recording, call: CallSeen, later: list[float]) -
     if call is not first and given_up(recording, first):
         return see.failed(
             "unanswered-told.first-only",
-            f'{saw}said nothing of it; of the call at {first.t:.1f} s it had said "{NO_ANSWER}"',
+            f'{saw}said nothing about it; of the call at {first.t:.1f} s it had said "{NO_ANSWER}"',
             ONE_NO_ANSWER,
             "It gives up one call but not the next. The check for a missing answer works only once, or a repeated "
             f'"{NO_ANSWER}" is treated as nothing new.',
@@ -761,7 +761,7 @@ def why_not_given_up(recording: Recording, call: CallSeen, later: list[float]) -
         )
     return see.failed(
         "unanswered-told.never",
-        f"{saw}said nothing of it",
+        f"{saw}said nothing about it",
         ONE_NO_ANSWER,
         "A future without an answer calls nothing: no done callback, no error. Something else must check each "
         "open call before the next call replaces it.",
@@ -807,7 +807,7 @@ def why_given_up(recording: Recording, in_vain: list[float]) -> Verdict:
 # --- the heartbeat ------------------------------------------------------------------------------------------
 
 FIVE_HERTZ = (
-    f"5 Hz, also while a call waits for its answer: {LEAST_SHARE:.0%} to {MOST_SHARE:.0%} of the beats, typically one "
+    f"5 Hz, even while a call waits for its answer: {LEAST_SHARE:.0%} to {MOST_SHARE:.0%} of the beats, typically one "
     f"every {SHORTEST_BEAT_S} to {LONGEST_BEAT_S} s"
 )
 

@@ -53,7 +53,7 @@ SHORTEST_S, LONGEST_S = 0.45, 0.55
 NEAR_S = 0.7  # from the last line to the True that a silence of the line goes with
 
 
-@criterion(points=0, title="It runs until the end of the watch", needs=[program_runs])
+@criterion(points=0, title="It runs until the judge stops watching", needs=[program_runs])
 def runs_on(recording: Recording) -> Verdict:
     return see.alive_at_end(recording)
 
@@ -324,7 +324,7 @@ def two_words(cause: str, seen: str, expected: str) -> Verdict:
         expected,
         "The line names the right status, but also another of the three words. A reader cannot tell which one is "
         "right.",
-        f"Let exactly one of {', '.join(WORDS)} stand on the line.",
+        f"Put exactly one of {', '.join(WORDS)} on the line.",
     )
 
 
@@ -392,7 +392,7 @@ def why_not_followed(
 ) -> Verdict:
     """Why the line does not name the new status after a change; `followed`: how many changes it has followed."""
     begin, _, word = change
-    expected = f'"{word}" on the line at the latest {FOLLOWS_S} s after the robot has said so'
+    expected = f'"{word}" on the line at most {FOLLOWS_S} s after the robot has said so'
     saw = f'"{wrong}" on the line, more than {FOLLOWS_S} s after the robot had said "{word}" at {begin:.1f} s'
     if UNKNOWN in named(wrong):
         return see.failed(
@@ -419,7 +419,7 @@ def why_followed_late(
 ) -> Verdict:
     """The line names an old status after a `change`, for a while or for good."""
     begin, end, word = change
-    expected = f'"{word}" on the line at the latest {FOLLOWS_S} s after the robot has said so'
+    expected = f'"{word}" on the line at most {FOLLOWS_S} s after the robot has said so'
     if any(word in named(text) for _, text in lines_between(recording, begin + FOLLOWS_S, end + AT_ONCE_S)):
         return see.failed(
             "status-follows.late",

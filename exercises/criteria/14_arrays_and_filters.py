@@ -226,8 +226,8 @@ def filters(recording: Recording) -> Verdict:
         return see.failed(
             "filters.too-weak",
             f"the angles come out nearly as they went in: {left[0]:.0%} of the noise is left",
-            f"{LITTLE_LEFT}; angles that differ from what came by less than {LEAST_CHANGE_RAD} rad (root mean "
-            "square) count as passed on",
+            f"{LITTLE_LEFT}; angles within {LEAST_CHANGE_RAD} rad (root mean square) of those received count as "
+            "passed on",
             "The filter gives new measurements too much weight: the weight is near 1, or the cutoff frequency is high.",
             "Let it look back farther, or give new measurements a smaller weight, such as 0.3.",
         )
@@ -305,7 +305,10 @@ def restart_noticed(recording: Recording) -> Verdict:
     )
 
 
-NAN_OUT = "Before the filter, put the last good angle of that joint in the place of each NaN: np.isfinite(position)."
+NAN_OUT = (
+    "Before the filter, replace each NaN with the last good angle of that joint: np.isfinite(position) is False "
+    "there."
+)
 
 
 @criterion(points=1, title="A NaN does no harm", needs=[filters])
@@ -484,7 +487,7 @@ ELSEWHERE_AT_START: Words = (
 REMEMBERS: Words = (
     "restart-noticed.remembers",
     "The joints were turned while the board was off. The filter still remembers where they were before.",
-    "When a stamp is before the last one, fill the memory of the filter anew, as at the start.",
+    "When a stamp is earlier than the previous one, fill the filter's memory again, as at the start.",
 )
 ZEROS_AGAIN: Words = (
     "restart-noticed.zeros",
@@ -494,7 +497,7 @@ ZEROS_AGAIN: Words = (
 ELSEWHERE_AGAIN: Words = (
     "restart-noticed.elsewhere",
     "After the restart, the memory of the filter does not hold the angles of the first message since then.",
-    "When a stamp is before the last one, fill the memory of the filter anew, as at the start.",
+    "When a stamp is earlier than the previous one, fill the filter's memory again, as at the start.",
 )
 
 
@@ -687,7 +690,7 @@ def why_other_names(others: list[Answered], given: int) -> Verdict:
             "labels-kept.other-order",
             f"the first name is {names[0]}, but in the message it was {JOINTS[0]}",
             expected,
-            "The names are sorted, or come out of a set. Angles and names belong together by their places.",
+            "The names are sorted, or come out of a set. An angle belongs to the name at the same position.",
             "Copy them as they came: answer.name = message.name.",
         )
     return see.failed(
@@ -747,7 +750,7 @@ def missing_for_a_reason(saw: str, missing: list[int]) -> Verdict | None:
             ONE_EACH,
             "Messages with a NaN are left out. But the other joints were measured, and the controller of the robot "
             "waits for an answer.",
-            "Put the last good angle in the place of the NaN, and answer.",
+            "Replace the NaN with the last good angle, and answer.",
             about_time=True,
         )
     if missing == [*range(missing[0], len(SAMPLES))] and missing[0] > RESTART:
@@ -771,7 +774,7 @@ def missing_after_a_start(saw: str, missing: list[int]) -> Verdict | None:
             f"{saw}, and it was the first after the restart: none of those after it was answered",
             ONE_EACH,
             "Messages whose stamp is not after the last one are dropped. But after a restart, all stamps are small.",
-            "When a stamp is before the last one, begin anew, and answer.",
+            "When a stamp is earlier than the previous one, begin again, and answer.",
             about_time=True,
         )
     if all(are_first(start, missing) for start in STARTS):
@@ -815,7 +818,7 @@ def why_beside(recording: Recording) -> Verdict | None:
     by_place = first_answers(recording)
     rows = [by_place[place].angles for place in STEADY_FIRST if place in by_place]
     means = [statistics.fmean(column) for column in zip(*rows, strict=True)]
-    saw = f"{JOINTS[joint]} stands at {FIRST_POSE[joint]:.2f} rad, and the answers say typically {means[joint]:.2f}"
+    saw = f"{JOINTS[joint]} stands at {FIRST_POSE[joint]:.2f} rad, and the answers say {means[joint]:.2f} on average"
     expected = f"the angle of each joint, without its noise: at most {MOST_NOISE:.0%} of that is left"
     if all(float(angle).is_integer() for row in rows for angle in row):
         return see.failed(

@@ -472,7 +472,7 @@ PADDING_TAKEN_FOR_PIXELS = Reason(
     "direction.padding-taken-for-pixels",
     "The ball is found where rows have no padding. Here the unused bytes at the end of a row are taken for pixels, "
     "and each row is shifted a little more.",
-    "Reshape to (image.height, image.step) first, then cut off what is behind 3 * image.width.",
+    "Reshape to (image.height, image.step) first, then keep the first 3 * image.width bytes of each row.",
     lambda place, answer: True,
 )
 
@@ -482,7 +482,7 @@ def why_wrong(wrong: Wrong) -> Reason:
     return first_that_fits(REASONS, wrong) or Reason(
         "direction.beside",
         "Something other than the ball was found, or only a part of it. Or the pixel was turned into a direction with "
-        "another focal length or middle than the task names.",
+        "a focal length or middle other than those in the task.",
         "Draw the mask of what you take for orange, for one such picture, and mark the pixel that you found.",
         lambda place, answer: True,
     )
@@ -547,7 +547,7 @@ REASONS = (
     ),
     Reason(
         "direction.not-of-length-one",
-        "The direction is right, but the vector has another length than 1.",
+        "The direction is right, but the vector's length is not 1.",
         "Divide the vector by its length: ray / np.linalg.norm(ray).",
         lambda place, answer: off_deg(answer.vector, ball_of(place)) <= WITHIN_DEG,
     ),
@@ -649,14 +649,14 @@ NO_NUMBER = Reason(
 )
 CONSTANT = Reason(
     "no-ball-said.constant",
-    "The same direction stands for every picture without a ball.",
+    "The same direction is published for every picture without a ball.",
     NEW_MESSAGE,
     always,
 )
 SOMETHING_ELSE = Reason(
     "no-ball-said.something-else",
     "Something else was taken for the ball: the biggest or brightest thing in the picture, a hand, or noise.",
-    "Ask for color, size and outline, and say (0, 0, 0) when nothing fits.",
+    "Check color, size and outline, and publish (0, 0, 0) when nothing fits.",
     always,
 )
 GHOSTS = (

@@ -182,7 +182,7 @@ def status_topics(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="The heartbeat is kept: /robot/status comes at 10 Hz, also while the model computes",
+    title="The heartbeat is kept: /robot/status comes at 10 Hz, even while the model computes",
     needs=[status_topics],
 )
 @see.needs_messages(STATUS)
@@ -350,7 +350,7 @@ def fall_reported(recording: Recording) -> Verdict:
             "fall-reported.taken-back",
             f'{saw}, and "{OPERATIONAL}" again {again[0] - errors[0]:.1f} s later',
             FALL_EXPECTED,
-            "The status follows the current tilt. But a robot that has fallen and was put up again may be "
+            "The status follows the current tilt. But a robot that has fallen and was set upright again may be "
             "damaged.",
             "Remember the fall in an attribute, and never take it back.",
         )
@@ -372,11 +372,12 @@ RIGHT_EXPECTED = (
     "pixels, and nothing else"
 )
 SURVIVES_EXPECTED = (
-    "no message for such a picture, a line in the log with the model's words, and then as before"
+    "no message for such a picture, a line in the log with the text of the exception, and answers to the pictures "
+    "after that"
 )
 FALL_EXPECTED = (
     f'"{ERROR}" at most {FALL_WITHIN_S:g} s after {TILTED_SAMPLES} samples in a row are tilted by more than '
-    f'{TILT_DEG:g}°, "{OPERATIONAL}" before that, and "{ERROR}" ever after'
+    f'{TILT_DEG:g}°, "{OPERATIONAL}" before that, and "{ERROR}" from then on'
 )
 
 
@@ -523,7 +524,7 @@ def why_few_beats(beats: see.Beats, saw: str) -> Verdict:
         "heartbeat-kept.too-few",
         f"{saw}; typically {beats.typical_s:.2f} s from one to the next",
         HEARTBEAT_EXPECTED,
-        "The period of the timer is too long, or the status is published in a callback that runs more rarely.",
+        "The period of the timer is too long, or the status is published in a callback that runs less often.",
         "Publish the status in the callback of create_timer(0.1, ...).",
         about_time=True,
     )
@@ -615,7 +616,7 @@ def answered_twice(given: Sequence[Answered]) -> Verdict | None:
         ONE_EACH,
         "One picture is answered again and again, by a timer or a loop that does not notice that nothing is new. Or "
         "each detection is published in a message of its own.",
-        "Take a picture away when you hand it to the model, and publish one message with all that was found.",
+        "Remove the stored picture when you hand it to the model, and publish one message with all that was found.",
     )
 
 

@@ -48,14 +48,16 @@ def test_the_command_says_so_and_fails_otherwise(course: Tree, capsys: pytest.Ca
     arguments = ["--course", str(course.root), "check"]
     assert command.main(arguments) == 0
     said = capsys.readouterr().out
-    assert said.startswith("1 lessons and 1 exercises: all as their texts say.\n")
+    assert said.startswith("1 lessons and 1 exercises: all match their texts.\n")
     assert "lines are still those of a template: `make notebooks-check ARGS=--notes` lists them" in said
     assert command.main([*arguments, "--notes"]) == 0
     assert "solutions/21_beeps.py:17: is still the template's text: Your humanoid" in capsys.readouterr().out
     (course.notebooks / "notes.txt").touch()
     assert command.main(arguments) == 1
     found = capsys.readouterr()
-    assert found.out.startswith("notebooks/notes.txt: fits nowhere: notebooks/ holds NN_slug.ipynb only\n")
+    assert found.out.startswith(
+        "notebooks/notes.txt: does not belong here: notebooks/ holds NN_slug.ipynb only\n"
+    )
     assert found.err == "\n1 to fix.\n"
 
 
@@ -164,16 +166,19 @@ def test_a_changed_exercise_makes_its_notebook_stale(course: Tree) -> None:
 @pytest.mark.parametrize(
     ("name", "says"),
     [
-        ("notebooks/scratch.ipynb", "fits nowhere: notebooks/ holds NN_slug.ipynb only"),
+        ("notebooks/scratch.ipynb", "does not belong here: notebooks/ holds NN_slug.ipynb only"),
         ("notebooks/22_lights.ipynb", "has no text: notebooks/sources/22_lights.py is missing"),
-        ("notebooks/sources/readme.md", "fits nowhere"),
-        ("exercises/21_beeps.py", "fits nowhere: exercises/ holds NN_slug.ipynb only"),
+        ("notebooks/sources/readme.md", "does not belong here"),
+        ("exercises/21_beeps.py", "does not belong here: exercises/ holds NN_slug.ipynb only"),
         ("exercises/22_lights.ipynb", "has no text: solutions/22_lights.py is missing"),
         ("exercises/criteria/22_lights.py", "has no text: solutions/22_lights.py is missing"),
-        ("solutions/lights.py", "fits nowhere: solutions/ holds NN_slug.py only"),
+        ("solutions/lights.py", "does not belong here: solutions/ holds NN_slug.py only"),
         ("tests/right_answers/22_lights/one.py", "tests/right_answers/22_lights: has no text"),
-        ("tests/wrong_answers/lights.py", "fits nowhere: tests/wrong_answers/ holds folders NN_slug only"),
-        ("tests/right_answers/21_beeps/notes.md", "fits nowhere: answers are Python files"),
+        (
+            "tests/wrong_answers/lights.py",
+            "does not belong here: tests/wrong_answers/ holds folders NN_slug only",
+        ),
+        ("tests/right_answers/21_beeps/notes.md", "does not belong here: answers are Python files"),
         ("notebooks/sources/21_again.py", "number 21 is taken by 21_again"),
     ],
 )
@@ -200,7 +205,7 @@ def test_what_tools_leave_is_ignored(course: Tree, name: str) -> None:
             "exercises/criteria/21_beeps.py",
             "21_beeps has no criteria: exercises/criteria/21_beeps.py is missing",
         ),
-        ("tests/right_answers/21_beeps/script.py", "has 2 right answers; 3 are the fewest"),
+        ("tests/right_answers/21_beeps/script.py", "has 2 right answers, but needs at least 3"),
         ("notebooks/sources/21_beeps.py", "no lesson 21 leads to this exercise"),
     ],
 )
@@ -286,13 +291,13 @@ def test_more_than_a_third_ignored_is_too_much(course: Tree) -> None:
     source = course.sources / "21_beeps.py"
     text = source.read_text(encoding="utf-8")
     source.write_text(text.replace("# %%\n", '# %% tags=["nbval-ignore-output"]\n'), encoding="utf-8")
-    assert any("of 11 code cells ignore their output; a third is the most" in words for words in told(course))
+    assert any("of 11 code cells ignore their output; at most a third may" in words for words in told(course))
 
 
 def test_too_few_answers_are_named(course: Tree) -> None:
     for name in ("wrong_name", "no_timer", "six_seconds"):
         (course.wrong_answers / "21_beeps" / f"{name}.py").unlink()
-    assert "tests/wrong_answers/21_beeps: has 4 wrong answers; 5 are the fewest" in told(course)
+    assert "tests/wrong_answers/21_beeps: has 4 wrong answers, but needs at least 5" in told(course)
 
 
 def test_a_criterion_that_does_not_exist_is_named(course: Tree) -> None:
@@ -307,7 +312,7 @@ def test_at_least_four_criteria_earn_points(course: Tree) -> None:
         change(path, old, new)
     change(path, "points=1", "points=0")
     change(path, "points=5", "points=6")
-    assert any("3 criteria earn points; 4 are the fewest" in words for words in told(course))
+    assert any("3 criteria earn points, but at least 4 must" in words for words in told(course))
 
 
 def lights(course: Tree) -> Path:
@@ -332,7 +337,7 @@ def test_links_to_the_neighbors_are_stale_until_they_are_built(course: Tree) -> 
     before = path.read_text(encoding="utf-8")
     assert write_links(course) == ["21_beeps", "22_lights"]
     assert "# **Next:** [22 · Lights](22_lights.ipynb)\n" in (course.sources / "21_beeps.py").read_text()
-    last = "# **Next:** you have reached"
+    last = "# **Next:** this is the last"
     assert path.read_text() == before.replace(last, f"# **Before:** [21 · Beeps](21_beeps.ipynb)\n#\n{last}")
     assert write_links(course) == []
     path.unlink()
@@ -390,6 +395,6 @@ def test_the_report_names_a_violation_a_line(course: Tree) -> None:
     (course.notebooks / "21_beeps.ipynb").unlink()
     (course.solutions / "x.md").touch()
     assert report(check(course)).splitlines() == [
-        "solutions/x.md: fits nowhere: solutions/ holds NN_slug.py only",
+        "solutions/x.md: does not belong here: solutions/ holds NN_slug.py only",
         "notebooks/21_beeps.ipynb: is not built: run `make notebooks`",
     ]

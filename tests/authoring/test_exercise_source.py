@@ -153,7 +153,7 @@ def test_a_mistake_is_named_with_its_line(tmp_path: Path, old: str, new: str, li
 def test_an_answer_without_marked_parts_is_refused(tmp_path: Path) -> None:
     head, answer = GOOD.split("# %% [answer]\n")
     tail = answer[answer.index("# %% [hint]") :]
-    with pytest.raises(SourceError, match="gives all away"):
+    with pytest.raises(SourceError, match="gives everything away"):
         load(write(tmp_path, head + "# %% [answer]\nprint('hello')\n" + tail))
 
 

@@ -124,8 +124,8 @@ def test_code_and_folds_are_no_open_text(tmp_path: Path) -> None:
 
 def test_the_build_puts_minutes_right_and_the_check_names_wrong_ones(tmp_path: Path) -> None:
     tree = course_with(tmp_path, at_21_beeps=LESSON.replace("**Minutes:** 20", "**Minutes:** 55"))
-    assert told(tree) == [f"takes {size_of(read_lesson(tree, '21_beeps')).minutes} minutes by its size, not 55: "
-                          "run `make notebooks`"]  # fmt: skip
+    assert told(tree) == [f"takes {size_of(read_lesson(tree, '21_beeps')).minutes} minutes "
+                          "according to its size, but says 55: run `make notebooks`"]  # fmt: skip
     assert write_sizes(tree) == ["21_beeps"]
     assert told(tree) == []
     assert write_sizes(tree) == []
@@ -136,7 +136,9 @@ def test_what_is_too_large_is_named_and_may_only_shrink(tmp_path: Path) -> None:
     tree = course_with(tmp_path, at_21_beeps=long)
     write_sizes(tree)
     [words_of_it] = told(tree)
-    assert words_of_it.endswith("open words, 2000 are the most: cut, or move a part to 21_beeps_deeper")
+    assert words_of_it.endswith(
+        "open words, but at most 2000 are allowed: cut, or move a part to 21_beeps_deeper"
+    )
     assert not (tree.sources / TOO_LARGE).exists()
 
     (tree.sources / TOO_LARGE).write_text('[21_beeps]\n"open words" = 9000\n', encoding="utf-8")
@@ -149,7 +151,7 @@ def test_what_is_too_large_is_named_and_may_only_shrink(tmp_path: Path) -> None:
     write_sizes(tree)
     assert still_too_large(tree)["21_beeps"]["open words"] == kept
     assert told(tree) == [
-        f"{kept + 1} open words, {kept} are the most: cut, or move a part to 21_beeps_deeper"
+        f"{kept + 1} open words, but at most {kept} are allowed: cut, or move a part to 21_beeps_deeper"
     ]
 
 

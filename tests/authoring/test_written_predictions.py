@@ -61,9 +61,9 @@ def test_the_notebook_gets_question_and_options_only() -> None:
         ("- **c**", "- **d**", "from a on"),
         ("  ✗ On nothing that you see here.\n", "", "option c of 'how-many' needs an explanation"),
         ("✗ On nothing that you see here.", "✗ No.", "option c of 'how-many' needs an explanation"),
-        ("✗ On", "✓ On", "exactly one option with ✓, it has 2"),
+        ("✗ On", "✓ On", "exactly one option with ✓, but has 2"),
         ("  when `0 < n <= 5`\n", "", "the option with ✓ of 'how-many' needs a condition"),
-        ("n == 0", "n ==", "is no condition"),
+        ("n == 0", "n ==", "is not a condition"),
         ("n == 0", "exit()", "may only compare names and numbers"),
         ("n == 0", "n.__class__ == 0", "may only compare names and numbers"),
     ],
@@ -126,7 +126,7 @@ def test_what_is_sealed_belongs_to_the_text(course: Tree) -> None:
     found = [str(one) for one in check(course)]
     assert "workbook/lesson/sealed/22_gone.txt: belongs to no lesson: remove it" in found
     assert any(
-        "21_beeps.txt: is not what the text of the lesson says of its predictions" in one for one in found
+        "21_beeps.txt: does not match the predictions in the text of the lesson" in one for one in found
     )
 
 
@@ -164,10 +164,13 @@ def questions(letters: Sequence[str]) -> str:
 @pytest.mark.parametrize(
     ("lessons", "says"),
     [
-        (("aaab", "bcbc"), ["a is right in 3 of 4 questions; 60% is the most"]),
+        (("aaab", "bcbc"), ["a is right in 3 of 4 questions; at most 60% are allowed"]),
         (("aaa", "bcbc"), []),
         (("aabc" * 3, "abbc" * 2), []),
-        (("aabbc" * 2, "aabbb" * 2), ["in the course, b is right in 10 of 20 questions; 40% is the most"]),
+        (
+            ("aabbc" * 2, "aabbb" * 2),
+            ["in the course, b is right in 10 of 20 questions; at most 40% are allowed"],
+        ),
     ],
 )
 def test_a_letter_that_is_right_too_often_is_told(

@@ -190,7 +190,7 @@ def test_a_file_without_changes_is_a_whole_program(tree: Tree) -> None:
         ('# replaces: print("honk")\n# after: print("honk")\nx\n', ":3: mixes"),
         ("# replaces:\nx = 1\n", ":3: names no line"),
         ("# after: self.honks += 1\n", ":3: puts nothing after"),
-        ('# after:             print("honk")\nx = 1\n', ":3: its lines stand deeper here"),
+        ('# after:             print("honk")\nx = 1\n', ":3: its lines are indented more here"),
         ("# before: self.honks += 1\n", ":3: puts nothing before"),
     ],
 )
@@ -219,7 +219,7 @@ def test_a_header_that_is_not_understood_is_refused(tree: Tree, header: str, say
 
 
 def test_a_program_is_named_only_to_be_changed(tree: Tree) -> None:
-    with pytest.raises(WrongAnswerError, match="changes nothing of it"):
+    with pytest.raises(WrongAnswerError, match="changes nothing in it"):
         read_wrong_answer(tree, wrong(tree, "x = 1\n", "# loses: loud\n# says: honk\n# on: solution\n"))
 
 

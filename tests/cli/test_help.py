@@ -83,7 +83,7 @@ def test_half_a_command_says_what_is_missing(name: str, typed: Type) -> None:
         ("check 09 --wach", "workbook check: it does not take --wach. Did you mean --watch?"),
         ("doctor quickly please", "workbook doctor: it does not take quickly please."),
         ("completion bahs", "workbook completion: there is no SHELL bahs. Did you mean bash?"),
-        ("topic echo x --count 0", "workbook topic echo: --count: 0 is not a number from 1 on."),
+        ("topic echo x --count 0", "workbook topic echo: --count: 0 is not a whole number of 1 or more."),
         ("topic hz x --seconds soon", "workbook topic hz: --seconds: soon is not a number of seconds."),
         ("graph --domain 400", "workbook graph: --domain: 400 is not a ROS domain: those are 0 to 232."),
         ("check joint_position", "Did you mean joint_positions?"),

@@ -68,7 +68,7 @@ def test_the_copy_may_be_made_without_opening_anything(
         (tmp_path / name).symlink_to(ROOT / name)
     monkeypatch.setenv("WORKBOOK_COURSE", str(tmp_path))
     assert main(["lab", "--only-copy"]) == 0
-    assert "notebooks added to work/." in capsys.readouterr().out
+    assert "notebooks to work/." in capsys.readouterr().out
     assert (tmp_path / "work" / "exercises" / "09_joint_positions.ipynb").is_file()
     assert main(["lab", "--only-copy"]) == 0
     assert capsys.readouterr().out == "Your copy in work/ is up to date.\n"

@@ -217,7 +217,7 @@ def test_a_notebook_says_which_python_it_is_for_so_that_opening_it_changes_nothi
 def test_the_nodes_of_the_lessons_are_there_to_be_read(course: Path, work: Path) -> None:
     (course / "lesson_nodes").mkdir()
     (course / "lesson_nodes" / "two_arms.py").write_text("# a node\n")
-    assert update_work_folder(course, work).lines() == ["3 notebooks added to work/."]
+    assert update_work_folder(course, work).lines() == ["Added 3 notebooks to work/."]
     assert (work / "lesson_nodes" / "two_arms.py").read_text() == "# a node\n"
 
 

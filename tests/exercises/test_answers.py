@@ -116,8 +116,8 @@ def test_line_numbers_survive_a_coding_line(program: Path) -> None:
         (b"  \n\t\n", "empty"),
         (b"%%answer 09_joint_positions\n\n", "empty"),
         ("print('grüß')".encode("utf-16"), "UTF-16"),
-        ("print('grüß')".encode("utf-16-be"), "zero bytes"),
-        (b"print('zero \0')", "zero bytes"),
+        ("print('grüß')".encode("utf-16-be"), "null bytes"),
+        (b"print('zero \0')", "null bytes"),
         (b"print('gr\xfc\xdf')\n", "not readable as text"),
         (b"# coding: klingon\nprint(1)\n", "not readable as text"),
         (b"# coding: rot13\nprint(1)\n", "not readable as text"),
@@ -234,7 +234,7 @@ def test_a_notebook_without_a_naming_cell_is_told_which_line_to_write(
 )
 def test_a_broken_notebook_is_refused(text: str, notebook: Path) -> None:
     notebook.write_text(text)
-    assert "no readable notebook" in refused(notebook)
+    assert "not a readable notebook" in refused(notebook)
     assert exercises_named(notebook) == []
 
 

@@ -98,7 +98,7 @@ def test_a_node_that_came_and_went_was_seen() -> None:
 
 def test_clocks_that_contradict_each_other_leave_a_doubt() -> None:
     slow = replace(stored("period_for_frequency"), clock="wall")
-    assert "held on robot time" in doubt(slow, judged(stored("solution")))
+    assert "passed on robot time" in doubt(slow, judged(stored("solution")))
     assert doubt(slow, judged(stored("period_for_frequency"))) == ""
 
 
@@ -170,10 +170,10 @@ def judge_on_the_wall_clock(text: str) -> Judgement:
 
 def test_a_program_that_got_no_processor_leaves_a_reason_inconclusive_all_it_did() -> None:
     eleven = replace(stored("eleven_values"), clock="wall", robot_s=9.0, in_line_s=1.2)
-    assert "stood in line for 1.2 s of 9 s" in doubt(eleven)
+    assert "waited for a processor for 1.2 s of 9 s" in doubt(eleven)
     assert doubt(replace(eleven, in_line_s=0.6)) == ""
     late = replace(stored("period_for_frequency"), clock="wall", robot_s=9.0, in_line_s=0.6)
-    assert "stood in line for 0.6 s of 9 s" in doubt(late), "where time was lost, less is enough"
+    assert "waited for a processor for 0.6 s of 9 s" in doubt(late), "where time was lost, less is enough"
     assert doubt(replace(late, in_line_s=0.4)) == ""
     assert doubt(replace(eleven, clock="simulated")) == ""
     assert doubt(replace(stored("solution"), clock="wall", robot_s=9.0, in_line_s=1.2)) == ""
@@ -324,7 +324,7 @@ def test_a_node_that_stays_after_an_end_in_order_leaves_a_doubt(
     nodes = tuple(replace(node, stayed=True) for node in wrong.nodes)
     ended = replace(wrong, nodes=nodes, process=replace(wrong.process, ended_by="bench"))
     ended = replace(ended, process=replace(ended.process, **process))
-    assert ("was not seen to go" in doubt(ended)) is doubtful
+    assert ("was not seen to leave the graph" in doubt(ended)) is doubtful
 
 
 def test_the_judge_keeps_off_the_domain_that_an_answer_names() -> None:

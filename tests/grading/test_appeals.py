@@ -169,13 +169,13 @@ def test_another_answer_is_judged_as_ever_and_it_is_said(
         ("ada,joint_positions,thirteen_values,1,why,me", "no criterion 'thirteen_values'. There are"),
         ("eve,joint_positions,twelve_values,1,why,me", "There are total"),
         ("ada,joint_positions,twelve_values,7,why,me", "7 points are more than the 1 that it is worth"),
-        ("ada,joint_positions,twelve_values,-1,why,me", "'-1' is no number of points"),
-        ("ada,joint_positions,twelve_values,nan,why,me", "'nan' is no number of points"),
-        ("ada,joint_positions,twelve_values,all,why,me", "'all' is no number of points"),
+        ("ada,joint_positions,twelve_values,-1,why,me", "'-1' is not a number of points"),
+        ("ada,joint_positions,twelve_values,nan,why,me", "'nan' is not a number of points"),
+        ("ada,joint_positions,twelve_values,all,why,me", "'all' is not a number of points"),
         ("ada,joint_positions,twelve_values,1,,me", "the column `reason` is empty"),
         ("ada,joint_positions,twelve_values,1,why,", "the column `who` is empty"),
         ("ada,joint_positions,twelve_values,1", "this one has 4 columns"),
-        ("bob,09_joint_positions,twelve_values,0,again,me", "an earlier line says the same criterion"),
+        ("bob,09_joint_positions,twelve_values,0,again,me", "an earlier line changes the same criterion"),
     ],
 )
 def test_a_line_that_fits_nobody_is_refused_with_its_number_and_nothing_is_taken(
@@ -185,7 +185,7 @@ def test_a_line_that_fits_nobody_is_refused_with_its_number_and_nothing_is_taken
     said = capsys.readouterr().err
     assert "appeals.csv, line 3: " in said
     assert words in said
-    assert "Correct the line and run the command again; nothing of this file was taken" in said
+    assert "Correct the line and run the command again; nothing in this file was applied" in said
     assert kept(out) == []
 
 

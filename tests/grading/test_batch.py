@@ -532,7 +532,7 @@ def test_grade_ends_with_exit_code_1_when_something_was_our_fault(
     judges.ours_to_blame = {answer.stem}
     assert main(["grade", str(answer), "--out", str(tmp_path / "out")]) == 1
     said = capsys.readouterr()
-    assert "1 not judged through a fault of the grader" in said.out
+    assert "1 not judged because of an error in the grader" in said.out
     assert "the slot is gone" in said.out
     judges.ours_to_blame.clear()
     assert main(["grade", str(answer), "--out", str(tmp_path / "out")]) == 0

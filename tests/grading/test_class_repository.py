@@ -283,10 +283,10 @@ def test_the_reporter_gets_a_result_even_when_the_judge_left_none(tmp_path: Path
 @pytest.mark.parametrize(
     ("options", "says"),
     [
-        (["--course", "https://x/y", "--revision", "main"], "no full commit id"),
-        (["--course", 'x" && reboot', "--revision", COMMIT], "no address"),
-        (["--course", "${{ secrets.X }}", "--revision", COMMIT], "no address"),
-        (["--course", "--upload-pack=x", "--revision", COMMIT], "no address"),
+        (["--course", "https://x/y", "--revision", "main"], "not a full commit id"),
+        (["--course", 'x" && reboot', "--revision", COMMIT], "not an address"),
+        (["--course", "${{ secrets.X }}", "--revision", COMMIT], "not an address"),
+        (["--course", "--upload-pack=x", "--revision", COMMIT], "not an address"),
     ],
 )
 def test_an_address_or_a_commit_that_is_none_is_refused(
@@ -314,7 +314,7 @@ def test_the_address_of_the_course_needs_no_key(origin: str, address: str, tmp_p
 
 
 def test_a_course_that_others_cannot_fetch_is_said(tmp_path: Path) -> None:
-    with pytest.raises(CannotPackage, match="Say where the course lies"):
+    with pytest.raises(CannotPackage, match="Say where the course can be found"):
         origin_of(tmp_path)
     git(tmp_path, "init", "--quiet")
     git(tmp_path, "remote", "add", "origin", str(tmp_path / "elsewhere"))

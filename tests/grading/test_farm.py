@@ -169,7 +169,7 @@ def test_a_poison_answer_takes_no_neighbor_with_it(farm: LittleFarm, tmp_path: P
     assert {one["status"] for name, one in found.items() if name != "poison"} == {"graded"}
     assert (found["poison"]["status"], found["poison"]["score"]) == ("infra_error", None)
     assert "3 tries, two of them with a worker to itself" in found["poison"]["reason"]
-    assert "1 not judged through a fault of the grader" in said
+    assert "1 not judged because of an error in the grader" in said
 
 
 @pytest.mark.slow
@@ -265,7 +265,7 @@ def test_workers_that_cannot_judge_as_asked_refuse_with_words(farm: LittleFarm, 
     assert "no worker at tcp://127.0.0.1:" in said
     assert "it has another version of the course in" in said
     assert "it cannot confine programs: bubblewrap is not installed" in said
-    assert "it ended when it was asked who it is. Start it in the course's folder" in said
+    assert "it ended before it answered the grader's first request. Start it in the course's folder" in said
     assert not (tmp_path / "out").exists()
 
     code, said = finish(farm.grade(tmp_path / "s1.py", "--out", tmp_path / "out", "--isolation", "limits"))

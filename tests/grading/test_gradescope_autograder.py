@@ -264,7 +264,7 @@ def test_without_bubblewrap_it_takes_the_best_of_the_rest_and_says_so(scope: Gra
         ({}, "holds no .py and no .ipynb"),
         ({"node__py": ""}, "the answer is empty"),
         ({"node__py": SOLUTION, "other__py": SOLUTION}, "2 files could be the answer"),
-        ({"node__ipynb": "{}"}, "no readable notebook"),
+        ({"node__ipynb": "{}"}, "not a readable notebook"),
     ],
     ids=["nothing", "empty", "two files", "no notebook"],
 )

@@ -110,8 +110,8 @@ def changed(**fields: Any) -> str:
 @pytest.mark.parametrize(
     ("text", "problem"),
     [
-        ("not json\n", "it is no JSON: Expecting value, column 1"),
-        ("\n", "it is no JSON: Expecting value"),
+        ("not json\n", "it is not JSON: Expecting value, column 1"),
+        ("\n", "it is not JSON: Expecting value"),
         ("[]\n", "[] is not an object (Result)"),
         ("null\n", "None is not an object (Result)"),
         ("{}\n", "student: it is missing"),
@@ -121,7 +121,7 @@ def changed(**fields: Any) -> str:
         (changed(versions=None), "versions: None is not an object (Versions)"),
         (changed(score=float("nan")), "score: nan is not a finite number"),
         ("[" * 100_000 + "\n", "recursion"),
-        ("\\ud83d\n", "it is no JSON"),
+        ("\\ud83d\n", "it is not JSON"),
     ],
 )
 def test_a_broken_line_is_named_with_its_number_and_hides_nothing(

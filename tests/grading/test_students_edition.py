@@ -156,7 +156,7 @@ def test_an_earlier_edition_is_brought_up_to_date_and_nothing_else_is_touched(tm
 def test_a_folder_with_other_things_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "thesis.txt").write_text("mine")
     assert main(["package", "students", "--out", str(tmp_path)]) == 2
-    assert "no students' edition" in capsys.readouterr().err
+    assert "not part of a students' edition" in capsys.readouterr().err
     assert [one.name for one in tmp_path.iterdir()] == ["thesis.txt"]
 
 

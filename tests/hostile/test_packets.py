@@ -109,7 +109,7 @@ def test_a_slot_is_given_up_once_it_waits_for_those_at_work(
         try:
             health = SlotHealth(process.pid, ("-c",))
             if is_stuck:
-                told = "the slot did not get on any more"
+                told = "the slot made no more progress"
                 wait_until(lambda: health.problem() == told, "it is seen to stand still")
             else:
                 over = time.monotonic() + 1.2

@@ -660,7 +660,7 @@ def test_user_ids_alone_keep_answers_apart_and_traffic_on_this_machine(owner: Ac
 @pytest.mark.parametrize(("user", "own"), [(0, 0), (0, 60_601), (60_600, 0), (1000, 1001), (60_600, 65_534)])
 def test_the_sweeper_acts_for_no_other_user(user: int, own: int) -> None:
     before = os.getresuid()
-    with pytest.raises(PermissionError, match="no ids that programs are run under"):
+    with pytest.raises(PermissionError, match="not ids that programs are run under"):
         act_as(user, own)
     assert os.getresuid() == before
 

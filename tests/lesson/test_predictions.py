@@ -115,7 +115,7 @@ def test_the_run_decides_and_says_when_it_came_out_otherwise(screen: Screen) -> 
     reveal("the-queue", arrived=4)
     said = repr(screen.last).splitlines()
     assert said[0] == (
-        "You predicted c. This time the run came out otherwise than usual: c. As a rule it is b. Well predicted."
+        "You predicted c. This time the run turned out differently than usual: c. As a rule it is b. Well predicted."
     )
     assert "  ✗ b  Each Float32 arrives (what happens as a rule)" in said
     assert "  ✓ c  Four arrive (your prediction) (what happened)" in said
@@ -133,7 +133,7 @@ def test_nothing_is_revealed_before_the_choice_and_then_it_is(screen: Screen) ->
     reveal("the-queue", arrived=5)
     assert "Your prediction comes first" in repr(screen.last)
     assert not spoils(repr(screen.last))
-    assert choose(QUEUE, "a").words == "Your prediction: a. The outcome is shown below the run."
+    assert choose(QUEUE, "a").words == "Your prediction: a. The outcome is shown below the cell that you ran."
     assert repr(screen.last).startswith("You predicted a. The outcome is b.")
     assert choose(QUEUE, "b").letter == "a", "seen is seen"
 

@@ -172,4 +172,4 @@ def test_training_learns_and_tells_when_it_is_not_good_enough() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.returncode == 1, done.stderr
-    assert "told: 0.9" in done.stdout
+    assert "promised: 0.9" in done.stdout

@@ -159,7 +159,7 @@ def test_domains_that_rest_or_belong_to_strangers_are_counted(monkeypatch: pytes
     monkeypatch.setattr(domains, "udp_ports_in_use", lambda: {*range(7400, 33_000, 10)})
     with pytest.raises(NoDomainFree) as raised:
         lease_domain()
-    assert "Resting after a program was killed, for 30 s at most: 90." in str(raised.value)
+    assert "On hold for up to 30 s, because a program was killed: 90." in str(raised.value)
     assert "Used by ROS programs that lease none: 11" in str(raised.value)
 
 

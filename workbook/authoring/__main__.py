@@ -96,7 +96,7 @@ def run_check(tree: Tree, *, notes: bool) -> int:
         print(f"\n{len(found)} to fix.", file=sys.stderr)
     else:
         lessons, exercises = len(tree.lesson_stems()), len(tree.exercise_stems())
-        print(f"{lessons} lessons and {exercises} exercises: all as their texts say.")
+        print(f"{lessons} lessons and {exercises} exercises: all match their texts.")
     left = list(still_from_template(tree))
     if left and notes:
         print(f"\nNotes: {len(left)} lines of a template are still to be replaced.\n{report(left)}")

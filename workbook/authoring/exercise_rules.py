@@ -69,9 +69,7 @@ def points_violations(tree: Tree, exercise: Exercise) -> Iterator[Violation]:
         yield Violation(tree.name(path), words, line)
     earning = sum(one.points > 0 for one in exercise.criteria)
     if earning < FEWEST_CRITERIA:
-        words = (
-            f"{earning} criteria earn points; {FEWEST_CRITERIA} are the fewest: split what is judged together"
-        )
+        words = f"{earning} criteria earn points, but at least {FEWEST_CRITERIA} must: split what is judged together"
         yield Violation(tree.name(path), words, line)
 
 
@@ -87,12 +85,12 @@ def answer_violations(tree: Tree, stem: str, exercise: Exercise | None) -> Itera
         answers = list(entries(folder))
         for path in answers:
             if not (path.is_file() and path.suffix == ".py"):
-                yield Violation(tree.name(path), "fits nowhere: answers are Python files")
+                yield Violation(tree.name(path), "does not belong here: answers are Python files")
             elif kind == "wrong" and exercise is not None:
                 yield from _wrong_answer(tree, path, exercise)
         count = sum(path.suffix == ".py" for path in answers)
         if count < fewest:
-            yield Violation(tree.name(folder), f"has {count} {kind} answers; {fewest} are the fewest")
+            yield Violation(tree.name(folder), f"has {count} {kind} answers, but needs at least {fewest}")
 
 
 def _wrong_answer(tree: Tree, path: Path, exercise: Exercise) -> Iterator[Violation]:

@@ -114,6 +114,6 @@ def link_violations(tree: Tree, stem: str, text: str) -> Iterator[tuple[int, str
             if link["stem"] >= stem or link["text"] != link["number"]:
                 yield (
                     number,
-                    f"'You need' links to earlier lessons, as [{link['number']}]({link['stem']}.ipynb); "
+                    f"'You need' links to earlier lessons, such as [{link['number']}]({link['stem']}.ipynb); "
                     f"{link[0]} is not such a link",
                 )

@@ -55,4 +55,4 @@ def letter_violations(tree: Tree) -> Iterator[Violation]:
 def _too_often(what: str, letters: Sequence[str], largest: float) -> Iterator[str]:
     for letter, times in Counter(letters).items():
         if times > largest * len(letters):
-            yield f"{letter} is right in {times} of {len(letters)} {what}; {largest:.0%} is the most"
+            yield f"{letter} is right in {times} of {len(letters)} {what}; at most {largest:.0%} are allowed"

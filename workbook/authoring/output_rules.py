@@ -27,7 +27,7 @@ def compared_enough(wanted: document.Document) -> Iterator[Finding]:
             yield cell.line, f"cell {cell.id}: write a tag instead of the comment {found[1]}"
     ignored = [cell for cell in code if IGNORE_OUTPUT in cell.tags]
     if len(ignored) > len(code) * LARGEST_IGNORED_SHARE:
-        yield 0, f"{len(ignored)} of {len(code)} code cells ignore their output; a third is the most"
+        yield 0, f"{len(ignored)} of {len(code)} code cells ignore their output; at most a third may"
     waiting: document.Cell | None = None
     for cell in code:
         if cell not in ignored:

@@ -42,7 +42,9 @@ def misplaced(tree: Tree) -> Iterator[Violation]:
                 continue
             if path.suffix != suffix or not STEM.fullmatch(path.stem):
                 form = f"NN_slug{suffix}" if suffix else "folders NN_slug"
-                yield Violation(tree.name(path), f"fits nowhere: {tree.name(folder)}/ holds {form} only")
+                yield Violation(
+                    tree.name(path), f"does not belong here: {tree.name(folder)}/ holds {form} only"
+                )
             elif path.stem not in stems:
                 home = "notebooks/sources" if stems is lessons else "solutions"
                 yield Violation(tree.name(path), f"has no text: {home}/{path.stem}.py is missing")

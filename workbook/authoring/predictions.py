@@ -89,10 +89,10 @@ def _prediction(name: str, parts: Sequence[_Part]) -> Prediction:
             _check_condition(shown, part.when)
     usual = [part.letter for part in parts if part.sign == "✓"]
     if len(usual) != 1:
-        raise ValueError(f"{name!r} needs exactly one option with ✓, it has {len(usual)}")
+        raise ValueError(f"{name!r} needs exactly one option with ✓, but has {len(usual)}")
     conditions = [part.letter for part in parts if part.when]
     if conditions and usual[0] not in conditions:
-        raise ValueError(f"the option with ✓ of {name!r} needs a condition, as others have one")
+        raise ValueError(f"the option with ✓ of {name!r} needs a condition, because other options have one")
     options = (Option(one.letter, " ".join(one.text), " ".join(one.why), one.when) for one in parts)
     return Prediction(name, tuple(options), usual[0])
 
@@ -101,7 +101,7 @@ def _check_condition(shown: str, condition: str) -> None:
     try:
         tree = ast.parse(condition, mode="eval")
     except SyntaxError as error:
-        raise ValueError(f"{shown}: `{condition}` is no condition: {error.msg}") from error
+        raise ValueError(f"{shown}: `{condition}` is not a condition: {error.msg}") from error
     if not all(isinstance(node, _ALLOWED) for node in ast.walk(tree)):
         raise ValueError(f"{shown}: `{condition}` may only compare names and numbers")
 
@@ -157,7 +157,7 @@ def sealed_violations(tree: Tree, stem: str, wanted: Document) -> Iterator[Viola
     if kept != wanted.predictions:
         yield Violation(
             tree.name(path),
-            "is not what the text of the lesson says of its predictions: run `make notebooks`",
+            "does not match the predictions in the text of the lesson: run `make notebooks`",
         )
 
 

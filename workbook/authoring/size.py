@@ -127,11 +127,11 @@ def size_violations(tree: Tree, stem: str, text: str, lesson: Document) -> Itera
     for name, number in size.over.items():
         most = max(kept.get(name, 0), LIMITS[name])
         if number > most:
-            yield 0, f"{number} {name}, {most} are the most: cut, or move a part to {stem}_deeper"
+            yield 0, f"{number} {name}, but at most {most} are allowed: cut, or move a part to {stem}_deeper"
     if (told := minutes_in(text)) is not None and told != size.minutes:
         yield (
             text[: text.index("**Minutes:**")].count("\n") + 1,
-            f"takes {size.minutes} minutes by its size, not {told}: run `make notebooks`",
+            f"takes {size.minutes} minutes according to its size, but says {told}: run `make notebooks`",
         )
 
 

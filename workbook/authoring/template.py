@@ -82,7 +82,7 @@ def shape_violations(
         for rule in rules:
             yield from ((section.line, f"{shown}: {words}") for words in rule(section))
     if not any(cell.kind == "code" and _RECALL.search(cell.source) for cell in cells):
-        yield 0, "no cell shows what a prediction came to: reveal('late-joiner')"
+        yield 0, "no cell shows how a prediction turned out: reveal('late-joiner')"
     for cell in cells:
         if cell.kind == "code" and _SETUP.search(cell.source):
             yield (
@@ -112,7 +112,7 @@ def _order(found: list[str], needed: Sequence[str]) -> Iterator[str]:
             yield f"the section '## {title}' is there more than once"
     for title in found:
         if title not in SHAPE:
-            yield f"'## {title}' is no section of a lesson; use '### ' for headings of your own"
+            yield f"'## {title}' is not a section of a lesson; use '### ' for headings of your own"
     known = [title for title in found if title in SHAPE]
     if sorted(set(known), key=list(SHAPE).index) != list(dict.fromkeys(known)):
         yield f"the sections must come in this order: {', '.join(SHAPE)}"
@@ -235,7 +235,7 @@ def _questions(section: Section) -> Iterator[str]:
             elif "\n\n" not in option["body"].rstrip(" "):
                 yield f"question {number}, option {shown!r}: leave an empty line after </summary>"
         if signs.count("✓") != 1:
-            yield f"question {number} needs exactly one option with ✓, it has {signs.count('✓')}"
+            yield f"question {number} needs exactly one option with ✓, but has {signs.count('✓')}"
 
 
 def _talks(section: Section) -> Iterator[str]:

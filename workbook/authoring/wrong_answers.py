@@ -113,7 +113,7 @@ def read_wrong_answer(tree: Tree, path: Path) -> WrongAnswer:
     if changes:
         answer = Answer(_changed(path, base, changes))
     elif header.on is not None:
-        raise WrongAnswerError(path, 1, "names a program with '# on:' and changes nothing of it")
+        raise WrongAnswerError(path, 1, "names a program with '# on:' and changes nothing in it")
     else:
         answer = read_answer(path, path.parent.name)
     if answer.text == base:
@@ -257,7 +257,9 @@ def _changed(path: Path, base: str, changes: Sequence[Change]) -> str:
         shift = _depth(lines[span.start : span.stop]) - _depth(change.old)
         if shift < -_depth(change.new):
             raise WrongAnswerError(
-                path, change.line, "its lines stand deeper here than in the program, and the code does not"
+                path,
+                change.line,
+                "its lines are indented more here than in the program, but the new code is not",
             )
         places[span.start] = count, [_moved(line, shift) for line in change.new]
     result: list[str] = []

@@ -146,7 +146,7 @@ def _judges(
     if slots < 1:
         raise BadOption("--slots must be at least 1")
     isolation = _isolation(options.isolation)
-    at_once = "one answer after another" if meets_others(isolation) else f"{slots} answers at work at once"
+    at_once = "one answer after another" if meets_others(isolation) else f"{slots} answers at a time"
     screen.say(f"Grading {exercise.stem}, {at_once}. Isolation: {isolation}{_warning(isolation)}.")
     return nullcontext(LocalSlots(slots, isolation))
 
@@ -159,7 +159,7 @@ def _farm(options: argparse.Namespace, stem: str, screen: GradeScreen) -> "Abstr
 
     if options.slots is not None:
         raise BadOption(
-            "--slots is for this machine. On a farm each worker says it: dask worker --nthreads 16"
+            "--slots is for this machine. On a farm, each worker sets its own number: dask worker --nthreads 16"
         )
     check_address(options.farm)
     isolation: Isolation = "sandbox" if options.isolation == "auto" else options.isolation

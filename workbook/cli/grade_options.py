@@ -72,7 +72,7 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         "--isolation",
         choices=["auto", "sandbox", "uid", "landlock", "limits"],
         default="auto",
-        help="With sandbox (what auto wants), each program runs in a sandbox of bubblewrap, with its own network. "
+        help="With sandbox (auto means the same), each program runs in a bubblewrap sandbox, with its own network. "
         "With uid, it has a separate user id, if the grader is root. With landlock, the kernel hides files. With "
         "limits, it has resource limits and its own domain: only for answers that you would run yourself",
     )

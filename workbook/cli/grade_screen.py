@@ -95,7 +95,7 @@ def conclude(summary: "BatchSummary", out: Path, written: "Sequence[Path]") -> i
         full += result.score is not None and result.score == result.max_score
     print(
         f"{len(summary.results)} answers: {counts['graded']} graded ({full} with full marks), "
-        f"{counts['ungradable']} ungradable, {counts['infra_error']} not judged through a fault of the grader."
+        f"{counts['ungradable']} ungradable, {counts['infra_error']} not judged because of an error in the grader."
     )
     for result in summary.results:
         if result.status != "graded":
@@ -155,6 +155,6 @@ def about_lateness(results: "Sequence[Result]", lateness: "Lateness | None") -> 
         return []
     names = ", ".join(printable(one.student) for one in unknown[:5]) + (", …" if len(unknown) > 5 else "")
     return [
-        f"Nothing was taken off for lateness where no timestamp.txt told when it was handed in: {len(unknown)} of "
+        f"No points were deducted for lateness where no timestamp.txt gave the time of the hand-in: {len(unknown)} of "
         f"{len(results)} ({names})."
     ]

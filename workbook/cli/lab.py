@@ -21,8 +21,8 @@ def register(subparsers: Any) -> None:
     lab.set_defaults(run=run_lab, takes_rest=True)
     again = subparsers.add_parser(
         "reset",
-        help="put an exercise in work/ back to its start, keeping a backup of yours",
-        description="Put an exercise in work/ back to its start. What you had is kept in work/.state/backups/.",
+        help="reset an exercise in work/, keeping a backup of yours",
+        description="Reset an exercise in work/. What you had is kept in work/.state/backups/.",
     )
     again.add_argument("exercise", metavar="EXERCISE", help="such as 09 or joint_positions")
     again.set_defaults(run=run_reset)
@@ -63,7 +63,7 @@ def run_reset(options: argparse.Namespace) -> int:
     except (NoCourse, NoSuchExercise) as problem:
         terminal.complain("reset", problem)
         return 2
-    print(f"work/exercises/{stem}.ipynb is back at its start.")
+    print(f"work/exercises/{stem}.ipynb has been reset.")
     for path in kept:
         print(f"What you had is in {path.relative_to(course)}.")
     print("If it is open in JupyterLab, choose File > Reload Notebook from Disk.")

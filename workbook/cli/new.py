@@ -59,7 +59,7 @@ def run(options: argparse.Namespace) -> int:
         )
         return 0
     if build(tree, say=lambda words: None if words.startswith("as it was") else print(words)):
-        print("workbook new: not all could be built, see above", file=sys.stderr)
+        print("workbook new: not everything could be built; see above", file=sys.stderr)
         return 1
     stem = files[0].stem
     if options.what == "exercise" and not any(other[:2] == stem[:2] for other in tree.lesson_stems()):

@@ -10,8 +10,8 @@ def register(subparsers: Any) -> None:
     """Add the subcommand."""
     parser = subparsers.add_parser(
         "restore",
-        help="make the best version of your answer the file to hand in again",
-        description="Make the best version that was ever judged the file to hand in again. The one you have now is "
+        help="restore your best judged version as the file to hand in",
+        description="Restore your best judged version as the file to hand in. The one you have now is "
         "kept in answers/.previous/.",
     )
     parser.add_argument("exercise", metavar="EXERCISE", help="09_joint_positions, joint_positions or 9")

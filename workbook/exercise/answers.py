@@ -16,7 +16,9 @@ from workbook.exercise.notebook_cells import named_exercise as named_exercise
 LARGEST_ANSWER_BYTES = 1_000_000
 """A hundred times a long answer; more is no program that a person wrote."""
 ANSWER_MAGIC = "%%answer"
-ZERO_BYTES = "the file holds zero bytes, so it is no Python program. Delete them and save it again"
+ZERO_BYTES = (
+    "the file contains null bytes, so it is not a Python program. Delete them and save the file as UTF-8"
+)
 _CODING = re.compile(r"^([ \t\f]*#.*?coding[:=][ \t]*)[-\w.]+", re.ASCII)
 _NUMBER = re.compile(r"(?<![\w.])\d{1,3}(?![\w.])")
 
@@ -87,7 +89,7 @@ def _as_utf8(text: str) -> str:
         text.encode()
     except UnicodeEncodeError as error:
         raise Ungradable(
-            f"the answer holds half of a character, which no file can hold: {error.reason}"
+            f"the answer contains half of a character (a lone surrogate), which cannot be saved: {error.reason}"
         ) from error
     lines = text.split("\n")
     for index in range(min(2, len(lines))):
@@ -148,7 +150,9 @@ def read_answer(path: Path, stem: str) -> Answer:
                 raise Ungradable(f"the file answers {named}, and not {stem}")
             text = "\n".join(lines[1:])
     else:
-        raise Ungradable(f"an answer is a .py or .ipynb file, not {path.suffix or 'a file without ending'}")
+        raise Ungradable(
+            f"an answer is a .py or .ipynb file, not {path.suffix or 'a file without an extension'}"
+        )
     if not text.strip():
         raise Ungradable("the answer is empty")
     if "\0" in text:

@@ -92,7 +92,7 @@ def crashed_on_interrupt(recording: Recording) -> str:
     process = recording.process
     if process.ended_by == "bench" and process.signal == "SIGSEGV" and not process.limits_hit:
         return (
-            "the program crashed while Ctrl-C ended it, which happens now and then by a fault of rclpy's own"
+            "the program crashed while Ctrl-C ended it, which happens now and then because of a bug in rclpy"
         )
     return ""
 
@@ -110,7 +110,7 @@ def _node_seen_after_exit(recording: Recording) -> str:
     if process.ended_by == "bench" and process.exit is not None:
         for node in recording.nodes:
             if node.stayed:
-                return f"the program ended by itself after Ctrl-C, and {node.name} was not seen to go"
+                return f"the program ended by itself after Ctrl-C, and {node.name} was not seen to leave the graph"
     return ""
 
 
@@ -118,7 +118,7 @@ def _clocks_contradict(lost: Sequence[CriterionResult], on_robot_time: Sequence[
     held = {result.id for result in on_robot_time if result.status == "passed"}
     for result in lost:
         if result.about_time and result.id in held:
-            return f"{result.title!r} held on robot time and not on the wall clock"
+            return f"{result.title!r} passed on robot time but not on the wall clock"
     return ""
 
 
@@ -153,7 +153,7 @@ def _program_was_starved(lost: Sequence[CriterionResult], recording: Recording) 
     share = RUN_QUEUE_SHARE_ABOUT_TIME if about_time else RUN_QUEUE_SHARE
     if recording.clock == "wall" and 0.0 < share * recording.robot_s <= recording.in_line_s:
         return (
-            f"this machine was so busy that the program stood in line for {recording.in_line_s:.1f} s "
+            f"this machine was so busy that the program waited for a processor for {recording.in_line_s:.1f} s "
             f"of {recording.robot_s:.0f} s"
         )
     return ""

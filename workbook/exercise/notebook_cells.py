@@ -69,12 +69,12 @@ def answer_cells(path: Path, stem: str = "") -> dict[str, Any]:
 def cells_of(raw: bytes, stem: str) -> dict[str, Any]:
     """What this program prints for the bytes of a notebook."""
     if raw.count(b"{") + raw.count(b"[") > MOST_PARTS:
-        return {"problem": "this is no notebook: it consists of millions of empty parts"}
+        return {"problem": "this is not a notebook: it consists of millions of empty parts"}
     try:
         cells = json.loads(raw)["cells"]
         texts = [_text_of(cell) for cell in cells if cell.get("cell_type") == "code"]
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        return {"problem": f"this is no readable notebook: {repr(error)[:200]}"}
+        return {"problem": f"this is not a readable notebook: {repr(error)[:200]}"}
     answer: str | None = None
     named: dict[str, None] = {}
     for text in texts:

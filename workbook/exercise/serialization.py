@@ -39,5 +39,5 @@ def judgement_from_afar(data: object, stem: str, answer_sha256: str) -> Judgemen
 
 
 def no_constant(name: str) -> NoReturn:
-    """For `json.loads(parse_constant=...)`: NaN and Infinity are no JSON. Raises ValueError."""
-    raise ValueError(f"{name} is no number of JSON")
+    """For `json.loads(parse_constant=...)`: NaN and Infinity are not JSON. Raises ValueError."""
+    raise ValueError(f"{name} is not a JSON number")

@@ -164,7 +164,7 @@ def _programs(path: Path, answer: SourceCell, *, has_solution: bool) -> tuple[st
     _must_parse(path, "starter", starter, answer.line)
     if has_solution and [text for _, text in solution] == [text for _, text in starter]:
         raise SourceError(
-            path, answer.line, "the answer marks no [solution] part: the starter gives all away"
+            path, answer.line, "the answer marks no [solution] part: the starter gives everything away"
         )
     return _program(solution), _program(starter)
 

@@ -23,7 +23,7 @@ OVERRIDES = "overrides.jsonl"
 COLUMNS = ("student", "exercise", "criterion", "points", "reason", "who")
 TOTAL = "total"
 """In the column of the criterion: the score as a whole, for an answer that could not be judged as well."""
-FIX = "Correct the line and run the command again; nothing of this file was taken"
+FIX = "Correct the line and run the command again; nothing in this file was applied"
 
 
 @dataclass(frozen=True)
@@ -65,14 +65,14 @@ def _line(where: str, student: str, cells: Sequence[str]) -> Override:
     for column, cell in (("reason", reason), ("who", who)):
         if not cell:
             raise BadOption(
-                f"{where}: the column `{column}` is empty: say it, the student will read it. {FIX}"
+                f"{where}: the column `{column}` is empty: fill it in, because the student will read it. {FIX}"
             )
     try:
         points = float(text) if text else None
     except ValueError:
         points = math.nan
     if points is not None and not (math.isfinite(points) and points >= 0):
-        raise BadOption(f"{where}: {text!r} is no number of points. {FIX}")
+        raise BadOption(f"{where}: {text!r} is not a number of points. {FIX}")
     return Override(where, student, exercise, criterion, points, reason, who)
 
 
@@ -83,7 +83,7 @@ def fit(lines: Sequence[Override], results: Mapping[StudentAndExercise, Result])
         change = _fit(line, results)
         if change.key in found:
             raise BadOption(
-                f"{line.where}: an earlier line says the same criterion of the same student. {FIX}"
+                f"{line.where}: an earlier line changes the same criterion for the same student. {FIX}"
             )
         found[change.key] = change
     return list(found.values())

@@ -40,7 +40,7 @@ def _judged(result: Result) -> str:
         None,
     )
     if first is None:
-        return "All that is judged holds." if result.criteria else ""
+        return "Every criterion that you can see is met." if result.criteria else ""
     return f"{first.title}: seen {first.saw}; expected {first.expected}. {first.because} {first.try_this}"
 
 

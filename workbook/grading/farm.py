@@ -160,7 +160,10 @@ class Farm:
             if machine in gone:
                 del self._questions[key]
                 question.cancel()
-                self.refuse(machine, f"it ended when it was asked who it is. {_START_HERE} {self._address}")
+                self.refuse(
+                    machine,
+                    f"it ended before it answered the grader's first request. {_START_HERE} {self._address}",
+                )
         for address, places in threads.items():
             if address not in self._machines:
                 self._ask(_Machine(address, places))

@@ -69,10 +69,8 @@ def classroom(pushed: Pushed) -> dict[str, dict[str, Any]]:
 
 
 def not_run(criterion: Criterion) -> dict[str, Any]:
-    """Classroom's JSON for a criterion when the grader itself did not get to its end."""
-    return _one(
-        criterion, "error", 0.0, "The grader did not get to its end. This is no fault of the program."
-    )
+    """Classroom's JSON for a criterion when the grader itself did not finish."""
+    return _one(criterion, "error", 0.0, "The grader did not finish. This is not the program's fault.")
 
 
 def encoded(result: Mapping[str, Any]) -> str:

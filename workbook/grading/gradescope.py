@@ -14,7 +14,7 @@ from workbook.isolation.tiers import IN_SHORT
 from workbook.recording.codec import encode
 
 FAULT = (
-    "infra_error: this submission was not judged, through a fault of the grader and not of the program ({reason}). "
+    "infra_error: this submission was not judged because of an error in the grader, not in the program ({reason}). "
     "It has no score, and no points are lost. Submit again, or ask your instructor to run the autograder again."
 )
 

@@ -96,9 +96,9 @@ def classroom_workflow(
     Classroom as well. Raises CannotPackage for what cannot be an address or a commit.
     """
     if not _ADDRESS.fullmatch(address):
-        raise CannotPackage(f"{address!r} is no address that git can fetch from")
+        raise CannotPackage(f"{address!r} is not an address that git can fetch from")
     if not _REVISION.fullmatch(revision):
-        raise CannotPackage(f"{revision!r} is no full commit id (40 digits and letters a to f)")
+        raise CannotPackage(f"{revision!r} is not a full commit id (40 digits and letters a to f)")
     text = (PLACES / "classroom.yml").read_text(encoding="utf-8")
     if reporter:
         text = text.replace("        id: judge\n", "        id: judge\n        continue-on-error: true\n")
@@ -110,7 +110,7 @@ def classroom_workflow(
 
 
 def _reporter(exercises: Sequence[Exercise]) -> str:
-    """The step that tells Classroom. A judge that did not get to its end left no output: then the text here counts."""
+    """The step that tells Classroom. A judge that did not finish left no output: then the text here counts."""
     names, lines = [], []
     for exercise in exercises:
         for name, criterion in runners(exercise).items():
@@ -133,7 +133,7 @@ def origin_of(course: Path) -> str:
 
     Raises CannotPackage when git does not know, or when others cannot fetch from there.
     """
-    advice = "Say where the course lies: --course https://..."
+    advice = "Say where the course can be found: --course https://..."
     origin = _git(course, "remote", "get-url", "origin", otherwise=advice)
     with_key = _WITH_KEY.fullmatch(origin)
     address = f"https://{with_key['host']}/{with_key['path']}" if with_key else origin
@@ -155,5 +155,5 @@ def _git(course: Path, *arguments: str, otherwise: str) -> str:
         done = subprocess.run(["git", "-C", course, *arguments], capture_output=True, text=True, check=True)
     except (OSError, subprocess.CalledProcessError) as error:
         said = str(getattr(error, "stderr", "") or error).strip().splitlines()[-1]
-        raise CannotPackage(f"git does not tell ({said}). {otherwise}") from error
+        raise CannotPackage(f"git failed ({said}). {otherwise}") from error
     return done.stdout.strip()

@@ -296,7 +296,7 @@ def _judge_with_retry(
         if slot is not None:
             told = f"{STOPPED_JUDGE}: {reason}, {TRIES} times with this answer, and then judged a right one. {LOOK}"
             return slot, Judgement(job.stem, job.answer.sha256, "ungradable", told, (), None)
-    reason += f", {TRIES} times with this answer. Run the command again; if it stays so, look at this answer yourself"
+    reason += f", {TRIES} times with this answer. Run the command again; if it fails again, look at the answer yourself"
     return None, Judgement(job.stem, job.answer.sha256, "infra_error", reason, (), None)
 
 

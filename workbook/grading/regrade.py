@@ -63,7 +63,7 @@ def _again(out: Path, exercise: Exercise, result: Result, file: ResultsFile) -> 
         and any(one.cause == END_OVERTAKEN for one in tries[0].criteria)
     ):
         return Regraded(
-            student, before, None, "rclpy may have spoiled its end, which only another run can tell"
+            student, before, None, "a bug in rclpy may have changed how it ended; only another run can tell"
         )
     submission = Submission(
         student, result.answer, result.answer_sha256, result.submitted_at, result.attempt + 1

@@ -60,7 +60,7 @@ def read_results(path: Path, tell_broken: TellBroken = tell_nobody) -> Iterator[
             try:
                 result = result_of(line)
             except json.JSONDecodeError as error:
-                tell_broken(BrokenLine(path, number, f"it is no JSON: {error.msg}, column {error.colno}"))
+                tell_broken(BrokenLine(path, number, f"it is not JSON: {error.msg}, column {error.colno}"))
             except (ValueError, RecursionError) as error:
                 tell_broken(BrokenLine(path, number, str(error)))
             else:

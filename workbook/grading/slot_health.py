@@ -39,7 +39,7 @@ class SlotHealth:
             return None
         if resident_bytes(judge) > SLOT_BYTES:
             return "the slot took too much memory"
-        return "the slot did not get on any more" if self._is_stuck(judge) else None
+        return "the slot made no more progress" if self._is_stuck(judge) else None
 
     def _judge(self) -> int | None:
         if self._judge_pid is None:

@@ -165,7 +165,7 @@ def _earlier(folder: Path) -> dict[str, str]:
         }
     except (OSError, ValueError, AttributeError) as error:
         raise CannotPackage(
-            f"{folder} holds files that are no students' edition. Name a new folder, or an earlier edition"
+            f"{folder} holds files that are not part of a students' edition. Name a new folder, or an earlier edition"
         ) from error
 
 

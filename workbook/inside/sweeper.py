@@ -23,7 +23,7 @@ def is_ours(user: int) -> bool:
 def act_as(user: int, own: int) -> None:
     """Take both ids for good. Raises PermissionError unless the kernel confirms that nobody else can be reached."""
     if not is_ours(user) or not is_ours(own):
-        raise PermissionError(f"{user} and {own} are no ids that programs are run under")
+        raise PermissionError(f"{user} and {own} are not ids that programs are run under")
     os.setgroups([])
     os.setresgid(own, own, own)
     os.setresuid(own, user, own)

@@ -104,7 +104,7 @@ def sandbox_problem() -> str | None:
             outer_command(inner), capture_output=True, text=True, timeout=_SELF_TEST_S, pass_fds=[write_fd]
         )
     except subprocess.TimeoutExpired:
-        return "bubblewrap does not come to an end"
+        return "bubblewrap does not finish"
     finally:
         os.close(read_fd)
         os.close(write_fd)

@@ -29,7 +29,7 @@ WAITS = ("/bin/sh", "-c", "echo ready && exec sleep infinity >&-")
 
 
 class SandboxedProgram(FreshProgram):
-    """A sandbox with a program in it; `info_fd` is what bubblewrap tells of itself."""
+    """A sandbox with a program in it; `info_fd` is what bubblewrap says about itself."""
 
     def __init__(self, command: Sequence[str], order: Order, folder: Path, info_fd: int) -> None:
         super().__init__(command, order.environ, folder, order.output_fd, [info_fd])
@@ -96,7 +96,7 @@ class Sandbox:
     readable: tuple[Path, ...]
     server: ForkServer | None = None
     _files: dict[str, Path] = field(default_factory=dict)
-    info_fd: int = field(default_factory=lambda: os.memfd_create("what bubblewrap tells of itself"))
+    info_fd: int = field(default_factory=lambda: os.memfd_create("what bubblewrap says about itself"))
 
     def bring(self, file: Path, name: str) -> str:
         """Have the file mounted in the sandbox. Returns its path there."""

@@ -26,7 +26,7 @@ BEST_FIRST: tuple[Isolation, ...] = ("sandbox", "uid", "landlock", "limits")
 _NETWORK = "the network of this machine and, through it, all ROS domains on it"
 _DISK = "the disk, on which more than 200 MB are noticed when they are written"
 _WHOLE_DISK = "the disk and shared memory, which an answer can fill outside the folder that it works in"
-_ENDLESS = "an answer that starts itself anew without a pause, which may go on running"
+_ENDLESS = "an answer that keeps restarting itself without a pause, which may go on running"
 _KERNEL = "holes in the Linux kernel"
 
 
@@ -135,7 +135,9 @@ def covers(isolation: Isolation) -> str:
     if isolation == "landlock":
         signals = ", and lets no signal out" if landlock_abi() >= ABI_OF_SIGNALS else ""
         return f"Landlock hides all files but Python and the answer{signals}"
-    return "resource limits, a ROS domain of its own, and an end to all that an answer has started"
+    return (
+        "resource limits and a ROS domain of its own; everything that an answer has started is ended with it"
+    )
 
 
 def leaves_open(isolation: Isolation) -> str:

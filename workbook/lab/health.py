@@ -126,7 +126,8 @@ def check_rclpy() -> HealthFinding:
             "fix",
             "rclpy",
             f"imported from {home.parent}, not from the environment",
-            "Another ROS is in front: open a terminal without its `source` line (PYTHONPATH must not name it).",
+            "Another ROS comes first on Python's path: open a terminal without its `source` line (PYTHONPATH must not "
+            "name it).",
         )
     identifier = rclpy.get_rmw_implementation_identifier()
     return HealthFinding(
@@ -305,7 +306,7 @@ def check_machine_size() -> HealthFinding:
     saw = f"{processors} processor{'s' if processors != 1 else ''}, {memory:.1f} GB of memory"
     if processors < 2 or memory < 1.8:
         return HealthFinding(
-            "note", "Machine", saw, "Lessons work, slowly. Two processors and 2 GB are comfortable."
+            "note", "Machine", saw, "Lessons work, but slowly. Two processors and 2 GB are recommended."
         )
     return HealthFinding("ok", "Machine", saw)
 
@@ -389,6 +390,6 @@ def _made(title: str, check: Callable[[], HealthFinding]) -> Iterable[HealthFind
                 "fix",
                 title,
                 f"{type(error).__name__}: {text.splitlines()[0]}",
-                "Run `make env`. If it stays: 'When something fails' in environment.md.",
+                "Run `make env`. If the problem remains, see 'When something fails' in environment.md.",
             )
         ]

@@ -77,9 +77,7 @@ def main() -> None:
     """Resolve anew and write the lock file."""
     uv = shutil.which("uv")
     if uv is None:
-        raise SystemExit(
-            "make lock needs uv on the PATH (a newcomer does not: only who changes the dependencies)."
-        )
+        raise SystemExit("make lock needs uv on the PATH (only those who change the dependencies need it).")
     with tempfile.TemporaryDirectory() as folder:
         student_text = compile_requirements(uv, "pyproject.toml", *sys.argv[1:])
         constraints = Path(folder, "constraints.txt")

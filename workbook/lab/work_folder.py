@@ -33,9 +33,9 @@ class WorkFolderUpdate:
         """What to tell the student, one line per matter; nothing when nothing happened."""
         said = []
         if self.added:
-            said.append(f"{_count(len(self.added), 'notebook')} added to work/.")
+            said.append(f"Added {_count(len(self.added), 'notebook')} to work/.")
         if self.upgraded:
-            said.append(f"{_count(len(self.upgraded), 'notebook')} you had not changed brought up to date.")
+            said.append(f"Updated {_count(len(self.upgraded), 'notebook')} that you had not changed.")
         for own, new in self.beside:
             said.append(
                 f"There is a new version of work/{own}. Yours stays as it is; the new one is work/{new}."

@@ -81,5 +81,5 @@ def film_of(
     """The film that `show_machine` shows."""
     recording = seen.recording if isinstance(seen, Seen) else seen
     if recording is None:
-        raise RuntimeError("the block of watch_machine has not ended: show its recording behind it")
+        raise RuntimeError("the block of watch_machine has not ended: show its recording after the block")
     return play(recording, description, begin, end)

@@ -95,9 +95,7 @@ class PredictionOutcome:
             told = ", ".join(f"{name} = {_rounded(value)}" for name, value in self.measured.items())
             said = f"This run fits none of the options ({told}). As a rule it is {usual}."
         elif self.happened != usual:
-            said = (
-                f"This time the run came out otherwise than usual: {self.happened}. As a rule it is {usual}."
-            )
+            said = f"This time the run turned out differently than usual: {self.happened}. As a rule it is {usual}."
         else:
             said = f"The outcome is {usual}."
         if self.mine is None:

@@ -79,7 +79,7 @@ def pairs_picture(heard: Mapping[Pair, list[str]], description: str) -> Still:
         ylim=(count - 0.5, -0.5),
         xlabel="requested by the subscription",
         ylabel="offered by the publisher",
-        title="an offer at least as good as the request is heard",
+        title="heard: every offer at least as good as the request",
     )
     axes.set_xticks(range(count), names, fontsize=8)
     axes.set_yticks(range(count), names, fontsize=8)
@@ -134,7 +134,7 @@ def found_picture(here_ms: list[float], plain_ms: list[float], description: str)
     ]  # 1 ms to 3 s, each 1.8 times as long as the one before
     for axes, title, times in (
         (upper, f"in this workbook: {_slowest(here_ms)}", here_ms),
-        (lower, f"with Fast DDS as it comes: {_slowest(plain_ms)}", plain_ms),
+        (lower, f"with the default settings of Fast DDS: {_slowest(plain_ms)}", plain_ms),
     ):
         axes.hist(times, bins=steps, color=BLUE)
         axes.set(xscale="log", ylabel="newcomers", xlim=(1, 5000))

@@ -119,8 +119,9 @@ class ExerciseMagics(Magics):
     @staticmethod
     def _kept_from_the_starter(saved: Saved, cell: str) -> str:
         return (
-            f"Kept your answer in {shown_path(saved.path)}: {cell} holds the starter again, and it does not replace "
-            f"work.\n`%load {saved.path}` brings your answer back into a cell; `%reset` really starts over."
+            f"Kept your answer in {shown_path(saved.path)}: {cell} holds the starter again, and a starter never "
+            f"replaces your work.\n`%load {saved.path}` brings your answer back into a cell; `%reset` really starts "
+            "over."
         )
 
     def _request(self) -> object:
@@ -168,7 +169,7 @@ class ExerciseMagics(Magics):
 
     @line_magic
     def restore(self, line: str) -> None:
-        """Put the best version that was ever judged back. The one you have now is kept."""
+        """Restore your best judged version. The one you have now is kept."""
         self._report(self._restore, line)
 
     def _restore(self, line: str) -> None:

@@ -157,7 +157,7 @@ def told() -> float:
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Train, measure, and say whether the told accuracy was reached: exit code 0, else 1."""
+    """Train, measure, and say whether the promised accuracy was reached: exit code 0, else 1."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
@@ -171,7 +171,7 @@ def main(arguments: list[str] | None = None) -> int:
     weights = folded(trained(examples()))
     reached = accuracy(DeskDetector(TorchNetwork(weights)))
     wanted = options.told if options.told is not None else told()
-    print(f"{reached.words()}, in {time.monotonic() - began:.0f} s; told: {wanted}")
+    print(f"{reached.words()}, in {time.monotonic() - began:.0f} s; promised: {wanted}")
     if options.write:
         write_files(weights, FOLDER, provenance(reached, wanted))
     return 0 if reached.right >= wanted else 1

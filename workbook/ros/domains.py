@@ -139,7 +139,7 @@ def _why_none_is_free(ports: set[int]) -> str:
     sentences = [f"No ROS domain from {FIRST_DOMAIN} to {LAST_DOMAIN} is free."]
     if resting:
         sentences.append(
-            f"Resting after a program was killed, for {COOL_DOWN_S:.0f} s at most: {len(resting)}."
+            f"On hold for up to {COOL_DOWN_S:.0f} s, because a program was killed: {len(resting)}."
         )
     if strangers:
         sentences.append(f"Used by ROS programs that lease none: {len(strangers)} (`ss -lupn` lists them).")

@@ -171,7 +171,7 @@ def _asked_of_the_kernel() -> Iterator[tuple[str, int | None]]:
                 if kind == NLMSG_DONE:
                     return
                 if kind == NLMSG_ERROR or length < 16:
-                    raise OSError("the kernel tells nothing of its sockets")
+                    raise OSError("the kernel gives no information about its sockets")
                 attributes = _attributes(data[32:length])
                 name, user = attributes.get(UNIX_DIAG_NAME, b""), attributes.get(UNIX_DIAG_UID)
                 if name[:1] == b"\0":

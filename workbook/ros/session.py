@@ -94,7 +94,7 @@ def _check(nodes: list[Node]) -> None:
                 "this node was destroyed, for example because its cell ran again. Use the new one."
             ) from None
         if node.context is not nodes[0].context:
-            raise ValueError(f"{name} lives in another context than {nodes[0].get_fully_qualified_name()}.")
+            raise ValueError(f"{name} is in a different context from {nodes[0].get_fully_qualified_name()}.")
         if isinstance(node.executor, SteppingExecutor):
             raise RuntimeError(f"{name} is running already. Run several nodes together: run(a, b)")
 
@@ -149,7 +149,7 @@ class _Run:
         self.interrupts = _Interrupts(executor)
         self.seconds = math.inf if seconds is None else float(seconds)
         if math.isnan(self.seconds) or self.seconds < 0:
-            raise ValueError(f"seconds must be a number from 0 on, not {seconds}")
+            raise ValueError(f"seconds must be 0 or more, not {seconds}")
         if until is not None and not isinstance(until, Future) and not callable(until):
             raise TypeError(f"until must be a function or a Future, not {type(until).__name__}")
         self.until = until

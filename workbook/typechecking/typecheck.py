@@ -139,7 +139,7 @@ def _run_mypy(
         raise TypeCheckFailed(f"mypy stumbled over {other[0]}, not over the program: {run.said.strip()}")
     if run.code not in (0, 1) and not found:
         if run.code < 0 or any(name in run.complaint for name in _BROKE_DOWN):
-            return [(PROGRAM, 0, UNFINISHED, "mypy itself broke down over this program")]
+            return [(PROGRAM, 0, UNFINISHED, "mypy itself crashed on this program")]
         raise TypeCheckFailed(f"mypy ended with code {run.code}: {(run.complaint or run.said).strip()}")
     return found
 

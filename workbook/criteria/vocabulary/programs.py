@@ -1,4 +1,4 @@
-"""Judges the program as a whole: whether it runs, and whether it runs until the end of the watch."""
+"""Judges the program as a whole: whether it runs, and whether it runs until the judge stops watching."""
 
 from workbook.criteria.criterion import criterion
 from workbook.criteria.verdict import Verdict, failed, passed
