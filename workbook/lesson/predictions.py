@@ -70,7 +70,7 @@ def choose(prediction: Prediction, choice: str) -> Noted:
         measured, place = _waiting.pop(name)
         _close(name)
         PredictionOutcome(prediction, prediction.decided_by(measured), letter, measured).shown_at(place)
-        return Noted(letter, f"Your prediction: {letter}. The outcome is shown below the run.")
+        return Noted(letter, f"Your prediction: {letter}. The outcome is shown below the cell that you ran.")
     return Noted(letter, f"Your prediction: {letter}. You can change it until you see the outcome.")
 
 
