@@ -11,8 +11,8 @@
 #   - say when it is called and when it is not
 #   - choose how many messages may wait
 #   - tell how old a message is
-# - **Left out:** repeating work (lesson 05), the steps inside `spin` (06), long work in a callback (10), settings
-#   of a connection other than its queue depth (13)
+# - **Left out:** repeating work (lesson 05), the steps inside `spin` (06), long work in a callback (10), most
+#   settings of a connection (13)
 
 # %% [markdown]
 # Watch the robot. It walks up to a wall and away from it, again and again. One program measures how far the wall is,

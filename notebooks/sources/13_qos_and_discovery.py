@@ -279,8 +279,8 @@ stop()
 #
 # - **a** Never: no message, no callback.
 #   when `missed == 0`
-#   ✗ There is no message, but there is an event: DDS measures the time since the last message, and reports when
-#   that time is longer than the deadline.
+#   ✗ There is no message, but there is an event: DDS measures the time since the last message and reports when it exceeds
+#   the deadline.
 # - **b** Once, one second after the last beat.
 #   when `missed == 1`
 #   ✗ After a missed deadline, DDS starts to count anew, and reports again when the next period is over.
