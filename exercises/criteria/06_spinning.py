@@ -579,10 +579,9 @@ def ended_early(recording: Recording, took: dict[int, float]) -> Verdict | None:
 
 def nothing_handled(recording: Recording) -> Verdict | None:
     """The calls after the second did nothing, though a timer was due; None if they did, or could not."""
-    made = [calls(recording).get(n) for n in SHORT_CALLS]
-    if any(call is None or call.end is None for call in made):
-        return None
-    if sum(kept_waiting(recording, n) for n in SHORT_CALLS) > EARLY_S:
+    made = [call for n, call in calls(recording).items() if n in SHORT_CALLS and call.end is not None]
+    waited = max(recording.held_up_s, recording.stood_still_s) + sum(call.kept_waiting_s for call in made)
+    if len(made) < len(SHORT_CALLS) or waited > LATE_S:
         return None
     if any(done_in(recording, one.name, n) for one in (HEARTBEAT, LOOK) for n in SHORT_CALLS):
         return None

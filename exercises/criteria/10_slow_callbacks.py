@@ -699,8 +699,8 @@ def nothing_more(made: Sequence[Plan], saw: str, expected: str) -> Verdict:
             "all-in-order.last-missing",
             saw,
             expected,
-            "The last of those that had to wait is lost: dropped from a queue that is too short, or refused because "
-            "the same distance was waiting. Or the planning has stopped.",
+            "The last one that had to wait is lost: dropped from a queue that is too short, or refused because the "
+            "same distance was waiting. Or the planning has stopped.",
             "Keep requests that must wait, each of them: in a queue.Queue, or in the subscription's own queue with a "
             "depth of 10.",
             about_time=True,

@@ -331,7 +331,7 @@ def other_order(places: list[int], expected: str) -> Verdict | None:
         "once-in-order.other-order",
         saw,
         expected,
-        "The newest touch is reported first (pop() takes from the end of a list), the touches are kept in a set, or "
+        "The newest touch is reported first (pop() takes from the end of a list), or touches are kept in a set. Or "
         "several threads report at once.",
         "Report in the callback, one touch after another, in one thread.",
     )
