@@ -180,6 +180,15 @@ def intervals(recording: Recording, averaged: int) -> list[float]:
     return [(end - start) / averaged for start, end in zip(times, times[averaged:], strict=False)]
 
 
+def while_planning(recording: Recording) -> list[float]:
+    """The mean intervals (s) of those beats in a row that all came while plans were made."""
+    times = [arrival.t for arrival in recording.topic(HEARTBEAT.name).arrivals]
+    spans = planning_spans(recording)
+    busy = [any(begin <= at <= end for begin, end in spans) for at in times]
+    means = intervals(recording, AVERAGED)
+    return [mean for n, mean in enumerate(means) if all(busy[n : n + AVERAGED + 1])]
+
+
 def planning_spans(recording: Recording) -> list[tuple[float, float]]:
     """The spans (s) in which plans were being made, if each took the planner's time."""
     return [(arrival.t - PLANNING_S, arrival.t) for arrival in recording.topic(PLAN.name).arrivals]
@@ -204,10 +213,11 @@ def uneven(recording: Recording) -> Verdict | None:
     means = intervals(recording, AVERAGED)
     low, high = TYPICALLY_S
     typical = statistics.median(means) if means else 0.0
-    if low <= typical <= high:
-        return None
-    saw = f"typically {typical:.3f} s from one heartbeat to the next (the mean of {AVERAGED})"
     expected = f"typically {low} to {high} s"
+    if low <= typical <= high:
+        meanwhile = statistics.median(while_planning(recording) or means or [typical])
+        return slower_while_planning(recording, expected) if meanwhile > high else None
+    saw = f"typically {typical:.3f} s from one heartbeat to the next (the mean of {AVERAGED})"
     if typical < low and steady(means):
         return see.failed(
             "heartbeat-share.a-little-fast",

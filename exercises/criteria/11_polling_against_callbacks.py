@@ -191,7 +191,8 @@ def reported(recording: Recording) -> list[int]:
 
 def places_of_reports(recording: Recording) -> list[int | None]:
     """For each report the place of its touch: of those that came before it and have no report yet, the first after the
-    touch that was reported last, otherwise the latest. None if there is none.
+    touch that was reported last (of two in a row with one number the second), otherwise the latest. None if there is
+    none.
     """
     words = see.said(recording, TOUCH)
     found: list[int | None] = []
@@ -204,7 +205,7 @@ def places_of_reports(recording: Recording) -> list[int | None]:
             and word.wall - EARLY_S <= arrival.published
             and place not in found
         ]
-        place = next((one for one in free if one > last), free[-1] if free else None)
+        place = next((one for one in free if one > last and one + 1 not in free), free[-1] if free else None)
         found.append(place)
         last = last if place is None else place
     return found
@@ -314,7 +315,7 @@ def no_such_touch(strange: list[int], numbers: list[int], expected: str) -> Verd
 
 def other_order(places: list[int], expected: str) -> Verdict | None:
     """The touches were reported in another order than they came."""
-    back = [(a, b) for a, b in pairwise(places) if b < a]
+    back = [(a, b) for a, b in pairwise(places) if b < a and NUMBERS[a] != NUMBERS[b]]
     if not back:
         return None
     saw = f"touch {NUMBERS[back[0][1]]} was reported after {NUMBERS[back[0][0]]}, which came later"
