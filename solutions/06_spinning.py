@@ -32,7 +32,7 @@
 # | | what `pump` does |
 # |---|---|
 # | while the time runs | runs every callback of `node` that is ready: timers and subscriptions |
-# | when the time is up | returns: not earlier, and at most one callback later |
+# | when the time is up | returns: not earlier, and at most one callback later; a callback that has begun is finished |
 # | as long as nothing is ready | waits, and does not use the processor |
 # | after that | nothing that it started keeps running; the node is as it was, and `pump` can be called again |
 #
@@ -40,8 +40,8 @@
 #
 # A driver imports your file and calls `pump` seven times, for 0.05 s to 2.1 s. Its robot has a heartbeat (10 Hz), looks
 # around (2 Hz), repeats each word that it receives, and has slow jobs of 0.4 s. A second robot is quiet: it has no
-# timer, and receives two words near the end. Both robots publish what they do. The driver publishes when each call
-# begins and ends, and what the call changed on the node.
+# timer, and receives four words, two of them near the end. Both robots publish what they do. The driver publishes when
+# each call begins and ends, and what the call changed on the node.
 #
 # | points | criterion |
 # |---:|---|
@@ -49,9 +49,9 @@
 # | 1 | after 2.1 s when asked for 2.1 s: at most 0.05 s earlier, at most 0.25 s later in the median of its calls |
 # | 2 | each of the 20 words that come in a burst is handled during the call |
 # | 1 | the timers keep their rate meanwhile: 80 % of the heartbeats or more, no silence over 0.3 s |
-# | 1 | a second call works, too, and handles the words that waited in the queue |
+# | 1 | further calls work, too: the second handles the words that waited in the queue, and the shortest run callbacks |
 # | 1 | a queue of slow jobs delays its return by at most one job (0.4 s) and 0.25 s |
-# | 1 | it returns in time (0.25 s) from the quiet robot, too |
+# | 1 | it returns in time (0.25 s) from the quiet robot, too, and handles its words |
 # | 1 | it uses less than 12 % of a processor while the robot is quiet |
 # | 1 | between two calls no callback runs, and the node has the timers and subscriptions that it had |
 #

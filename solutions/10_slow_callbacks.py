@@ -50,7 +50,7 @@
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/heartbeat` carries `String` |
-# | 2 | 90 % to 110 % of the heartbeats come; typically there are 0.095 to 0.105 s between two (the mean over five) |
+# | 2 | 90 % to 110 % of the heartbeats come; typically there are 0.095 to 0.105 s between two (the mean over five), while plans are made, too |
 # | 2 | never more than 0.5 s without a heartbeat |
 # | 1 | the program subscribes to `/robot/plan_request` and publishes `Float32` on `/robot/plan` |
 # | 2 | each plan is what `ElbowPlanner` finds, to 0.000001 rad, and comes 0.78 s after its request, or later |

@@ -33,8 +33,8 @@
 # | `/monitor/seen` | published | `Int32` | the same number, for each touch, once, at once |
 #
 # Touches may come alone, or a dozen at once, and then none for some seconds. The skin began to count long before your
-# monitor started. It sometimes skips a number, and starts again at 1 when it is switched on again. Report what comes,
-# and nothing else.
+# monitor started. It sometimes skips a number, and starts again at 1 each time it is switched on. So a number may come
+# again, and is a new touch then. Report what comes, and nothing else.
 #
 # ## What is judged
 #

@@ -1,5 +1,6 @@
 """How exercise 06 is judged: a driver calls `pump` seven times, and everything that the nodes did is on the topics."""
 
+import math
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from statistics import median
@@ -22,9 +23,11 @@ CHANGED = topic("/driver/changed", String)
 BETWEEN, BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST, SLOW, QUIET = 0, 1, 2, 3, 4, 5, 6, 7
 ASKED_S = {BURST: 2.1, AGAIN: 1.2, SHORT: 0.08, SHORT_TOO: 0.08, SHORTEST: 0.05, SLOW: 0.8, QUIET: 1.6}
 ROBOT_CALLS = (BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST)
+SHORT_CALLS = (SHORT, SHORT_TOO, SHORTEST)
 BURST_WORDS = range(1, 21)
 WAITING_WORDS = range(21, 26)
 JOBS = range(1, 8)
+EARLY_QUIET_WORDS = range(1, 3)  # long before the call ends
 JOB_S = 0.4  # as in the driver, like the next one
 HEARTBEAT_PERIOD_S = 0.1
 
@@ -36,6 +39,7 @@ PROCESSOR_SHARE = 0.12
 
 DELAY_S = 1.5  # longer than a message needs to arrive, on however busy a machine
 A_FEW_BEATS = 3  # fewer may be chance
+AHEAD_S = 0.01  # nobody who waits for the end comes back so early
 
 
 def ordered(at: float, order: str) -> list[tuple[float, str]]:
@@ -71,8 +75,9 @@ WATCH = watching(
             ],
         ),
         see.says("/robot/jobs", Int32, [(5.1, job) for job in JOBS]),
-        # Late in the call, so that a wait that begins anew shows, even when the call itself began half a second late.
-        see.says("/quiet/words", Int32, [(8.0, 1), (8.07, 2)]),
+        # The last two late in the call, so that a wait that begins anew shows, even when the call itself began half a
+        # second late.
+        see.says("/quiet/words", Int32, [(7.4, 1), (7.47, 2), (8.0, 3), (8.07, 4)]),
     ],
 )
 
@@ -109,7 +114,7 @@ def returns(recording: Recording) -> Verdict:
         f"not back {recording.wall_s - call.begin - ASKED_S[BURST]:.1f} s after its time was up",
         f"pump(node, {ASKED_S[BURST]}) comes back",
         "rclpy.spin and executor.spin return only when ROS is shut down. Or your loop never reaches its end time: "
-        "`seconds` is in seconds.",
+        "`seconds` is in seconds, and time.process_time() stands still while it waits.",
         "Use rclpy.spin_once(node, timeout_sec=...) in a loop that checks the clock.",
         about_time=True,
     )
@@ -123,9 +128,9 @@ def returns_in_time(recording: Recording) -> Verdict:
     took = {
         n: call.took for n, call in calls(recording).items() if n in ROBOT_CALLS and call.took is not None
     }
-    early = next((n for n, seconds in took.items() if seconds < ASKED_S[n] - EARLY_S), None)
-    if early == BURST or (early is not None and BURST not in took):
-        return too_early(early, took[early])
+    early = ended_early(recording, took)
+    if early is not None:
+        return early
     same = [
         seconds for n, seconds in took.items() if n != BURST and abs(seconds - took.get(BURST, 0.0)) < LATE_S
     ]
@@ -253,21 +258,7 @@ def again(recording: Recording) -> Verdict:
             "The end time of the first call is also used for the others.",
             "Compute the end time in each call, from its own seconds.",
         )
-    told = [*done_in(recording, HEARD.name, BURST), *done_in(recording, HEARD.name, AGAIN)]
-    got = set(told) & set(WAITING_WORDS)
-    beats = done_in(recording, HEARTBEAT.name, AGAIN)
-    if len(got) == len(WAITING_WORDS) and len(beats) >= A_FEW_BEATS:
-        return see.passed(f"{len(got)} waiting words and {len(beats)} heartbeats in the second call")
-    return see.failed(
-        "again.does-nothing",
-        f"{len(got)} of {len(WAITING_WORDS)} waiting words and {len(beats)} heartbeats in the second call",
-        "words that waited in the queue are handled, and the timers tick again",
-        "The first call destroyed the node or the executor, shut down ROS, or left a thread behind that takes the "
-        "callbacks.",
-        "Do not destroy or shut down what you did not create. If you created an executor, shut it down in the "
-        "same call.",
-        about_time=True,
-    )
+    return nothing_handled(recording) or why_less_again(recording)
 
 
 @criterion(points=1, title="Slow callbacks delay the return by about one callback at most", needs=[returns])
@@ -290,7 +281,20 @@ def slow_callbacks(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="It comes back in time from a node that has almost nothing to do", needs=[returns])
 def quiet_node(recording: Recording) -> Verdict:
-    return in_time(recording, QUIET)
+    verdict = in_time(recording, QUIET)
+    heard = done_in(recording, QUIET_HEARD.name, QUIET)
+    took = calls(recording)[QUIET].took if verdict.ok else None
+    if took is None or set(heard) >= set(EARLY_QUIET_WORDS) or kept_waiting(recording, QUIET) > LATE_S:
+        return verdict
+    return see.failed(
+        "quiet-node.words-wait",
+        f"{see.count(len(heard), 'word')} handled during the call",
+        f"the first {len(EARLY_QUIET_WORDS)} words are handled: they came long before the call ended",
+        "For part of the call nothing spun this node: your function sleeps once nothing is ready, or it spins "
+        "another node.",
+        "Spin until the time is up, and let spin_once do the waiting.",
+        about_time=True,
+    )
 
 
 @criterion(points=1, title="It leaves the processor alone while it waits", needs=[returns])
@@ -315,17 +319,9 @@ def easy_on_the_processor(recording: Recording) -> Verdict:
     points=1, title="After it has come back, no callback runs, and the node is as it was", needs=[returns]
 )
 def nothing_left_running(recording: Recording) -> Verdict:
-    beats = done_in(recording, HEARTBEAT.name, BETWEEN)
-    if len(beats) >= A_FEW_BEATS:
-        return see.failed(
-            "nothing-left-running.spins-on",
-            f"{len(beats)} heartbeats between the calls",
-            "no callback runs unless pump is called",
-            "A thread that spins was left behind. It runs callbacks at unexpected times, and may abort the "
-            "process when the program ends.",
-            "Spin in the thread that called pump. If you need another thread, end it: executor.shutdown(), then "
-            "join().",
-        )
+    running = spins_on(recording)
+    if running is not None:
+        return running
     begun = {number: call for call, number in reports(recording, JOB_BEGUN.name)}
     cut_off = [
         number for call, number in reports(recording, JOB_DONE.name) if begun.get(number, call) != call
@@ -346,6 +342,35 @@ def nothing_left_running(recording: Recording) -> Verdict:
     )
 
 
+def spins_on(recording: Recording) -> Verdict | None:
+    """The robot's callbacks ran between two calls, or in the call that was about the quiet robot."""
+    beats = [
+        arrival.published
+        for arrival in recording.topic(HEARTBEAT.name).arrivals
+        if arrival.value["data"][0] == BETWEEN
+    ]
+    if len(beats) < A_FEW_BEATS:
+        return None
+    quiet = calls(recording).get(QUIET)
+    end = quiet.end if quiet is not None and quiet.end is not None else recording.wall_s
+    if quiet is not None and all(quiet.begin - EARLY_S < beat < end + EARLY_S for beat in beats):
+        return see.failed(
+            "nothing-left-running.another-node",
+            f"{len(beats)} heartbeats of the other robot while pump was called with the quiet robot",
+            "pump runs the callbacks of the node that it was called with",
+            "The executor or the node of an earlier call is used again, so the earlier node is spun as well.",
+            "Use the node that you were handed. If you add it to an executor, remove it before you return.",
+        )
+    return see.failed(
+        "nothing-left-running.spins-on",
+        f"{len(beats)} heartbeats between the calls",
+        "no callback runs unless pump is called",
+        "A thread that spins was left behind. It runs callbacks at unexpected times, and may abort the "
+        "process when the program ends.",
+        "Spin in the thread that called pump. If you need another thread, end it: executor.shutdown(), then join().",
+    )
+
+
 def why_changed(changed: list[str]) -> Verdict:
     """What a call has changed that is not its own."""
     call, _, first = changed[0].partition(" ")
@@ -358,6 +383,14 @@ def why_changed(changed: list[str]) -> Verdict:
             expected,
             "What you create on the node stays there after pump has returned. It is still active in the next call.",
             "Avoid it, or destroy it before you return: node.destroy_timer(timer).",
+        )
+    if first.startswith("job"):
+        return see.failed(
+            "nothing-left-running.cut-off",
+            saw,
+            "a callback that has begun is finished before pump returns",
+            "Something ended the callback half way: a signal, or an exception from another thread.",
+            "Check the clock between two callbacks, and let the callback that runs finish.",
         )
     if first in ("rclpy.init called", "node made"):
         return see.failed(
@@ -512,10 +545,104 @@ def in_time(recording: Recording, number: int, extra: float = 0.0) -> Verdict:
             return see.passed("the judge stopped watching before its time was up")
         return still_open(asked, open_s)
     if call.took < asked - EARLY_S:
-        return ended_by_what_was_left(recording, number, call.took) or too_early(number, call.took)
+        return (
+            ended_by_what_was_left(recording, number, call.took)
+            or ended_by_silence(recording, number, call.took)
+            or too_early(number, call.took)
+        )
     if call.took > asked + extra + LATE_S + kept_waiting(recording, number):
         return too_late(number, call.took)
     return see.passed(f"asked for {asked} s, took {call.took:.2f} s")
+
+
+def ended_early(recording: Recording, took: dict[int, float]) -> Verdict | None:
+    """The first call came back too early, each of them did, or the shortest ones alone; None if none did."""
+    ahead = {n: ASKED_S[n] - seconds for n, seconds in took.items()}
+    early = next((n for n, seconds in ahead.items() if seconds > EARLY_S), None)
+    if early is None:
+        return None
+    if ahead.get(BURST, math.inf) > EARLY_S or all(seconds > AHEAD_S for seconds in ahead.values()):
+        return too_early(early, took[early])
+    others = [seconds for n, seconds in ahead.items() if n not in SHORT_CALLS]
+    shorts = [ahead.get(n, 0.0) for n in (SHORT, SHORT_TOO)]
+    left = any(one.endswith("left") for one in see.driver_reports(recording, CHANGED))
+    if left or max(others) > EARLY_S or min(shorts) <= EARLY_S:
+        return None
+    return see.failed(
+        "in-time.short-calls",
+        f"asked for {ASKED_S[SHORT]:g} s, back after {took[SHORT]:.2f} s; longer calls took their time",
+        IN_TIME,
+        "A short time is treated in another way, or the time is counted in whole steps and rounded down.",
+        "Store time.monotonic() + seconds at the start, and continue until that time.",
+    )
+
+
+def nothing_handled(recording: Recording) -> Verdict | None:
+    """The calls after the second did nothing, though a timer was due; None if they did, or could not."""
+    made = [call for n, call in calls(recording).items() if n in SHORT_CALLS and call.end is not None]
+    waited = max(recording.held_up_s, recording.stood_still_s) + sum(call.kept_waiting_s for call in made)
+    if len(made) < len(SHORT_CALLS) or waited > LATE_S:
+        return None
+    if any(done_in(recording, one.name, n) for one in (HEARTBEAT, LOOK) for n in SHORT_CALLS):
+        return None
+    if not done_in(recording, HEARTBEAT.name, AGAIN):
+        return None
+    return see.failed(
+        "again.short-calls-do-nothing",
+        f"no callback ran in {len(SHORT_CALLS)} calls of {ASKED_S[SHORTEST]:g} to {ASKED_S[SHORT]:g} s, though a "
+        "heartbeat was due",
+        "every callback that is ready runs, in a short call, too",
+        "A short time is treated in another way: your function only sleeps, or has no time left before it spins.",
+        "Spin first, then check the clock, whatever the length of the call.",
+        about_time=True,
+    )
+
+
+def why_less_again(recording: Recording) -> Verdict:
+    """Whether the second call handled what waited, and let the timers tick; if not, why."""
+    told = [*done_in(recording, HEARD.name, BURST), *done_in(recording, HEARD.name, AGAIN)]
+    got = set(told) & set(WAITING_WORDS)
+    beats = done_in(recording, HEARTBEAT.name, AGAIN)
+    saw = f"{len(got)} of {len(WAITING_WORDS)} waiting words and {len(beats)} heartbeats in the second call"
+    if len(got) == len(WAITING_WORDS) and len(beats) >= A_FEW_BEATS:
+        return see.passed(saw)
+    expected = "words that waited in the queue are handled, and the timers tick again"
+    if set(WAITING_WORDS) & set(done_in(recording, HEARD.name, BETWEEN)):
+        return see.failed(
+            "again.handled-before",
+            f"{saw}; words were handled between the calls",
+            expected,
+            "The first call left a thread behind that takes the callbacks.",
+            "End every thread before you return, or spin in the thread that called pump.",
+        )
+    if len(beats) < A_FEW_BEATS and any("canceled" in one for one in see.driver_reports(recording, CHANGED)):
+        return see.failed(
+            "again.timers-canceled",
+            f"{saw}; the first call canceled timers",
+            expected,
+            "A timer that was canceled does not fire in the next call.",
+            "The timers belong to the node. Do not cancel, restart or destroy them.",
+        )
+    if len(beats) >= A_FEW_BEATS:
+        return see.failed(
+            "again.words-lost",
+            saw,
+            expected,
+            "The words waited in the queue, and were dropped: your function takes messages out itself, or creates "
+            "subscriptions anew. Or it handles too few callbacks.",
+            "Leave the subscriptions as they are, and let spin_once call their callbacks.",
+            about_time=True,
+        )
+    return see.failed(
+        "again.does-nothing",
+        saw,
+        expected,
+        "The first call destroyed the node or the executor, shut down ROS, or left a thread behind that takes the "
+        "callbacks.",
+        "Do not destroy or shut down what you did not create. If you created an executor, shut it down in the "
+        "same call.",
+        about_time=True,
+    )
 
 
 def ended_by_what_was_left(recording: Recording, number: int, took: float) -> Verdict | None:
@@ -530,6 +657,22 @@ def ended_by_what_was_left(recording: Recording, number: int, took: float) -> Ve
         IN_TIME,
         "Something that an earlier call left on the node still runs, and it ends this call.",
         "Destroy what you created on the node before you return: node.destroy_timer(timer).",
+    )
+
+
+def ended_by_silence(recording: Recording, number: int, took: float) -> Verdict | None:
+    """Only the call with the quiet robot came back too early, and before a callback ran; None if it is otherwise."""
+    first = calls(recording)[BURST].took
+    if number != QUIET or done_in(recording, QUIET_HEARD.name, QUIET):
+        return None
+    if first is None or first < ASKED_S[BURST] - EARLY_S:
+        return None
+    return see.failed(
+        "in-time.ended-by-silence",
+        f"asked for {ASKED_S[number]:g} s, back after {took:.2f} s, and nothing was ready until then",
+        IN_TIME,
+        "Your function returns when nothing has been ready for a while. But a callback may be ready later.",
+        "Continue until the time is up, even if nothing is ready.",
     )
 
 

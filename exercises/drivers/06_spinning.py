@@ -79,6 +79,9 @@ class Watched:
                 number = sum(one not in others for one in some)
                 if number:
                     self.noted.append(f"{number} {kind}{'s' if number > 1 else ''} {what}")
+        job = getattr(node, "at_work", None)
+        if job is not None:
+            self.noted.append(f"job {job} not finished")
         canceled = sum(is_canceled(timer) for timer in node.timers)
         if canceled:
             self.noted.append(f"{canceled} timer{'s' if canceled > 1 else ''} canceled")
@@ -117,11 +120,13 @@ class Teller(Node):
 
     Attributes:
         call: The number of the call that runs now; 0 if none does.
+        at_work: The job that was begun and is not finished; None if there is none.
     """
 
     def __init__(self, name: str) -> None:
         super().__init__(name)
         self.call = 0
+        self.at_work: int | None = None
 
     def tell(self, publisher: Publisher, number: int) -> None:
         """Publish the number of the call and another number."""
@@ -167,9 +172,11 @@ class Robot(Teller):
 
     def work(self, job: Int32) -> None:
         """Do a job that takes its time."""
+        self.at_work = job.data
         self.tell(self.job_publisher, job.data)
         time.sleep(JOB_S)
         self.tell(self.job_done_publisher, job.data)
+        self.at_work = None
 
 
 class QuietRobot(Teller):

@@ -182,6 +182,15 @@ def test_a_program_that_got_no_processor_leaves_a_reason_inconclusive_all_it_did
     assert doubt(replace(crashed, clock="wall", robot_s=0.5, in_line_s=0.1)) == ""
 
 
+def test_a_criterion_may_blame_the_machine() -> None:
+    recording = stored("period_for_frequency")
+    lost = [
+        replace(one, cause="quick.busy-machine") if one.status == "failed" else one
+        for one in judged(recording)
+    ]
+    assert "so busy" in reason_inconclusive(lost, recording, EXERCISE.plan, EXERCISE.periods)
+
+
 def test_how_long_a_process_stood_in_line() -> None:
     """Two that want the same processor all the time have half of it each."""
     [core, *_] = os.sched_getaffinity(0)

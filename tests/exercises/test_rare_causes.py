@@ -10,6 +10,7 @@ import pytest
 
 from tests.criteria.by_hand import LIVING, on_topic, publisher, recorded
 from workbook.criteria import Verdict
+from workbook.exercise.conclusiveness import BUSY_MACHINE
 from workbook.exercise.definition import load_exercise
 from workbook.recording.recording import Recording, Said, TopicRecording
 
@@ -171,6 +172,19 @@ TRACEBACK = (
 def test_06_the_first_call_raises(log: str, cause: str, words: str) -> None:
     verdict = judged("06_spinning", "program_runs", pumped(["begin 1", "raised 1 NameError: x"], log))
     refused_for(cause, verdict, words)
+
+
+def test_11_a_little_late_on_a_busy_machine() -> None:
+    made = load_exercise("11_polling_against_callbacks", ROOT).criteria[-1].judge.__globals__
+    moments, numbers = made["MOMENTS"], made["NUMBERS"]
+    said = tuple(Said("/robot/touch", at, at, {"data": n}) for at, n in zip(moments, numbers, strict=True))
+    late = on_topic("/monitor/seen", "std_msgs/msg/Int32", [at + 0.02 for at in moments], numbers)
+    busy = replace(recorded(late), said=said, in_line_s=0.3)
+    verdict = judged("11_polling_against_callbacks", "quick", busy)
+    refused_for("quick.busy-machine", verdict, "waited 0.3 s for a processor")
+    assert verdict.cause.endswith(BUSY_MACHINE)
+    calm = judged("11_polling_against_callbacks", "quick", replace(busy, in_line_s=0.01))
+    refused_for("quick.held-back", calm)
 
 
 def test_07_a_message_of_another_type_is_accepted() -> None:

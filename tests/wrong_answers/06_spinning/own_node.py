@@ -1,5 +1,5 @@
 # Spins a node, but not the one that was given.
-# loses: words_handled, timers_tick, slow_callbacks, nothing_left_running
+# loses: words_handled, timers_tick, slow_callbacks, quiet_node, nothing_left_running
 # skips: again
 # cause: words-handled.none
 # says: 0 of 20

@@ -1,4 +1,4 @@
-# loses: words_handled, timers_tick, slow_callbacks
+# loses: words_handled, timers_tick, slow_callbacks, quiet_node
 # skips: again
 # cause: words-handled.none
 """Waits for the time to pass; "the callbacks will run in the meantime"."""

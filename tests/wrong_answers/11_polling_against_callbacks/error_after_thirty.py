@@ -1,7 +1,7 @@
 # A list of thirty places for the touches.
 # loses: none_missed, alive_at_end
 # cause: none-missed.stops
-# says: touch 310
+# says: touch 1049
 # after: super().__init__("touch_monitor")
 self.places = [0] * 30
 
