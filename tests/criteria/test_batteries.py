@@ -49,7 +49,9 @@ def test_a_battery_drains() -> None:
     accepts(see.drains(battery([100.0, 100.0, 99.0]), BATTERY), "drains")
     refuses(see.drains(battery([100.0] * 4), BATTERY), "never changed")
     refuses(
-        see.drains(battery([100.0, 90.0, 80.0, *[70.0] * 7]), BATTERY), "70 % halfway through and 70 % at the end", "stays the same"
+        see.drains(battery([100.0, 90.0, 80.0, *[70.0] * 7]), BATTERY),
+        "70 % halfway through and 70 % at the end",
+        "stays the same",
     )
 
 

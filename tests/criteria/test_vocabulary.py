@@ -247,7 +247,9 @@ def test_exits_cleanly() -> None:
     refuses(see.exits_cleanly(silent(by_signal)), "signal SIGINT after Ctrl-C", "KeyboardInterrupt")
     refuses(see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=TRACEBACK))), "line 7", "NameError")
     refuses(
-        see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=OVERTAKEN))), "in the middle of a spin or a shutdown", "started again"
+        see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=OVERTAKEN))),
+        "in the middle of a spin or a shutdown",
+        "started again",
     )
     interrupted = (
         'Traceback (most recent call last):\n  File "/answers/answer.py", line 7\nKeyboardInterrupt\n\n'
