@@ -47,6 +47,7 @@ BAD = tuple(READINGS[place] for place in BAD_PLACES)
 BELOW, ABOVE = {one for one in BAD if one < 0.0}, {one for one in BAD if one > 100.0}
 NEAR_LIMITS = {-0.125, -0.0078125, 100.0078125}
 LIMITS = {0.0, 100.0}
+INSIDE = tuple(reading for reading in GOOD if reading not in LIMITS)
 LOW_AT_MOST = 20.0
 
 # What some of the good readings have in common, by their places among the good ones.
@@ -549,7 +550,8 @@ def jumps_or_stops(saw: str, lost: set[int]) -> Verdict | None:
 
 def risen_kept_back(saw: str, lost: set[int]) -> Verdict | None:
     """Whether the monitor kept back all that is higher than a reading before it, from some reading on."""
-    if lost != {n for n in RISEN if n >= min(lost)}:
+    since = set(range(min(lost), len(GOOD)))
+    if lost != RISEN & since or lost == since:
         return None
     return see.failed(
         "in-order.risen-kept-back",
@@ -943,7 +945,8 @@ def why_false_alarms(found: Alarms) -> Verdict:
     false = found.false
     saw = f"{len(false)} alarm{'s' if len(false) > 1 else ''} too many, the first is {quoted(false[0])}"
     expected = NO_FALSE_ONES
-    if all(names_one_of(BAD, text) and not names_one_of(GOOD, text) for text in false):
+    about_bad = [text for text in false if names_one_of(BAD, text) and not names_one_of(INSIDE, text)]
+    if len(about_bad) == len(false) and not all(names_one_of(GOOD, text) for text in false):
         return names_an_earlier_one(saw)
     hint = "Decide by this one reading: 0.0 <= message.data <= 100.0."
     if any(shown(GOOD[place]) in false[0] for place in LOW if GOOD[place]):
