@@ -2,7 +2,7 @@
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 from itertools import pairwise
@@ -23,11 +23,12 @@ SHARE_AT_ONCE = 0.9  # of the readings: the others may have been kept waiting by
 BEFORE_PAUSE = (52.0, 51.5, 51.0, 51.0, 50.25, 49.5)
 AFTER_PAUSE = (
     49.25, -3.0, -3.0, 48.75, 100.0, 99.5, 98.75, 98.0, 97.25, 96.5, math.nan, 95.0, 94.25, 93.5, 120.0, math.inf,
-    math.nan, 92.75, 12.5, 6.25, 0.0, -0.125, 88.0, 87.5, 100.125, 87.25,
+    math.nan, 92.75, 12.5, 6.25, 0.0, -0.125, 88.0, 87.5, 100.0078125, 87.25,
 )  # fmt: skip
 AT_THE_SAME_MOMENT = (86.75, 86.5, 86.25, 85.75)
 AT_THE_END = (
-    85.5, 6553.5, 85.25, 84.5, 84.5, 84.25, 83.75, -0.125, 83.5, 82.75, 81.5, 80.25, 79.75, 78.5, 77.25, 120.0,
+    85.5, 6553.5, 85.25, 84.5, 84.5, 84.25, 83.75, -0.0078125, 83.5, 82.75, -math.inf, 81.5, 80.25, 79.75, 78.5,
+    77.25, 120.0,
 )  # fmt: skip
 READINGS = (*BEFORE_PAUSE, *AFTER_PAUSE, *AT_THE_SAME_MOMENT, *AT_THE_END)
 OTHERS = (73.0, -40.0, 72.5)  # not among the readings: an answer that passes one on has heard the other robot
@@ -43,8 +44,10 @@ GOOD_PLACES = tuple(place for place, reading in enumerate(READINGS) if is_good(r
 BAD_PLACES = tuple(place for place, reading in enumerate(READINGS) if not is_good(reading))
 GOOD = tuple(READINGS[place] for place in GOOD_PLACES)
 BAD = tuple(READINGS[place] for place in BAD_PLACES)
-NEAR_LIMITS = {-0.125, 100.125}
+BELOW, ABOVE = {one for one in BAD if one < 0.0}, {one for one in BAD if one > 100.0}
+NEAR_LIMITS = {-0.125, -0.0078125, 100.0078125}
 LIMITS = {0.0, 100.0}
+INSIDE = tuple(reading for reading in GOOD if reading not in LIMITS)
 LOW_AT_MOST = 20.0
 
 # What some of the good readings have in common, by their places among the good ones.
@@ -54,6 +57,8 @@ JUMPS = {n for n, (last, one) in enumerate(pairwise(GOOD), 1) if abs(last - one)
 IN_A_MOMENT = {GOOD.index(reading) for reading in AT_THE_SAME_MOMENT}
 LOW = {n for n, reading in enumerate(GOOD) if reading <= LOW_AT_MOST}
 FIRST_AFTER_BAD = min(AFTER_BAD)
+RISEN = {n for n, reading in enumerate(GOOD) if n and reading > min(GOOD[:n])}
+SAID_BEFORE = {n for n, one in enumerate(BAD) if any(repr(one) == repr(other) for other in BAD[:n])}
 BAD_IN_A_ROW = {n for n, (last, one) in enumerate(pairwise(BAD_PLACES), 1) if one == last + 1}
 
 
@@ -319,14 +324,15 @@ def alarms(recording: Recording) -> Alarms:
     sent = [(str(one.value.get("data")), one.published) for one in recording.topic(ALARM.name).arrivals]
     others = [text for text, at in sent if is_about_others(recording, text, at)]
     own = [(text, at) for text, at in sent if not is_about_others(recording, text, at)]
-    pairs = in_turn([text for text, _ in own])
+    pairs = told_apart([text for text, _ in own])
     missed = tuple(sorted(set(range(len(BAD))) - pairs.keys()))
     rest = [one for n, one in enumerate(own) if n not in pairs.values()]
     after_bad = [one for one in rest if not is_good(last_reading(recording, one[1]))]
     if missed and len(own) == len(BAD) and 2 * len(after_bad) > len(rest):
         misnamed = tuple((place, own[place][0]) for place in range(len(BAD)) if pairs.get(place) != place)
         return Alarms((), misnamed, (), (), tuple(others))
-    false = [one for one in rest if is_false(recording, *one)]
+    due = {own[n][0] for n in pairs.values()}
+    false = [one for one in rest if is_false(recording, *one, due)]
     first_bad = min(
         (word.wall for word in see.said(recording, BATTERY_TOPIC) if not is_good(word.value["data"])),
         default=math.inf,
@@ -339,6 +345,15 @@ def alarms(recording: Recording) -> Alarms:
         tuple(others),
         any(at < first_bad for _, at in false),
     )
+
+
+def told_apart(texts: Sequence[str]) -> dict[int, int]:
+    """As `in_turn`, without the texts that are the same for different readings: they name no reading."""
+    pairs = in_turn(texts)
+    about: dict[str, set[str]] = {}
+    for reading, text in pairs.items():
+        about.setdefault(texts[text], set()).add(repr(BAD[reading]))
+    return {reading: text for reading, text in pairs.items() if len(about[texts[text]]) == 1}
 
 
 def in_turn(texts: Sequence[str]) -> dict[int, int]:
@@ -362,7 +377,7 @@ def in_turn(texts: Sequence[str]) -> dict[int, int]:
 
 _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:[.,]\d+)?")
 _NO_NUMBER = re.compile(r"\bnan\b|not a number", re.IGNORECASE)
-_INFINITE = re.compile(r"\binf(?:inity|inite)?\b", re.IGNORECASE)
+_INFINITE = re.compile(r"(-|\bminus |\bnegative |)\binf(?:inity|inite)?\b", re.IGNORECASE)
 AS_ROUNDED = 0.05 + 1e-6  # an alarm may give its value with one decimal
 
 
@@ -375,15 +390,19 @@ def names(text: str, reading: float) -> bool:
     if math.isnan(reading):
         return bool(_NO_NUMBER.search(text))
     if math.isinf(reading):
-        return bool(_INFINITE.search(text))
+        return any(bool(found.group(1)) == (reading < 0.0) for found in _INFINITE.finditer(text))
     return any(abs(number - reading) <= AS_ROUNDED for number in numbers_in(text))
+
+
+def names_one_of(readings: Sequence[float], text: str) -> bool:
+    return any(names(text, reading) for reading in readings)
 
 
 def is_about_others(recording: Recording, text: str, published: float) -> bool:
     """Whether an alarm is about the other robot. `published`: its wall time (s)."""
     if set(numbers_in(text)) & set(OTHERS):
         return True
-    if any(names(text, reading) for reading in BAD):
+    if names_one_of(BAD, text):
         return False
     last = see.latest_before(((one.wall, one) for one in recording.said), published)
     return last is not None and last.topic == OTHER_TOPIC
@@ -395,14 +414,15 @@ def last_reading(recording: Recording, published: float) -> float:
     return 0.0 if last is None else float(last.value["data"])
 
 
-def is_false(recording: Recording, text: str, published: float) -> bool:
-    """Whether an alarm is about a good reading."""
-    if any(names(text, reading) for reading in BAD):
-        return False
+def is_false(recording: Recording, text: str, published: float, due: Collection[str]) -> bool:
+    """Whether an alarm is about a good reading. `due`: the texts that are one alarm for each bad reading."""
+    last = last_reading(recording, published)
+    if names_one_of(BAD, text):
+        return is_good(last) and (text not in due or names(text, last))
     # 0 and 100 are no proof: an alarm may name the limits.
     if set(numbers_in(text)) & (set(GOOD) - LIMITS):
         return True
-    return is_good(last_reading(recording, published))
+    return is_good(last)
 
 
 def shown(level: float) -> str:
@@ -501,7 +521,7 @@ def kept_back_for_what_came_before(recording: Recording, saw: str, lost: set[int
             "Pass on each good reading, no matter what came before it.",
             about_time=True,
         )
-    return jumps_or_stops(saw, lost) or taken_for_bad(recording, saw, lost)
+    return jumps_or_stops(saw, lost) or taken_for_bad(recording, saw, lost) or risen_kept_back(saw, lost)
 
 
 def jumps_or_stops(saw: str, lost: set[int]) -> Verdict | None:
@@ -526,6 +546,22 @@ def jumps_or_stops(saw: str, lost: set[int]) -> Verdict | None:
             about_time=True,
         )
     return None
+
+
+def risen_kept_back(saw: str, lost: set[int]) -> Verdict | None:
+    """Whether the monitor kept back all that is higher than a reading before it, from some reading on."""
+    since = set(range(min(lost), len(GOOD)))
+    if lost != RISEN & since or lost == since:
+        return None
+    return see.failed(
+        "in-order.risen-kept-back",
+        saw,
+        EXPECTED,
+        "All missing readings are higher than one that came before. But the charge rises when an empty battery is "
+        "replaced by a full one.",
+        EACH_FOR_ITSELF,
+        about_time=True,
+    )
 
 
 def taken_for_bad(recording: Recording, saw: str, lost: set[int]) -> Verdict | None:
@@ -614,6 +650,29 @@ def lost_among_others(saw: str, lost: tuple[int, ...]) -> Verdict:
     )
 
 
+def made_up_first(level: float) -> Verdict:
+    """All good readings came, after something that was not said."""
+    return see.failed(
+        "in-order.made-up-first",
+        f"{shown(level)} on {PASSED_ON.name} before the first reading, {shown(GOOD[0])}",
+        EXPECTED,
+        "The node publishes a value of its own when it starts. A subscriber will think that it was measured.",
+        "Publish only inside the callback, and only the reading that it received.",
+    )
+
+
+def in_other_order(ours: tuple[float, ...]) -> Verdict:
+    """All good readings came, but not as they were said."""
+    place = next(n for n, (one, other) in enumerate(zip(ours, GOOD, strict=False)) if one != other)
+    return see.failed(
+        "in-order.other-order",
+        f"{shown(ours[place])} came where {shown(GOOD[place])} should be, as reading {place + 1}",
+        EXPECTED,
+        "Readings are collected and sent in another order, such as the newest first or sorted.",
+        "Publish each one inside the callback, at once: it is called in the right order.",
+    )
+
+
 def why_others_came(answered: Answered) -> Verdict:
     """Why what came is not what was sent: changed on the way, twice, or in another order."""
     ours = answered.ours
@@ -628,6 +687,8 @@ def why_others_came(answered: Answered) -> Verdict:
             "reports no error.",
             "Pass on message.data as it is: Float32(data=message.data), or publish the message itself.",
         )
+    if len(ours) > len(GOOD) and ours[-len(GOOD) :] == GOOD:
+        return made_up_first(ours[0])
     if strange:
         near = min(GOOD, key=lambda level: abs(level - strange[0]))
         return see.failed(
@@ -645,16 +706,10 @@ def why_others_came(answered: Answered) -> Verdict:
             "Two subscriptions receive the same topic, or a timer sends the last reading again.",
             "Make one subscription, and publish once in each call of the callback.",
         )
-    place = next(n for n, (one, other) in enumerate(zip(ours, GOOD, strict=False)) if one != other)
-    return see.failed(
-        "in-order.other-order",
-        f"{shown(ours[place])} came where {shown(GOOD[place])} should be, as reading {place + 1}",
-        EXPECTED,
-        "Readings are collected and sent in another order, such as the newest first or sorted.",
-        "Publish each one inside the callback, at once: it is called in the right order.",
-    )
+    return in_other_order(ours)
 
 
+INFINITE_IS_BAD = "inf is larger than every number, so it is above 100. And -inf is below 0."
 ASK_WHAT_IS_GOOD = "Ask for what is good: 0.0 <= message.data <= 100.0."
 
 
@@ -679,15 +734,7 @@ def why_bad_ones_came(came: tuple[float, ...]) -> Verdict:
             "The limits are a little wider than 0 and 100 %, or the reading is rounded before it is compared.",
             ASK_WHAT_IS_GOOD,
         )
-    if kinds == {"below"} or kinds == {"above"} or kinds == {"above", "inf"}:
-        return see.failed(
-            "bad-kept-back.one-limit-missing",
-            saw,
-            NO_BAD_ONES,
-            "Only one of the two limits is checked.",
-            ASK_WHAT_IS_GOOD,
-        )
-    return see.failed(
+    return some_of_a_kind(saw, came) or see.failed(
         "bad-kept-back.many-passed-on",
         f"{see.listing(list(dict.fromkeys(map(shown, came))))} on {PASSED_ON.name}",
         NO_BAD_ONES,
@@ -695,6 +742,32 @@ def why_bad_ones_came(came: tuple[float, ...]) -> Verdict:
         "number.",
         ASK_WHAT_IS_GOOD,
     )
+
+
+def some_of_a_kind(saw: str, came: tuple[float, ...]) -> Verdict | None:
+    """Why bad readings of one kind, or on one side of the range, were passed on; None if there are others."""
+    if kinds_of(came) == {"inf"}:
+        return see.failed(
+            "bad-kept-back.infinite-passed-on", saw, NO_BAD_ONES, INFINITE_IS_BAD, ASK_WHAT_IS_GOOD
+        )
+    if set(came) in (BELOW, ABOVE):
+        return see.failed(
+            "bad-kept-back.one-limit-missing",
+            saw,
+            NO_BAD_ONES,
+            "Only one of the two limits is checked.",
+            ASK_WHAT_IS_GOOD,
+        )
+    if set(came) < BELOW or set(came) < ABOVE:
+        return see.failed(
+            "bad-kept-back.other-limit",
+            saw,
+            NO_BAD_ONES,
+            "Other readings on this side of the range are kept back. So the limit is not where it should be, or the "
+            "node knows only some bad readings.",
+            ASK_WHAT_IS_GOOD,
+        )
+    return None
 
 
 def kinds_of(readings: Sequence[float]) -> set[str]:
@@ -776,12 +849,57 @@ def why_alarms_are_missing(recording: Recording, missed: tuple[int, ...]) -> Ver
             "Publish an alarm for each bad reading, no matter what came before it.",
             about_time=True,
         )
-    return why_a_kind_is_missing(saw, readings)
+    return why_no_more_come(recording, saw, missed) or why_a_kind_is_missing(saw, missed)
 
 
-def why_a_kind_is_missing(saw: str, readings: tuple[float, ...]) -> Verdict:
+def why_no_more_come(recording: Recording, saw: str, missed: tuple[int, ...]) -> Verdict | None:
+    """Why there are alarms for such readings at first only, or now and then; None if they are of kinds of their own."""
+    came = {repr(one) for n, one in enumerate(BAD) if n not in missed}
+    if missed == tuple(range(missed[0], len(BAD))) and recording.process.ended_by == "itself":
+        return see.failed(
+            "one-alarm.ended",
+            f"{saw}. Your program had already ended",
+            ONE_EACH,
+            "The program ends by itself after a while.",
+            "Spin until the program is stopped: rclpy.spin(node).",
+            about_time=True,
+        )
+    if set(missed) == SAID_BEFORE:
+        return see.failed(
+            "one-alarm.equal-once",
+            saw,
+            ONE_EACH,
+            "Each of them is equal to an earlier bad reading, for which an alarm came.",
+            "Publish an alarm for each bad reading, no matter what came before it.",
+            about_time=True,
+        )
+    if not came & {repr(BAD[place]) for place in missed}:
+        return None
+    return see.failed(
+        "one-alarm.not-each",
+        saw,
+        ONE_EACH,
+        "For an equal reading an alarm did come. So it depends on more than the reading: on a counter, on what came "
+        "before, or several readings share an alarm.",
+        "Publish an alarm for each bad reading, no matter what came before it.",
+        about_time=True,
+    )
+
+
+def why_a_kind_is_missing(saw: str, missed: tuple[int, ...]) -> Verdict:
     """Why no alarm came for bad readings of one kind, or of several."""
+    readings = tuple(BAD[place] for place in missed)
     kinds = kinds_of(readings)
+    if set(readings) <= NEAR_LIMITS:
+        return see.failed(
+            "one-alarm.tolerance",
+            saw,
+            ONE_EACH,
+            "Only readings very near to 0 or 100 raise no alarm. The limits are a little wider, or the reading is "
+            "rounded before it is compared.",
+            ASK_WHAT_IS_GOOD,
+            about_time=True,
+        )
     if kinds == {"nan"}:
         return see.failed(
             "one-alarm.missed",
@@ -795,7 +913,7 @@ def why_a_kind_is_missing(saw: str, readings: tuple[float, ...]) -> Verdict:
             "one-alarm.infinite-missed",
             saw,
             ONE_EACH,
-            "inf is larger than every number, so it is above 100.",
+            INFINITE_IS_BAD,
             "Ask whether the reading is good, 0.0 <= message.data <= 100.0, and raise the alarm if it is not.",
         )
     return see.failed(
@@ -808,11 +926,28 @@ def why_a_kind_is_missing(saw: str, readings: tuple[float, ...]) -> Verdict:
     )
 
 
+NO_FALSE_ONES = f"no alarm for the {len(GOOD)} good readings"
+
+
+def names_an_earlier_one(saw: str) -> Verdict:
+    """The alarm came with a good reading, and is about a bad one."""
+    return see.failed(
+        "no-false-alarm.names-an-earlier-one",
+        saw,
+        NO_FALSE_ONES,
+        "It came with a good reading and names a bad one from before. Any text on this topic is an alarm.",
+        "Publish on this topic only when this one reading is bad.",
+    )
+
+
 def why_false_alarms(found: Alarms) -> Verdict:
     """Why there were alarms for good readings."""
     false = found.false
     saw = f"{len(false)} alarm{'s' if len(false) > 1 else ''} too many, the first is {quoted(false[0])}"
-    expected = f"no alarm for the {len(GOOD)} good readings"
+    expected = NO_FALSE_ONES
+    about_bad = [text for text in false if names_one_of(BAD, text) and not names_one_of(INSIDE, text)]
+    if len(about_bad) == len(false) and not all(names_one_of(GOOD, text) for text in false):
+        return names_an_earlier_one(saw)
     hint = "Decide by this one reading: 0.0 <= message.data <= 100.0."
     if any(shown(GOOD[place]) in false[0] for place in LOW if GOOD[place]):
         return see.failed(

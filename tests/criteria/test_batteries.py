@@ -68,6 +68,8 @@ def test_the_word_may_change_with_the_last_charge_or_with_the_first_zeros(change
         ([WORKS] * 2 + [EMPTY] * 10, "word-fits-charge.too-early"),
         ([WORKS, EMPTY, WORKS, *[EMPTY] * 9], "word-fits-charge.changes"),
         ([WORKS] * 12, "word-fits-charge.never-error"),
+        ([*[WORKS] * 7, EMPTY, *[WORKS] * 4], "word-fits-charge.error-not-kept"),
+        ([*[WORKS] * 9, *[EMPTY] * 3], "word-fits-charge.too-late"),
     ],
 )
 def test_a_word_that_does_not_fit_the_charge(words: list[str], cause: str) -> None:

@@ -31,6 +31,23 @@ def test_zeros_alone_are_looked_at_with_field_checks() -> None:
     refuses(see.given_floats(tilts(0.0, 0.0, notes=(said,)), TILT), "2 messages", "line 7: AssertionError")
 
 
+@pytest.mark.parametrize("values", [(0.0, 99.5, 99.0, 98.5, 98.0), (0.84, 0.83, 0.0, 0.0, 0.84, 0.85)])
+def test_a_zero_that_stands_out_is_looked_at_with_field_checks(values: tuple[float, ...]) -> None:
+    refuses(see.given_floats(tilts(*values), TILT), "beside it")
+    assert see.given_floats(tilts(*values), TILT).recheck_fields
+    accepts(see.given_floats(tilts(*values, notes=("with field checks on: no complaint",)), TILT))
+
+
+def test_a_zero_among_its_like_is_not() -> None:
+    accepts(see.given_floats(tilts(0.0, 0.06, 0.1, 0.1, 0.06, 0.0, -0.06), TILT))
+    accepts(see.given_floats(tilts(0.6, 0.4, 0.2, 0.1, 0.0, 0.0), TILT))
+
+
+def test_arrays_of_different_lengths_are_not_compared() -> None:
+    verdict = see.varies(joints([0.1], [0.1, 0.2], [0.1, 0.2, 0.3]), JOINTS, 2, 1e-6, "joint")
+    refuses(verdict, "3 messages of different lengths")
+
+
 def test_a_text_is_not_empty() -> None:
     accepts(see.has_text(recorded(on_topic(HEART.name, HEART.type, [1.0], ["alive"])), HEART))
     empty = recorded(on_topic(HEART.name, HEART.type, [1.0, 2.0], ["alive", ""]))

@@ -79,13 +79,25 @@ def varies(recording: Recording, topic: Topic, at_least: int, by: float, what: s
         f"at least {count(at_least, what)} that change from message to message (by more than {by:g}), in "
         f"{MOSTLY:.0%} of the messages at least"
     )
+    if len(rows) < 2 <= len(arrivals):
+        return _other_lengths(len(arrivals), expected)
     once = "only one message, so no movement can be seen"
     ended = program_ended(recording, once, expected) if len(rows) < 2 else None
-    return ended or _does_not_vary(len(rows), moving, changed, at_least, expected, what)
+    return ended or _does_not_vary(len(rows), moving, changed, at_least, expected, what, f"to within {by:g}")
+
+
+def _other_lengths(messages: int, expected: str) -> Verdict:
+    return failed(
+        "varies.other-lengths",
+        f"{count(messages, 'message')} of different lengths: none can be compared with another",
+        expected,
+        "Each message has another number of values, so nobody can say which of them moved.",
+        "First give every message the same number of values, then let them move.",
+    )
 
 
 def _does_not_vary(
-    messages: int, moving: list[int], changed: list[int], at_least: int, expected: str, what: str
+    messages: int, moving: list[int], changed: list[int], at_least: int, expected: str, what: str, exact: str
 ) -> Verdict:
     def at_rest(cause: str, saw: str, because: str) -> Verdict:
         return failed(
@@ -106,7 +118,7 @@ def _does_not_vary(
     if not moving:
         return at_rest(
             "varies.none",
-            f"no {what} moves: every message is the same",
+            f"no {what} moves: every message is the same, {exact}",
             "The values are set once, outside the callback. Or the movement repeats with the period of the timer, "
             "so every message shows the same pose.",
         )
@@ -116,7 +128,7 @@ def _does_not_vary(
     if 2 * still > hardly:
         return at_rest(
             "varies.stands-still",
-            f"{still} of {count(len(changed), 'message')} are the same as the one before",
+            f"{still} of {count(len(changed), 'message')} are the same as the one before, {exact}",
             "The movement ends, or some calls of the callback compute no new values.",
         )
     return at_rest(

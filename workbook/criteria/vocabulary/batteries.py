@@ -107,7 +107,8 @@ def word_fits_charge(recording: Recording, status: Topic, battery: Topic) -> Ver
         return _error_while_charged(early.t, level, before=charged[0].data == WORKS, back=WORKS in after)
     late = [one for one in words if one.data == WORKS and zeros[1:] and one.order > zeros[1].order]
     if late:
-        return _no_error_when_empty(late[0].t, zeros[0].t)
+        said = [one.data for one in words if one.order > zeros[0].order]
+        return _no_error_when_empty(late[0].t, zeros[0].t, said)
     return passed('"error" when the battery was empty, and not before' if zeros else "the battery had charge")
 
 
@@ -155,7 +156,27 @@ def _error_while_charged(at: float, level: float, *, before: bool, back: bool) -
     )
 
 
-def _no_error_when_empty(at: float, empty_at: float) -> Verdict:
+def _no_error_when_empty(at: float, empty_at: float, said: list[Any]) -> Verdict:
+    """`said`: the words after the battery was empty."""
+    saw = f'"operational" at {seconds(at)}, though the battery is at 0 % since {seconds(empty_at)}'
+    expected = '"operational" while the battery has charge, and "error" once it is empty'
+    try_this = 'Use the level itself: "operational" if self.battery_level > 0.0 else "error".'
+    if EMPTY not in said:
+        return failed(
+            "word-fits-charge.never-error",
+            saw,
+            expected,
+            "The word does not depend on the charge, or it depends on a level that never reaches 0.",
+            try_this,
+        )
+    if WORKS in said[said.index(EMPTY) :]:
+        return failed(
+            "word-fits-charge.error-not-kept",
+            f'{saw}; "error" was among the words, too',
+            expected,
+            "The word is not kept while the battery is empty: it depends on something else, such as a counter.",
+            try_this,
+        )
     return failed(
         "word-fits-charge.never-error",
         f'"operational" at {seconds(at)}, though the battery has been at 0 % since {seconds(empty_at)}',

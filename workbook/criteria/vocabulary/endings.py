@@ -73,6 +73,15 @@ def _by_exit_code(process: ProcessRecord) -> Verdict:
             "other than 0 reports an error.",
             "Let main() return after Ctrl-C, or call sys.exit(0).",
         )
+    if process.signal == "SIGINT" and _INTERRUPT not in process.end_log:
+        return failed(
+            "exits-cleanly.killed-by-the-signal",
+            "ended by signal SIGINT after Ctrl-C, without a KeyboardInterrupt",
+            _EXPECTED,
+            "Nothing in the program handles the signal. signal.signal(signal.SIGINT, signal.SIG_DFL) or os.kill() "
+            "does this.",
+            "Leave the handling of SIGINT as it is, and catch KeyboardInterrupt around rclpy.spin(node).",
+        )
     how = f"ended by signal {process.signal}" if process.signal else f"exit code {process.exit}"
     return failed(
         "exits-cleanly.interrupt-not-caught",

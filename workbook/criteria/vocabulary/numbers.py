@@ -1,14 +1,21 @@
 """Judges numbers that arrive on a topic."""
 
 import math
+from collections.abc import Sequence
+from itertools import pairwise
 
 from workbook.criteria.criterion import Topic
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.field_checks import quoting_field_checks, said_by_field_checks
 from workbook.criteria.vocabulary.phrasing import count, number
 from workbook.criteria.vocabulary.topics import if_messages
-from workbook.criteria.vocabulary.values import first_offender, values
+from workbook.criteria.vocabulary.values import Offender, elements, first_offender, values
 from workbook.recording.recording import Recording
+
+LEAST_OTHERS, STANDS_OUT = 4, 3.0
+"""A 0.0 among at least so many other numbers stands out if it is so many of their largest steps away from one."""
+RARELY = 0.25
+"""Up to this share of messages, a rise is an exception: the level falls otherwise."""
 
 
 @if_messages
@@ -37,7 +44,8 @@ def really_arrives(recording: Recording, topic: Topic) -> Verdict:
     seen = [value for value in values(recording, topic) if isinstance(value, (int, float))]
     zeros = [place for place, value in enumerate(seen) if value == 0.0]
     followed = [place for place in zeros if any(value != 0.0 for value in seen[place:])]
-    if not followed and (not seen or seen[0] != 0.0):
+    meant = said_by_field_checks(recording) == "" and seen[:1] != [0.0]  # that it rises again, others judge
+    if meant or (not followed and (not seen or seen[0] != 0.0)):
         return passed(
             f"numbers arrive as they are, the first is {number(seen[0])}" if seen else "no numbers in it"
         )
@@ -55,9 +63,29 @@ def really_arrives(recording: Recording, topic: Topic) -> Verdict:
 def given_floats(recording: Recording, topic: Topic) -> Verdict:
     """If every number is 0.0, the program really sends 0.0: it does not put a value of a wrong type into the field."""
     seen = [value for value in values(recording, topic) if isinstance(value, (int, float))]
-    if not seen or any(value != 0.0 for value in seen) or said_by_field_checks(recording) == "":
+    if not seen or said_by_field_checks(recording) == "":
         return passed("its numbers are floats")
-    return _zeros(recording, f"0.0 on {topic.name} in each of {count(len(seen), 'message')}")
+    if not any(value != 0.0 for value in seen):
+        return _zeros(recording, f"0.0 on {topic.name} in each of {count(len(seen), 'message')}")
+    place = _zero_that_stands_out(seen)
+    if place is None:
+        return passed("its numbers are floats")
+    beside = next(value for value in [*seen[place:], *reversed(seen[:place])] if value != 0.0)
+    return _zeros(recording, f"0.0 on {topic.name} in message {place + 1}, and {number(beside)} beside it")
+
+
+def _zero_that_stands_out(seen: Sequence[float]) -> int | None:
+    """The place of the first 0.0 that is much farther from its neighbors than all others are from theirs."""
+    others = [value for value in seen if value != 0.0]
+    if len(others) < LEAST_OTHERS:
+        return None
+    usual = max(abs(after - before) for before, after in pairwise(others))
+    jumps = (
+        place if before != 0.0 else place - 1
+        for place, (before, after) in enumerate(pairwise(seen), start=1)
+        if (before == 0.0) != (after == 0.0) and abs(after - before) > STANDS_OUT * usual
+    )
+    return next(jumps, None)
 
 
 def _zeros(recording: Recording, saw: str) -> Verdict:
@@ -117,7 +145,14 @@ def within(
         return failed(cause, saw, f"values from {span}", because, try_this)
 
     if math.isclose(high, math.pi) and abs(bad.value) <= 2 * math.pi:
-        return fail("within.not-wrapped", "The angle keeps growing: it is neither limited nor wrapped at π.")
+        if _keeps_growing(recording, topic, bad):
+            return fail(
+                "within.not-wrapped", "The angle keeps growing: it is neither limited nor wrapped at π."
+            )
+        return fail(
+            "within.beyond-pi",
+            "The angle goes beyond π: the movement is too wide, or angles are counted from 0 to 2π.",
+        )
     if math.isclose(high, math.pi) and abs(bad.value) <= 360.0:
         return fail(
             "within.degrees",
@@ -131,19 +166,37 @@ def within(
     return fail("within.not-limited", "The simulated value is not limited.")
 
 
+def _keeps_growing(recording: Recording, topic: Topic, bad: Offender) -> bool:
+    """Whether a value moves on in the direction in which it left its range, until the end."""
+    sign = math.copysign(1.0, bad.value)
+    column = [elements(value)[bad.place or 0 :][:1] for value in values(recording, topic)[bad.message - 1 :]]
+    numbers = [sign * one[0] for one in column if one and isinstance(one[0], (int, float))]
+    return all(before <= after for before, after in pairwise(numbers))
+
+
 @if_messages
 def never_rises(recording: Recording, topic: Topic, slack: float = 1e-4) -> Verdict:
     """No value is larger than the one before it (`slack` for rounding)."""
     numbers = [value for value in values(recording, topic) if isinstance(value, (int, float))]
-    for index, (before, after) in enumerate(zip(numbers, numbers[1:], strict=False)):
-        if after > before + slack:
+    rises = [index for index, (before, after) in enumerate(pairwise(numbers)) if after > before + slack]
+    if rises:
+        before, after = numbers[rises[0] : rises[0] + 2]
+        saw = f"{topic.name} rises from {number(before)} to {number(after)} at message {rises[0] + 2}"
+        if len(rises) <= RARELY * len(numbers):
             return failed(
-                "never-rises.rises",
-                f"{topic.name} rises from {number(before)} to {number(after)} at message {index + 2}",
+                "never-rises.now-and-then",
+                f"{saw} ({len(rises)} of {count(len(numbers), 'message')})",
                 "a value that only falls",
-                "The sign of the drain is wrong, or each message uses a new random number.",
-                "Subtract from the level that the node stores.",
+                "Most messages do not rise. So something adds to the level now and then, or sets it anew.",
+                "Only subtract from the level that the node stores, also when it is low or empty.",
             )
+        return failed(
+            "never-rises.rises",
+            saw,
+            "a value that only falls",
+            "The sign of the drain is wrong, or each message uses a new random number.",
+            "Subtract from the level that the node stores.",
+        )
     return passed(
         f"falls from {number(numbers[0])} to {number(numbers[-1])}" if len(numbers) > 1 else "never rises"
     )

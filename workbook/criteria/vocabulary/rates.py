@@ -8,8 +8,8 @@ from functools import wraps
 from workbook.criteria.criterion import Topic
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.estimators import Pace, pace
-from workbook.criteria.vocabulary.phrasing import count, hertz, number, seconds
-from workbook.criteria.vocabulary.silences import gone_silent, program_ended
+from workbook.criteria.vocabulary.phrasing import count, hertz, listing, number, seconds
+from workbook.criteria.vocabulary.silences import gone_silent, others_within, program_ended
 from workbook.criteria.vocabulary.topics import if_all_kept, if_messages, window_of
 from workbook.recording.recording import Recording
 
@@ -53,9 +53,9 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
     if seen.gap.kind == "after" and seen.gap.seconds > stopped_s:
         return _stops(recording, topic, seen)
     if not low <= seen.hz <= high:
-        return _other_rate(topic, seen.hz, _rate_seen(recording, seen, seen.hz), _rate_expected(topic))
+        return _other_rate(topic, seen.hz, _rate_seen(recording, topic, seen), _rate_expected(topic))
     if seen.gap.seconds > LONGEST_GAP_PERIODS * topic.period + (recording.step_s or 0.0):
-        return _falls_silent(topic, seen)
+        return _skips(recording, topic, seen) or _falls_silent(topic, seen)
     if seen.count <= LEAST_INTERVALS:
         return _too_few(recording, topic, seen)
     return passed(f"{hertz(seen.hz)} Hz over {count(seen.count, 'message')}")
@@ -138,6 +138,32 @@ def _stops(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
     )
 
 
+def _skips(recording: Recording, topic: Topic, seen: Pace) -> Verdict | None:
+    """A failed verdict for a silence in which other topics went on; None where the node may have been blocked."""
+    going_on = [] if seen.in_bursts else others_within(recording, topic, seen.gap.start, seen.gap.end)
+    if not going_on:
+        return None
+    if seen.gap.kind == "before":
+        return failed(
+            "rate.begins-late",
+            f"the first message came after {seconds(seen.gap.seconds)}; {listing(going_on)} had begun before that",
+            _rate_expected(topic),
+            "The node was not blocked. The timer of this topic is created late, or its callback does not publish at "
+            "first.",
+            "Create the timer in __init__, and publish in each call of its callback.",
+            about_time=True,
+        )
+    return failed(
+        "rate.skips",
+        f"a silence of {seconds(seen.gap.seconds)} after {seconds(seen.gap.start)}, while {listing(going_on)} went on",
+        _rate_expected(topic),
+        "The node was not blocked. A condition or a counter skips the publish() now and then, or the callback of "
+        "this topic waits for something.",
+        "Publish once in each call of the timer's callback, no matter what was published before.",
+        about_time=True,
+    )
+
+
 def _falls_silent(topic: Topic, seen: Pace) -> Verdict:
     where = "before the first message" if seen.gap.kind == "before" else f"after {seconds(seen.gap.start)}"
     return failed(
@@ -216,10 +242,15 @@ def keeps_period(recording: Recording, topic: Topic) -> Verdict:
     )
 
 
-def _rate_seen(recording: Recording, seen: Pace, hz: float) -> str:
+def _rate_seen(recording: Recording, topic: Topic, seen: Pace) -> str:
+    """A rate that is not tolerated, with as many digits as it takes to tell it from a tolerated one."""
+    hz = seen.hz or 0.0
+    low, high = _tolerated(topic)
+    rounded = [float(f"{hz:.{digits}g}") for digits in (2, 3, 4)]
+    told = next((one for one in rounded if not low <= one <= high), hz)
     if recording.step_s is not None and hz > 0.5 / recording.step_s:
         return f"faster than {number(0.5 / recording.step_s)} Hz"
-    return f"{hertz(hz)} Hz: one message every {hertz(1 / hz)} s ({count(seen.count, 'message')})"
+    return f"{told:g} Hz: one message every {hertz(1 / hz)} s ({count(seen.count, 'message')})"
 
 
 def _other_rate(topic: Topic, hz: float, saw: str, expected: str) -> Verdict:

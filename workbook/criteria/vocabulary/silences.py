@@ -38,6 +38,18 @@ def others_that_go_on(recording: Recording, topic: Topic, since: float) -> list[
     ]
 
 
+def others_within(recording: Recording, topic: Topic, start: float, end: float) -> list[str]:
+    """The other judged topics that bring messages in the middle half of a silence from `start` to `end` (s)."""
+    edge = (end - start) / 4
+    return [
+        name
+        for name, seen in sorted(recording.topics.items())
+        if name != topic.name
+        and name in recording.wanted
+        and any(start + edge < arrival.t < end - edge for arrival in seen.arrivals)
+    ]
+
+
 def gone_silent(recording: Recording, topic: Topic, since: float, saw: str, expected: str) -> Verdict | None:
     """A failed verdict for a topic whose last message came at `since`; None where only this topic is judged.
 
