@@ -2,6 +2,7 @@
 
 import math
 import time
+from array import array
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
@@ -21,12 +22,15 @@ LATE_S = 0.02
 
 
 def fill(message: Any, value: Mapping[str, Any]) -> Any:
-    """Set the fields of a message from plain data; nested messages from nested mappings. Returns the message."""
+    """Set the fields of a message from plain data; nested messages from nested mappings. Returns the message.
+
+    Bytes are handed over as an array: with field checks on, a message looks at each byte of anything else.
+    """
     for name, item in value.items():
         if isinstance(item, Mapping):
             fill(getattr(message, name), item)
         else:
-            setattr(message, name, item)
+            setattr(message, name, array("B", item) if isinstance(item, bytes) else item)
     return message
 
 
