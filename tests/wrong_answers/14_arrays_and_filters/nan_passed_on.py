@@ -8,4 +8,3 @@ message.position = [
 
 # before: import numpy as np
 import math
-

@@ -6,4 +6,3 @@ time.sleep(0.06)
 
 # before: import numpy as np
 import time
-
