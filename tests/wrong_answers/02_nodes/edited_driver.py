@@ -7,7 +7,6 @@
 def __init__(self, name: str) -> None:
     super().__init__(name, namespace="/robot")
 
-
 # replaces: self.frame_publisher = self.create_publisher(String, "~/frame", 10)
 self.frame_publisher = self.create_publisher(String, "/robot/camera/frame", 10)
 

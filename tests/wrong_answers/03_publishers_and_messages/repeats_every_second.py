@@ -5,11 +5,9 @@
 self.level = 100.0
 self.create_timer(0.02, self.publish)
 
-
 # before: def publish_level(self, level: object) -> None:
 def publish(self) -> None:
     self.battery_publisher.publish(Float32(data=self.level))
-
 
 # replaces: self.battery_publisher.publish(Float32(data=float(level)))
 self.level = float(level)

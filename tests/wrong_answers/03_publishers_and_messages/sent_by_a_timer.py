@@ -6,12 +6,10 @@
 self.waiting: list[float] = []
 self.create_timer(0.03, self.send)
 
-
 # before: def publish_level(self, level: object) -> None:
 def send(self) -> None:
     while self.waiting:
         self.battery_publisher.publish(Float32(data=self.waiting.pop(0)))
-
 
 # replaces: self.battery_publisher.publish(Float32(data=float(level)))
 self.waiting.append(float(level))

@@ -4,7 +4,6 @@
 # after: self.create_subscription(Float32, "/robot/battery", self.on_battery, 10)
 self.create_subscription(Float32, "/other_robot/battery", self.on_other, 10)
 
-
 # before: def on_battery(self, message: Float32) -> None:
 def on_other(self, message: Float32) -> None:
     if not EMPTY <= message.data <= FULL:

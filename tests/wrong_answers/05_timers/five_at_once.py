@@ -4,7 +4,6 @@
 # replaces: self.create_timer(TILT_PERIOD_S, self.publish_tilt)
 self.create_timer(1.0, self.publish_five)
 
-
 # before: def publish_tilt(self) -> None:
 def publish_five(self) -> None:
     for _ in range(5):

@@ -9,7 +9,6 @@ self.create_timer(1.0, self.publish_all)
 # replaces: self.create_timer(BATTERY_PERIOD_S, self.publish_battery)
 # replaces: self.create_timer(TILT_PERIOD_S, self.publish_tilt)
 
-
 # before: def publish_heartbeat(self) -> None:
 def publish_all(self) -> None:
     self.publish_heartbeat()

@@ -9,7 +9,6 @@ import time
 # replaces: self.create_timer(TILT_PERIOD_S, self.publish_tilt)
 threading.Thread(target=self.sense, daemon=True).start()
 
-
 # before: def publish_tilt(self) -> None:
 def sense(self) -> None:
     while rclpy.ok():

@@ -16,7 +16,6 @@ if self.busy:
 self.busy = True
 threading.Thread(target=self.work, args=(request.data,), daemon=True).start()
 
-
 # before: def on_request(self, request: Float32) -> None:
 def work(self, distance: float) -> None:
     self.plan_publisher.publish(Float32(data=self.planner.plan(distance)))

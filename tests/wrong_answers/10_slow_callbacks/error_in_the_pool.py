@@ -12,7 +12,6 @@ self.pool = ThreadPoolExecutor(max_workers=1)
 # replaces: self.plan_publisher.publish(Float32(data=bend))
 self.pool.submit(self.work, request)
 
-
 # before: def on_request(self, request: Float32) -> None:
 def work(self, request: Float32) -> None:
     self.plan_publisher.publish(Float32(self.planner.plan(request.data)))

@@ -10,7 +10,6 @@ self.waiting: deque[float] = deque()
 self.steps = 0
 self.create_timer(0.05, self.go_on)
 
-
 # before: def on_request(self, request: Float32) -> None:
 def go_on(self) -> None:
     if self.steps == 0 and self.waiting:
@@ -21,7 +20,6 @@ def go_on(self) -> None:
         self.steps -= 1
         if self.steps == 0:
             self.plan_publisher.publish(Float32(data=self.planner.bend()))
-
 
 # replaces: bend = self.planner.plan(request.data)
 # replaces: self.plan_publisher.publish(Float32(data=bend))

@@ -14,8 +14,8 @@ threading.Thread(target=self.work, daemon=True).start()
 # replaces: self.plan_publisher.publish(Float32(data=bend))
 self.requests.put(request.data)
 
-
 # before: def on_request(self, request: Float32) -> None:
 def work(self) -> None:
     while True:
         self.plan_publisher.publish(Float32(data=self.planner.plan(self.requests.get())))
+

@@ -13,7 +13,6 @@ self.requests: list[float] = []
 self.create_timer(HEARTBEAT_PERIOD_S, self.beat)
 threading.Thread(target=self.work, daemon=True).start()
 
-
 # before: def on_request(self, request: Float32) -> None:
 def work(self) -> None:
     while rclpy.ok():
@@ -21,7 +20,6 @@ def work(self) -> None:
             distance = self.requests.pop()
             self.plan_publisher.publish(Float32(data=self.planner.plan(distance)))
         time.sleep(0.01)
-
 
 # replaces: bend = self.planner.plan(request.data)
 # replaces: self.plan_publisher.publish(Float32(data=bend))

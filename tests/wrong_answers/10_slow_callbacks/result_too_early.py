@@ -9,12 +9,10 @@ import threading
 self.result = 0.0
 self.lock = threading.Lock()
 
-
 # before: def on_request(self, request: Float32) -> None:
 def work(self, distance: float) -> None:
     with self.lock:
         self.result = self.planner.plan(distance)
-
 
 # replaces: bend = self.planner.plan(request.data)
 # replaces: self.plan_publisher.publish(Float32(data=bend))

@@ -5,11 +5,9 @@
 # after: import math
 import threading
 
-
 # before: def on_request(self, request: Float32) -> None:
 def work(self, request: Float32) -> None:
     self.plan_publisher.publish(Float32(data=self.planner.plan(request.data)))
-
 
 # replaces: bend = self.planner.plan(request.data)
 # replaces: self.plan_publisher.publish(Float32(data=bend))

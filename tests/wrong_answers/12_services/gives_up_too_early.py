@@ -11,7 +11,6 @@ self.patience = self.create_timer(0.4, self.give_up, autostart=False)
 # after: self.open_call.add_done_callback(self.on_answer)
 self.patience.reset()
 
-
 # before: def on_answer(self, future: Future) -> None:
 def give_up(self) -> None:
     self.patience.cancel()
@@ -19,7 +18,6 @@ def give_up(self) -> None:
         self.self_test.remove_pending_request(self.open_call)
         self.open_call = None
         self.report("no answer")
-
 
 # before: self.open_call = None
 self.patience.cancel()

@@ -17,7 +17,6 @@ self.create_subscription(String, "/robot/heartbeat", self.on_beat, BEAT_QOS, eve
 # replaces: self.last_beat = time.monotonic()
 self.alarm_publisher.publish(Bool(data=False))
 
-
 # before: def look_at_the_clock(self) -> None:
 def on_missed(self, event: object) -> None:
     self.alarm_publisher.publish(Bool(data=True))

@@ -4,3 +4,4 @@
 # after: self.memory = AT_REST[:, :, np.newaxis] * angles
 self.last_good, self.last_stamp = angles, stamp
 return
+

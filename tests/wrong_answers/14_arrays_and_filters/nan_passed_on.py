@@ -8,3 +8,4 @@ message.position = [
 
 # before: import numpy as np
 import math
+

@@ -5,12 +5,10 @@
 self.newest: JointState | None = None
 self.create_timer(0.05, self.publish_newest)
 
-
 # before: def on_joints(self, message: JointState) -> None:
 def publish_newest(self) -> None:
     if self.newest is not None:
         self.publisher.publish(self.newest)
-
 
 # replaces: self.publisher.publish(message)
 self.newest = message

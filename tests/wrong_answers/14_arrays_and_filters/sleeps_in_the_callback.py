@@ -6,3 +6,4 @@ time.sleep(0.06)
 
 # before: import numpy as np
 import time
+
