@@ -45,7 +45,7 @@
 # | your node | so that |
 # |---|---|
 # | keeps the heartbeat | 90 % to 110 % of ten a second, never more than 0.5 s without one, from the first one on |
-# | answers with fresh detections | typically at most 0.3 s after their picture, nine of ten at most 0.35 s; at least 3 pictures a second |
+# | answers with fresh detections | typically at most 0.3 s after their picture, nine of ten at most 0.35 s; at least 3 pictures a second, also after a fall |
 # | does not guess | each comes 0.19 s after its picture or later, because the model takes 0.2 s |
 # | stamps each detection with its picture's stamp | one message for a picture, each picture once, in the order of the pictures |
 # | is right | at least 80 % of the messages have each toy that is seen whole, with its label, within 5 pixels, and nothing else |

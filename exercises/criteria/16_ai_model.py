@@ -2,6 +2,7 @@
 
 import math
 import random
+import re
 import statistics
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
@@ -40,6 +41,8 @@ MODEL_S = 0.2
 SOONEST_S = 0.19
 TYPICALLY_S, MOSTLY_S, MOSTLY_SHARE = 0.30, 0.35, 0.9
 LEAST_HZ = 3.0
+STOPPED_S = 1.5
+"""Without an answer for so long at the end, the node has stopped looking."""
 WITHIN_PIXELS = 5.0
 RIGHT_SHARE = 0.8
 WHOLE, HARDLY = 0.9, 0.6
@@ -51,6 +54,7 @@ LONGEST_SILENCE_S = 0.5
 TILT_DEG, TILTED_SAMPLES = 60.0, 10
 FALL_WITHIN_S = 0.5
 OPERATIONAL, ERROR = "operational", "error"
+WORDS_OF_THE_MODEL = re.compile(r"glare: \d+ ?% of the picture is white")
 MOST = 0.6
 """Which share of what is wrong must look like a reason."""
 SEED = 1616
@@ -63,12 +67,12 @@ GLARE_S = ((3.0, 3.7), (6.2, 6.7))
 # From when to when (s since the first sample), and how far the robot is tilted then (°).
 TILTS = (
     (1.9, 2.03, 80.0),
-    (2.3, 2.43, 75.0),
-    (4.4, 5.8, 40.0),
+    (2.3, 2.47, 75.0),
+    (4.4, 5.8, 55.0),
     (5.0, 5.11, 100.0),
-    (8.4, 10.0, 85.0),
+    (7.6, 8.9, 65.0),
 )
-FALL_S = 8.4
+FALL_S, FALLEN_DEG = 7.6, 65.0
 IMU_SECONDS = PICTURES / CAMERA_HZ
 
 
@@ -78,7 +82,7 @@ def scene(seconds: float, light: float) -> Scene:
     return Scene(
         see.on_desk(0.84 + 0.05 * sway, 0.02 + 0.12 * swing),
         see.on_desk(1.16, -0.06),
-        (Box((1.12, 0.36), turn=0.6),),
+        (Box((1.12, 0.36), turn=0.6), Box((1.2, -0.35), turn=-0.3)),
         None,
         pan=0.16 * math.sin(2.9 * seconds),
         light=light,
@@ -130,6 +134,11 @@ def samples() -> list[tuple[float, dict[str, Any]]]:
             )
         )
     return made
+
+
+def samples_within(begin: float, end: float) -> int:
+    """How many samples of the IMU there are from one moment to another (s)."""
+    return sum(begin <= number / IMU_HZ < end for number in range(len(SAMPLES)))
 
 
 def tilt_at(seconds: float) -> float:
@@ -278,6 +287,9 @@ def fresh(recording: Recording) -> Verdict:
         )
     if round(typical, 2) > TYPICALLY_S or in_time < MOSTLY_SHARE:
         return why_old(recording, seen, saw)
+    stopped = stops_early(recording, seen, saw)
+    if stopped is not None:
+        return stopped
     if hertz < LEAST_HZ:
         return why_few(recording, saw)
     return see.passed(saw)
@@ -755,6 +767,22 @@ def rows_for_columns(place: int, answer: Answered) -> bool:
     return not unmatched(whole(place), turned)
 
 
+def at_a_corner(place: int, answer: Answered) -> bool:
+    """Whether each toy is there with its label, but up to the left of its middle."""
+    return all(
+        any(
+            toy.label == one.label and 2 < toy.u - one.u < 25 and 2 < toy.v - one.v < 25
+            for one in answer.things
+        )
+        for toy in whole(place)
+    )
+
+
+def some_extra(place: int, answer: Answered) -> bool:
+    """Whether all toys are there, and more."""
+    return not unmatched(whole(place), answer.things)
+
+
 def some_missing(place: int, answer: Answered) -> bool:
     """Whether what is there is right, and something is missing."""
     return not unmatched(answer.things, [toy for toy, _ in toys(place)])
@@ -779,6 +807,18 @@ REASONS = (
         "Columns and rows are exchanged.",
         "position.x is the column (u), position.y the row (v).",
         rows_for_columns,
+    ),
+    Reason(
+        "right.corner",
+        "The labels are right, but each place is up to the left of the toy: it is a corner of the box.",
+        "u and v of a detection are the middle of its box. Leave to_markers as it is.",
+        at_a_corner,
+    ),
+    Reason(
+        "right.some-extra",
+        "All toys are there, and other markers, too: what was found in another picture, or the same toy twice.",
+        "Publish a marker for each detection that the model returned for this picture, and no other.",
+        some_extra,
     ),
     Reason(
         "right.some-missing",
@@ -848,6 +888,32 @@ def why_old(recording: Recording, seen: Sequence[Timed], saw: str) -> Verdict:
         f"Pictures wait for about {max(waited, 0.0):.2f} s before the model gets them, while newer ones are there. "
         "They wait in the queue of the subscription, or in one of your own.",
         "Keep the newest picture only: a queue of depth 1, or an attribute that each picture overwrites.",
+        about_time=True,
+    )
+
+
+def stops_early(recording: Recording, seen: Sequence[Timed], saw: str) -> Verdict | None:
+    """Why the last pictures were not answered; None if they were, or if the model's exception ended it."""
+    sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    if sent[-1] - seen[-1].wall <= STOPPED_S or gave_up_in_glare(recording, seen):
+        return None
+    errors = [one.published for one in recording.topic(STATUS.name).arrivals if one.value["data"] == ERROR]
+    saw = f"{saw}. In the last {sent[-1] - seen[-1].wall:.1f} s none was answered"
+    if errors and abs(seen[-1].wall - errors[0]) <= STOPPED_S / 2:
+        return see.failed(
+            "fresh.stops-with-the-fall",
+            saw,
+            FRESH_EXPECTED,
+            "The detections end with the fall. But a robot that lies on the floor still has to see.",
+            "Only the status follows the fall. Look at pictures until Ctrl-C.",
+            about_time=True,
+        )
+    return see.failed_by_error(recording, saw, FRESH_EXPECTED, about_time=True) or see.failed(
+        "fresh.stops",
+        saw,
+        FRESH_EXPECTED,
+        "The node stopped answering: its thread ended, or waits for something that never comes.",
+        "Look at pictures until Ctrl-C. Log a line before and after the model is called: which is missing?",
         about_time=True,
     )
 
@@ -950,13 +1016,17 @@ def said_nothing_there(recording: Recording, saw: str, given: Sequence[Answered]
 
 def no_line(recording: Recording, saw: str) -> Verdict | None:
     """No line of the log tells what the model said."""
-    if "glare" in recording.process.log:
+    if WORDS_OF_THE_MODEL.search(recording.process.log):
         return None
+    own_words = "glare" in recording.process.log
     return see.failed(
         "survives.no-line",
-        f'{saw}, and no line of the log says so: "glare" is not in it',
+        f'{saw}, and no line of the log has the text "glare: ...% of the picture is white"',
         SURVIVES_EXPECTED,
-        "The exception is swallowed. An engineer who asks why the robot was blind finds nothing.",
+        "The program logs words of its own, not those of the exception. They do not say how bright it was."
+        if own_words
+        else "The exception is swallowed, or its text is not in the line that is logged. An engineer who asks why the "
+        "robot was blind does not learn it.",
         'self.get_logger().error(f"the model gave up: {error}")',
     )
 
@@ -966,6 +1036,15 @@ def no_line(recording: Recording, saw: str) -> Verdict | None:
 
 def never_fell(recording: Recording) -> Verdict:
     """The watch ended before the fall."""
+    if recording.process.ended_by != "itself":
+        return see.failed(
+            "fall-reported.not-seen",
+            "the watch ended before the robot fell",
+            FALL_EXPECTED,
+            "The machine was too busy to send all samples of the IMU in time.",
+            "Check it again.",
+            about_time=True,
+        )
     saw = "the program ended before the robot fell"
     return see.failed_by_error(recording, saw, FALL_EXPECTED, about_time=True) or see.failed(
         "fall-reported.ended-before",
@@ -985,10 +1064,10 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
         if tilt > TILT_DEG and start <= at <= stop + 0.25:
             return see.failed(
                 "fall-reported.on-a-jolt",
-                f'"{ERROR}" after no more than {round((end - begin) * IMU_HZ) + 1} tilted samples',
+                f'"{ERROR}" after a jolt of {samples_within(begin, end)} samples',
                 FALL_EXPECTED,
-                "A jolt is taken for a fall. Or tilted samples are counted, and the count does not begin again at an "
-                "upright one.",
+                "A jolt is taken for a fall: fewer than ten samples are enough. Or tilted samples are counted, and the "
+                "count does not begin again at an upright one.",
                 "Count the tilted samples in a row, and set the count to 0 at each upright one. Ten are a fall.",
             )
     begin, end, tilt = TILTS[2]
@@ -1001,7 +1080,7 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
             f"A sample is tilted when its angle is more than {TILT_DEG:g}°.",
         )
     for begin, end in GLARE_S:
-        if sent[round(begin * CAMERA_HZ)] <= at <= sent[round(end * CAMERA_HZ)] + 2 * MODEL_S:
+        if sent[round(begin * CAMERA_HZ)] <= at <= sent[round(end * CAMERA_HZ)] + 5 * MODEL_S:
             return see.failed(
                 "fall-reported.on-glare",
                 f'"{ERROR}" while the model gives up on pictures',
@@ -1020,13 +1099,13 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
 
 def no_error(recording: Recording) -> Verdict:
     """Why "error" never came."""
-    saw = f'the robot fell, and "{ERROR}" never came on {STATUS.name}'
+    saw = f'the robot fell and lay at {FALLEN_DEG:g}°, and "{ERROR}" never came on {STATUS.name}'
     return see.failed(
         "fall-reported.never",
         saw,
         FALL_EXPECTED,
-        "The node does not look at all samples: the callback of /robot/imu does not run often enough. Or the status "
-        "does not follow it.",
+        f"The angle above which a sample counts as tilted is larger than {TILT_DEG:g}°. Or the callback of /robot/imu "
+        "does not run for all samples, or the status does not follow it.",
         f"Count the samples that are tilted by more than {TILT_DEG:g}°, in the callback of /robot/imu.",
         about_time=True,
     )

@@ -117,13 +117,14 @@ def test_things_outside_the_picture_or_behind_the_head_change_nothing() -> None:
 
 def test_encodings_and_padding() -> None:
     picture = DeskCamera(SMALL, 15).picture(FULL, 1)
-    for encoding, channels in (("rgb8", 3), ("bgr8", 3), ("mono8", 1)):
+    for encoding, channels in (("rgb8", 3), ("bgr8", 3), ("rgba8", 4), ("mono8", 1)):
         data, step = encoded(picture, encoding, padding=32)
         assert (len(data), step) == (120 * step, 160 * channels + 32)
         pixels = (
             np.frombuffer(data, np.uint8).reshape(120, step)[:, : 160 * channels].reshape(120, 160, channels)
         )
-        wanted = {"rgb8": picture, "bgr8": picture[..., ::-1]}.get(encoding)
+        opaque = np.dstack([picture, np.full((120, 160), 255, np.uint8)])
+        wanted = {"rgb8": picture, "bgr8": picture[..., ::-1], "rgba8": opaque}.get(encoding)
         if wanted is not None:
             assert (pixels == wanted).all()
         else:

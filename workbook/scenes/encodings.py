@@ -38,6 +38,12 @@ def _in_bgr(picture: Picture) -> Rows:
     return picture[..., ::-1].reshape(picture.shape[0], -1)
 
 
+def _in_rgba(picture: Picture) -> Rows:
+    """Red, green, blue, and a byte that says that nothing shines through."""
+    opaque: Rows = np.dstack([picture, np.full(picture.shape[:2], 255, np.uint8)])
+    return opaque.reshape(picture.shape[0], -1)
+
+
 def _in_8_bits(picture: Picture) -> Rows:
     return np.rint(_gray(picture)).astype(np.uint8)
 
@@ -60,6 +66,7 @@ def _in_yuv(picture: Picture) -> Rows:
 _ROWS: dict[str, Callable[[Picture], Rows]] = {
     "rgb8": _in_rgb,
     "bgr8": _in_bgr,
+    "rgba8": _in_rgba,
     "mono8": _in_8_bits,
     "mono16": _in_16_bits,
     "yuv422_yuy2": _in_yuv,

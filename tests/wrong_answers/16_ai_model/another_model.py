@@ -3,6 +3,7 @@
 # cause: fresh.faster-than-the-model
 # replaces: from workbook.models.slow import SlowDetector
 from workbook.models import DeskDetector
+
 # replaces: self.model = SlowDetector()  # takes a second
 self.model = DeskDetector()
 # replaces: found = self.model(pixels[:, :, ::-1])  # from BGR to RGB

@@ -1,0 +1,5 @@
+# Asks for a tilt of 70°.
+# loses: fall_reported
+# cause: fall-reported.never
+# replaces: TILT_DEG = 60.0  # a sample that is tilted by more than that ...
+TILT_DEG = 70.0
