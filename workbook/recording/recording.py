@@ -170,7 +170,8 @@ class ProcessRecord:
     """How the program ran and ended. `ended_by` is "itself", "bench" (the judge), or None while it runs.
 
     `log` is what it printed of its own accord, `end_log` what it printed after the judge had sent Ctrl-C.
-    `processor`: on the wall clock, pairs of wall time (s) and processor time (s) that it had used by then.
+    `processor`: on the wall clock, pairs of wall time (s) and processor time (s) that it had used by then. `printed_at`:
+    when the last text of `log` came (wall time, s).
     """
 
     program: str = ""
@@ -185,6 +186,7 @@ class ProcessRecord:
     log_truncated: bool = False
     domains_used: tuple[int, ...] = field(default=(), metadata=ALWAYS_STORED)
     processor: tuple[tuple[float, float], ...] = ()
+    printed_at: float | None = None
 
 
 @dataclass(frozen=True)
