@@ -7,9 +7,8 @@ WATCH_S = 4.0  # the task names it
 WATCH = watching(wall_seconds=WATCH_S, to_the_end=True)
 
 NODE = "/night_guard"
-PARKED = "arms parked"
+PARKED = "arms parked"  # compared in lower case: the program may log it as it likes
 LEAST_ROUNDS = 4  # of the eight that are due; the task names it
-LONGEST_QUOTE = 60  # characters of a line that feedback quotes
 LONGEST_SILENCE_S = 1.5  # before Ctrl-C: three rounds; the task names it
 
 
@@ -82,7 +81,7 @@ def arms_parked(recording: Recording) -> Verdict:
             "park() is called before rclpy.spin(guard), or in a callback.",
             "Call guard.park() once spin has ended: in finally.",
         )
-    if PARKED in process.end_log:
+    if PARKED in process.end_log.lower():
         return see.passed("the arms were parked after Ctrl-C")
     if process.signal == "SIGKILL":
         return see.failed(
@@ -99,15 +98,6 @@ def arms_parked(recording: Recording) -> Verdict:
 def why_never_parked(recording: Recording, expected: str) -> Verdict:
     """Why the program ended after Ctrl-C without the words."""
     process = recording.process
-    near = next((line for line in process.end_log.splitlines() if PARKED in line.lower()), None)
-    if near is not None:
-        return see.failed(
-            "arms-parked.other-words",
-            f"{near.strip()[:LONGEST_QUOTE]!r} in the log after Ctrl-C",
-            expected,
-            "These are not the words of park(), letter by letter. Other programs look for the words in the log.",
-            "Leave park() as it was.",
-        )
     if process.signal == "SIGINT" and not process.end_log.strip():
         return see.failed(
             "arms-parked.killed-by-ctrl-c",

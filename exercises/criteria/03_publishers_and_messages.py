@@ -494,7 +494,7 @@ def why_zero_raised(made: list[DriverCall], saw: str, expected: str) -> Verdict:
             "number.int-refused",
             saw,
             expected,
-        "Your check refuses too much: 0 and 1 are numbers in every type.",
+            "Your check refuses too much: 0 and 1 are numbers in every type.",
             "Accept every kind of number (numbers.Real includes NumPy's), then send float(level).",
         )
     return see.failed(

@@ -170,8 +170,8 @@ class ProcessRecord:
     """How the program ran and ended. `ended_by` is "itself", "bench" (the judge), or None while it runs.
 
     `log` is what it printed of its own accord, `end_log` what it printed after the judge had sent Ctrl-C.
-    `processor`: on the wall clock, pairs of wall time (s) and processor time (s) that it had used by then. `printed_at`:
-    when the last text of `log` came (wall time, s).
+    `processor`: on the wall clock, pairs of wall time (s) and processor time (s) that it had used by then.
+    `printed_at`: when the last text of `log` came (wall time, s).
     """
 
     program: str = ""

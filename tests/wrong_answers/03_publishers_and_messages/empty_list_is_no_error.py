@@ -3,5 +3,5 @@
 # cause: refusal.silent
 # says: publish_level([])
 # before: if isinstance(level, bool) or not isinstance(level, Real):
-if level == []:
+if isinstance(level, list) and not level:
     return
