@@ -40,8 +40,8 @@
 #
 # ## What is judged
 #
-# Your program runs as its own process for about 4 s. In this time it has to log at least 4 lines. Then it gets the
-# signal that Ctrl-C sends.
+# Your program runs as its own process for about 4 s. In this time it has to log at least 4 lines, the last of them in
+# the last 1.5 s. Then it gets the signal that Ctrl-C sends.
 #
 # | points | criterion |
 # |---:|---|

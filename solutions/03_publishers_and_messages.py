@@ -53,10 +53,10 @@
 #
 # ## What is judged
 #
-# A driver imports your file and creates one `BatteryPublisher`. It calls `publish_level` with 35 values, one after
+# A driver imports your file and creates one `BatteryPublisher`. It calls `publish_level` with 40 values, one after
 # another: some of those above, others of the same kinds, and some more than once. It notes whether each call returned
-# or raised an error. The judge compares this with the messages on the topic. Field checks are off, as they are by
-# default in ROS.
+# or raised an error, and whether anything was sent before the first call. The judge compares this with the messages on
+# the topic. Field checks are off, as they are by default in ROS.
 #
 # | points | criterion |
 # |---:|---|

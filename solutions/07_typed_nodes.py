@@ -53,7 +53,7 @@
 # | 1 | mypy objects to a value of the wrong type and to any other word |
 # | 1 | every number arrives as that number, including `42` and `0.0` |
 # | 2 | at run time a wrong value or message raises an error, and nothing is sent |
-# | 1 | at run time any other word raises an error, and is not sent |
+# | 1 | at run time the two words are sent; any other word raises an error, and is not sent |
 #
 # The judge ignores `# type: ignore`, and you may not write `Any`: neither makes the node safer.
 #

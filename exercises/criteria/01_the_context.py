@@ -9,6 +9,7 @@ WATCH = watching(wall_seconds=WATCH_S, to_the_end=True)
 NODE = "/night_guard"
 PARKED = "arms parked"  # compared in lower case: the program may log it as it likes
 LEAST_ROUNDS = 4  # of the eight that are due; the task names it
+LONGEST_SILENCE_S = 1.5  # before Ctrl-C: three rounds; the task names it
 
 
 @criterion(points=0, title="Your program runs without an error")
@@ -27,18 +28,29 @@ def runs_until_told(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="The guard walks its rounds", needs=[runs_until_told])
 def walks_its_rounds(recording: Recording) -> Verdict:
-    lines = [line for line in recording.process.log.splitlines() if line.strip()]
-    expected = f"a line in the log for each round; {LEAST_ROUNDS} of them are enough in {WATCH_S:g} s"
-    if len(lines) >= LEAST_ROUNDS:
-        return see.passed(f"{see.count(len(lines), 'line')} in the log")
+    process = recording.process
+    lines = [line for line in process.log.splitlines() if line.strip()]
+    seen = f"{see.count(len(lines), 'line')} in the log"
+    if len(lines) < LEAST_ROUNDS:
+        return see.failed(
+            "walks-its-rounds.stands-still",
+            f"{seen} after {WATCH_S:g} s",
+            f"a line in the log for each round; {LEAST_ROUNDS} of them are enough in {WATCH_S:g} s",
+            "Either the timer does not fire, or not every round is logged. A timer fires only while its node is "
+            "spun: a sleep, an event or an empty loop keeps the program alive, but does not spin the node.",
+            "Keep the guard at work with rclpy.spin(guard), and leave walk_round as it was.",
+        )
+    silent = 0.0 if process.printed_at is None else recording.wall_s - process.printed_at
+    if silent <= LONGEST_SILENCE_S:
+        return see.passed(seen)
     return see.failed(
-        "walks-its-rounds.stands-still",
-        f"{see.count(len(lines), 'line')} in the log after {WATCH_S:g} s: the node is there, but it does almost "
-        "nothing",
-        expected,
-        "A timer walks the rounds, and a timer works only while its node is spun. A sleep keeps the program "
-        "alive, but it does not spin the node.",
-        "Keep the guard at work with rclpy.spin(guard).",
+        "walks-its-rounds.stops",
+        f"{seen}, and none in the last {see.number(round(silent, 1))} s before Ctrl-C",
+        f"a line in the log for each round, until Ctrl-C, and no more than {LONGEST_SILENCE_S:g} s without one "
+        "before it",
+        "The guard walked at first, and then stopped. Its timer was canceled, or nothing spins the node any more.",
+        "Spin the guard until Ctrl-C: rclpy.spin(guard) returns no sooner.",
+        about_time=True,
     )
 
 
@@ -80,6 +92,21 @@ def arms_parked(recording: Recording) -> Verdict:
             "work before it parks.",
             "Put the try around the whole loop, and park first thing in finally.",
         )
+    return why_never_parked(recording, expected)
+
+
+def why_never_parked(recording: Recording, expected: str) -> Verdict:
+    """Why the program ended after Ctrl-C without the words."""
+    process = recording.process
+    if process.signal == "SIGINT" and not process.end_log.strip():
+        return see.failed(
+            "arms-parked.killed-by-ctrl-c",
+            "the signal of Ctrl-C ended the program at once, and its arms are still up",
+            expected,
+            "No Python code ran after Ctrl-C. The handler of the signal was set to its default, SIG_DFL, which ends "
+            "a process without a word.",
+            "Keep the handler that rclpy.init() sets, or set one that lets your program clean up.",
+        )
     return see.failed_at_the_end(recording, "the arms are still up", expected) or see.failed(
         "arms-parked.never",
         "the program ended after Ctrl-C, and its arms are still up",
@@ -98,9 +125,9 @@ def ends_cleanly(recording: Recording) -> Verdict:
             "ends-cleanly.goes-on-after-parking",
             "the arms were parked after Ctrl-C, and the program went on and had to be killed",
             "exit code 0 and no traceback after Ctrl-C",
-            "Something keeps running after the arms are parked: a loop that starts again, a sleep, an input, or a "
-            "thread that is not a daemon.",
-            "Let main() return when it has cleaned up.",
+            "Something keeps running after the arms are parked: a loop that starts again, a sleep, an input, a "
+            "thread that is not a daemon, or a process that your program started.",
+            "Let main() return when it has cleaned up, and start nothing that outlives it.",
         )
     verdict = see.exits_cleanly(recording)
     if verdict.ok or process.exit != 0 or "Exception in thread" not in process.end_log:

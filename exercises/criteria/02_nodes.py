@@ -14,6 +14,7 @@ FRONT_FRAME = topic(f"{FRONT}/frame", String, hz=2.0)
 REAR_FRAME = topic(f"{REAR}/frame", String, hz=2.0)
 FAULTS = topic("/robot/faults", String)  # of two nodes, so it is no topic with a pace of its own
 REPORTS_HZ = 1.0  # of each camera
+TWICE = 1.6  # of a rate: nearer to two times than to one
 LONGEST_QUOTE = 60  # characters of a report that feedback quotes
 
 
@@ -44,7 +45,11 @@ def shared_faults(recording: Recording) -> Verdict:
     found = publishing_nodes(recording, FAULTS)
     if not set(found) >= {FRONT, REAR}:
         return why_not_on_the_topic(recording, found)
-    for camera, frames in ((FRONT, FRONT_FRAME), (REAR, REAR_FRAME)):
+    cameras = ((FRONT, FRONT_FRAME), (REAR, REAR_FRAME))
+    for camera, frames in cameras:
+        if not see.values(reports(recording, camera), FAULTS):
+            return why_no_reports(recording, camera, frames)
+    for camera, frames in cameras:
         verdict = reports_of(recording, camera, frames)
         if not verdict.ok:
             return verdict
@@ -139,8 +144,7 @@ def why_no_pictures(recording: Recording, frames: Topic, camera: str) -> Verdict
             "pictures.never-taken",
             f"{camera} reports faults, but it takes no pictures",
             expected,
-            "The node is spun, so the fault is in the class: nothing calls take_picture, or take_picture does not "
-            "publish.",
+            "The node is spun, but nothing calls take_picture, or take_picture does not publish.",
             "Leave the driver as it was delivered.",
         )
     if not any(see.values(recording, one) for one in (FRONT_FRAME, REAR_FRAME, FAULTS)):
@@ -173,24 +177,19 @@ def reports_of(recording: Recording, camera: str, frames: Topic) -> Verdict:
     Whether its reports follow robot time, its pictures tell: each camera may have a clock of its own.
     """
     own = reports(recording, camera)
-    if not see.values(own, FAULTS):
-        return why_no_reports(recording, camera, frames)
     verdict = replace(see.rate(own, replace(FAULTS, hz=REPORTS_HZ)), pace_of=frames.name)
     if verdict.ok:
         return verdict
     saw = f"reports of {camera}: {verdict.saw}"
-    crashed = see.ended_by_error(recording, saw, verdict.expected)
-    if crashed is not None:
-        return crashed
-    if not see.rate(recording, frames).ok:
+    if recording.process.ended_by == "itself" or not see.rate(recording, frames).ok:
         return replace(verdict, saw=saw)
     return replace(
         see.failed(
             "shared-faults.other-rate",
             saw,
             verdict.expected,
-            "The pictures of this camera come as they should. So its node works, and the reports were changed in the "
-            "class.",
+            "The pictures of this camera come as they should. So its node works, and something else changed the "
+            "reports: in the class, or after the camera was made.",
             "Leave the driver as it was delivered: it reports once a second.",
             about_time=verdict.about_time,
         ),
@@ -218,7 +217,8 @@ def why_no_reports(recording: Recording, camera: str, frames: Topic) -> Verdict:
             "shared-faults.nameless",
             f"{saw}; another text comes: {str(strange[0])[:LONGEST_QUOTE]!r}",
             expected,
-            "The text of the reports was changed. Without the name, no one knows which camera to repair.",
+            "The text of the reports was changed. It must begin with the name, so that everyone knows which camera to "
+            "repair.",
             "Leave the driver as it was delivered.",
         )
     if not see.values(recording, frames):
@@ -229,12 +229,27 @@ def why_no_reports(recording: Recording, camera: str, frames: Topic) -> Verdict:
             "This node does nothing at all.",
             "First make its pictures come. The reports will then come, too.",
         )
+    return why_silent(recording, camera, expected)
+
+
+def why_silent(recording: Recording, camera: str, expected: str) -> Verdict:
+    """Why a camera that takes pictures reports nothing under its name."""
+    name, other = camera.rsplit("/", 1)[1], FRONT if camera == REAR else REAR
+    hz = see.topic_pace(reports(recording, other), replace(FAULTS, hz=REPORTS_HZ)).hz
+    if hz is not None and hz > TWICE * REPORTS_HZ:
+        return see.failed(
+            "shared-faults.name-of-the-other",
+            f"no report begins with '{name}:', but {see.number(round(hz, 1))} a second begin with "
+            f"'{other.rsplit('/', 1)[1]}:'",
+            expected,
+            "Both cameras report under one name, or one of them reports in place of both.",
+            "Leave the driver as it was delivered: it takes the name from get_name().",
+        )
     return see.failed(
         "shared-faults.silent",
-        f"{saw}, although its pictures come",
+        f"no report of {camera}, although its pictures come",
         expected,
-        "The node works, so the fault is in the class: nothing calls report_faults, or report_faults does not "
-        "publish.",
+        "The node works, but nothing calls report_faults, or report_faults does not publish.",
         "Leave the driver as it was delivered.",
         about_time=True,
     )

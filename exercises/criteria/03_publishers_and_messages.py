@@ -2,6 +2,7 @@
 
 from collections.abc import Collection
 from dataclasses import replace
+from itertools import pairwise
 
 from std_msgs.msg import Float32, String
 
@@ -20,15 +21,15 @@ FLOATS = {
 EMPTY = {"0.0": 0.0}
 OTHER_NUMBERS = {
     "64": 64.0, "7": 7.0, "0": 0.0, "1": 1.0, "np.float32(12.5)": 12.5, "np.float64(33.25)": 33.25,
-    "np.float16(50.5)": 50.5, "np.int64(7)": 7.0, "np.int32(18)": 18.0,
+    "np.float16(50.5)": 50.5, "np.int64(7)": 7.0, "np.int32(18)": 18.0, "np.int8(100)": 100.0, "np.float32(0.0)": 0.0,
 }  # fmt: skip
 MEANT = {**FLOATS, **EMPTY, **OTHER_NUMBERS}
 
 # What it must refuse.
-NO_NUMBERS = ("None", "'full'", "''", "[50.0]", "(50.0,)")
+NO_NUMBERS = ("None", "'full'", "''", "[50.0]", "(50.0,)", "[]")
 BOOLS = ("True", "False")
 LOOK_LIKE_NUMBERS = (*BOOLS, "'50'", "' 7.5 '")
-NOT_FINITE = ("nan", "inf", "-inf", "np.float32(nan)", "np.float64(-inf)")
+NOT_FINITE = ("nan", "inf", "-inf", "np.float32(nan)", "np.float64(-inf)", "np.float32(-inf)")
 
 KINDS = {
     "'full'": "a text",
@@ -36,6 +37,7 @@ KINDS = {
     "'50'": "a text",
     "' 7.5 '": "a text",
     "[50.0]": "a list",
+    "[]": "a list",
     "(50.0,)": "a tuple",
 }
 KINDS |= dict.fromkeys(("64", "7", "0", "1"), "an int") | dict.fromkeys(BOOLS, "a bool")
@@ -45,9 +47,10 @@ KINDS |= dict.fromkeys(("64", "7", "0", "1"), "an int") | dict.fromkeys(BOOLS, "
 CALLS = (
     "87.25", "99.9", "99.9", "0.1", "64", "None", "np.float32(12.5)", "True", "0.0", "0.0", "'full'",
     "np.float64(33.25)", "nan", "100.0", "'50'", "np.int64(7)", "7", "[50.0]", "0", "False", "66.66667", "inf", "1.0",
-    "-inf", "np.float16(50.5)", "' 7.5 '", "np.int32(18)", "(50.0,)", "87.25", "np.float32(nan)", "1", "''", "0.004",
-    "np.float64(-inf)", "42.5",
+    "-inf", "np.float16(50.5)", "np.int8(100)", "' 7.5 '", "np.int32(18)", "(50.0,)", "87.25", "np.float32(nan)",
+    "np.float32(0.0)", "1", "''", "0.004", "np.float64(-inf)", "np.float32(-inf)", "42.5", "[]", "64",
 )  # fmt: skip
+EARLY = "sent before any call: "
 MISTAKES = ("NameError", "AttributeError", "UnboundLocalError")
 
 WATCH = watching(
@@ -86,7 +89,7 @@ def sends(recording: Recording) -> Verdict:
 @criterion(points=2, title="Floats arrive as they are, each of them once", needs=[sends])
 def floats_arrive(recording: Recording) -> Verdict:
     verdict = all_arrived(recording, FLOATS, f"all floats arrived within {TOLERANCE:g}")
-    before = calls(recording)[0].later
+    before = [*at_the_start(recording), *calls(recording)[0].later]
     if before and verdict.ok:
         return see.failed(
             "floats-arrive.uncalled",
@@ -129,7 +132,8 @@ def no_invented_zero(recording: Recording) -> Verdict:
     first_meant = min(
         (call.number for call in made if not is_other_than_zero(call) and call.number), default=0
     )
-    invented = [
+    at_start = ["nothing at all"] if 0.0 in at_the_start(recording) else []
+    invented = at_start + [
         call.argument or "nothing at all"
         for call in made
         if (0.0 in call.sent and is_other_than_zero(call))
@@ -153,6 +157,12 @@ def no_invented_zero(recording: Recording) -> Verdict:
 def calls(recording: Recording) -> list[DriverCall]:
     """All calls that were reported; the first one stands for the time before them."""
     return see.driver_calls(recording, REPORT, BATTERY)
+
+
+def at_the_start(recording: Recording) -> list[float]:
+    """What was sent when the node was made. Only the driver, in the same process, knows of that."""
+    said = (one.removeprefix(EARLY) for one in see.driver_reports(recording, REPORT) if one.startswith(EARLY))
+    return [float(one) for one in said]
 
 
 def judged_calls(recording: Recording) -> list[DriverCall]:
@@ -215,7 +225,7 @@ def strange(call: DriverCall) -> list[float]:
 
 def as_float(value: float) -> str:
     """A number as Python writes a float: 64.0, 99.9, nan."""
-    return f"{value:.1f}" if value.is_integer() else see.number(value)
+    return f"{value:.1f}" if value.is_integer() else f"{value:.7g}"
 
 
 # --- why there were no calls, or not all of them ------------------------------------------------------------
@@ -296,14 +306,20 @@ def why_nothing_sent(call: DriverCall, made: list[DriverCall], saw: str, expecte
         [one for one in numbers if arrived(one)],
         [one for one in numbers if one.number > call.number],
     )
-    if later and sends_what_was_before(call, later[0]):
-        return why_one_behind(saw, expected)
     if any(one.later for one in numbers):
         return fail(
             "number.sent-later",
             "The method stores the number, and something else sends it: a timer, or the next call. Until then the "
             "battery topic is out of date.",
             "Call publish() in publish_level itself.",
+        )
+    if later and sends_what_was_before(call, later[0]):
+        return why_one_behind(saw, expected)
+    if only_after_errors(made):
+        return fail(
+            "number.dropped-after-error",
+            "Only numbers that follow an error get lost: the method remembers the error.",
+            "Treat every call the same, no matter what came before it.",
         )
     if any(one.number < call.number and meant(one) == meant(call) for one in went_well):
         if any(arrived(one) for one in later):
@@ -391,7 +407,7 @@ def why_changed(call: DriverCall, made: list[DriverCall], saw: str, expected: st
     if any(abs(round(number, digits) - sent) <= TOLERANCE for digits in range(5)) or int(number) == sent:
         return fail(
             "number.rounded",
-            "Decimals are cut off or rounded: by round(), int(), or a type with fewer digits.",
+            "Decimals are cut off, rounded or ignored: by round(), int(), a condition, or a type with fewer digits.",
             "Send the number as it is. Round it where it is displayed, not where it is sent.",
         )
     return fail(
@@ -420,7 +436,7 @@ def why_number_raised(call: DriverCall, made: list[DriverCall], saw: str, expect
             "know.",
             "Look for the name in the error, and for the line in the log.",
         )
-    if went_well_before(call, made):
+    if went_well_before(call, made) or only_after_errors(made):
         return fail(
             "number.refused-later",
             "The same kind of call worked before. So the method remembers something: an error, a count, or old "
@@ -449,6 +465,18 @@ def went_well_before(call: DriverCall, made: list[DriverCall]) -> bool:
     numbers = [one for one in made if one.argument in MEANT]
     first_refusal = min((one.number for one in made if one.argument not in MEANT and refused(one)), default=0)
     return first_refusal > 1 and all(arrived(one) == (one.number < first_refusal) for one in numbers)
+
+
+def only_after_errors(made: list[DriverCall]) -> bool:
+    """Whether the numbers that did not arrive are just those that follow a refused call, or one of a certain kind."""
+    numbers = [(before, one) for before, one in pairwise(made) if one.argument in MEANT]
+    lost = {one.number for _, one in numbers if not arrived(one)}
+    wrong_types = (*NO_NUMBERS, *LOOK_LIKE_NUMBERS)
+    for kind in (NO_NUMBERS, LOOK_LIKE_NUMBERS, wrong_types, NOT_FINITE, (*wrong_types, *NOT_FINITE)):
+        after = {one.number for before, one in numbers if before.argument in kind and before.how == "raised"}
+        if lost <= after and len(after) - 1 <= len(lost) > 2:
+            return True
+    return False
 
 
 def why_zero_raised(made: list[DriverCall], saw: str, expected: str) -> Verdict:

@@ -24,21 +24,32 @@ def calls(robot: Any) -> dict[str, Callable[[], object]]:
         "send_battery(42)": lambda: robot.send_battery(42),
         "send_battery(55.25)": lambda: robot.send_battery(55.25),
         "send_battery(0.0)": lambda: robot.send_battery(0.0),
+        "send_battery(33.328125)": lambda: robot.send_battery(33.328125),
+        "send_battery(99.9375)": lambda: robot.send_battery(99.9375),
+        "battery_publisher.publish(Float32(data=66.75))": lambda: robot.battery_publisher.publish(
+            Float32(data=66.75)
+        ),
         "send_battery('full')": lambda: robot.send_battery("full"),
         "send_battery('87.5')": lambda: robot.send_battery("87.5"),
         "send_battery(None)": lambda: robot.send_battery(None),
+        "send_battery([50.0])": lambda: robot.send_battery([50.0]),
         "send_status('error')": lambda: robot.send_status("error"),
         "send_status('operatoinal')": lambda: robot.send_status("operatoinal"),
         "send_status(3)": lambda: robot.send_status(3),
+        "send_status(None)": lambda: robot.send_status(None),
         "send_status('Error')": lambda: robot.send_status("Error"),
         "send_status(' error')": lambda: robot.send_status(" error"),
+        "send_status('error\\n')": lambda: robot.send_status("error\n"),
         "send_status('oper')": lambda: robot.send_status("oper"),
+        "send_status('error: arm')": lambda: robot.send_status("error: arm"),
         "send_status('charging')": lambda: robot.send_status("charging"),
         "send_status('')": lambda: robot.send_status(""),
         "battery_publisher.publish(String())": lambda: robot.battery_publisher.publish(String()),
         "status_publisher.publish(Float32())": lambda: robot.status_publisher.publish(Float32()),
         "battery_publisher.publish(12.5)": lambda: robot.battery_publisher.publish(12.5),
         "status_publisher.publish('oper')": lambda: robot.status_publisher.publish("oper"),
+        "battery_publisher.publish(None)": lambda: robot.battery_publisher.publish(None),
+        "status_publisher.publish(None)": lambda: robot.status_publisher.publish(None),
     }
 
 

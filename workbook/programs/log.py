@@ -2,6 +2,7 @@
 
 import os
 import threading
+import time
 from collections.abc import Callable
 
 from workbook.recording.plain_text import plain_text
@@ -20,6 +21,7 @@ class ProgramLog:
         self._tail = bytearray()
         self._seen = 0
         self.flooded = False
+        self.printed_at: float | None = None  # monotonic time of the latest text
         self._thread = threading.Thread(target=self._read, name="program log", daemon=True)
         self._thread.start()
 
@@ -28,6 +30,7 @@ class ProgramLog:
         try:
             while chunk := os.read(self._fd, 65536):
                 self._seen += len(chunk)
+                self.printed_at = time.monotonic()
                 room = half - len(self._head)
                 if room > 0:
                     self._head += chunk[:room]

@@ -49,6 +49,7 @@ class NodeProcess:
         self._ended_at: float | None = None
         self._ended_by_judge = False
         self._log_before_end: str | None = None
+        self._printed_before_end: float | None = None
         self._domains_used: tuple[int, ...] = ()
         self._processor: list[tuple[float, float]] = []
         read_fd, write_fd = os.pipe()
@@ -157,7 +158,7 @@ class NodeProcess:
         """
         if self.is_running():
             self._ended_by_judge = True
-            self._log_before_end = self.log.text()
+            self._log_before_end, self._printed_before_end = self.log.text(), self.log.printed_at
             self._child.interrupt()
             deadline = time.monotonic() + patience_s
             while not self.wait(max(0.0, min(POLL_S, deadline - time.monotonic()))):
@@ -190,6 +191,7 @@ class NodeProcess:
             limits.append(ended_by_kernel)
         by_judge = self._ended_by_judge or bool(limits)
         log = end_log = self.log.text()
+        printed_at = self.log.printed_at
         if code is not None and -code == signal.SIGXCPU:
             limits.append("cpu")
         elif code and not by_judge:
@@ -198,6 +200,7 @@ class NodeProcess:
             end_log = ""
         else:
             log, end_log = self._log_before_end, end_log.removeprefix(self._log_before_end)
+            printed_at = self._printed_before_end
         return ProcessRecord(
             program=self.spec.file.name,
             exit=code if code is not None and code >= 0 else None,
@@ -211,6 +214,7 @@ class NodeProcess:
             log_truncated=self.log.truncated,
             domains_used=self._domains_used,
             processor=tuple(self._processor),
+            printed_at=None if printed_at is None else printed_at - self.started_at,
         )
 
     def __enter__(self) -> "NodeProcess":

@@ -171,6 +171,7 @@ class ProcessRecord:
 
     `log` is what it printed of its own accord, `end_log` what it printed after the judge had sent Ctrl-C.
     `processor`: on the wall clock, pairs of wall time (s) and processor time (s) that it had used by then.
+    `printed_at`: when the last text of `log` came (wall time, s).
     """
 
     program: str = ""
@@ -185,6 +186,7 @@ class ProcessRecord:
     log_truncated: bool = False
     domains_used: tuple[int, ...] = field(default=(), metadata=ALWAYS_STORED)
     processor: tuple[tuple[float, float], ...] = ()
+    printed_at: float | None = None
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 # Logs what is wrong instead of raising an error.
 # loses: refuses_wrong_types, refuses_wrong_words
-# cause: refuses-wrong-types.value-accepted
+# cause: refuses-wrong-types.value-dropped
 # says: send_battery('full')
 # replaces: raise TypeError(f"a charge is a number of percent, not {level!r}")
 self.get_logger().warning("a charge is a number")

@@ -1,5 +1,5 @@
 # The publishers have other names than the ones that others use.
-# loses: right_use
+# loses: right_use, numbers_arrive
 # skips: wrong_message_found, wrong_value_found
 # cause: mypy-accepts.no-such-name
 # says: battery_publisher

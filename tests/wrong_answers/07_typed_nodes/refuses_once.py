@@ -1,6 +1,6 @@
 # Raises an error for the first wrong word, and sends the next ones.
 # loses: refuses_wrong_words
-# cause: refuses-wrong-words.accepted
+# cause: refuses-wrong-words.check-too-loose
 # after: self.level = 100.0
 self.refused = False
 

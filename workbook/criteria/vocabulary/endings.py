@@ -87,7 +87,7 @@ def _by_exit_code(process: ProcessRecord) -> Verdict:
         "exits-cleanly.interrupt-not-caught",
         f"{how} after Ctrl-C",
         _EXPECTED,
-        "Nothing catches KeyboardInterrupt, so it leaves main().",
+        "KeyboardInterrupt leaves main(): nothing catches it, or it is raised again.",
         "Wrap rclpy.spin(node) in try/except (KeyboardInterrupt, ExternalShutdownException), and call "
         "rclpy.try_shutdown() in finally.",
     )

@@ -170,8 +170,8 @@ def _falls_silent(topic: Topic, seen: Pace) -> Verdict:
         "rate.silence",
         f"a silence of {seconds(seen.gap.seconds)} {where}",
         _rate_expected(topic),
-        "Something blocks the node: while one callback works or sleeps, no other timer runs. Or several messages "
-        "are published at once, and then none for a while.",
+        "Something blocks the node: while one callback works or sleeps, no other timer runs. Or some messages are "
+        "left out, or several are published at once and then none for a while.",
         "Keep callbacks short, never sleep in them, and publish once in each call.",
         about_time=True,
     )

@@ -1,0 +1,6 @@
+# A hint that also allows bytes, as rclpy's own publish does.
+# loses: wrong_message_found
+# cause: wrong-message-found.publisher-takes-any
+# says: publish(b"full")
+# replaces: def publish(self, msg: Taken) -> None: ...
+def publish(self, msg: Taken | bytes) -> None: ...

@@ -1,0 +1,6 @@
+# A hint that also allows None.
+# loses: wrong_message_found
+# cause: wrong-message-found.publisher-takes-any
+# says: publish(None)
+# replaces: def publish(self, msg: Taken) -> None: ...
+def publish(self, msg: Taken | None) -> None: ...
