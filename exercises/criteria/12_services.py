@@ -1,6 +1,5 @@
 """How exercise 12 is judged: what it asks, what it says of each answer, and whether its heart goes on meanwhile."""
 
-import math
 import statistics
 from dataclasses import dataclass
 from itertools import pairwise
@@ -131,7 +130,7 @@ def asks_every_second(recording: Recording) -> Verdict:
         )
     if typical > LONGEST_PERIOD_S or len(long) > PAUSES:
         return why_seldom(recording, typical, long)
-    if len(times) - 1 > math.ceil((times[-1] - times[0]) / SHORTEST_PERIOD_S):
+    if len(times) - 1 > round((times[-1] - times[0]) / SHORTEST_PERIOD_S):
         return why_calls_between(calls)
     return see.passed(f"{len(times)} calls, typically {typical:.1f} s apart")
 
@@ -598,7 +597,7 @@ def why_a_result_without_an_answer(
 ) -> Verdict | None:
     """A result was reported for each call without an answer, instead of "no answer"."""
     silent = [call for call in asked(recording) if call.response is None]
-    strange = [report for report in words if not any(one.near(report) for one in answers)]
+    strange, _ = left_over(answers, words)
     about = [(call, report) for call in silent for report in strange if is_about(call, report[0])]
     if not about or told(recording, NO_ANSWER) or len(strange) > len(silent):
         return None
@@ -618,15 +617,23 @@ def is_about(call: CallSeen, t: float) -> bool:
     return MAY_TAKE_S - SLACK_S <= t - call.t <= GIVEN_UP_WITHIN_S + LONG_SLACK_S
 
 
-def why_extra(answers: list[Answer], words: list[Report]) -> Verdict | None:
-    """Every answer was reported, and there is a report more."""
-    left = list(words)
+def left_over(answers: list[Answer], words: list[Report]) -> tuple[list[Report], bool]:
+    """The reports that remain when each answer has taken one that tells it, and whether each answer found one."""
+    left, all_told = list(words), True
     for answer in answers:
         own = next((report for report in left if answer.told_by(report)), None)
         if own is not None:
             left.remove(own)
         elif not answer.may_be_missing:
-            return None
+            all_told = False
+    return left, all_told
+
+
+def why_extra(answers: list[Answer], words: list[Report]) -> Verdict | None:
+    """Every answer was reported, and there is a report more."""
+    left, all_told = left_over(answers, words)
+    if not all_told:
+        return None
     strange = [report for report in left if not any(one.told_by(report) for one in answers)]
     if strange and len(strange) == len(left):
         t, word = strange[0]

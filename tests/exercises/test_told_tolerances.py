@@ -80,7 +80,7 @@ def test_12_tells_what_once_a_second_and_five_hertz_mean() -> None:
     pause = f"{applied['LONGEST_PAUSE_S']:g} s"
     assert f"{period}. At most one pause is over {applied['PAUSE_S']:g} s, and none reaches {pause}" in told
     assert f"each pause may be up to {pause}" in told and applied["PAUSES"] == 1
-    assert f"at most one call for every {applied['SHORTEST_PERIOD_S']:g} s begun" in told
+    assert f"at most one call for every {applied['SHORTEST_PERIOD_S']:g} s (rounded" in told
     assert f"{share(applied['LEAST_SHARE'])} to {share(applied['MOST_SHARE'])} of the beats" in told
     assert f"one every {applied['SHORTEST_BEAT_S']:g} to {applied['LONGEST_BEAT_S']:g} s" in told
     assert f"no silence over {applied['STOPPED_S']:g} s at the end" in told

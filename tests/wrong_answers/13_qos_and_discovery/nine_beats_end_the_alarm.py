@@ -2,7 +2,7 @@
 # loses: alarm_falls
 # cause: alarm-falls.never
 # on: right/watchdog_timer.py
-# after: self.silent = False
+# after: self.watchdog = self.create_timer(2.0, self.on_silence)
 self.beats = 0
 
 # replaces: if self.silent:
