@@ -745,9 +745,7 @@ def why_wrongly_told(recording: Recording, answer: Answer, words: list[Report]) 
     said = f'your node said "{NO_ANSWER}"' if gave_up else f'nothing said "{answer.word}"'
     saw = f"{came} at {answer.at:.1f} s, and {said}"
     others = [
-        one
-        for one in answers_in(recording)
-        if one is not answer and not one.may_be_missing and not one.was_slow
+        one for one in answers_in(recording) if one != answer and not one.may_be_missing and not one.was_slow
     ]
     if not gave_up and not answer.was_slow and all(any(one.told_by(r) for r in words) for one in others):
         return see.failed(

@@ -159,7 +159,8 @@ def alarm_raised(recording: Recording) -> Verdict:
         if recording.robot_s < began + NOT_AFTER_S + SLACK_S:
             continue
         raised = [t - began for t, on in alarms(recording, began, ended) if on]
-        if not raised and [on for _, on in alarms(recording, 0.0, began)][-1:] == [True]:
+        was_on = [on for _, on in alarms(recording, 0.0, began)][-1:] == [True]
+        if number > 0 and not raised and was_on:
             continue  # it is on since the silence before: that it does not end, `alarm_falls` judges
         if not raised or raised[0] > NOT_AFTER_S + SLACK_S:
             return why_not_raised(recording, number, began, ended, raised)

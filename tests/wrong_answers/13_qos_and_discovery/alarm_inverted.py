@@ -1,5 +1,5 @@
 # The alarm is True while the heart beats.
-# loses: alarm_raised, no_false_alarm
+# loses: alarm_raised
 # skips: alarm_falls
 # cause: alarm-raised.inverted
 # replaces: self.alarm_publisher.publish(Bool(data=alarm))
