@@ -41,11 +41,11 @@
 # |---|---|
 # | answers every message once, at once, in the order of the messages | at least half of the answers come within 0.15 s of their message, and nine of ten within 0.5 s |
 # | keeps the header's stamp and the names of the message that it answers | each answer has 12 names and 12 angles |
-# | takes out noise | in the first standstill and after the restart, at most 55 % of the noise is left, and at no single joint more than 80 %. Noise is a root mean square here, and the 55 % are for all joints together |
-# | is not late | while the joints move evenly, the angles are at most 0.27 s behind |
+# | takes out noise | in the first standstill and after the first restart, at most 55 % of the noise is left, and at no single joint more than 80 %. Noise is a root mean square here, and the 55 % are for all joints together |
+# | is not late | in each movement, the angles of all joints together are at most 0.27 s behind, and no single joint more than 0.32 s |
 # | begins where the joints are | each of the first 8 answers is within 0.1 rad of the joint |
-# | survives NaN | from the first NaN until the restart, each angle is a finite number. It is within 0.1 rad of the joint as long as the joints stand still, and within 0.3 rad when they have moved on |
-# | notices a restart | after a restart, each of the first 8 answers is within 0.1 rad of the joint |
+# | survives NaN | from the first NaN until the first restart, each angle is a finite number. It is within 0.1 rad of the joint as long as the joints stand still, and within 0.3 rad when they have moved on |
+# | notices each restart | after a restart, each of the first 8 answers is within 0.1 rad of the joint |
 #
 # The noise has a standard deviation of 0.02 rad and never exceeds 0.05 rad. Now and then an encoder gives NaN: one,
 # several or all of them, in up to three messages in a row. It does so only while the joints stand still, and never in
@@ -57,8 +57,8 @@
 #
 # ## What is judged
 #
-# Your program runs as a process of its own. The judge publishes 184 messages: the joints stand, move, stand again (with
-# NaN), move back, and the board is restarted once. It waits for each answer, and also looks at the real time that an answer takes. It knows where the joints really are, and compares.
+# Your program runs as a process of its own. The judge publishes 199 messages: the joints stand, move, stand again (with
+# NaN), and move back. Then the board is restarted, and two seconds later once more. The judge waits for each answer, and also looks at the real time that an answer takes. It knows where the joints really are, and compares.
 #
 # | points | criterion |
 # |---:|---|

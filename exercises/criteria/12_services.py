@@ -27,16 +27,17 @@ STIFF, SLOWLY = (
 )
 AT_ONCE, SLOW, NEVER = 0.0, 0.7, None
 # Twice the same, twice no answer, and each also for a program that leaves out a question after each call in vain.
+# After each call in vain comes an answer at once: a report that waits for the earlier call is late twice.
 REPLIES = [
+    (WARM, AT_ONCE),
+    (WELL, SLOW),
+    (SLOWLY, SLOW),
+    (WELL, NEVER),
+    (STIFF, AT_ONCE),
+    (WELL, NEVER),
     (WARM, AT_ONCE),
     (WELL, AT_ONCE),
     (SLOWLY, AT_ONCE),
-    (WELL, NEVER),
-    (WARM, SLOW),
-    (WELL, NEVER),
-    (STIFF, AT_ONCE),
-    (SLOWLY, SLOW),
-    (WELL, AT_ONCE),
     (STIFF, AT_ONCE),
 ]
 UNANSWERED = [after for _, after in REPLIES].index(NEVER) + 1
@@ -129,6 +130,8 @@ def asks_every_second(recording: Recording) -> Verdict:
         )
     if typical > LONGEST_PERIOD_S or len(long) > PAUSES:
         return why_seldom(recording, typical, long)
+    if len(times) - 1 > round((times[-1] - times[0]) / SHORTEST_PERIOD_S):
+        return why_calls_between(calls)
     return see.passed(f"{len(times)} calls, typically {typical:.1f} s apart")
 
 
@@ -150,16 +153,7 @@ def results_told(recording: Recording) -> Verdict:
     delays = [(answer, t - answer.at) for answer, (t, _) in fitting]
     late = [(answer, delay) for answer, delay in delays if delay > TOLD_WITHIN_S + SLACK_S]
     if len(late) > 1:
-        answer, delay = late[0]
-        return see.failed(
-            "results-told.late",
-            f"{len(late)} of {len(fitting)} answers were reported late: for example, the answer that came at "
-            f"{answer.at:.1f} s was reported {delay:.1f} s later",
-            EACH_ANSWER_ONCE,
-            "The result is read only when the next request is sent, so each report belongs to an earlier call.",
-            "Read the answer in a done callback: future.add_done_callback(self.on_answer).",
-            about_time=True,
-        )
+        return why_late(recording, late, len(fitting))
     return see.passed(f"{len(fitting)} answers told")
 
 
@@ -249,6 +243,17 @@ def why_few_calls(recording: Recording, calls: list[CallSeen]) -> Verdict:
 def why_no_more(recording: Recording, last: CallSeen, how_many: str, expected: str) -> Verdict:
     """Why a program that still runs asked no more after its `last` call, which was answered."""
     answered_t = last.answered_t or last.t
+    reported = any(t >= answered_t for t, _ in told(recording, *WORDS.values(), NO_ANSWER))
+    if reported and is_alive(recording) and last is not asked(recording)[0]:
+        return see.failed(
+            "calls-arrive.stops",
+            f"{how_many}: the one at {last.t:.1f} s was answered at {answered_t:.1f} s and reported, and no call came "
+            "after it",
+            expected,
+            "The answer was handled, so nothing was waiting for it. The requests are counted, or their timer is "
+            "canceled, perhaps because of what the answer said.",
+            "Send a request on every tick of the timer, whatever the answers say.",
+        )
     if is_alive(recording):
         return see.failed(
             "calls-arrive.asks-no-more",
@@ -258,11 +263,16 @@ def why_no_more(recording: Recording, last: CallSeen, how_many: str, expected: s
             "because client and callback share a callback group.",
             "Send the requests from a timer, do not wait in it, and read the answer in a done callback.",
         )
-    nothing_more = f"was answered at {answered_t:.1f} s, and then your node did nothing more"
-    if any(t >= answered_t for t, _ in told(recording, *WORDS.values(), NO_ANSWER)):
+    return why_nothing_more(last.t, answered_t, reported, (how_many, expected))
+
+
+def why_nothing_more(asked_t: float, answered_t: float, reported: bool, words: tuple[str, str]) -> Verdict:
+    """Why nothing at all came after the last call; `words`: how many calls there were, and what is expected."""
+    how_many, expected = words
+    if reported:
         return see.failed(
             "calls-arrive.lost-its-executor",
-            f"{how_many}: the one at {last.t:.1f} s was answered at {answered_t:.1f} s and reported, and then your "
+            f"{how_many}: the one at {asked_t:.1f} s was answered at {answered_t:.1f} s and reported, and then your "
             "node did nothing more",
             expected,
             "The callback got its answer, so it was not a deadlock. rclpy.spin_until_future_complete(node, "
@@ -271,7 +281,8 @@ def why_no_more(recording: Recording, last: CallSeen, how_many: str, expected: s
         )
     return see.failed(
         "calls-arrive.deadlock",
-        f"{how_many}: the one at {last.t:.1f} s {nothing_more}",
+        f"{how_many}: the one at {asked_t:.1f} s was answered at {answered_t:.1f} s, and then your node did nothing "
+        "more",
         expected,
         "The callback that sends the request waits for the response. But the response can be handled only when "
         "the thread and the callback group of the client are free. That is a deadlock.",
@@ -375,6 +386,21 @@ def why_seldom(recording: Recording, typical: float, long: list[tuple[float, Cal
     )
 
 
+def why_calls_between(calls: list[CallSeen]) -> Verdict:
+    """Why there are too many calls, though most of them come a second after the last one."""
+    pause, before, after = min(((b.t - a.t, a, b) for a, b in pairwise(calls)), key=lambda one: one[0])
+    return see.failed(
+        "asks-every-second.calls-between",
+        f"{len(calls)} calls from {calls[0].t:.1f} s to {calls[-1].t:.1f} s: for example, one at {before.t:.1f} s and "
+        f"the next at {after.t:.1f} s, {pause:.2g} s later",
+        ONCE_A_SECOND,
+        "Besides the call of each second there are others: a call is repeated when it got no answer, or two places "
+        "send requests.",
+        "Send requests in one place only, from a timer of 1.0 s. After a call without an answer, wait for its next "
+        "tick.",
+    )
+
+
 # --- the answers, and what the program said of them ---------------------------------------------------------
 
 EACH_ANSWER_ONCE = (
@@ -452,6 +478,33 @@ def told_answers(recording: Recording) -> list[tuple[Answer, Report]] | None:
     )
 
 
+def why_late(recording: Recording, late: list[tuple[Answer, float]], told_in_all: int) -> Verdict:
+    """Why answers were reported late, each by so much (s)."""
+    answer, delay = late[0]
+    saw = (
+        f"{len(late)} of {told_in_all} answers were reported late: for example, the answer that came at "
+        f"{answer.at:.1f} s was reported {delay:.1f} s later"
+    )
+    given_up_at = [t for t, _ in told(recording, NO_ANSWER)]
+    if all(any(abs(one.at + wait - t) <= EARLY_S for t in given_up_at) for one, wait in late):
+        return see.failed(
+            "results-told.waits-for-earlier-call",
+            f'{saw}, just when an earlier call was reported with "{NO_ANSWER}"',
+            EACH_ANSWER_ONCE,
+            "The reports are kept in the order of the calls: an answer waits until all earlier calls are settled.",
+            "Report each answer when it comes, whatever happens to other calls.",
+            about_time=True,
+        )
+    return see.failed(
+        "results-told.late",
+        saw,
+        EACH_ANSWER_ONCE,
+        "The result is read only when the next request is sent, so each report belongs to an earlier call.",
+        "Read the answer in a done callback: future.add_done_callback(self.on_answer).",
+        about_time=True,
+    )
+
+
 def why_results_do_not_fit(recording: Recording) -> Verdict:
     """Which answers were told wrongly, or not at all, or too often."""
     answers, words = answers_in(recording), told(recording, *WORDS.values())
@@ -460,6 +513,7 @@ def why_results_do_not_fit(recording: Recording) -> Verdict:
         or why_no_more_told(recording, answers, words)
         or why_changes_only(recording, answers, words)
         or why_a_result_without_an_answer(recording, answers, words)
+        or why_extra(answers, words)
         or why_too_many(answers, words)
         or why_always_the_same(answers, words)
         or next(filter(None, (why_wrongly_told(recording, one, words) for one in answers)), None)
@@ -524,7 +578,7 @@ def why_changes_only(recording: Recording, answers: list[Answer], words: list[Re
         for one, before in missing
         if before is not None and before.word == one.word and not given_up(recording, one.call)
     ]
-    if not repeated or len(repeated) < len(missing):
+    if not repeated or len(repeated) < len(missing) or any(one.near(r) for one, _ in missing for r in words):
         return None
     one, before = repeated[0]
     return see.failed(
@@ -543,7 +597,7 @@ def why_a_result_without_an_answer(
 ) -> Verdict | None:
     """A result was reported for each call without an answer, instead of "no answer"."""
     silent = [call for call in asked(recording) if call.response is None]
-    strange = [report for report in words if not any(one.near(report) for one in answers)]
+    strange, _ = left_over(answers, words)
     about = [(call, report) for call in silent for report in strange if is_about(call, report[0])]
     if not about or told(recording, NO_ANSWER) or len(strange) > len(silent):
         return None
@@ -561,6 +615,46 @@ def why_a_result_without_an_answer(
 def is_about(call: CallSeen, t: float) -> bool:
     """Whether a report at `t` may be about this call, which got no answer."""
     return MAY_TAKE_S - SLACK_S <= t - call.t <= GIVEN_UP_WITHIN_S + LONG_SLACK_S
+
+
+def left_over(answers: list[Answer], words: list[Report]) -> tuple[list[Report], bool]:
+    """The reports that remain when each answer has taken one that tells it, and whether each answer found one."""
+    left, all_told = list(words), True
+    for answer in answers:
+        own = next((report for report in left if answer.told_by(report)), None)
+        if own is not None:
+            left.remove(own)
+        elif not answer.may_be_missing:
+            all_told = False
+    return left, all_told
+
+
+def why_extra(answers: list[Answer], words: list[Report]) -> Verdict | None:
+    """Every answer was reported, and there is a report more."""
+    left, all_told = left_over(answers, words)
+    if not all_told:
+        return None
+    strange = [report for report in left if not any(one.told_by(report) for one in answers)]
+    if strange and len(strange) == len(left):
+        t, word = strange[0]
+        return see.failed(
+            "results-told.without-an-answer",
+            f'your node said "{word}" at {t:.1f} s, and no answer had said so in the {TOLD_WITHIN_S} s before. Each '
+            "answer was reported, too",
+            EACH_ANSWER_ONCE,
+            "A result is published where no answer has come: at the start, by a timer, or as a first guess.",
+            'Publish "ok" and "faulty" in one place only: where an answer comes in.',
+        )
+    if len(left) != 1:
+        return None
+    t, word = left[0]
+    return see.failed(
+        "results-told.one-twice",
+        f'your node said "{word}" at {t:.1f} s once more: the answer of that moment had its report already',
+        EACH_ANSWER_ONCE,
+        "One answer is reported twice: two places publish it, or it is kept and reported again.",
+        "Publish in one place only: where the answer comes in.",
+    )
 
 
 def why_too_many(answers: list[Answer], words: list[Report]) -> Verdict | None:
@@ -598,14 +692,7 @@ def why_always_the_same(answers: list[Answer], words: list[Report]) -> Verdict |
             '"ok" if future.result().success else "faulty".',
         )
     if len(said) == 1:
-        return see.failed(
-            "results-told.always-the-same",
-            f"{saw}, as for every answer",
-            EACH_ANSWER_ONCE,
-            "Your program does not check the field success of the response. The response itself always counts as "
-            "true, and its text is for people.",
-            'Ask for the field: "ok" if future.result().success else "faulty".',
-        )
+        return why_one_word(f"{saw}, as for every answer", word)
     first = next((place for place, (_, word) in enumerate(nearest) if word == wrong[0][1]), 0)
     if all(word == wrong[0][1] for _, word in nearest[first:]):
         return see.failed(
@@ -616,6 +703,27 @@ def why_always_the_same(answers: list[Answer], words: list[Report]) -> Verdict |
             "Take each result from its own response: future.result().success.",
         )
     return None
+
+
+def why_one_word(saw: str, word: str | None) -> Verdict:
+    """Why every answer is reported with the same word."""
+    if word == WORDS[False]:
+        return see.failed(
+            "results-told.always-faulty",
+            saw,
+            EACH_ANSWER_ONCE,
+            'Your program never says "ok". It does not take its word from the field success: it looks at something '
+            "else, such as the text of the response, which is for people.",
+            'Ask for the field: "ok" if future.result().success else "faulty".',
+        )
+    return see.failed(
+        "results-told.always-the-same",
+        saw,
+        EACH_ANSWER_ONCE,
+        "Your program does not check the field success of the response. The response itself always counts as "
+        "true, and its text is for people.",
+        'Ask for the field: "ok" if future.result().success else "faulty".',
+    )
 
 
 def why_wrongly_told(recording: Recording, answer: Answer, words: list[Report]) -> Verdict | None:
@@ -636,6 +744,18 @@ def why_wrongly_told(recording: Recording, answer: Answer, words: list[Report]) 
     gave_up = given_up(recording, answer.call)
     said = f'your node said "{NO_ANSWER}"' if gave_up else f'nothing said "{answer.word}"'
     saw = f"{came} at {answer.at:.1f} s, and {said}"
+    others = [
+        one for one in answers_in(recording) if one != answer and not one.may_be_missing and not one.was_slow
+    ]
+    if not gave_up and not answer.was_slow and all(any(one.told_by(r) for r in words) for one in others):
+        return see.failed(
+            "results-told.one-left-out",
+            f"{saw}. All other answers that came at once were reported",
+            EACH_ANSWER_ONCE,
+            "Answers are handled, so something in your code leaves this one out: a counter, a flag, or a comparison "
+            "with an earlier answer.",
+            "Report each answer, also the first one.",
+        )
     return why_not_taken_in(recording, answer, saw, gave_up)
 
 
@@ -872,9 +992,9 @@ def stops_for_good(recording: Recording) -> Verdict | None:
             "heartbeat-steady.stops",
             f"{saw}; nor did a call come after it",
             FIVE_HERTZ,
-            "A callback has not returned. It waits for an answer that cannot be handled while it waits, and it "
-            "holds the thread, or the callback group of the heartbeat.",
-            "Send the request with call_async(), add a done callback, and return.",
+            "Nothing spins the node any more: a callback waits for an answer that cannot be handled while it waits, "
+            "or the loop that spins the node has ended.",
+            "Send the request with call_async(), add a done callback, and return. Spin until Ctrl-C.",
             about_time=True,
         )
     return see.failed(

@@ -13,14 +13,16 @@ LINE = topic("/dashboard/line", String, hz=2.0)
 ALARM = topic("/dashboard/alarm", Bool)
 
 WATCH_S = 10.75
-# It was "error" before the start, and changes more often than a program that counts its messages will follow.
+# It was "error" before the start, and changes more often than a program that counts its messages will follow. In the
+# second silence it changes often: a watchdog that takes a status for a beat raises no alarm.
 FIRST = "error"
 CHANGES = [
     (2.0, "operational"),
     (4.5, "error"),
     (6.0, "operational"),
     (7.5, "error"),
-    (9.0, "operational"),
+    (8.5, "operational"),
+    (9.5, "error"),
 ]
 BEAT_S = 0.25
 # Two silences of more than three seconds, and between them a hiccup, which is none.
@@ -157,7 +159,8 @@ def alarm_raised(recording: Recording) -> Verdict:
         if recording.robot_s < began + NOT_AFTER_S + SLACK_S:
             continue
         raised = [t - began for t, on in alarms(recording, began, ended) if on]
-        if not raised and [on for _, on in alarms(recording, 0.0, began)][-1:] == [True]:
+        was_on = [on for _, on in alarms(recording, 0.0, began)][-1:] == [True]
+        if number > 0 and not raised and was_on:
             continue  # it is on since the silence before: that it does not end, `alarm_falls` judges
         if not raised or raised[0] > NOT_AFTER_S + SLACK_S:
             return why_not_raised(recording, number, began, ended, raised)
@@ -172,7 +175,8 @@ def no_false_alarm(recording: Recording) -> Verdict:
     for began, ended in silences(recording):
         early = [t for t, on in alarms(recording, calm_from, began + NOT_BEFORE_S - EARLY_S) if on]
         if early:
-            return why_false_alarm(early[0], max((beat for beat in beats if beat <= early[0]), default=0.0))
+            before = max((beat for beat in beats if beat <= early[0]), default=0.0)
+            return why_false_alarm(early[0], before, first_alarm(recording, early[0]))
         # The alarm of this silence may last until it is taken back: whether it is, `alarm_falls` judges.
         taken_back = [t for t, on in alarms(recording, ended, recording.robot_s) if not on]
         calm_from = taken_back[0] if taken_back else recording.robot_s
@@ -186,7 +190,7 @@ def alarm_falls(recording: Recording) -> Verdict:
         raised = next((t for t, on in during if on), None)
         fell = next((t for t, on in during if raised is not None and t > raised and not on), None)
         if fell is not None:
-            return why_fell_in_silence(fell - began)
+            return why_fell_in_silence(fell - began, just_after_a_status(recording, fell))
         if ended + FALLS_WITHIN_S + SLACK_S > recording.robot_s:
             continue
         fell = next((t for t, on in alarms(recording, ended, recording.robot_s) if not on), None)
@@ -258,6 +262,31 @@ def all_requests(recording: Recording, policy: str, value: str) -> bool:
     """Whether every subscription to the status requests this value of a policy."""
     asked = [one for one in recording.topic(STATUS.topic).subscribers if one.type == STATUS.type]
     return all(getattr(one, policy) == value for one in asked)
+
+
+def just_after_a_status(recording: Recording, t: float) -> bool:
+    """Whether the robot had said a new status in the moment before."""
+    return any(0.0 <= t - begin <= BEAT_S - EARLY_S for begin, _, _ in statuses(recording)[1:])
+
+
+def first_alarm(recording: Recording, before: float) -> float | None:
+    """How long (s) the heart had been silent when the alarm was first raised, in a silence that ended before (s)."""
+    for began, ended in silences(recording):
+        raised = [t - began for t, on in alarms(recording, began, ended) if on]
+        if raised and ended <= before:
+            return raised[0]
+    return None
+
+
+def status_ended_an_alarm(recording: Recording) -> float | None:
+    """When (s) an alarm ended in a silence of the heart, just when the status changed; None if none did."""
+    for began, ended in silences(recording):
+        during = alarms(recording, began, ended)
+        raised = next((t for t, on in during if on), recording.robot_s)
+        for t, on in during:
+            if t > raised and not on and just_after_a_status(recording, t):
+                return t
+    return None
 
 
 def alarms_with_the_status(recording: Recording) -> int:
@@ -481,22 +510,48 @@ def why_not_raised(
             "Use 2 s as the limit, and check the clock at least twice a second.",
             about_time=True,
         )
-    nothing = f"no True on {ALARM.name} in {ended - began:.1f} s of silence"
     if number > 0:
-        return see.failed(
-            "alarm-raised.first-only",
-            f"{nothing}, the one from {began:.1f} s on; in the first silence the alarm was raised",
-            expected,
-            "The alarm works only once: a flag is set and never cleared, or a timer is canceled and never reset.",
-            "When the heart beats again, reset everything to its state before the alarm.",
-        )
+        return why_not_raised_again(recording, began, ended, expected)
     return why_never_raised(recording, began, ended, expected)
 
 
-def why_never_raised(recording: Recording, began: float, ended: float, expected: str) -> Verdict:
-    """Why there was no alarm in the first silence."""
+def why_not_raised_again(recording: Recording, began: float, ended: float, expected: str) -> Verdict:
+    """Why there was no alarm in a silence after the first one."""
     nothing = f"no True on {ALARM.name} in {ended - began:.1f} s of silence"
-    if any(on for _, on in alarms(recording, ended, ended + FALLS_WITHIN_S)):
+    by_status = status_ended_an_alarm(recording)
+    if by_status is not None:
+        return see.failed(
+            "alarm-raised.status-counts",
+            f"{nothing}, the one from {began:.1f} s on, in which the status changed. In the first silence, the alarm "
+            f"ended at {by_status:.1f} s, just when the status changed",
+            expected,
+            "A status counts as a beat: it starts the measurement of the silence anew, and ends the alarm.",
+            "Store the time of the last beat in the callback of the heartbeat, and only there.",
+        )
+    return see.failed(
+        "alarm-raised.first-only",
+        f"{nothing}, the one from {began:.1f} s on; in the first silence the alarm was raised",
+        expected,
+        "The alarm works only once: a flag is set and never cleared, or a timer is canceled and never reset. Or a "
+        "new status counts as a beat.",
+        "When the heart beats again, reset everything to its state before the alarm.",
+    )
+
+
+def why_never_raised(recording: Recording, began: float, ended: float, expected: str) -> Verdict:
+    """Why there was no alarm in the first silence, or only something else than an alarm."""
+    nothing = f"no True on {ALARM.name} in {ended - began:.1f} s of silence"
+    said = [at for at, _ in alarms(recording, began + NOT_BEFORE_S, ended)]
+    back = any(on for _, on in alarms(recording, ended, ended + FALLS_WITHIN_S))
+    if said and back:
+        return see.failed(
+            "alarm-raised.inverted",
+            f"False {said[0] - began:.1f} s after the last beat, and True when the heart beat again",
+            expected,
+            "The alarm is the wrong way round: it is True while the heart beats.",
+            "Publish True when the silence is longer than the limit, and False when a beat comes.",
+        )
+    if back:
         return see.failed(
             "alarm-raised.with-the-next-beat",
             f"nothing in {ended - began:.1f} s of silence, and True when the heart beat again",
@@ -505,11 +560,15 @@ def why_never_raised(recording: Recording, began: float, ended: float, expected:
             "Check the clock in a timer, or use the event for a missed deadline. Neither of them needs a message.",
             about_time=True,
         )
-    said = [at for at, _ in alarms(recording, began + NOT_BEFORE_S, ended)]
-    if said:
+    return why_nothing_noticed(nothing, expected, said[0] - began if said else None)
+
+
+def why_nothing_noticed(nothing: str, expected: str, said_after: float | None) -> Verdict:
+    """Why there was no True in or after the first silence; `said_after`: when False came, after the last beat."""
+    if said_after is not None:
         return see.failed(
             "alarm-raised.false-instead",
-            f"{nothing}; False was published {said[0] - began:.1f} s after the last beat",
+            f"{nothing}; False was published {said_after:.1f} s after the last beat",
             expected,
             "The program publishes False during the silence: the limit is too long, or data is not a bool. The "
             "Ubuntu packages send Bool(data=1) as False.",
@@ -526,8 +585,8 @@ def why_never_raised(recording: Recording, began: float, ended: float, expected:
     )
 
 
-def why_false_alarm(at: float, last_beat: float) -> Verdict:
-    """Why the alarm was raised at a moment (s) so soon after the last beat."""
+def why_false_alarm(at: float, last_beat: float, first: float | None) -> Verdict:
+    """Why the alarm was raised at a moment (s) so soon after the last beat; `first`: after how long the first was."""
     after = at - last_beat
     expected = f"no alarm until the heart has been silent for {NOT_BEFORE_S:g} s"
     if after <= 1.5 * BEAT_S:
@@ -536,8 +595,19 @@ def why_false_alarm(at: float, last_beat: float) -> Verdict:
             f"True on {ALARM.name} at {at:.1f} s, {after:.2f} s after a beat, while the heart was beating",
             expected,
             f"One beat comes every {BEAT_S} s. A limit close to that raises an alarm for every short delay. Or the "
-            "alarm does not depend on the beats, but on the status or on the time since the start.",
+            "alarm depends on something else than the last beat: the status, the time since the start, or a sum of "
+            "several pauses.",
             "Use 2 s as the limit, and measure from the last beat.",
+            about_time=True,
+        )
+    if first is not None and first >= NOT_BEFORE_S:
+        return see.failed(
+            "no-false-alarm.later-one-early",
+            f"True on {ALARM.name} {after:.2f} s after the last beat. The first one came after {first:.1f} s",
+            expected,
+            "The first silence has left something behind: a counter that is not cleared, a flag, or another limit. Or "
+            "the program checks the clock rarely, with a limit that is too short.",
+            "When the heart beats again, reset everything to its state before the alarm. Use 2 s as the limit.",
             about_time=True,
         )
     return see.failed(
@@ -551,8 +621,17 @@ def why_false_alarm(at: float, last_beat: float) -> Verdict:
     )
 
 
-def why_fell_in_silence(after: float) -> Verdict:
+def why_fell_in_silence(after: float, with_a_status: bool) -> Verdict:
     """The alarm ended although the heart was still silent, so long (s) after the last beat."""
+    if with_a_status:
+        return see.failed(
+            "alarm-falls.with-the-status",
+            f"False on {ALARM.name} {after:.1f} s after the last beat, while the heart was still silent. The "
+            "status had just changed",
+            "an alarm that lasts until the heart beats again",
+            "A new status ends the alarm, as if it were a beat.",
+            "End the alarm in the callback of the heartbeat, and only there.",
+        )
     return see.failed(
         "alarm-falls.in-silence",
         f"False on {ALARM.name} {after:.1f} s after the last beat, while the heart was still silent",
@@ -580,7 +659,8 @@ def why_not_taken_back(after: float | None) -> Verdict:
         "no False after the heart beat again",
         expected,
         "The event for a missed deadline does not report when messages come again, and a timer that only raises "
-        "the alarm does not end it. Or a loop that waits for the next beat prevents that beat from being handled.",
+        "the alarm does not end it. Or a loop that waits for the next beat prevents that beat from being handled, or "
+        "the program waits for more beats than came.",
         "End the alarm in the callback of the heartbeat, or publish silent > LIMIT on every tick, whether true or "
         "false.",
     )

@@ -1,6 +1,7 @@
 """How exercise 14 is judged: twelve noisy joints whose true angles are known, and what the filter makes of them."""
 
 import math
+import operator
 import random
 import statistics
 from collections import Counter
@@ -26,6 +27,7 @@ LARGEST_NOISE_RAD = 0.05
 MOST_NOISE = 0.55  # of what came in, all joints together
 MOST_NOISE_OF_ONE = 0.8  # of a single joint
 LONGEST_DELAY_S = 0.27
+LONGEST_DELAY_OF_ONE_S = 0.32  # of a single joint, whose noise blurs it
 NEAR_RAD = 0.1  # so near is an angle to the joint at a start, and while NaN comes
 AT_ONCE_S = 0.5
 SHARE_AT_ONCE = 0.9  # of the messages: the others may have been kept waiting by a busy machine
@@ -39,13 +41,22 @@ FAR_BEHIND_S = 0.4  # a filter so late would be farther away than that by itself
 STARTING = 8  # messages after a start that must be near
 SETTLED = 20  # messages after a start or a movement until noise and delay are measured
 
-# Where the joints stand first, how fast they move then (rad/s), and how far they are turned while the board is off.
+# Where the joints stand first, how fast they move then (rad/s), and how far they are turned while the board is off,
+# twice. Each time one joint is turned only a little: a restart is told by the stamp, not by a jump.
 FIRST_POSE = (0.5, -0.6, 1.2, 0.9, -1.1, 0.8, -0.7, 1.0, -0.5, 0.6, -0.9, 0.7)
 SPEEDS = (0.5, -0.4, 0.5, 0.4, -0.5, 0.5, -0.4, 0.4, -0.5, 0.5, -0.4, 0.5)
-TURNED = (-0.6, 0.5, -0.7, -0.8, 0.6, -0.5, 0.7, -0.6, 0.5, -0.8, 0.6, -0.5)
-STANDS, MOVES, STANDS_AGAIN, MOVES_BACK, AFTER_RESTART = 46, 34, 44, 24, 36  # messages
-FIRST_STAMP_S = 40.0
-STAMP_AFTER_RESTART_S = 0.45  # its fraction is above that of the last stamp before (47.35 s)
+TURNED = (
+    (-0.6, 0.5, -0.7, -0.8, 0.6, -0.2, 0.7, -0.6, 0.5, -0.8, 0.6, -0.5),
+    (0.5, -0.6, 0.4, 0.7, -0.2, 0.6, -0.5, 0.5, -0.6, 0.7, -0.5, 0.6),
+)
+STANDS, MOVES, STANDS_AGAIN, MOVES_BACK, AFTER_RESTART, AFTER_SECOND = 46, 34, 44, 30, 36, 9  # messages
+STILL_UNTIL = STANDS + MOVES + STANDS_AGAIN
+RESTART = STILL_UNTIL + MOVES_BACK
+RESTART_AGAIN = RESTART + AFTER_RESTART
+MESSAGES = RESTART_AGAIN + AFTER_SECOND  # a prime number: who answers in groups leaves a rest
+STARTS = (range(RESTART), range(RESTART, RESTART_AGAIN), range(RESTART_AGAIN, MESSAGES))
+# The fraction of each stamp after a restart is above that of the last one before (47.65 s and 2.50 s).
+START_STAMPS_MS = (40_000, 750, 560)
 NAN_AT: Mapping[int, tuple[int, ...]] = {
     # message: joints whose encoder gives NaN
     STANDS + MOVES + 24: (3,),
@@ -66,16 +77,16 @@ class Sample:
 
 
 def samples() -> tuple[Sample, ...]:
-    """All messages, in order: the board is switched on, works, and is switched off and on again."""
+    """All messages, in order: the board is switched on, works, and is switched off and on again twice."""
     dice = random.Random(14)
     made = []
-    for place in range(RESTART + AFTER_RESTART):
+    for place in range(MESSAGES):
         forth, back = min(max(place - STANDS + 1, 0), MOVES), min(max(place - STILL_UNTIL + 1, 0), MOVES_BACK)
         moving_s = PERIOD_S * (forth - back)
-        again = place - RESTART
+        since = next(number for number, start in enumerate(STARTS) if place in start)
         truth = tuple(
-            start + speed * moving_s + (turned if again >= 0 else 0.0)
-            for start, speed, turned in zip(FIRST_POSE, SPEEDS, TURNED, strict=True)
+            start + speed * moving_s + sum(turned)
+            for start, speed, *turned in zip(FIRST_POSE, SPEEDS, *TURNED[:since], strict=True)
         )
         noise = [dice.gauss(0.0, NOISE_RAD) for _ in JOINTS]
         measured = [
@@ -84,23 +95,18 @@ def samples() -> tuple[Sample, ...]:
         ]
         for joint in NAN_AT.get(place, ()):
             measured[joint] = math.nan
-        begin_s = FIRST_STAMP_S if again < 0 else STAMP_AFTER_RESTART_S
-        ticks = round(begin_s / PERIOD_S) + (place if again < 0 else again)
-        in_ns = ticks * round(PERIOD_S * 1e9)
-        made.append(Sample((in_ns // 10**9, in_ns % 10**9), truth, tuple(measured)))
+        in_ms = START_STAMPS_MS[since] + (place - STARTS[since][0]) * round(PERIOD_S * 1e3)
+        made.append(Sample((in_ms // 1000, in_ms % 1000 * 10**6), truth, tuple(measured)))
     return tuple(made)
 
 
-STILL_UNTIL = STANDS + MOVES + STANDS_AGAIN
-RESTART = STILL_UNTIL + MOVES_BACK
 SAMPLES = samples()
 PLACE_OF = {sample.stamp: place for place, sample in enumerate(SAMPLES)}
-STEADY_FIRST, STEADY_LAST = range(SETTLED, STANDS), range(RESTART + SETTLED, len(SAMPLES))
+STEADY_FIRST, STEADY_LAST = range(SETTLED, STANDS), range(RESTART + SETTLED, RESTART_AGAIN)
 STEADY = (*STEADY_FIRST, *STEADY_LAST)
-MOVING = tuple(range(STANDS + SETTLED, STANDS + MOVES))
 WITH_NAN = range(min(NAN_AT), STILL_UNTIL)
 MOVED_ON = RESTART - 5  # the answers just before the restart may be mixed with what came after it
-STARTS = (range(RESTART), range(RESTART, len(SAMPLES)))
+MOVING, MOVING_BACK = range(STANDS + SETTLED, STANDS + MOVES), range(STILL_UNTIL + SETTLED, MOVED_ON + 1)
 
 BEGIN_S = 0.5
 SAID_AT = tuple(round(BEGIN_S + place * PERIOD_S, 2) for place in range(len(SAMPLES)))
@@ -267,22 +273,25 @@ def noise_reduced(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="The angles are at most 0.27 s behind", needs=[filters])
 def delay_bounded(recording: Recording) -> Verdict:
-    behind_s = delay_of(recording)
-    if behind_s is None:
+    behind = delays_of(recording, MOVING, 1.0)
+    if behind is None:
         return too_few("delay-bounded.too-few-answers")
-    if not math.isfinite(behind_s):
+    if not all(map(math.isfinite, behind)):
         return no_numbers("delay-bounded.no-number")
-    if behind_s > LONGEST_DELAY_S:
+    whole_s = of_all(behind)
+    if whole_s > LONGEST_DELAY_S:
         return see.failed(
             "delay-bounded.too-late",
-            f"while the joints move, the angles are {behind_s:.3f} s behind",
+            f"while the joints move, the angles are {whole_s:.3f} s behind",
             f"at most {LONGEST_DELAY_S} s, where a message comes every {PERIOD_S} s",
             "The filter looks back too far: its window is too long, or its cutoff frequency too low. Or it limits how "
             "far an angle may go with each message.",
             "A moving average of N messages is (N - 1) / 2 messages behind. Let it look back less, and look at the "
             "noise again.",
         )
-    return see.passed(f"{max(behind_s, 0.0):.2f} s behind")
+    if max(behind) > LONGEST_DELAY_OF_ONE_S:
+        return why_one_late(behind)
+    return why_late_back(recording, whole_s) or see.passed(f"{max(whole_s, 0.0):.2f} s behind")
 
 
 @criterion(points=1, title="It begins where the joints are", needs=[filters])
@@ -292,8 +301,37 @@ def begins_near(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="It notices the restart, and begins anew", needs=[filters])
 def restart_noticed(recording: Recording) -> Verdict:
-    verdict = near_at_start(recording, RESTART, SAMPLES[RESTART - 1].truth)
-    if verdict.ok or not begins_anew_each_second(recording):
+    for number, start in enumerate(STARTS[1:]):
+        verdict = near_at_start(recording, start[0], SAMPLES[start[0] - 1].truth)
+        if not verdict.ok:
+            return why_not_noticed(recording, verdict, number)
+    return verdict
+
+
+def why_not_noticed(recording: Recording, verdict: Verdict, number: int) -> Verdict:
+    """Why the filter did not begin anew at a restart; `number` counts the restarts from 0."""
+    if verdict.cause == TOO_FEW:
+        return verdict
+    old = some_begin_anew(recording, STARTS[1 + number][0])
+    if old:
+        return see.failed(
+            "restart-noticed.some-joints",
+            f"{verdict.saw}. At the restart, other joints began anew, but not {see.listing(old)}",
+            verdict.expected,
+            "Only joints whose angle jumped far begin anew, or only some joints have a memory that is filled anew. A "
+            "joint may also be turned a little.",
+            "Tell the restart by the stamp alone, and begin anew with all joints.",
+        )
+    if number > 0 and verdict.cause == REMEMBERS[0]:
+        return see.failed(
+            "restart-noticed.first-only",
+            f"{verdict.saw}. After the first restart, the filter had begun anew",
+            verdict.expected,
+            "The second restart goes unnoticed: a flag is never cleared, or the step back must be large. The stamp "
+            f"went back from {stamp_of(RESTART_AGAIN - 1):.2f} s to {stamp_of(RESTART_AGAIN):.2f} s.",
+            "Compare each stamp with the one before it, and begin anew whenever it is smaller.",
+        )
+    if not begins_anew_each_second(recording):
         return verdict
     return see.failed(
         "restart-noticed.nanosec-alone",
@@ -445,26 +483,77 @@ def farthest(recording: Recording, places: Sequence[int]) -> tuple[int, float]:
     return worst, off[worst]
 
 
-def delay_of(recording: Recording) -> float | None:
-    """How late the angles are while the joints move (s); None if too few answers came."""
-    errors = errors_at(recording, MOVING)
+def delays_of(recording: Recording, places: Sequence[int], way: float) -> list[float] | None:
+    """How late the angles of each joint are (s) while they move, forth (`way` 1) or back (-1); None if too few came."""
+    errors = errors_at(recording, places)
     if errors is None:
         return None
-    return -sum(speed * statistics.fmean(row) for speed, row in zip(SPEEDS, errors, strict=True)) / sum(
-        speed * speed for speed in SPEEDS
+    return [-statistics.fmean(row) / (way * speed) for speed, row in zip(SPEEDS, errors, strict=True)]
+
+
+def of_all(delays: Sequence[float]) -> float:
+    """The delay of all joints together (s). A quick joint tells it better than a slow one, so it counts more."""
+    weights = [speed * speed for speed in SPEEDS]
+    return sum(map(operator.mul, weights, delays)) / sum(weights)
+
+
+def why_one_late(behind: Sequence[float]) -> Verdict:
+    """A failed verdict for a joint that is much later than all joints together; `behind` in s."""
+    worst = max(range(len(JOINTS)), key=behind.__getitem__)
+    return see.failed(
+        "delay-bounded.one-joint",
+        f"{JOINTS[worst]} is {behind[worst]:.2f} s behind; all joints together are {of_all(behind):.2f} s behind",
+        f"at most {LONGEST_DELAY_OF_ONE_S} s at each joint, and {LONGEST_DELAY_S} s at all together",
+        "Not all joints go through the same filter, or it follows an angle more slowly in one direction than in the "
+        "other.",
+        "Filter all joints alike, whichever way they move.",
     )
+
+
+def why_late_back(recording: Recording, forth_s: float) -> Verdict | None:
+    """A failed verdict for angles that are late only in the second movement; None if they are not.
+
+    A joint that is lost since a NaN is none of this: `survives_nan` judges it.
+    """
+    back = delays_of(recording, MOVING_BACK, -1.0)
+    if back is None or not all(map(math.isfinite, back)):
+        return None
+    if of_all(back) <= LONGEST_DELAY_S and max(back) <= LONGEST_DELAY_OF_ONE_S:
+        return None
+    if held_joints(recording, MOVING_BACK):
+        return None
+    worst = max(range(len(JOINTS)), key=back.__getitem__)
+    return see.failed(
+        "delay-bounded.later-on",
+        f"in the second movement, the angles are {of_all(back):.2f} s behind, {JOINTS[worst]} {back[worst]:.2f} s. In "
+        f"the first one, all together were {forth_s:.2f} s behind",
+        f"at most {LONGEST_DELAY_S} s in each movement, and at most {LONGEST_DELAY_OF_ONE_S} s at each joint",
+        "The filter changes on the way: its window grows, or it follows more slowly after a NaN.",
+        "Keep the weights of the filter as they are, also after a NaN.",
+    )
+
+
+def off_at(answer: Answered, place: int) -> list[float]:
+    """How far each angle of the answer to this message is from where the joint is (rad)."""
+    return [abs(angle - at) for angle, at in zip(answer.angles, SAMPLES[place].truth, strict=True)]
 
 
 def root_mean_square(numbers: Sequence[float]) -> float:
     return math.sqrt(statistics.fmean(number * number for number in numbers))
 
 
+def stamp_of(place: int) -> float:
+    """The stamp of a message (s)."""
+    sec, nanosec = SAMPLES[place].stamp
+    return sec + nanosec / 1e9
+
+
 def shown(place: int) -> str:
     """A message by its number and stamp."""
-    sec, nanosec = SAMPLES[place].stamp
-    return f"message {place + 1} (stamp {sec + nanosec / 1e9:.2f} s)"
+    return f"message {place + 1} (stamp {stamp_of(place):.2f} s)"
 
 
+TOO_FEW = "near.too-few-answers"
 Words = tuple[str, str, str]
 """A cause, the likely reason, and one thing to try."""
 OTHER_THAN_NAN: Words = (
@@ -506,7 +595,7 @@ def near(recording: Recording, places: Sequence[int], words: Words) -> Verdict:
     by_place = first_answers(recording)
     known = [place for place in places if place in by_place]
     if 2 * len(known) < len(places):
-        return too_few("near.too-few-answers")
+        return too_few(TOO_FEW)
     bad = first_far(by_place, known)
     if bad is None:
         return see.passed(f"within {NEAR_RAD} rad at every joint")
@@ -550,6 +639,20 @@ def near_at_start(recording: Recording, start: int, before: Sequence[float] | No
     return near(recording, known, ZEROS_AGAIN if zeros < back else REMEMBERS)
 
 
+def some_begin_anew(recording: Recording, start: int) -> list[str]:
+    """The joints that do not begin anew at a restart, where others do; none if all do, or none does."""
+    answer = first_answers(recording).get(start)
+    if answer is None:
+        return []
+    came = SAMPLES[start].measured
+    old = [
+        name
+        for name, angle, at in zip(JOINTS, answer.angles, came, strict=True)
+        if not abs(angle - at) <= SAME_RAD
+    ]
+    return old if len(old) < len(JOINTS) else []
+
+
 def pulled(angles: Sequence[float], truth: Sequence[float], to: Sequence[float]) -> float:
     """How badly (rad, root mean square) the angles fit a part of the way from where the joints are to `to`."""
     way = [end - begin for begin, end in zip(truth, to, strict=True)]
@@ -579,21 +682,31 @@ def begins_anew_each_second(recording: Recording) -> bool:
 
 def lost_after_nan(recording: Recording) -> Verdict | None:
     """A failed verdict for a joint that is not followed any more when it moves after NaN; None if all are."""
-    answer, behind_s = first_answers(recording).get(MOVED_ON), delay_of(recording)
-    if answer is None or behind_s is None or not behind_s <= FAR_BEHIND_S:
+    answer, behind = first_answers(recording).get(MOVED_ON), delays_of(recording, MOVING, 1.0)
+    if answer is None or behind is None or not of_all(behind) <= FAR_BEHIND_S:
         return None
-    truth = SAMPLES[MOVED_ON].truth
-    off = [abs(angle - at) for angle, at in zip(answer.angles, truth, strict=True)]
+    truth, off = SAMPLES[MOVED_ON].truth, off_at(answer, MOVED_ON)
     worst = max(range(len(JOINTS)), key=off.__getitem__)
     if off[worst] <= FOLLOWS_RAD:
         return None
+    saw = (
+        f"after the NaN, {JOINTS[worst]} has moved to {truth[worst]:.2f} rad, and the answer says "
+        f"{answer.angles[worst]:.2f}"
+    )
+    if not held_joints(recording, MOVING_BACK):
+        return see.failed(
+            "survives-nan.follows-slowly",
+            f"{saw}. In the first movement the answers were {of_all(behind):.2f} s behind",
+            f"an angle within {FOLLOWS_RAD} rad of the joint when it moves again",
+            "Since the NaN, the filter follows more slowly than before.",
+            "Keep the weights of the filter as they are, also after a NaN.",
+        )
     return see.failed(
         "survives-nan.not-followed",
-        f"after the NaN, {JOINTS[worst]} has moved to {truth[worst]:.2f} rad, and the answer says "
-        f"{answer.angles[worst]:.2f}",
+        saw,
         f"an angle within {FOLLOWS_RAD} rad of the joint when it moves again",
         "NaN got into the memory of the filter, and there it stays. What is published in its place, such as 0 or the "
-        "last answer, only hides it.",
+        "last answer, only hides it. Or a joint that gave NaN once is held from then on.",
         "Replace each NaN before the filter, not after it: put in the last good angle of that joint. "
         "np.isfinite is False for a NaN.",
     )
@@ -768,7 +881,7 @@ def missing_for_a_reason(saw: str, missing: list[int]) -> Verdict | None:
 
 def missing_after_a_start(saw: str, missing: list[int]) -> Verdict | None:
     """Why just messages after a start were not answered; None if there are others."""
-    if missing == [*STARTS[1]]:
+    if missing == [*range(RESTART, len(SAMPLES))]:
         return see.failed(
             "every-one-answered.none-after-restart",
             f"{saw}, and it was the first after the restart: none of those after it was answered",
@@ -828,13 +941,7 @@ def why_beside(recording: Recording) -> Verdict | None:
             "The angles go through an array of whole numbers, such as np.zeros(12, dtype=int), or through int().",
             "Make the array with np.zeros(12), which holds numbers with a fraction.",
         )
-    gain = sum(one * at for one, at in zip(means, FIRST_POSE, strict=True)) / sum(
-        at * at for at in FIRST_POSE
-    )
-    allowed = LARGEST_NOISE_RAD * max(1.0, abs(gain))
-    if max(abs(one - gain * at) for one, at in zip(means, FIRST_POSE, strict=True)) <= allowed:
-        return why_scaled(saw, expected, gain)
-    return see.failed(
+    return why_all_beside(means, saw, expected) or see.failed(
         "filters.mixes-joints",
         saw,
         expected,
@@ -842,6 +949,26 @@ def why_beside(recording: Recording) -> Verdict | None:
         "along the joints and not along time, or angles and names are in another order.",
         "Give each joint a memory of its own. In an array of messages, time is axis 0, and the joints are axis 1.",
     )
+
+
+def why_all_beside(means: Sequence[float], saw: str, expected: str) -> Verdict | None:
+    """A failed verdict for answers, on average `means`, that are beside all joints alike; None if they are not."""
+    beside = [one - at for one, at in zip(means, FIRST_POSE, strict=True)]
+    if max(beside) - min(beside) <= NOISE_RAD:
+        return see.failed(
+            "filters.offset",
+            f"{saw}; the answers for all joints are about {statistics.fmean(beside):+.2f} rad beside them",
+            expected,
+            "The same number is added to every angle, or subtracted from it.",
+            "Publish the result of the filter as it is.",
+        )
+    gain = sum(one * at for one, at in zip(means, FIRST_POSE, strict=True)) / sum(
+        at * at for at in FIRST_POSE
+    )
+    allowed = LARGEST_NOISE_RAD * max(1.0, abs(gain))
+    if max(abs(one - gain * at) for one, at in zip(means, FIRST_POSE, strict=True)) <= allowed:
+        return why_scaled(saw, expected, gain)
+    return None
 
 
 def why_scaled(saw: str, expected: str, gain: float) -> Verdict:
@@ -879,9 +1006,10 @@ def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verd
             "Only some of the joints go through the filter.",
             "Filter the whole array, or make one filter for each name.",
         )
-    of_its_own_kind = why_begun_anew(recording, saw) or why_no_filter(recording, saw)
-    if of_its_own_kind is not None:
-        return of_its_own_kind
+    for why in why_begun_anew, why_no_filter, why_held, why_to_one_side:
+        of_its_own_kind = why(recording, saw)
+        if of_its_own_kind is not None:
+            return of_its_own_kind
     if whole > NEARLY_ALL or max(left) > MORE_THAN_ALL:
         return see.failed(
             "noise-reduced.none",
@@ -952,12 +1080,55 @@ def why_no_filter(recording: Recording, saw: str) -> Verdict | None:
     )
 
 
+def held_joints(recording: Recording, places: Sequence[int]) -> list[str]:
+    """The joints whose answers keep one value there."""
+    by_place = first_answers(recording)
+    rows = [by_place[place].angles for place in places if place in by_place]
+    return [
+        name
+        for name, column in zip(JOINTS, zip(*rows, strict=True), strict=False)
+        if max(column) - min(column) <= SAME_RAD
+    ]
+
+
 def stands_still(recording: Recording) -> bool:
     """Whether the answers for most joints keep one value where the joints stand first."""
-    by_place = first_answers(recording)
-    rows = [by_place[place].angles for place in STEADY_FIRST if place in by_place]
-    still = [max(column) - min(column) <= SAME_RAD for column in zip(*rows, strict=True)]
-    return still.count(True) > len(JOINTS) // 2
+    return len(held_joints(recording, STEADY_FIRST)) > len(JOINTS) // 2
+
+
+def why_held(recording: Recording, saw: str) -> Verdict | None:
+    """A failed verdict for joints whose answers keep one value after the restart, and did not before."""
+    held = held_joints(recording, STEADY_LAST)
+    if not held or held_joints(recording, STEADY_FIRST):
+        return None
+    return see.failed(
+        "noise-reduced.held-after-restart",
+        f"{saw}; after the restart, the answers for {see.count(len(held), 'joint')} of {len(JOINTS)} do not change "
+        f"any more, {held[0]} first",
+        LITTLE_LEFT,
+        "These joints are no longer filtered: a joint that gave NaN is held from then on, or new measurements no "
+        "longer count after the restart.",
+        "Hold an angle only for a message with NaN. The next good measurement of that joint counts again.",
+    )
+
+
+def why_to_one_side(recording: Recording, saw: str) -> Verdict | None:
+    """A failed verdict for answers that are calm enough, and on average beside the joints; None if they are not."""
+    errors = errors_at(recording, STEADY_FIRST)
+    if errors is None:
+        return None
+    means = [statistics.fmean(row) for row in errors]
+    if abs(statistics.median(means)) < NOISE_RAD / 4 or min(means) * max(means) < 0.0:
+        return None
+    return see.failed(
+        "noise-reduced.to-one-side",
+        f"{saw}; the answers for all joints lie on the same side of them, typically {statistics.median(means):+.3f} "
+        "rad",
+        LITTLE_LEFT,
+        "The filter follows an angle faster in one direction than in the other, or takes the largest or smallest of "
+        "several measurements. Or a number is added to each angle.",
+        "Give measurements above and below the same weight.",
+    )
 
 
 def as_they_went_in(raw: Sequence[int]) -> str:

@@ -80,6 +80,7 @@ def test_12_tells_what_once_a_second_and_five_hertz_mean() -> None:
     pause = f"{applied['LONGEST_PAUSE_S']:g} s"
     assert f"{period}. At most one pause is over {applied['PAUSE_S']:g} s, and none reaches {pause}" in told
     assert f"each pause may be up to {pause}" in told and applied["PAUSES"] == 1
+    assert f"at most one call for every {applied['SHORTEST_PERIOD_S']:g} s (rounded" in told
     assert f"{share(applied['LEAST_SHARE'])} to {share(applied['MOST_SHARE'])} of the beats" in told
     assert f"one every {applied['SHORTEST_BEAT_S']:g} to {applied['LONGEST_BEAT_S']:g} s" in told
     assert f"no silence over {applied['STOPPED_S']:g} s at the end" in told
@@ -103,7 +104,8 @@ def test_14_tells_how_much_noise_and_delay_is_left_and_how_near_an_angle_must_be
     applied, told = constants("14_arrays_and_filters"), task("14_arrays_and_filters")
     assert f"at most {share(applied['MOST_NOISE'])} of the noise is left" in told
     assert f"at no single joint more than {share(applied['MOST_NOISE_OF_ONE'])}" in told
-    assert f"the angles are at most {applied['LONGEST_DELAY_S']:g} s behind" in told
+    assert f"the angles of all joints together are at most {applied['LONGEST_DELAY_S']:g} s behind" in told
+    assert f"no single joint more than {applied['LONGEST_DELAY_OF_ONE_S']:g} s" in told
     starting = f"each of the first {applied['STARTING']} answers is within {applied['NEAR_RAD']:g} rad"
     assert told.count(f"{starting} of the joint") == 2
     assert f"within {applied['NEAR_RAD']:g} rad of the joint as long as the joints stand still" in told
@@ -128,18 +130,25 @@ def test_14_tells_what_the_encoders_say() -> None:
 
 def test_14_measures_noise_in_the_standstills_that_it_tells() -> None:
     applied, told = constants("14_arrays_and_filters"), task("14_arrays_and_filters")
-    assert "in the first standstill and after the restart, at most" in told
+    assert "in the first standstill and after the first restart, at most" in told
     restart, settled = applied["RESTART"], applied["SETTLED"]
     assert set(applied["STEADY"]) == {
         *range(settled, applied["STANDS"]),
-        *range(restart + settled, len(applied["SAMPLES"])),
+        *range(restart + settled, applied["RESTART_AGAIN"]),
     }
 
 
 def test_14_restarts_where_neither_nanosec_alone_nor_rising_stamps_show_it() -> None:
     applied = constants("14_arrays_and_filters")
-    before, after = (applied["SAMPLES"][applied["RESTART"] + n].stamp for n in (-1, 0))
-    assert after < before and after[1] > before[1]
+    for start in (applied["RESTART"], applied["RESTART_AGAIN"]):
+        before, after = (applied["SAMPLES"][start + n].stamp for n in (-1, 0))
+        assert after < before and after[1] > before[1]
+
+
+def test_14_has_a_stamp_for_each_message_and_a_number_of_messages_that_no_group_divides() -> None:
+    samples = constants("14_arrays_and_filters")["SAMPLES"]
+    assert len({sample.stamp for sample in samples}) == len(samples)
+    assert all(len(samples) % size for size in range(2, len(samples)))
 
 
 def test_02_tells_how_far_a_rate_may_be_off() -> None:
