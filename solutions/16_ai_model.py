@@ -51,7 +51,7 @@
 # | is right | at least 80 % of the messages have each toy that is seen whole, with its label, within 5 pixels, and nothing else |
 # | survives the model | where it raises, nothing is published, a line in the log has the text of the exception, and the node goes on |
 # | reports a fall | ten samples in a row are tilted by more than 60°; `error` comes at most 0.5 s after the tenth |
-# | does not cry wolf | a jolt of seven samples is no fall, nor is leaning by 40°; before the fall, `error` never comes |
+# | does not cry wolf | a jolt of nine samples is no fall, nor is leaning by 55°; before the fall, `error` never comes |
 # | remembers the fall | after the first `error`, `operational` never comes again, even when the robot is set upright |
 #
 # The stamps come from the clock of the robot's sensors. Compare them with each other, not with the clock of your

@@ -37,7 +37,7 @@ def walks_its_rounds(recording: Recording) -> Verdict:
             f"{seen} after {WATCH_S:g} s",
             f"a line in the log for each round; {LEAST_ROUNDS} of them are enough in {WATCH_S:g} s",
             "Either the timer does not fire, or not every round is logged. A timer fires only while its node is "
-            "spun: a sleep, an event or an empty loop keeps the program alive, but does not spin the node.",
+            "spun. A sleep, an event or an empty loop keeps the program alive, but does not spin the node.",
             "Keep the guard at work with rclpy.spin(guard), and leave walk_round as it was.",
         )
     silent = 0.0 if process.printed_at is None else recording.wall_s - process.printed_at
@@ -104,7 +104,7 @@ def why_never_parked(recording: Recording, expected: str) -> Verdict:
             "the signal of Ctrl-C ended the program at once, and its arms are still up",
             expected,
             "No Python code ran after Ctrl-C. The handler of the signal was set to its default, SIG_DFL, which ends "
-            "a process without a word.",
+            "a process silently.",
             "Keep the handler that rclpy.init() sets, or set one that lets your program clean up.",
         )
     return see.failed_at_the_end(recording, "the arms are still up", expected) or see.failed(
@@ -125,8 +125,8 @@ def ends_cleanly(recording: Recording) -> Verdict:
             "ends-cleanly.goes-on-after-parking",
             "the arms were parked after Ctrl-C, and the program went on and had to be killed",
             "exit code 0 and no traceback after Ctrl-C",
-            "Something keeps running after the arms are parked: a loop that starts again, a sleep, an input, a "
-            "thread that is not a daemon, or a process that your program started.",
+            "Something keeps running after the arms are parked: a loop that starts again, a sleep or an input. It may "
+            "also be a thread that is not a daemon, or a process that your program started.",
             "Let main() return when it has cleaned up, and start nothing that outlives it.",
         )
     verdict = see.exits_cleanly(recording)
