@@ -712,7 +712,7 @@ def why_one_word(saw: str, word: str | None) -> Verdict:
             "results-told.always-faulty",
             saw,
             EACH_ANSWER_ONCE,
-            'Your program never says "ok". It does not take its word from the field success: it looks at something '
+            'Your program never says "ok". It does not take its word from the field success. It looks at something '
             "else, such as the text of the response, which is for people.",
             'Ask for the field: "ok" if future.result().success else "faulty".',
         )
@@ -992,8 +992,8 @@ def stops_for_good(recording: Recording) -> Verdict | None:
             "heartbeat-steady.stops",
             f"{saw}; nor did a call come after it",
             FIVE_HERTZ,
-            "Nothing spins the node any more: a callback waits for an answer that cannot be handled while it waits, "
-            "or the loop that spins the node has ended.",
+            "Nothing spins the node any more. Either a callback waits for an answer that cannot be handled while it "
+            "waits, or the loop that spins the node has ended.",
             "Send the request with call_async(), add a done callback, and return. Spin until Ctrl-C.",
             about_time=True,
         )
