@@ -260,6 +260,21 @@ def test_a_crash_in_the_middle_of_ctrl_c_leaves_a_doubt(process: dict[str, Any],
     ) is doubtful
 
 
+@pytest.mark.parametrize("cause", ["exits-cleanly.aborted", "exits-cleanly.overtaken"])
+def test_an_end_that_python_or_rclpy_may_have_spoiled_leaves_a_doubt(cause: str) -> None:
+    exercise = load_exercise("08_humanoid_status_publisher", ROOT)
+    recording = stored("solution")
+    [ended] = [
+        replace(one, status="failed", points=0.0, cause=cause)
+        for one in run_criteria(exercise.criteria, recording)
+        if one.id == "ends_cleanly"
+    ]
+    assert reason_inconclusive([ended], recording, exercise.plan, exercise.periods)
+    assert not reason_inconclusive(
+        [replace(ended, cause="exits-cleanly.exit-code")], recording, exercise.plan, exercise.periods
+    )
+
+
 CRASHES_AT_CTRL_C = """
 import os, signal
 import rclpy

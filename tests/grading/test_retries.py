@@ -11,7 +11,7 @@ import pytest
 
 from workbook.cli.main import main
 from workbook.exercise.answers import Answer
-from workbook.exercise.conclusiveness import END_OVERTAKEN
+from workbook.exercise.conclusiveness import END_OVERTAKEN, EXCUSED_ENDS
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement, judge_recording, judgement_as_provisional
 from workbook.exercise.serialization import judgement_from_json, judgement_to_json
@@ -125,11 +125,13 @@ def test_an_end_that_rclpy_may_have_spoiled_is_watched_up_to_three_times(
     assert tries[-1].score == judged[-1].score
 
 
-def test_a_student_who_checks_gets_three_tries_for_such_an_end() -> None:
-    tries, told = [EXCUSED, EXCUSED, EXCUSED, GOOD], list[Judgement]()
-    assert until_sure(lambda: tries.pop(0), told.append) == replace(EXCUSED, doubt="")
+@pytest.mark.parametrize("cause", sorted(EXCUSED_ENDS))
+def test_a_student_who_checks_gets_three_tries_for_such_an_end(cause: str) -> None:
+    excused = replace(EXCUSED, criteria=(replace(EXCUSED.criteria[0], cause=cause), *EXCUSED.criteria[1:]))
+    tries, told = [excused, excused, excused, GOOD], list[Judgement]()
+    assert until_sure(lambda: tries.pop(0), told.append) == replace(excused, doubt="")
     assert tries == [GOOD]
-    assert told == 2 * [judgement_as_provisional(EXCUSED)]
+    assert told == 2 * [judgement_as_provisional(excused)]
 
 
 # --- the books ------------------------------------------------------------------------------------------------------

@@ -24,8 +24,9 @@ STEAL_SHARE = 0.15
 """Share of the watch that the host of a virtual machine steals from a processor, in pieces of whatever length."""
 FEW_ODD_GAPS = 2
 """A message that comes late once makes one gap too long and the next too short."""
-END_OVERTAKEN = "exits-cleanly.overtaken"
-"""Cause of points that are lost to an end that rclpy may have spoiled."""
+END_OVERTAKEN, END_ABORTED = "exits-cleanly.overtaken", "exits-cleanly.aborted"
+EXCUSED_ENDS = frozenset({END_OVERTAKEN, END_ABORTED})
+"""Causes of points that are lost to an end that rclpy or Python may have spoiled."""
 BUSY_MACHINE = ".busy-machine"
 """End of the causes of points that a busy machine alone may cost: an exercise says so where milliseconds are judged."""
 WITH_THE_NEXT = 1.25
@@ -52,6 +53,7 @@ def reason_inconclusive(
         or _publisher_never_matched(recording, plan)
         or crashed_on_interrupt(recording)
         or _end_overtaken(lost)
+        or _end_aborted(lost)
         or _node_seen_after_exit(recording)
         or _clocks_contradict(lost, on_robot_time)
         or _judge_was_delayed(lost, recording, plan)
@@ -104,6 +106,17 @@ def _end_overtaken(lost: Sequence[CriterionResult]) -> str:
     """What an overtaken end looks like is text that any program can print: see `shutdown_overtaken`."""
     if any(result.cause == END_OVERTAKEN for result in lost):
         return "it looks as if rclpy's own handling of Ctrl-C had overtaken the program's shutdown"
+    return ""
+
+
+def _end_aborted(lost: Sequence[CriterionResult]) -> str:
+    """A thread that the program joins may still spin while Python goes down, which aborts the process now and then.
+
+    Where Ctrl-C interrupts `Thread.join()`, Python up to 3.12 takes the thread for ended, and the next join returns at
+    once. Source: `_wait_for_tstate_lock` in https://github.com/python/cpython/blob/3.11/Lib/threading.py.
+    """
+    if any(result.cause == END_ABORTED for result in lost):
+        return "the program aborted at its end, which Python can cause where Ctrl-C interrupts Thread.join()"
     return ""
 
 

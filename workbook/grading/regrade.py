@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from workbook.exercise.conclusiveness import END_OVERTAKEN
+from workbook.exercise.conclusiveness import EXCUSED_ENDS
 from workbook.exercise.definition import Exercise
 from workbook.exercise.judgement import Judgement, judge_recording
 from workbook.grading.new_results import GradedBy, Submission, graded_result
@@ -57,13 +57,12 @@ def _again(out: Path, exercise: Exercise, result: Result, file: ResultsFile) -> 
         return Regraded(student, before, None, str(error))
     if not tries:
         return Regraded(student, before, None, "no recording of it was kept")
-    if (
-        len(tries) == 1
-        and not tries[0].doubt
-        and any(one.cause == END_OVERTAKEN for one in tries[0].criteria)
-    ):
+    if len(tries) == 1 and not tries[0].doubt and any(one.cause in EXCUSED_ENDS for one in tries[0].criteria):
         return Regraded(
-            student, before, None, "a bug in rclpy may have changed how it ended; only another run can tell"
+            student,
+            before,
+            None,
+            "a bug in rclpy or Python may have changed how it ended; only another run can tell",
         )
     submission = Submission(
         student, result.answer, result.answer_sha256, result.submitted_at, result.attempt + 1

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import TypeVar
 
-from workbook.exercise.conclusiveness import END_OVERTAKEN
+from workbook.exercise.conclusiveness import EXCUSED_ENDS
 from workbook.exercise.judgement import Judgement, Report, judgement_as_provisional
 from workbook.grading.judges import Job
 
@@ -20,8 +20,8 @@ def judge_until_sure(
     """Judge all; yields each answer with its tries as soon as it is done.
 
     An answer whose judgement is inconclusive is tried once more after all others, when the machine is calmer, and a
-    third time if both ends looked as if rclpy had spoiled them. If the run is stopped before its last try, it is not
-    yielded: the next run judges it anew.
+    third time if both ends looked as if rclpy or Python had spoiled them. If the run is stopped before its last try, it
+    is not yielded: the next run judges it anew.
     """
     waiting = list(jobs)
     before: dict[int, tuple[Judgement, ...]] = {}
@@ -50,7 +50,7 @@ def until_sure(judge: Callable[[], Judgement], report: Report) -> Judgement:
 
 
 def _with_last(before: tuple[Judgement, ...], judgement: Judgement) -> tuple[Judgement, ...]:
-    """The tries, with one more. That every end of an answer looks spoiled by rclpy is no chance: it leaves no doubt."""
+    """The tries, with one more. That every end of an answer looks spoiled is no chance: it leaves no doubt."""
     tries = (*before, judgement)
     if len(tries) >= MOST_TRIES and all(map(_has_excuse, tries)):
         return (*before, replace(judgement, doubt=""))
@@ -62,8 +62,8 @@ def _is_excused_so_far(tries: Sequence[Judgement]) -> bool:
 
 
 def _has_excuse(judgement: Judgement) -> bool:
-    """Whether the end of a program looked as if rclpy itself had spoiled it, and this took points away."""
-    return any(result.cause == END_OVERTAKEN for result in judgement.criteria)
+    """Whether the end of a program looked as if rclpy or Python had spoiled it, and this took points away."""
+    return any(result.cause in EXCUSED_ENDS for result in judgement.criteria)
 
 
 def counting(tries: Sequence[Judgement]) -> Judgement:
