@@ -102,7 +102,7 @@ def samples() -> tuple[Sample, ...]:
 
 SAMPLES = samples()
 PLACE_OF = {sample.stamp: place for place, sample in enumerate(SAMPLES)}
-STEADY_FIRST, STEADY_LAST = range(SETTLED, STANDS), range(RESTART + SETTLED, RESTART_AGAIN)
+STEADY_FIRST, STEADY_LAST = range(SETTLED, STANDS), range(RESTART + SETTLED, RESTART_AGAIN - 4)
 STEADY = (*STEADY_FIRST, *STEADY_LAST)
 WITH_NAN = range(min(NAN_AT), STILL_UNTIL)
 MOVED_ON = RESTART - 5  # the answers just before the restart may be mixed with what came after it
@@ -494,7 +494,7 @@ def delays_of(recording: Recording, places: Sequence[int], way: float) -> list[f
 def of_all(delays: Sequence[float]) -> float:
     """The delay of all joints together (s). A quick joint tells it better than a slow one, so it counts more."""
     weights = [speed * speed for speed in SPEEDS]
-    return sum(map(operator.mul, weights, delays)) / sum(weights)
+    return float(sum(map(operator.mul, weights, delays)) / sum(weights))
 
 
 def why_one_late(behind: Sequence[float]) -> Verdict:
@@ -1006,7 +1006,7 @@ def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verd
             "Only some of the joints go through the filter.",
             "Filter the whole array, or make one filter for each name.",
         )
-    for why in why_begun_anew, why_no_filter, why_held, why_to_one_side:
+    for why in why_held, why_begun_anew, why_no_filter, why_to_one_side:
         of_its_own_kind = why(recording, saw)
         if of_its_own_kind is not None:
             return of_its_own_kind

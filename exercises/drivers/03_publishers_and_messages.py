@@ -42,11 +42,11 @@ def sending_noted() -> Iterator[list[object]]:
         if publisher.topic_name == "/robot/battery":
             noted.append(getattr(message, "data", None))
 
-    Publisher.publish = publish_and_note
+    Publisher.publish = publish_and_note  # type: ignore[method-assign, assignment]
     try:
         yield noted
     finally:
-        Publisher.publish = publish
+        Publisher.publish = publish  # type: ignore[method-assign]
 
 
 def make_battery() -> tuple[Any, str]:

@@ -111,7 +111,7 @@ def test_14_tells_how_much_noise_and_delay_is_left_and_how_near_an_angle_must_be
     assert f"within {applied['NEAR_RAD']:g} rad of the joint as long as the joints stand still" in told
     assert f"within {applied['FOLLOWS_RAD']:g} rad when they have moved on" in told
     assert f"at least half of the answers come within {applied['TYPICALLY_S']:g} s" in told
-    assert f"are within {applied['LEAST_CHANGE_RAD']:g} rad (root mean square) of those received" in told
+    assert f"they differ by at most {applied['LEAST_CHANGE_RAD']:g} rad (root mean square) from what came" in told
     assert f"more than {applied['LARGEST_NOISE_RAD']:g} rad away from where a joint is" in told
     assert round(10 * applied["SHARE_AT_ONCE"]) == 9
     assert f"nine of ten within {applied['AT_ONCE_S']:g} s" in told
@@ -134,7 +134,7 @@ def test_14_measures_noise_in_the_standstills_that_it_tells() -> None:
     restart, settled = applied["RESTART"], applied["SETTLED"]
     assert set(applied["STEADY"]) == {
         *range(settled, applied["STANDS"]),
-        *range(restart + settled, applied["RESTART_AGAIN"]),
+        *range(restart + settled, applied["RESTART_AGAIN"] - 4),  # answers just before a restart may be mixed
     }
 
 
