@@ -321,14 +321,9 @@ def why_nothing_sent(call: DriverCall, made: list[DriverCall], saw: str, expecte
             "Only numbers that follow an error get lost: the method remembers the error.",
             "Treat every call the same, no matter what came before it.",
         )
-    if any(one.number < call.number and meant(one) == meant(call) for one in went_well):
-        if any(arrived(one) for one in later):
-            return fail(
-                "number.repeat-dropped",
-                "This number was sent before, and the method does not send it again. But it was measured again, "
-                "and a subscriber that receives nothing cannot know that.",
-                "Send each number, no matter what was sent before.",
-            )
+    repeated = any(one.number < call.number and meant(one) == meant(call) for one in went_well)
+    if repeated and any(arrived(one) for one in later):
+        return why_repeat_dropped(saw, expected)
     if meant(call) == 0.0:
         return why_zero_dropped(saw, expected)
     if went_well and later and not any(one.sent for one in later):
@@ -338,6 +333,18 @@ def why_nothing_sent(call: DriverCall, made: list[DriverCall], saw: str, expecte
         "publish() was not reached. Or the publisher was created in this call, and no subscription is connected "
         "to it yet.",
         "Create the publisher in __init__, and call its publish() in every call with a number.",
+    )
+
+
+def why_repeat_dropped(saw: str, expected: str) -> Verdict:
+    """Why a number that was sent before is not sent again."""
+    return see.failed(
+        "number.repeat-dropped",
+        saw,
+        expected,
+        "This number was sent before, and the method does not send it again. But it was measured again, and a "
+        "subscriber that receives nothing cannot know that.",
+        "Send each number, no matter what was sent before.",
     )
 
 

@@ -606,6 +606,11 @@ def why_less_again(recording: Recording) -> Verdict:
     saw = f"{len(got)} of {len(WAITING_WORDS)} waiting words and {len(beats)} heartbeats in the second call"
     if len(got) == len(WAITING_WORDS) and len(beats) >= A_FEW_BEATS:
         return see.passed(saw)
+    return why_not_again(recording, len(beats), saw)
+
+
+def why_not_again(recording: Recording, beats: int, saw: str) -> Verdict:
+    """Why the second call did less than the first one; `beats`: how many heartbeats there were in it."""
     expected = "words that waited in the queue are handled, and the timers tick again"
     if set(WAITING_WORDS) & set(done_in(recording, HEARD.name, BETWEEN)):
         return see.failed(
@@ -615,7 +620,7 @@ def why_less_again(recording: Recording) -> Verdict:
             "The first call left a thread behind that takes the callbacks.",
             "End every thread before you return, or spin in the thread that called pump.",
         )
-    if len(beats) < A_FEW_BEATS and any("canceled" in one for one in see.driver_reports(recording, CHANGED)):
+    if beats < A_FEW_BEATS and any("canceled" in one for one in see.driver_reports(recording, CHANGED)):
         return see.failed(
             "again.timers-canceled",
             f"{saw}; the first call canceled timers",
@@ -623,7 +628,7 @@ def why_less_again(recording: Recording) -> Verdict:
             "A timer that was canceled does not fire in the next call.",
             "The timers belong to the node. Do not cancel, restart or destroy them.",
         )
-    if len(beats) >= A_FEW_BEATS:
+    if beats >= A_FEW_BEATS:
         return see.failed(
             "again.words-lost",
             saw,

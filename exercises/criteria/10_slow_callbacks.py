@@ -457,8 +457,11 @@ def not_its_own(made: Sequence[Plan]) -> Verdict | None:
             "Publish what plan() has just returned.",
         )
     twice, missing = too_many_and_missing(made)
-    if not twice or not missing:
-        return None
+    return why_mixed_up(made, twice, missing) if twice and missing else None
+
+
+def why_mixed_up(made: Sequence[Plan], twice: list[float], missing: list[float]) -> Verdict:
+    """Why some requests got two plans, and others none."""
     if all(plan.apart >= SOONEST_S for plan in made[1:]):
         return see.failed(
             "plans-right.overwritten",
@@ -724,7 +727,7 @@ def nothing_more(made: Sequence[Plan], saw: str, expected: str) -> Verdict:
             about_time=True,
         )
     return see.failed(
-        "all-in-order.stops",
+        "all-in-order.stops-or-refuses",
         saw,
         expected,
         "The planning has stopped: a loop has ended, an error has ended its thread, or a 'busy' flag was never reset. "

@@ -373,15 +373,7 @@ def why_each_late(recording: Recording, alone: Sequence[float], saw: str, expect
     """Each report is held back for the same time, waits until somebody looks, or falls behind; or it may be chance."""
     typical = statistics.median(alone)
     if typical < 3.0 * ALONE_MS and recording.in_line_s > WAITED_S:
-        return see.failed(
-            "quick.busy-machine",
-            f"{saw}; the program waited {recording.in_line_s:.1f} s for a processor",
-            expected,
-            "The machine was busy, so this may be chance. Or something waits a few hundredths of a second before it "
-            "reports.",
-            REPORT_IN_THE_CALLBACK,
-            about_time=True,
-        )
+        return why_busy(f"{saw}; the program waited {recording.in_line_s:.1f} s for a processor", expected)
     if sum(abs(one - typical) < 0.1 * typical for one in alone) >= ALONE_SHARE * len(alone):
         return see.failed(
             "quick.held-back",
@@ -407,6 +399,19 @@ def why_each_late(recording: Recording, alone: Sequence[float], saw: str, expect
         saw,
         expected,
         "Touches wait in a queue, and your program takes them out too slowly.",
+        REPORT_IN_THE_CALLBACK,
+        about_time=True,
+    )
+
+
+def why_busy(saw: str, expected: str) -> Verdict:
+    """Reports are late by a few hundredths of a second, and the machine was busy."""
+    return see.failed(
+        "quick.busy-machine",
+        saw,
+        expected,
+        "The machine was busy, so this may be chance. Or something waits a few hundredths of a second before it "
+        "reports.",
         REPORT_IN_THE_CALLBACK,
         about_time=True,
     )

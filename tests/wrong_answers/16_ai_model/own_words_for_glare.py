@@ -1,7 +1,6 @@
 # Logs words of its own, not the text of the exception.
 # loses: survives
 # cause: survives.no-line
-# says: words of its own
 # replaces: except RuntimeError as error:
 # replaces:     self.get_logger().error(f"The model gave up: {error}")
 except RuntimeError:

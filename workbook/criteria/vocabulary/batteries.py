@@ -158,7 +158,7 @@ def _error_while_charged(at: float, level: float, *, before: bool, back: bool) -
 
 def _no_error_when_empty(at: float, empty_at: float, said: list[Any]) -> Verdict:
     """`said`: the words after the battery was empty."""
-    saw = f'"operational" at {seconds(at)}, though the battery is at 0 % since {seconds(empty_at)}'
+    saw = f'"operational" at {seconds(at)}, though the battery has been at 0 % since {seconds(empty_at)}'
     expected = '"operational" while the battery has charge, and "error" once it is empty'
     try_this = 'Use the level itself: "operational" if self.battery_level > 0.0 else "error".'
     if EMPTY not in said:
@@ -178,9 +178,9 @@ def _no_error_when_empty(at: float, empty_at: float, said: list[Any]) -> Verdict
             try_this,
         )
     return failed(
-        "word-fits-charge.never-error",
-        f'"operational" at {seconds(at)}, though the battery has been at 0 % since {seconds(empty_at)}',
-        '"operational" while the battery has charge, and "error" once it is empty',
-        "The word does not depend on the charge, or it depends on a level that never reaches 0.",
-        'Use the level itself: "operational" if self.battery_level > 0.0 else "error".',
+        "word-fits-charge.too-late",
+        f'{saw}; "error" came only after that',
+        expected,
+        "The word changes too late: it depends on an older level, or on one that reaches 0 later.",
+        try_this,
     )
