@@ -13,9 +13,8 @@ import sys
 import threading
 import time
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from fnmatch import fnmatch
 from pathlib import Path
@@ -32,7 +31,6 @@ SUMMARY_LIMIT_S = 120.0
 MOST_ALONE = 3
 """So many failed tests are run again, alone: a fault of the code fails again, a busy machine does not."""
 NOT_STEADY = "not_steady.txt"
-AUTOGROUP = Path("/proc/sys/kernel/sched_autogroup_enabled")
 PROCESSORS = "processors.tsv"
 LOOK_EVERY_S = 5.0
 NEVER_FORGIVEN = "full marks for a wrong answer"
@@ -153,7 +151,7 @@ def run(plan: Sequence[Step], say: Callable[[str], None]) -> list[str]:
             for old in (step.report, first_report(step.report), ARTIFACTS / NOT_STEADY):
                 old.unlink(missing_ok=True)
             say(f"── {step.name}")
-            with priorities_count(), BusyProcessors(ARTIFACTS / PROCESSORS) as processors:
+            with BusyProcessors(ARTIFACTS / PROCESSORS) as processors:
                 lines = _run_tests(step, environ, TESTS_LIMIT_S)
             say(f"   The processors were busy for {processors.share:.0%} of the time ({PROCESSORS}).")
             only_failures = lines == [f"{step.name} (exit 1)"]  # not: interrupted, or broken off
@@ -197,26 +195,6 @@ def _run_alone(step: Step, environ: dict[str, str], say: Callable[[str], None]) 
     say("── once more, alone. What fails again is at fault; what passes now is not steady, and wants repair:")
     say("\n".join(f"   {name}" for name in unsteady))
     return _run_tests(replace(step, command=step.alone), environ, TESTS_LIMIT_S)
-
-
-@contextmanager
-def priorities_count(switch: Path = AUTOGROUP) -> Iterator[None]:
-    """Let nice values count between sessions: what gives way then gives way to every process, not to its own session.
-
-    Linux shares the processors among sessions first, and each program that a test starts has a session of its own.
-    Needs root; without it, what is judged on the wall clock gets no more than anything else, and may be judged again.
-    Source: sched(7), "The autogroup feature".
-    """
-    try:
-        before = switch.read_text(encoding="ascii")
-        switch.write_text("0", encoding="ascii")
-    except OSError:
-        yield
-        return
-    try:
-        yield
-    finally:
-        switch.write_text(before, encoding="ascii")
 
 
 class BusyProcessors:

@@ -128,25 +128,6 @@ def test_a_processor_at_work_is_counted(proof: ModuleType) -> None:
     assert 0.1 * os.sysconf("SC_CLK_TCK") <= later_busy - busy <= later_total - total
 
 
-def test_priorities_count_between_sessions_while_tests_run(proof: ModuleType, tmp_path: Path) -> None:
-    switch = tmp_path / "sched_autogroup_enabled"
-    switch.write_text("1\n")
-
-    def interrupted_tests() -> None:
-        with proof.priorities_count(switch):
-            assert switch.read_text() == "0"
-            raise KeyboardInterrupt
-
-    with pytest.raises(KeyboardInterrupt):
-        interrupted_tests()
-    assert switch.read_text() == "1\n"
-
-
-def test_a_machine_without_that_switch_is_left_as_it_is(proof: ModuleType, tmp_path: Path) -> None:
-    with proof.priorities_count(tmp_path / "none"):
-        assert not list(tmp_path.iterdir())
-
-
 def test_the_ci_script_is_sound() -> None:
     script = RUN.parents[1] / ".ci" / "run"
     assert script.stat().st_mode & 0o111

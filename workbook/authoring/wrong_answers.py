@@ -11,6 +11,7 @@ Most mistakes are a few lines, so the file holds these and the rest comes from a
 The header is the comment that the file begins with. Its sentences say what the mistake is; its fields are
 
     loses      criteria that fail or get a part of their points, separated by commas
+    also       criteria that it may lose as well, where a busy machine decides
     skips      criteria that are skipped, all of them; where the field is missing, they are not compared
     cause      id that the verdict of the first lost criterion must carry; two, where milliseconds decide
     says       words that the feedback of the first lost criterion must hold; may be repeated
@@ -36,7 +37,7 @@ from workbook.authoring.tree import AuthoringError, Tree, entries
 from workbook.exercise import source
 from workbook.exercise.answers import Answer, read_answer
 
-FIELDS = ("loses", "skips", "cause", "says", "thorough", "compiles", "on")
+FIELDS = ("loses", "also", "skips", "cause", "says", "thorough", "compiles", "on")
 SOLUTION, STARTER = "solution", "starter"
 _FIELD = re.compile(r"#\s*(?P<name>[a-z]+):\s*(?P<value>.*)")
 _CHANGE = re.compile(r"# (?P<verb>replaces|after|before):(?: (?P<text>.*))?")
@@ -56,6 +57,8 @@ class Header:
     about: str
     """What the mistake is; empty where a whole program says it in its docstring."""
     loses: frozenset[str]
+    also: frozenset[str]
+    """Which it may lose as well, where a busy machine decides."""
     skips: frozenset[str] | None
     causes: frozenset[str]
     """Of which the first lost criterion must carry one: more than one where milliseconds decide."""
@@ -159,7 +162,7 @@ def _header(path: Path, lines: Sequence[str]) -> tuple[Header, int]:
             )
         if not value:
             raise WrongAnswerError(path, end + 1, f"'# {name}:' is empty")
-        if name in fields and name not in ("loses", "skips", "says"):
+        if name in fields and name not in ("loses", "also", "skips", "says"):
             raise WrongAnswerError(path, end + 1, f"'# {name}:' stands here a second time")
         fields.setdefault(name, []).append(value)
     if "loses" not in fields:
@@ -171,6 +174,7 @@ def _header(path: Path, lines: Sequence[str]) -> tuple[Header, int]:
     header = Header(
         about=" ".join(about),
         loses=_names(fields["loses"]),
+        also=_names(fields.get("also", ())),
         skips=_names(fields["skips"]) if "skips" in fields else None,
         causes=_names(fields.get("cause", ())),
         says=tuple(fields.get("says", ())),

@@ -1,5 +1,6 @@
 # A callback that reports, and a loop that spins without waiting.
 # loses: easy_on_processor
+# also: quick
 # cause: easy-on-processor.never-waits
 # replaces: rclpy.spin(TouchMonitor())
 monitor = TouchMonitor()
