@@ -36,31 +36,26 @@ LEAST_SHARE = 0.8
 TYPICALLY_S, AT_ONCE_S, SHARE_AT_ONCE = 0.1, 0.4, 0.9
 NEAR_DEG = 2.5
 """A wrong direction that is so near to something else was probably taken from there."""
-JUMP_DEG = 5.0
-"""The ball rolls by less than that from picture to picture, and is more than that elsewhere in a new part."""
 MOST = 0.6
 """Which share of what is wrong must look like a reason."""
 PADDING = 32
 BRIGHT = 0.7
 KNOWN = ("rgb8", "bgr8")
-SEED = 2752
+SEED = 2715
 FIRST_STAMP_S = 500
 
 # How many pictures of each kind come, in this order: encodings (used by turns), padding, ball, brightest and darkest.
 Part = tuple[int, tuple[str, ...], int, bool, float, float]
 PARTS: tuple[Part, ...] = (
-    (18, ("rgb8",), 0, True, 1.1, 1.0),
-    (17, ("rgb8",), 0, True, 0.9, 0.8),
-    (26, ("rgb8",), 0, True, 0.6, 0.4),
+    (35, ("rgb8",), 0, True, 1.1, 0.8),
+    (30, ("rgb8",), 0, True, 0.6, 0.4),
     (20, ("rgb8",), 0, False, 0.4, 1.0),
     (25, ("bgr8",), 0, True, 1.0, 0.5),
-    (4, ("mono8",), 0, True, 0.8, 0.8),
-    (24, ("rgb8",), PADDING, True, 0.9, 0.45),
-    (12, ("bgr8",), PADDING, True, 0.5, 1.0),
-    (10, ("bgr8",), PADDING, False, 1.0, 0.4),
+    (4, ("yuv422_yuy2",), 0, True, 0.8, 0.8),
+    (30, ("rgb8",), PADDING, True, 0.9, 0.45),
+    (15, ("bgr8",), PADDING, False, 1.0, 0.4),
     (4, ("mono16",), PADDING, True, 0.9, 0.9),
-    (4, ("rgba8",), 0, True, 1.0, 1.0),
-    (31, ("rgb8", "bgr8"), 0, True, 0.45, 1.1),
+    (32, ("rgb8", "bgr8"), 0, True, 0.45, 1.1),
 )
 
 
@@ -88,18 +83,16 @@ def views() -> tuple[CameraView, ...]:
 
 
 def scene(seconds: float, turn: float, light: float, ball: bool) -> Scene:
-    """The desk at a moment: the balls roll, the orange one from side to side, and the hands move."""
-    swing, sway = math.sin(1.8 * seconds + turn), math.cos(1.3 * seconds + 2.0 * turn)
-    waves = math.sin(2.2 * seconds + turn)
-    hands = (0.0, 0.0, 0.66, 0.62 + 0.15 * waves, 0.64, 0.62 - 0.15 * waves, *[0.0] * 6)
-    forward = 0.8 + 0.1 * sway
+    """The desk at a moment: the balls roll, the hands move, and the brick lies on the other side."""
+    swing, sway = math.sin(2.2 * seconds + turn), math.cos(1.3 * seconds)
+    hands = (0.0, 0.0, 0.72, 0.72 + 0.15 * swing, 0.7, 0.7 - 0.15 * swing, *[0.0] * 6)
     return Scene(
-        see.on_desk(forward, 0.40 * forward * swing) if ball else None,
-        see.on_desk(1.36 - 0.03 * waves, -0.32 - 0.05 * waves),
-        (Box((1.42, 0.28 - 0.03 * waves), turn=0.08 * turn),),
+        see.on_desk(0.82 + 0.06 * sway, 0.1 + 0.16 * swing) if ball else None,
+        see.on_desk(1.02 - 0.05 * swing, -0.32 - 0.05 * sway),
+        (Box((1.02, 0.5 - 0.03 * sway), turn=0.1 * turn),),
         hands,
         light=light,
-        warm=1.0 + 0.08 * waves,
+        warm=1.0 + 0.05 * sway,
     )
 
 
@@ -109,8 +102,7 @@ READABLE = [place for place, view in enumerate(VIEWS) if view.encoding in KNOWN]
 OTHERS = [place for place, view in enumerate(VIEWS) if view.encoding not in KNOWN]
 WITH_BALL = [place for place in READABLE if VIEWS[place].scene.ball is not None]
 WITHOUT_BALL = [place for place in READABLE if VIEWS[place].scene.ball is None]
-SOON = 6
-"""Pictures: whoever goes silent so shortly before one in another encoding, does so because of it."""
+FIRST_OTHER = OTHERS[0]
 
 
 def kind(encoding: str, padding: int, bright: bool | None) -> list[int]:
@@ -128,7 +120,6 @@ IN_GOOD_LIGHT = kind("rgb8", 0, True)
 IN_DIM_LIGHT = kind("rgb8", 0, False)
 IN_BGR = kind("bgr8", 0, None)
 PADDED = kind("rgb8", PADDING, None)
-PADDED_BGR = kind("bgr8", PADDING, None)
 
 BEGIN_S = 0.5
 WATCH_S = BEGIN_S + len(VIEWS) / RATE_HZ + 1.0
@@ -180,7 +171,7 @@ def stamps_kept(recording: Recording) -> Verdict:
     given = answers(recording)
     strange = [answer for answer in given if answer.place is None]
     if strange:
-        return of_the_next(given) or why_strange_stamps(strange, len(given))
+        return why_strange_stamps(strange, len(given))
     times = Counter(answer.place for answer in given)
     place, most = times.most_common(1)[0]
     if most > 1 and place is not None:
@@ -192,8 +183,10 @@ def stamps_kept(recording: Recording) -> Verdict:
             "subscriptions.",
             "Publish once for each call of the callback.",
         )
-    shifted = one_behind(given) or of_the_next(given)
-    return shifted or see.passed(f"{see.count(len(given), 'direction')}, each with the stamp of a picture")
+    shifted = one_behind(given)
+    if shifted is not None:
+        return shifted
+    return see.passed(f"{see.count(len(given), 'direction')}, each with the stamp of a picture")
 
 
 @criterion(points=1, title="It keeps up with 30 pictures a second", needs=[stamps_kept])
@@ -234,8 +227,8 @@ def refuses_others(recording: Recording) -> Verdict:
             "refuses-others.says-no-ball",
             f"{saw}, and {len(guessed)} of them were answered with (0, 0, 0)",
             expected,
-            'The node says "no ball" for pictures that it cannot read: it did not look, or took their bytes for red, '
-            "green and blue. A listener then believes that there is no ball on the desk.",
+            'The node says "no ball" where it could not look. A listener then believes that the node has '
+            "looked at the desk and found no ball.",
             RETURN_EARLY,
         )
     if guessed:
@@ -276,10 +269,7 @@ def bgr_right(recording: Recording) -> Verdict:
 @criterion(points=1, title="The direction is right for rows with padding", needs=[direction_right])
 def padding_right(recording: Recording) -> Verdict:
     unpadded_are_right = directions(recording, IN_DIM_LIGHT).ok
-    in_rgb = directions(recording, PADDED, PADDING_TAKEN_FOR_PIXELS if unpadded_are_right else None)
-    if not in_rgb.ok or not directions(recording, IN_BGR).ok:
-        return in_rgb
-    return see.all_of(in_rgb, directions(recording, PADDED_BGR, PADDING_TAKEN_FOR_PIXELS))
+    return directions(recording, PADDED, PADDING_TAKEN_FOR_PIXELS if unpadded_are_right else None)
 
 
 @criterion(points=1, title="Where there is no ball, it says so", needs=[stamps_kept])
@@ -313,23 +303,11 @@ RETURN_EARLY = "At the beginning of the callback: if you cannot read the encodin
 
 
 def silent_since(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """Why nothing came any more since a picture in another encoding; None if something did after all of them."""
-    last = max(first_answers(recording), default=-1)
-    others = [place for place in OTHERS if place > last]
-    if not others or last < 0 or not any(place > others[-1] for place in READABLE):
+    """Why nothing came since the first picture in another encoding; None if something came."""
+    by_place = first_answers(recording)
+    if any(place > FIRST_OTHER for place in by_place) or not any(place < FIRST_OTHER for place in by_place):
         return None
-    if others[0] - last > SOON:
-        saw = f"{saw}, and the answers end before, with picture {last + 1}"
-        return see.failed_by_error(recording, saw, expected) or see.failed(
-            "refuses-others.not-seen",
-            saw,
-            expected,
-            "The node stopped answering for another reason.",
-            "First make sure that every picture is answered until the end.",
-            about_time=True,
-        )
-    name = VIEWS[others[0]].encoding
-    saw = f"{saw}, and after the first {name} picture nothing came any more"
+    saw = f"{saw}, and after the first of them nothing came any more"
     return see.failed_by_error(recording, saw, expected) or see.failed(
         "refuses-others.silent-since",
         saw,
@@ -553,16 +531,6 @@ def of_an_earlier_picture(place: int, answer: Answered) -> bool:
     return any(off_deg(answer.vector, ball_of(one)) <= 0.4 for one in before)
 
 
-def at_another_scale(place: int, answer: Answered) -> bool:
-    """Whether the direction lies on the right side of the middle, but too far out, or too far in."""
-    (x, y, z), (a, b, c) = ball_of(place), answer.vector
-    if not c > 0.0:
-        return False
-    x, y, a, b = x / z, y / z, a / c, b / c
-    away, said = math.hypot(x, y), math.hypot(a, b)
-    return min(away, said) > 0.08 and x * a + y * b > 0.0 and abs(x * b - y * a) <= 0.06 * away * said
-
-
 REASONS = (
     Reason(
         "direction.no-number",
@@ -573,7 +541,7 @@ REASONS = (
     Reason(
         "direction.no-ball",
         "The ball was not found. The range of colors may not fit this light, or the bytes were read in another order "
-        "of rows or colors. Or the ball was rejected: as too small, not round, or too far from where it was before.",
+        "of rows or colors. Or the ball was rejected as too small, or as not round.",
         "Look at the pixels of the ball in such a picture, in the color space that you use: which bounds exclude them?",
         lambda place, answer: answer.length < LENGTH_SLACK,
     ),
@@ -630,16 +598,9 @@ REASONS = (
     ),
     Reason(
         "direction.earlier-picture",
-        "The ball was there a moment before. The direction is that of an earlier picture, or a mean with earlier ones.",
+        "The direction is that of an earlier picture: the ball was there a moment before.",
         "Compute the direction from the picture that the callback was called with, and publish it with its header.",
         of_an_earlier_picture,
-    ),
-    Reason(
-        "direction.another-scale",
-        "The directions point to the right side of the middle of the picture, but too far out or too far in. They were "
-        "computed with another focal length than 140 pixels, or not with the pinhole model.",
-        "Pinhole model: x = (column - 79.5) / 140, y = (row - 59.5) / 140, z = 1, and then divide by the length.",
-        at_another_scale,
     ),
 )
 
@@ -722,7 +683,7 @@ def why_strange_stamps(strange: list[Answered], given: int) -> Verdict:
     saw = (
         f"{len(strange)} of {see.count(given, 'direction')} with a stamp that no picture had, the first {{}}"
     )
-    if all(answer.stamp_s == 0.0 for answer in strange) and 2 * len(strange) > given:
+    if all(answer.stamp_s == 0.0 for answer in strange):
         return see.failed(
             "stamps-kept.no-stamp",
             saw.format("0 s"),
@@ -741,9 +702,14 @@ def why_strange_stamps(strange: list[Answered], given: int) -> Verdict:
 
 
 def one_behind(given: list[Answered]) -> Verdict | None:
-    """Whether a direction bears the stamp of the picture after its own; None if not."""
-    here, before = apart(given, 0), apart(given, -1)
-    if not belongs_elsewhere(given, -1):
+    """Whether stamps and directions belong to different pictures; None if not."""
+    pairs = [(answer.place, answer) for answer in given if answer.place in IN_GOOD_LIGHT]
+    moving = [(place, answer) for place, answer in pairs if place and place - 1 in WITH_BALL]
+    if len(moving) < 10:
+        return None
+    here = statistics.median(off_deg(answer.vector, ball_of(place)) for place, answer in moving)
+    before = statistics.median(off_deg(answer.vector, ball_of(place - 1)) for place, answer in moving)
+    if here <= 0.3 or before > 0.5 * here or before > 0.3:
         return None
     return see.failed(
         "stamps-kept.one-behind",
@@ -754,46 +720,6 @@ def one_behind(given: list[Answered]) -> Verdict | None:
         "put on an old result.",
         "Use pixels and header of the same message.",
     )
-
-
-def of_the_next(given: list[Answered]) -> Verdict | None:
-    """Whether a direction bears the stamp of the picture before its own; None if not."""
-    here, after = apart(given, 0), apart(given, 1)
-    if not belongs_elsewhere(given, 1):
-        return None
-    return see.failed(
-        "stamps-kept.one-ahead",
-        f"the directions are typically {here:.1f}° away from the ball, but only {after:.1f}° away from where the "
-        "ball is one picture later",
-        PICTURE_STAMPS,
-        "A direction gets the stamp of the picture before: its header was kept, and is used too late.",
-        "Use pixels and header of the same message.",
-    )
-
-
-def moving(given: list[Answered], by: int) -> list[tuple[int, Answered]]:
-    """The answers in good light where a picture `by` places later shows the ball as well."""
-    pairs = [(answer.place, answer) for answer in given if answer.place in IN_GOOD_LIGHT]
-    return [(place, answer) for place, answer in pairs if place is not None and place + by in WITH_BALL]
-
-
-def apart(given: list[Answered], by: int) -> float:
-    """How far (°) the directions typically are from the ball in the picture `by` places later."""
-    return statistics.median(
-        [off_deg(answer.vector, ball_of(place + by)) for place, answer in moving(given, by)] or [math.inf]
-    )
-
-
-def belongs_elsewhere(given: list[Answered], by: int) -> bool:
-    """Whether the directions are those of pictures `by` places later, also where the ball suddenly is elsewhere."""
-    here, there = apart(given, 0), apart(given, by)
-    jumps = [
-        off_deg(answer.vector, ball_of(place + by)) <= WITHIN_DEG
-        for place, answer in moving(given, by)
-        if off_deg(ball_of(place), ball_of(place + by)) > JUMP_DEG
-    ]
-    enough = len(moving(given, by)) >= 10 and all(jumps)
-    return enough and here > 0.3 and there <= 0.5 * here and there <= 0.3
 
 
 def why_late(saw: str, waited: list[float]) -> Verdict:
@@ -829,9 +755,6 @@ def why_missing(recording: Recording, saw: str) -> Verdict:
     """Why too many pictures were not answered."""
     expected = f"at least {LEAST_SHARE:.0%} of the pictures"
     error = see.last_error(recording)
-    silent = None if error else silent_since(recording, saw, expected)
-    if silent is not None and silent.cause == "refuses-others.silent-since":
-        return silent
     if error is not None:
         return see.failed(
             error.cause, f"{saw}. {error.where}{error.error}", expected, error.because, error.try_this

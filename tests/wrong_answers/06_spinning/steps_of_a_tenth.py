@@ -1,5 +1,6 @@
 # Counts whole tenths of a second.
 # loses: returns_in_time
+# also: again
 # cause: in-time.short-calls
 # replaces: while (left := end - time.monotonic()) > 0:
 # replaces:     rclpy.spin_once(node, timeout_sec=min(left, TURN_S))

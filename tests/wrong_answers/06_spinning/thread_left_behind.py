@@ -1,4 +1,5 @@
 # loses: again, slow_callbacks, nothing_left_running
+# also: quiet_node
 # cause: again.handled-before
 """A thread does the work. It is a daemon, so nobody has to end it."""
 

@@ -1,6 +1,6 @@
 # A start value is published before the first plan.
 # loses: plans_right, all_in_order
-# cause: plans-right.one-in-advance
+# cause: plans-right.one-in-advance, plans-right.not-yet-found
 # after: self.planner = ElbowPlanner()
 self.begun = False
 

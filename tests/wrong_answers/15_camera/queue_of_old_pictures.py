@@ -3,7 +3,6 @@
 # cause: keeps-up.queue-grows
 # after: import math
 import time
-
 # replaces: self.create_subscription(Image, "/camera/image", self.on_image, qos_profile_sensor_data)
 self.create_subscription(Image, "/camera/image", self.on_image, 100)
 # after: ball = find_ball(image)
