@@ -26,7 +26,7 @@ ALLOWED_SKIPS = ROOT / ".ci" / "allowed_skips"
 TYPED_FOLDERS = ("workbook", "lesson_nodes", "solutions", "exercises/criteria", "exercises/drivers")
 # Lessons, browsers and judges wait most of the time: with fewer workers, the processors stand idle.
 JOBS = str(min(8, 3 * len(os.sched_getaffinity(0))))
-TESTS_LIMIT_S = 70 * 60.0
+TESTS_LIMIT_S = 76 * 60.0
 SUMMARY_LIMIT_S = 120.0
 MOST_ALONE = 3
 """So many failed tests are run again, alone: a fault of the code fails again, a busy machine does not."""
