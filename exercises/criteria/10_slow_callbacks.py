@@ -606,6 +606,11 @@ def inexact(made: Sequence[Plan]) -> Verdict | None:
             "formula, or with more steps than one search has.",
             "Leave ElbowPlanner as it is, and publish what plan() returns.",
         )
+    return cut_short(saw, expected)
+
+
+def cut_short(saw: str, expected: str) -> Verdict:
+    """A plan is less exact than the planner's."""
     return see.failed(
         "plans-right.inexact",
         saw,

@@ -428,8 +428,7 @@ def why_missed(recording: Recording, missed: list[int]) -> Verdict:
         if cut_off(numbers):
             return see.failed("none-missed.cut-off", saw, expected, *IN_ONE_BYTE)
         return see.failed("none-missed.no-touch", saw, expected, *NOT_WHAT_THE_MESSAGE_SAYS)
-    particular = first_or_last(missed, saw, expected) or numbers_taken_amiss(set(missed), saw, expected)
-    if particular is not None:
+    if particular := first_or_last(missed, saw, expected) or numbers_taken_amiss(set(missed), saw, expected):
         return particular
     late_ms = typically_late_ms(recording) or 0.0
     if late_ms > TOO_LATE_MS:

@@ -189,7 +189,8 @@ def test_11_a_little_late_on_a_busy_machine() -> None:
 
 def test_07_a_message_of_another_type_is_accepted() -> None:
     outcomes: dict[str, Any] = dict.fromkeys(
-        ("send_battery('full')", "send_battery('87.5')", "send_battery(None)"), "TypeError: no number"
+        ("send_battery('full')", "send_battery('87.5')", "send_battery(None)", "send_battery([50.0])"),
+        "TypeError: no number",
     )
     outcomes["battery_publisher.publish(String())"] = "returned"
     outcomes["status_publisher.publish(Float32())"] = "TypeError: no String"
