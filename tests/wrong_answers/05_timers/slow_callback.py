@@ -1,6 +1,6 @@
 # Reading the battery takes 0.35 s, and the tilt has to wait.
 # loses: tilt_count
-# cause: rate.silence
+# cause: rate.silence, rate.skips
 # after: import math
 import time
 
