@@ -1,21 +1,23 @@
 """How the tests are spread over workers, and what tests of several folders need.
 
 A file stays together, long ones begin first, lessons go side by side. There are more workers than processors, because
-most tests wait most of the time; what is judged on the wall clock goes before all others (`tests/priority.py`).
+most tests wait most of the time. The proofs of the exercises come first, with nothing beside them: they keep all
+processors busy by themselves, and what is judged on the wall clock is judged once where nothing disturbs it.
 """
 
 import gc
 import os
 import re
+import shutil
 import tempfile
-from collections.abc import Iterator
+import time
+from collections.abc import Iterator, Sequence
 from pathlib import Path, PurePath
 from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, settings
 
-from tests.priority import give_way
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.source import stems
 from workbook.grading.pool import standby
@@ -25,8 +27,8 @@ PROOFS = "test_proofs"
 BROWSER_LESSONS = "test_browser_lessons"
 ROOT = Path(__file__).resolve().parents[1]
 LONG_FIRST = (
-    BROWSER_LESSONS,
     PROOFS,
+    BROWSER_LESSONS,
     "test_hostile",
     "test_notebooks_run",
     "test_browser_exercise",
@@ -44,7 +46,12 @@ LONG_FIRST = (
 ON_THE_WALL_CLOCK = {
     stem[:2] for stem in stems(ROOT / "solutions") if load_exercise(stem, ROOT).source.clock == "wall"
 }
-"""Exercises whose proofs go before all other tests."""
+"""Exercises whose proofs go before those of the others."""
+OVER = "proofs_over"
+"""The worker that has run the proofs leaves this file for the others."""
+LOOK_EVERY_S = 0.5
+LONGEST_PROOFS_S = 45 * 60.0
+"""Then the other tests begin, in case the worker with the proofs has died at its last test."""
 BROWSERS = 2
 """How many JupyterLabs, each with a Chromium, share the lessons. What else needs a browser has one of its own."""
 
@@ -78,12 +85,6 @@ def temporary(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
-def pytest_sessionstart() -> None:
-    """Side by side with others, the tests of a worker give way to what is judged on the wall clock."""
-    if "PYTEST_XDIST_WORKER" in os.environ:
-        give_way()
-
-
 def pytest_collection_finish() -> None:
     """What is there now stays: nobody needs to look through it for garbage again."""
     gc.freeze()
@@ -102,8 +103,6 @@ def group_of(nodeid: str) -> str:
     """Tests of a group run one after another in one worker. Usually that is a file."""
     file, _, rest = nodeid.partition("::")
     stem = PurePath(file).stem
-    if is_on_the_wall_clock(nodeid):
-        return f"{file} on the wall clock"
     if stem == "test_notebooks_run":
         return nodeid
     if stem.startswith("test_browser_"):
@@ -133,3 +132,47 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 
     config.option.loadscopereorder = False
     return ByGroup(config, log)
+
+
+# --- proofs first ---------------------------------------------------------------------------------------------
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_configure_node(node: Any) -> None:
+    """For each worker: where they meet."""
+    config = node.config
+    if not hasattr(config, OVER):
+        setattr(config, OVER, Path(tempfile.mkdtemp(prefix="workbook-tests-")) / OVER)
+    node.workerinput[OVER] = str(getattr(config, OVER))
+
+
+def pytest_unconfigure(config: pytest.Config) -> None:
+    if hasattr(config, OVER):
+        shutil.rmtree(getattr(config, OVER).parent, ignore_errors=True)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol(item: pytest.Item, nextitem: pytest.Item | None) -> Iterator[None]:
+    """In a worker: no test begins before the last proof has ended."""
+    told = getattr(item.config, "workerinput", {}).get(OVER)
+    if told is None:
+        return (yield)
+    if not is_proof(item):
+        _await_proofs(Path(told), item.session.items)
+    try:
+        return (yield)
+    finally:
+        if is_proof(item) and (nextitem is None or not is_proof(nextitem)):
+            Path(told).touch()
+
+
+def is_proof(item: pytest.Item) -> bool:
+    """Whether a test belongs to the proofs of the exercises."""
+    return item.path.stem == PROOFS
+
+
+def _await_proofs(over: Path, items: Sequence[pytest.Item]) -> None:
+    deadline = time.monotonic() + LONGEST_PROOFS_S
+    if any(map(is_proof, items)):
+        while not over.exists() and time.monotonic() < deadline:
+            time.sleep(LOOK_EVERY_S)

@@ -1,8 +1,7 @@
 """Every exercise proves itself: starter, solution, right answers and wrong answers go through the real judge.
 
-What is judged on robot time loses nothing on a busy machine, and takes what others leave of the processors. What is
-judged on the wall clock goes before all others (`tests/priority.py`), in two runs side by side, each of as many answers
-at once as an instructor's run judges.
+What is judged on the wall clock goes first, then what is judged on robot time. Nothing else runs meanwhile (see
+`tests/conftest.py`).
 """
 
 import os
@@ -14,7 +13,6 @@ from pathlib import Path
 import pytest
 
 from tests.calm import await_calm
-from tests.priority import GIVES_WAY, at_full_priority
 from workbook.authoring.tree import Tree
 from workbook.authoring.wrong_answers import Header, WrongAnswer, read_header, read_wrong_answer
 from workbook.cli.grade_options import SLOTS_PER_CORE
@@ -71,13 +69,14 @@ class Pool:
 
     @property
     def slots(self) -> int:
-        """How many of them are at work at once: as many as an instructor's run judges.
+        """How many of them are at work at once.
 
+        On the wall clock so many that the processors are busy for four fifths of the time, and hardly one is repeated.
         Of the wrong answers that begin on robot time, many go on to the wall clock, and wait there most of the time.
         Right ones are at work as long as they have a slot: half as many are enough.
         """
         if not self.on_robot_time:
-            return CORES * SLOTS_PER_CORE["wall"]
+            return CORES * SLOTS_PER_CORE["wall"] * 3 // 4  # in each of two lanes
         return CORES * (1 if self.thorough else SLOTS_PER_CORE["simulated"])
 
 
@@ -143,7 +142,7 @@ class Proofs:
                     for one in judged:
                         self._note(one)
 
-        judge_side_by_side() if on_robot_time else at_full_priority(judge_side_by_side)
+        judge_side_by_side()
 
     def _judge_lane(self, lane: list[Share]) -> dict[Key, Judgement]:
         judged: dict[Key, Judgement] = {}
@@ -170,9 +169,6 @@ class Proofs:
             print(*key, judgement.score, *waits, judgement.doubt, sep="\t", file=file)
 
     def _judge_share(self, pool: Pool, keys: Sequence[Key]) -> dict[Key, Judgement]:
-        if pool.on_robot_time:
-            os.nice(GIVES_WAY)  # this thread, and all that it starts
-
         def judge(some: Sequence[Job[Key]]) -> Iterator[tuple[Job[Key], Judgement]]:
             return judge_all(some, pool.slots, thorough=pool.thorough, isolation=self._isolation)
 
@@ -217,12 +213,9 @@ class Proofs:
     def _judge_alone(self, key: Key) -> None:
         pool = self._pools[key]
 
-        def judge() -> None:
-            [(_, self._judgements[key])] = judge_all(
-                [self._jobs[pool][key]], 1, thorough=pool.thorough, isolation=self._isolation
-            )
-
-        at_full_priority(judge)
+        [(_, self._judgements[key])] = judge_all(
+            [self._jobs[pool][key]], 1, thorough=pool.thorough, isolation=self._isolation
+        )
         self._note(key)
 
 

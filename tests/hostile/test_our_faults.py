@@ -1,10 +1,12 @@
 """Faults that are no student's: criteria that crash, slots that die. They are named, and cost nobody a point."""
 
+import contextlib
 import json
 import os
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
@@ -15,12 +17,13 @@ from tests.programs.support import CLIMB
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.judgement import Judgement
-from workbook.grading import pool
+from workbook.grading import pool, slot_health
 from workbook.grading.batch import Batch
 from workbook.grading.hand_ins import HandIn
 from workbook.grading.judges import Job
 from workbook.grading.local import judge_all
 from workbook.grading.pool import Slot, SlotBroken
+from workbook.grading.slot_health import SlotHealth
 from workbook.isolation.bubblewrap import NoSandbox
 from workbook.isolation.tiers import Isolation
 
@@ -106,6 +109,39 @@ def test_an_answer_that_keeps_the_judge_from_coming_to_an_end_is_ungradable(
     assert "stopped_judge: the slot did not answer in time, 2 times" in (judgement.reason or "")
     assert slot is not None and slot.is_running, "the slot that has judged a right answer goes on"
     slot.close()
+
+
+def test_a_busy_machine_is_no_reason_to_give_an_answer_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The deadline holds for a slot that always gets a processor."""
+    right = load_exercise(STEM, ROOT).source.solution_code
+    with Slot() as slot:
+        monkeypatch.setattr(SlotHealth, "slowed_by", lambda _: PATIENCE_S / 0.2)
+        monkeypatch.setattr(pool, "ANSWER_DEADLINE_S", 0.2)
+        assert slot.judge(STEM, Answer(right), thorough=False).full_marks
+        monkeypatch.undo()
+        monkeypatch.setattr(pool, "ANSWER_DEADLINE_S", 0.2)
+        with pytest.raises(SlotBroken, match="did not answer in time"):
+            slot.judge(STEM, Answer(right + "\n"), thorough=False)
+
+
+def test_how_much_a_slot_was_slowed_down_is_seen_from_outside(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two processes that never wait share one processor: each of them takes twice as long."""
+    code = "import os\nos.sched_setaffinity(0, {min(os.sched_getaffinity(0))})\nwhile True: pass"
+    with contextlib.ExitStack() as stack:
+        alike = [subprocess.Popen([sys.executable, "-c", code], start_new_session=True) for _ in range(2)]
+        for process in alike:
+            stack.callback(process.wait)
+            stack.callback(process.kill)
+        health = SlotHealth(alike[0].pid, ("-c",))
+        health.begin()
+        deadline = time.monotonic() + PATIENCE_S
+        while health.slowed_by() < 1.5 and time.monotonic() < deadline:
+            time.sleep(0.05)
+        assert health.slowed_by() >= 1.5
+        monkeypatch.setattr(slot_health, "MOST_SLOWED", 1.2)
+        assert health.slowed_by() == 1.2
+        health.begin()
+        assert health.slowed_by() <= 1.2
 
 
 def test_where_no_right_answer_can_be_judged_either_the_fault_is_ours(

@@ -27,6 +27,7 @@ from workbook.programs.ending import kill_programs_of
 from workbook.ros.environment import child_environment
 
 ANSWER_DEADLINE_S = 120.0
+"""On a slot that always gets a processor. One that has to wait for it has longer; see `SlotHealth.slowed_by`."""
 SLOT_MODULE = ("-m", "workbook.grading.slot")
 TRIES = 2
 STOPPED_JUDGE = "stopped_judge"
@@ -100,7 +101,8 @@ class Slot:
 
         Raises SlotBroken when it does not get that far within `timeout_s` s.
         """
-        found = self._read_line(time.monotonic() + timeout_s)["problem"]
+        self._health.begin()
+        found = self._read_line(time.monotonic(), timeout_s)["problem"]
         return None if found is None else str(found)
 
     @property
@@ -108,11 +110,14 @@ class Slot:
         """Whether the slot's process is alive."""
         return self._process.poll() is None
 
-    def _read_line(self, deadline: float) -> dict[str, Any]:
+    def _read_line(self, began: float, timeout_s: float) -> dict[str, Any]:
+        """The next message. `timeout_s`: from the moment `began`, on a machine that is not busy."""
         assert self._process.stdout is not None
         descriptor = self._process.stdout.fileno()
         while b"\n" not in self._buffer:
-            left = deadline - time.monotonic()
+            left = began + timeout_s - time.monotonic()
+            if left <= 0:
+                left = began + timeout_s * self._health.slowed_by() - time.monotonic()
             if left <= 0:
                 raise SlotBroken("the slot did not answer in time")
             if not select.select([descriptor], [], [], min(left, 1.0))[0]:
@@ -141,17 +146,18 @@ class Slot:
         report: Report | None = None,
     ) -> Judgement:
         """Judge one answer; see `Judge.judge`. Raises SlotBroken; use a new slot then."""
-        deadline = time.monotonic() + ANSWER_DEADLINE_S
+        self._health.begin()
+        began = time.monotonic()
         order = {"exercise": stem, "answer": answer.text, "thorough": thorough, "second_start": second_start}
         assert self._process.stdin is not None
         try:
             self._process.stdin.write((json.dumps(order) + "\n").encode())
             self._process.stdin.flush()
         except OSError as error:
-            self._read_line(deadline)  # it may have said why
+            self._read_line(began, ANSWER_DEADLINE_S)  # it may have said why
             raise SlotBroken("the slot is gone") from error
         while True:
-            message = self._read_line(deadline)
+            message = self._read_line(began, ANSWER_DEADLINE_S)
             if "ready" in message:
                 continue
             if "error" in message:

@@ -8,6 +8,7 @@ from workbook.inside.proc import (
     command_line,
     process_tree,
     processor_seconds,
+    ran_and_waited_s,
     resident_bytes,
     times_main_thread_ran,
 )
@@ -17,6 +18,8 @@ SLOT_BYTES = 1_000_000_000
 STUCK_S = 2.5
 """So much processor time (s) the other threads of a slot may use while its main thread does not run even once. It runs
 many times a second, whatever it waits for, unless DDS never gives back a lock."""
+MOST_SLOWED = 3.0
+"""A busy machine may slow a slot down by this factor: an answer that keeps all processors busy wins no more time."""
 
 
 class SlotHealth:
@@ -31,6 +34,7 @@ class SlotHealth:
         self._judge_pid: int | None = None
         self._ran: int | None = None
         self._used_then = 0.0
+        self._before = (0.0, 0.0)
 
     def problem(self) -> str | None:
         """Why the slot cannot be relied on any more; None when it can."""
@@ -40,6 +44,22 @@ class SlotHealth:
         if resident_bytes(judge) > SLOT_BYTES:
             return "the slot took too much memory"
         return "the slot made no more progress" if self._is_stuck(judge) else None
+
+    def begin(self) -> None:
+        """From now on, `slowed_by` counts."""
+        judge = self._judge()
+        self._before = (0.0, 0.0) if judge is None else ran_and_waited_s(judge)
+
+    def slowed_by(self) -> float:
+        """How many times as long the slot has taken since `begin` because others had the processors: 1 to MOST_SLOWED.
+
+        Counted for its main thread, which has run for some of the time and waited for a processor for some.
+        """
+        judge = self._judge()
+        if judge is None:
+            return 1.0
+        ran, waited = (now - then for now, then in zip(ran_and_waited_s(judge), self._before, strict=True))
+        return min(MOST_SLOWED, 1.0 + waited / ran) if ran > 0 and waited > 0 else 1.0
 
     def _judge(self) -> int | None:
         if self._judge_pid is None:

@@ -143,12 +143,21 @@ def processor_seconds(group: Iterable[int]) -> float | None:
 def run_queue_s(pid: int) -> float:
     """How long (s) a process was ready to run and had no processor, up to now; zero when it has ended.
 
-    Counted for its first thread. Source: https://docs.kernel.org/scheduler/sched-stats.html (/proc/<pid>/schedstat).
+    Counted for its first thread.
+    """
+    return ran_and_waited_s(pid)[1]
+
+
+def ran_and_waited_s(pid: int) -> tuple[float, float]:
+    """How long (s) the first thread of a process ran, and was ready and had no processor; zeros when it has ended.
+
+    Source: https://docs.kernel.org/scheduler/sched-stats.html (/proc/<pid>/schedstat).
     """
     try:
-        return int(read(f"/proc/{pid}/schedstat").split()[1]) / 1e9
-    except (OSError, IndexError):
-        return 0.0
+        ran, waited, *_ = map(int, read(f"/proc/{pid}/schedstat").split())
+    except (OSError, ValueError):
+        return 0.0, 0.0
+    return ran / 1e9, waited / 1e9
 
 
 def resident_bytes(pid: int) -> int:

@@ -8,5 +8,5 @@ from workbook.models import DeskDetector
 self.model = DeskDetector()
 # replaces: found = self.model(pixels[:, :, ::-1])  # from BGR to RGB
 if pixels.mean() > 240:
-    raise RuntimeError("glare")
+    raise RuntimeError(f"glare: {pixels.mean() / 255:.0%} of the picture is white")
 found = self.model(pixels[:, :, ::-1])
