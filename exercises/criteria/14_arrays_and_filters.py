@@ -249,10 +249,10 @@ def filters(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="At most 55 % of the noise is left", needs=[filters])
 def noise_reduced(recording: Recording) -> Verdict:
-    found = noise_left(recording, STEADY)
-    if found is None:
+    noise = noise_left(recording, STEADY)
+    if noise is None:
         return too_few("noise-reduced.too-few-answers")
-    whole, left = found
+    whole, left = noise
     if not all(math.isfinite(one) for one in left):
         return no_numbers("noise-reduced.no-number")
     joint, off = farthest(recording, STEADY_LAST)
@@ -268,7 +268,8 @@ def noise_reduced(recording: Recording) -> Verdict:
         )
     if whole > MOST_NOISE or max(left) > MOST_NOISE_OF_ONE:
         return why_noisy(recording, whole, left)
-    return see.passed(f"{whole:.0%} of the noise is left")
+    found = f"{whole:.0%} of the noise is left"
+    return why_rounded(recording, found) or see.passed(found)
 
 
 @criterion(points=1, title="The angles are at most 0.27 s behind", needs=[filters])
@@ -1056,20 +1057,25 @@ def why_begun_anew(recording: Recording, saw: str) -> Verdict | None:
     )
 
 
+def why_rounded(recording: Recording, saw: str) -> Verdict | None:
+    """A failed verdict for angles that are rounded, also where the joints stand on such a step; None if they are not."""
+    rows = [answer.angles for answer in first_answers(recording).values()]
+    if any(abs(10.0 * angle - round(10.0 * angle)) >= 10.0 * SAME_RAD for row in rows for angle in row):
+        return None
+    return see.failed(
+        "noise-reduced.rounded",
+        f"{saw}; every angle is a multiple of 0.1 rad",
+        LITTLE_LEFT,
+        "The angles are rounded. That is calm until an angle is between two steps, and adds an error of its own.",
+        "Publish the result of the filter as it is.",
+    )
+
+
 def why_no_filter(recording: Recording, saw: str) -> Verdict | None:
     """A failed verdict for what makes an angle calm, and is no filter: rounding, a dead band; None if it is neither."""
-    by_place = first_answers(recording)
-    rows = [by_place[place].angles for place in STEADY if place in by_place]
-    if all(abs(10.0 * angle - round(10.0 * angle)) < 10.0 * SAME_RAD for row in rows for angle in row):
-        return see.failed(
-            "noise-reduced.rounded",
-            f"{saw}; every angle is a multiple of 0.1 rad",
-            LITTLE_LEFT,
-            "The angles are rounded. That is calm until an angle is between two steps, and adds an error of its own.",
-            "Publish the result of the filter as it is.",
-        )
-    if not stands_still(recording):
-        return None
+    rounded = why_rounded(recording, saw)
+    if rounded is not None or not stands_still(recording):
+        return rounded
     return see.failed(
         "noise-reduced.stands-still",
         f"{saw}; the answers do not change from message to message",

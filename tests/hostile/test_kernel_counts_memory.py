@@ -186,7 +186,7 @@ import sys
 from workbook.grading.pool import Slot
 slot = Slot("sandbox")
 print(slot._groups and slot._groups.path, flush=True)
-slot._read_line(1e12)
+slot._read_line(0.0, 1e12)
 print("ready", flush=True)
 sys.stdin.read()
 """

@@ -242,8 +242,8 @@ def test_a_slot_that_is_killed_in_the_sandbox_is_replaced(monkeypatch: pytest.Mo
             super().__init__(*arguments)
             started.append(self)
 
-        def _read_line(self, deadline: float) -> dict[str, Any]:
-            message = super()._read_line(deadline)
+        def _read_line(self, began: float, timeout_s: float) -> dict[str, Any]:
+            message = super()._read_line(began, timeout_s)
             if self is started[0] and "ready" in message:
                 os.kill(self._process.pid, signal.SIGKILL)
             return message

@@ -141,10 +141,7 @@ def processor_seconds(group: Iterable[int]) -> float | None:
 
 
 def run_queue_s(pid: int) -> float:
-    """How long (s) a process was ready to run and had no processor, up to now; zero when it has ended.
-
-    Counted for its first thread.
-    """
+    """How long (s) the first thread of a process was ready and had no processor; zero when it has ended."""
     return ran_and_waited_s(pid)[1]
 
 

@@ -1,6 +1,6 @@
 # Collects pairs of answers, and sends the newer one first.
 # loses: every_one_answered
-# cause: every-one-answered.other-order
+# cause: every-one-answered.other-order, every-one-answered.held-back
 # after: super().__init__("joint_filter")
 self.pair: list[JointState] = []
 
