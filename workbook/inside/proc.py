@@ -146,10 +146,7 @@ def run_queue_s(pid: int) -> float:
 
 
 def ran_and_waited_s(pid: int) -> tuple[float, float]:
-    """How long (s) the first thread of a process ran, and was ready and had no processor; zeros when it has ended.
-
-    Source: https://docs.kernel.org/scheduler/sched-stats.html (/proc/<pid>/schedstat).
-    """
+    """Seconds for which its first thread ran, and was ready without a processor (docs.kernel.org, sched-stats)."""
     try:
         ran, waited, *_ = map(int, read(f"/proc/{pid}/schedstat").split())
     except (OSError, ValueError):
