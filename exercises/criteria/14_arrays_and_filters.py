@@ -1060,7 +1060,9 @@ def why_begun_anew(recording: Recording, saw: str) -> Verdict | None:
 def why_rounded(recording: Recording, saw: str) -> Verdict | None:
     """A failed verdict for rounded angles, also where the joints stand on such a step; None if they are not rounded."""
     angles = [angle for answer in first_answers(recording).values() for angle in answer.angles]
-    if any(abs(10.0 * angle - round(10.0 * angle)) >= 10.0 * SAME_RAD for angle in angles if math.isfinite(angle)):
+    if any(
+        abs(10.0 * angle - round(10.0 * angle)) >= 10.0 * SAME_RAD for angle in angles if math.isfinite(angle)
+    ):
         return None
     return see.failed(
         "noise-reduced.rounded",
