@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Locator, ViewportSize, expect
+from playwright.sync_api import Browser, Locator, TimeoutError, ViewportSize, expect
 
 from workbook.lab.work_folder import first_lesson
 
@@ -133,7 +133,11 @@ def check_names_of_files(page: LabPage, artifacts: Path) -> None:
     for width in NARROW:
         page.page.set_viewport_size({"width": width, "height": 800})
         page.page.wait_for_function(_LEFT_IS_AT_MOST, arg=width / 3)
-        page.page.wait_for_function(f"() => ({_CUT_NAMES.strip()})().length === 0")
+        try:
+            page.page.wait_for_function(f"() => ({_CUT_NAMES.strip()})().length === 0")
+        except TimeoutError as error:
+            page.page.screenshot(path=artifacts / f"names_{width}.png")
+            raise AssertionError(f"cut at {width} px: {page.page.evaluate(_CUT_NAMES)}") from error
         page.page.screenshot(path=artifacts / f"names_{width}.png")
     page.page.set_viewport_size(USUAL)
 
