@@ -135,14 +135,11 @@ class Proofs:
             encoding="utf-8",
         )
 
-        def judge_side_by_side() -> None:
-            with ThreadPoolExecutor(len(side_by_side)) as threads:
-                for judged in threads.map(self._judge_lane, side_by_side):
-                    self._judgements |= judged
-                    for one in judged:
-                        self._note(one)
-
-        judge_side_by_side()
+        with ThreadPoolExecutor(len(side_by_side)) as threads:
+            for judged in threads.map(self._judge_lane, side_by_side):
+                self._judgements |= judged
+                for one in judged:
+                    self._note(one)
 
     def _judge_lane(self, lane: list[Share]) -> dict[Key, Judgement]:
         judged: dict[Key, Judgement] = {}

@@ -71,7 +71,8 @@ def mounts():
 told = [line.rstrip().rsplit(":", 1)[1] for line in open("/proc/self/cgroup")]
 found = ["mounts"] if works(mounts) else []
 found += ["unshares"] if libc.unshare(0x02000000) == 0 else []
-for mount in ("/sys/fs/cgroup", "/sys/fs/cgroup/memory", "/proc/1/root/sys/fs/cgroup/memory"):
+mounts_here = ("/sys/fs/cgroup", "/sys/fs/cgroup/memory")
+for mount in (*mounts_here, *(f"/proc/1/root{mount}" for mount in mounts_here)):
     for path in {mount, *(mount + one for one in told), *(os.path.dirname(mount + one) for one in told)}:
         found += [
             f"{path}/{name}"

@@ -19,7 +19,7 @@ STUCK_S = 2.5
 """So much processor time (s) the other threads of a slot may use while its main thread does not run even once. It runs
 many times a second, whatever it waits for, unless DDS never gives back a lock."""
 MOST_SLOWED = 3.0
-"""A busy machine may slow a slot down by this factor: an answer that keeps all processors busy wins no more time."""
+"""The most that is believed of a busy machine: an answer that keeps all processors busy itself gains no more time."""
 
 
 class SlotHealth:

@@ -146,7 +146,8 @@ def run_queue_s(pid: int) -> float:
 
 
 def ran_and_waited_s(pid: int) -> tuple[float, float]:
-    """Seconds for which its first thread ran, and was ready without a processor (docs.kernel.org, sched-stats)."""
+    """Seconds that the first thread of a process ran, and waited for a processor; zeros when it has ended."""
+    # https://docs.kernel.org/scheduler/sched-stats.html
     try:
         ran, waited, *_ = map(int, read(f"/proc/{pid}/schedstat").split())
     except (OSError, ValueError):
