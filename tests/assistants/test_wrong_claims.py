@@ -27,6 +27,7 @@ from rclpy.publisher import Publisher
 from rclpy.qos import QoSCompatibility, QoSProfile, ReliabilityPolicy, qos_check_compatible
 from rclpy.serialization import deserialize_message, serialize_message
 from rclpy.subscription import Subscription
+from rclpy.timer import Rate
 from rclpy.wait_for_message import wait_for_message
 from scipy.signal import butter, filtfilt
 from sensor_msgs.msg import Image, JointState
@@ -273,12 +274,13 @@ def test_missed_ticks_come_later(executor: SingleThreadedExecutor, node: Node) -
 
 def test_use_a_rate(node: Node, context: Context) -> None:
     """Use a rate: `rate.sleep()` in the callback"""
-    rate = node.create_rate(20)
+    rates: list[Rate] = []
     began, woke = threading.Event(), threading.Event()
 
     def callback() -> None:
+        rates.append(node.create_rate(20))  # here: a tick before the first sleep would let it return at once
         began.set()
-        rate.sleep()
+        rates[-1].sleep()
         woke.set()
 
     node.create_timer(0.01, callback)
@@ -287,7 +289,7 @@ def test_use_a_rate(node: Node, context: Context) -> None:
     thread = spin_aside(own)
     assert began.wait(LONGEST_S)
     assert not woke.wait(1.0)  # twenty periods
-    rate.destroy()  # lets it go, for the sake of the tests after this one
+    rates[0].destroy()  # lets it go, for the sake of the tests after this one
     context.try_shutdown()
     thread.join(LONGEST_S)
 
