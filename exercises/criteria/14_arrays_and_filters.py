@@ -1066,7 +1066,7 @@ def why_no_filter(recording: Recording, saw: str) -> Verdict | None:
             "noise-reduced.rounded",
             f"{saw}; every angle is a multiple of 0.1 rad",
             LITTLE_LEFT,
-            "The angles are rounded. That is calm until an angle is between two steps, and adds an error of its own.",
+            "The angles are rounded. They look calm, but each of them may be off by up to 0.05 rad.",
             "Publish the result of the filter as it is.",
         )
     if not stands_still(recording):
