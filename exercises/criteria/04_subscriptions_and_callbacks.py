@@ -879,8 +879,8 @@ def why_no_more_come(recording: Recording, saw: str, missed: tuple[int, ...]) ->
         "one-alarm.not-each",
         saw,
         ONE_EACH,
-        "For an equal reading an alarm did come. So it depends on more than the reading: on a counter, on what came "
-        "before, or several readings share an alarm.",
+        "For an equal reading an alarm did come. So it depends on more than the reading: on a counter, or on what "
+        "came before. Or several readings share an alarm.",
         "Publish an alarm for each bad reading, no matter what came before it.",
         about_time=True,
     )

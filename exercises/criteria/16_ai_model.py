@@ -810,7 +810,7 @@ REASONS = (
     ),
     Reason(
         "right.corner",
-        "The labels are right, but each place is up to the left of the toy: it is a corner of the box.",
+        "The labels are right, but each place is above the toy and to its left: it is a corner of the box.",
         "u and v of a detection are the middle of its box. Leave to_markers as it is.",
         at_a_corner,
     ),

@@ -110,7 +110,7 @@ reveal("tilt-or-window", gain=median(rule.late_s) - median(learned.late_s))
 # were held back, not single windows: neighbors share nine of ten samples, so a model that has seen one knows the
 # other.
 #
-# This is what the model had besides the tilt, and what it made of it:
+# These are the other inputs of the model, besides the tilt, and its output:
 
 # %%
 show(

@@ -107,7 +107,7 @@ def partial(
 
 
 def all_of(*verdicts: Verdict) -> Verdict:
-    """Passed if all are, and then says what each of them saw; otherwise the first that is not passed."""
+    """Passed if all of them are, and says what each one saw. Otherwise it is the first one that is not passed."""
     for verdict in verdicts:
         if not verdict.ok:
             return replace(verdict, status="failed", share=0.0)

@@ -24,7 +24,7 @@ from workbook.programs.warm_start import ForkServer
 Isolation = Literal["sandbox", "uid", "landlock", "limits"]
 BEST_FIRST: tuple[Isolation, ...] = ("sandbox", "uid", "landlock", "limits")
 _NETWORK = "the network of this machine and, through it, all ROS domains on it"
-_DISK = "the disk, on which more than 200 MB are noticed when they are written"
+_DISK = "the disk: more than 200 MB are noticed only after they were written"
 _WHOLE_DISK = "the disk and shared memory, which an answer can fill outside the folder that it works in"
 _ENDLESS = "an answer that keeps restarting itself without a pause, which may go on running"
 _KERNEL = "holes in the Linux kernel"

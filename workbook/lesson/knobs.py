@@ -68,7 +68,7 @@ class Knob:
         """It turns nothing any more; running its cell again makes a new one."""
         if self._slider is not None:
             self._slider.disabled = True
-            self._slider.description_tooltip = "Run the cell again to turn this."
+            self._slider.description_tooltip = "Run the cell again to use this slider."
 
 
 async def knob(

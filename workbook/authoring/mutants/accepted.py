@@ -15,7 +15,7 @@ CLASSES: Mapping[str, str] = {
     "init-arguments": "rclpy takes the arguments of the process if it is given none",
     "unused-default": "every call passes a value",
     "poll-time": "how long one poll of the executor waits may be chosen",
-    "whole-number": "comparisons, calculations and timers take 2 as they take 2.0",
+    "whole-number": "comparisons, calculations and timers treat 2 and 2.0 alike",
 }
 """What each class means. A report may name some as judged in its exercise."""
 NEVER_JUDGED = ("log-text",)

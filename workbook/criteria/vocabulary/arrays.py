@@ -91,7 +91,7 @@ def _other_lengths(messages: int, expected: str) -> Verdict:
         "varies.other-lengths",
         f"{count(messages, 'message')} of different lengths: none can be compared with another",
         expected,
-        "Each message has another number of values, so nobody can say which of them moved.",
+        "The number of values differs from message to message, so nobody can say which of them moved.",
         "First give every message the same number of values, then let them move.",
     )
 

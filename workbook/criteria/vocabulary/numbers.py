@@ -61,7 +61,7 @@ def really_arrives(recording: Recording, topic: Topic) -> Verdict:
 
 @if_messages
 def given_floats(recording: Recording, topic: Topic) -> Verdict:
-    """If every number is 0.0, the program really sends 0.0: it does not put a value of a wrong type into the field."""
+    """Whether a program whose numbers are all 0.0 sends 0.0, or puts a value of a wrong type into the field."""
     seen = [value for value in values(recording, topic) if isinstance(value, (int, float))]
     if not seen or said_by_field_checks(recording) == "":
         return passed("its numbers are floats")

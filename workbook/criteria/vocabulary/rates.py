@@ -192,7 +192,7 @@ def _too_few(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
 @_of_pace
 @if_all_kept
 def counts(recording: Recording, topic: Topic) -> Verdict:
-    """Exactly as many messages arrive as periods fit in the window; one more or less may fall on its edge."""
+    """As many messages arrive as there are periods in the window, give or take one at its edge."""
     assert topic.hz is not None
     seen = topic_pace(recording, topic)
     start, end = _watched(recording, topic)
@@ -209,7 +209,7 @@ def counts(recording: Recording, topic: Topic) -> Verdict:
 @_of_pace
 @if_messages
 def keeps_period(recording: Recording, topic: Topic) -> Verdict:
-    """The typical interval is the topic's period, within a tenth: exact even if only a few messages came.
+    """The typical interval is the topic's period, within a tenth. A few messages are enough to tell.
 
     On robot time, where many are watched, the mean interval is so within 4 %.
     """
