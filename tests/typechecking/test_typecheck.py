@@ -55,6 +55,15 @@ def test_mistakes_are_found_by_line_and_code() -> None:
     assert codes(NODE.format(period='"2 s"', value='"full"')) == [(9, "arg-type"), (12, "arg-type")]
 
 
+def test_programs_of_one_length_are_not_taken_for_each_other() -> None:
+    """mypy goes by size and by whole seconds, and several programs may be checked in one second."""
+    wrong, right = "level: int = 'a'\n", "level: int = 123\n"
+    assert len(wrong) == len(right)
+    for _ in range(6):
+        assert codes(wrong) == [(1, "assignment")]
+        assert codes(right) == []
+
+
 def test_without_stubs_a_message_is_anything() -> None:
     program = NODE.format(period="2.0", value='"full"')
     assert (
