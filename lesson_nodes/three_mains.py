@@ -1,4 +1,4 @@
-"""Three ways to end a program, of which one is right. Run one with ``python -m lesson_nodes.three_mains hopeful``."""
+"""Three ways to write a main function. Run one with ``python -m lesson_nodes.three_mains first_main``."""
 
 import sys
 
@@ -8,8 +8,8 @@ from rclpy.executors import ExternalShutdownException
 from lesson_nodes.night_guard import NightGuard
 
 
-def hopeful() -> None:
-    """Park the arms in the lines after spin."""
+def first_main() -> None:
+    """Park the arms after spin, then call shutdown."""
     rclpy.init()
     guard = NightGuard()
     rclpy.spin(guard)
@@ -18,8 +18,8 @@ def hopeful() -> None:
     rclpy.shutdown()
 
 
-def careful() -> None:
-    """Catch Ctrl-C, and clean up in finally."""
+def second_main() -> None:
+    """Park the arms in finally, then call shutdown."""
     rclpy.init()
     guard = NightGuard()
     try:
@@ -32,8 +32,8 @@ def careful() -> None:
         rclpy.shutdown()
 
 
-def seasoned() -> None:
-    """Expect both exceptions, and shut down only what is still up."""
+def third_main() -> None:
+    """Park the arms in finally, then call try_shutdown."""
     rclpy.init()
     guard = NightGuard()
     try:
@@ -47,4 +47,4 @@ def seasoned() -> None:
 
 
 if __name__ == "__main__":
-    {"hopeful": hopeful, "careful": careful, "seasoned": seasoned}[sys.argv[1]]()
+    {"first_main": first_main, "second_main": second_main, "third_main": third_main}[sys.argv[1]]()

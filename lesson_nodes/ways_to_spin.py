@@ -16,14 +16,14 @@ from std_msgs.msg import String
 
 
 def no_timeout(node: Node) -> None:
-    """Wait for a callback that never comes."""
+    """Spin once, without a timeout."""
     print("before", flush=True)
     rclpy.spin_once(node)
     print("after", flush=True)
 
 
 def with_timeout(node: Node, timeout_s: float) -> None:
-    """Wait for a callback, but not for long."""
+    """Spin once, with a timeout."""
     print("before", flush=True)
     rclpy.spin_once(node, timeout_sec=timeout_s)
     print("after", flush=True)
@@ -38,6 +38,18 @@ def twenty_ticks(node: Node, timeout_s: float) -> None:
         rclpy.spin_once(node, timeout_sec=timeout_s)
         iterations += 1
     print(iterations, time.monotonic() - begin, time.process_time() - busy)
+
+
+def park_after_round(node: Node) -> None:
+    """Make one round and call shutdown in the callback; park the arm in the line after spin."""
+
+    def finish() -> None:
+        print("round finished", flush=True)
+        rclpy.shutdown()
+
+    node.create_timer(0.2, finish)
+    rclpy.spin(node)
+    print("arm parked", flush=True)
 
 
 def park_after_spin(node: Node) -> None:
@@ -194,8 +206,9 @@ def busy_timer(node: Node, slice_s: float) -> None:
 WAYS: dict[str, Callable[..., None]] = {
     way.__name__: way
     for way in (
-        no_timeout, with_timeout, twenty_ticks, park_after_spin, park_in_finally, wait_in_callback, go_on_later,
-        rate_without_spin, two_spins, one_executor, thread_left_behind, thread_ended, busy_timer,
+        no_timeout, with_timeout, twenty_ticks, park_after_round, park_after_spin, park_in_finally,
+        wait_in_callback, go_on_later, rate_without_spin, two_spins, one_executor, thread_left_behind,
+        thread_ended, busy_timer,
     )
 }  # fmt: skip
 

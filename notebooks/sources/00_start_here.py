@@ -207,8 +207,7 @@ print("middleware:", rclpy.get_rmw_implementation_identifier())
 print("a domain between 1 and 101:", 1 <= int(os.environ["ROS_DOMAIN_ID"]) <= 101)
 
 # %% [markdown]
-# The **domain** is like the channel of a radio: only programs on the same domain receive each other's messages. Each
-# open notebook takes a free one, so your robot and your neighbor's do not mix.
+# Each open notebook takes a free **domain**, which is a number. Lesson 01 shows what it is for.
 
 # %% [markdown] prediction="wave-faster"
 # ## Change it
@@ -220,7 +219,7 @@ print("a domain between 1 and 101:", 1 <= int(os.environ["ROS_DOMAIN_ID"]) <= 10
 # | `waves_per_second` | how often the hand moves to and fro in a second | 0.8 |
 # | `period_s` | seconds from one message to the next | 0.05 |
 #
-# ### Experiment 1: wave faster
+# ### Experiment 1: the first number
 #
 # We set `waves_per_second=2.0`. What changes?
 #
@@ -244,17 +243,14 @@ start(joint_position_publisher, waves_per_second=2.0)
 await watch_robot(seconds=5, ease=0.1)
 
 rate = topic_hz("/robot/joint_positions", seconds=3)
-print("about 20 messages a second, as before:", 15 < rate.mean_hz < 25)
+print("messages a second, to the nearest ten:", round(rate.mean_hz / 10) * 10)
 reveal("wave-faster", messages_per_second=rate.mean_hz)
 
-# %% [markdown]
-# How the robot moves and how often it reports its pose are two different numbers. Beginners often mix them up.
-
 # %% [markdown] prediction="report-less-often"
-# ### Experiment 2: report less often
+# ### Experiment 2: the second number
 #
-# The usual wave again, but with `period_s=0.5`: one message every half second. We also watch with `ease=0`. Then the
-# picture shows each pose as it comes, and fills in nothing.
+# The usual wave again, but with `period_s=0.5`. We also watch with `ease=0`. (`ease` is how many seconds the picture
+# takes to glide to a new pose.) What will you see?
 #
 # - **a** The hand waves slowly and smoothly.
 #   ✗ The wave is as fast as before. And it cannot look smooth with two messages a second.
@@ -273,6 +269,8 @@ reveal("report-less-often")
 stop()
 
 # %% [markdown]
+# How the robot moves and how often it reports its pose are two different numbers. Beginners often mix them up.
+#
 # With `ease=0.5` the picture glides from one pose to the next. It looks fine, but the poses in between are our guess. Try
 # it, and try other numbers. You can run these cells as often as you like.
 #
@@ -298,7 +296,7 @@ except RuntimeError as error:
 
 # %% [markdown]
 # The program ended at once, and the last line says why. (Read error messages from the last line up.) `2` is a whole
-# number, and this parameter is a number with a decimal point. ROS does not convert one into the other. Write `2.0`.
+# number, and this parameter is a number with a decimal point. So write `2.0`.
 #
 # A misspelled parameter is worse: `wave_per_second=2.0` is accepted silently, and changes nothing.
 #

@@ -9,7 +9,7 @@
 # - **You will be able to:**
 #   - start and end ROS in a program
 #   - say what works before, between and after
-#   - keep two robots apart by domains
+#   - say what decides which robots hear each other
 #   - write a `main()` that ends well on Ctrl-C
 # - **Left out:** what `spin` does inside (lesson 06), other signals and threads (the deeper notebook), lifecycle nodes
 
@@ -90,7 +90,6 @@ radio.publish(String(data="burglar!"))
 
 # %%
 reveal("publish-after-shutdown")
-print("and the node still knows its name:", guard.get_name())
 
 # %% [markdown]
 # ## Look inside
@@ -157,9 +156,10 @@ for row, action in enumerate(actions):
 #
 # ### Experiment 1: three contexts in one notebook
 #
-# A process usually has one context. It may have more, and each can be on another **domain**. Here are three robots in
-# one process, each with a context of its own. `kitchen` and `hall` are on domain A, `garden` is on domain B.
-# All three publish their names on the topic `/building/hello`, and subscribe to it. Who hears whom?
+# A process usually has one context. It may have more, and each can be on another **domain**, the number that you saw in
+# lesson 00. Here are three robots in one process, each with a context of its own. `kitchen` and `hall` are on domain A,
+# `garden` is on domain B. All three publish their names on the topic `/building/hello`, and subscribe to it. Who hears
+# whom?
 #
 # - **a** None hears another one: each has a context of its own.
 #   when `kitchen_hears == 0 and garden_hears == 0`
@@ -273,18 +273,18 @@ print(
 # A program reports how it ended by its **exit code**: 0 means success, and any other number means trouble. Scripts,
 # service managers and launch files read it. Which of the three programs end with 0 after Ctrl-C?
 #
-# - **a** `seasoned` only
-#   when `hopeful != 0 and careful != 0 and seasoned == 0`
+# - **a** `third_main` only
+#   when `first != 0 and second != 0 and third == 0`
 #   ✓ It catches what `spin` raises, and `try_shutdown` does not mind that the context is down already.
 # - **b** All three: Ctrl-C is a normal way to end.
-#   when `hopeful == 0 and careful == 0 and seasoned == 0`
-#   ✗ `hopeful` does not catch the `KeyboardInterrupt`. It ends the program, and the exit code is not 0.
-# - **c** `careful` and `seasoned`
-#   when `hopeful != 0 and careful == 0 and seasoned == 0`
-#   ✗ `careful` catches the `KeyboardInterrupt`, but then `rclpy.shutdown()` raises: Ctrl-C has shut the context down
-#   already.
+#   when `first == 0 and second == 0 and third == 0`
+#   ✗ `first_main` does not catch the `KeyboardInterrupt`. It ends the program, and the exit code is not 0.
+# - **c** `second_main` and `third_main`
+#   when `first != 0 and second == 0 and third == 0`
+#   ✗ `second_main` catches the `KeyboardInterrupt`, but then `rclpy.shutdown()` raises: Ctrl-C has shut the context
+#   down already.
 # - **d** None: after Ctrl-C the code is never 0.
-#   when `hopeful != 0 and careful != 0 and seasoned != 0`
+#   when `first != 0 and second != 0 and third != 0`
 #   ✗ The exit code is 0 whenever the program comes to its end without an exception, even after Ctrl-C.
 
 # %%
@@ -298,7 +298,7 @@ from workbook.lesson import run_program
 
 ends = {
     name: run_program(three_mains, arguments=[name], interrupt_at="round 1")
-    for name in ("hopeful", "careful", "seasoned")
+    for name in ("first_main", "second_main", "third_main")
 }
 for name, end in ends.items():
     last_line = end.log.strip().splitlines()[-1].split(", at ")[0]
@@ -306,25 +306,25 @@ for name, end in ends.items():
     print(f"    last line: {last_line}")
 reveal(
     "after-ctrl-c",
-    hopeful=ends["hopeful"].exit,
-    careful=ends["careful"].exit,
-    seasoned=ends["seasoned"].exit,
+    first=ends["first_main"].exit,
+    second=ends["second_main"].exit,
+    third=ends["third_main"].exit,
 )
 
 # %% [markdown]
-# **hopeful** never reaches the line after `spin`. On Ctrl-C `spin` does not return. It *raises*, and the exception leaves
-# `main`. The arms are still up. (130 is how shells write "ended by signal 2", and 2 is SIGINT.)
+# **`first_main`** never reaches the line after `spin`. On Ctrl-C `spin` does not return. It *raises*, and the exception
+# leaves the function. The arms are still up. (130 is how shells write "ended by signal 2", and 2 is SIGINT.)
 #
-# **careful** parks its arms. But then `rclpy.shutdown()` fails: *rcl_shutdown already called*. `rclpy.init` installed a
-# handler for SIGINT, and that handler shuts the context down at once. You find this `main` in many tutorials. It looks
-# fine, because the arms are down. But a service manager reads the exit code, and reports a crash.
+# **`second_main`** parks its arms. But then `rclpy.shutdown()` fails: *rcl_shutdown already called*. `rclpy.init`
+# installed a handler for SIGINT, and that handler shuts the context down at once. You find this `main` in many
+# tutorials. It looks fine, because the arms are down. But a service manager reads the exit code, and reports a crash.
 #
-# **seasoned** calls `rclpy.try_shutdown()`. It shuts the context down if it is up, and otherwise does nothing. Its
+# **`third_main`** calls `rclpy.try_shutdown()`. It shuts the context down if it is up, and otherwise does nothing. Its
 # `except` names a second exception, which `spin` raises when the context is shut down from outside. Write this `main`.
 #
 # One caveat: `try_shutdown` first checks, then calls. Very rarely, rclpy's handler shuts the context down between the
-# two, and the program ends as `careful` does. That is a flaw of this rclpy. The judge of the exercise knows it, and does
-# not count it.
+# two, and the program ends as `second_main` does. That is a flaw of this rclpy. The judge of the exercise knows it, and
+# does not count it.
 
 # %% [markdown]
 # ## When it goes wrong

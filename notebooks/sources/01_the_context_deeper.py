@@ -4,7 +4,7 @@
 # In the field, a robot's programs are stopped by a service manager, not by Ctrl-C. And its last message must get out in
 # time.
 #
-# - **Minutes:** 20
+# - **Minutes:** 15
 # - **You need:** lesson [01](01_the_context.ipynb)
 # - **You will be able to:**
 #   - say which exception `spin` raises, if any, for each way to end a program
@@ -56,6 +56,7 @@ for cause in ends_of_spin.CAUSES:
         came_out[cause, way] = log[-1]
         still_ok.add(log[-2])
         print(f"{cause:<21} {way:<14} {log[-1]}")
+reveal("sigterm", came_out=came_out["SIGTERM", "rclpy.spin"])
 
 # %%
 on_sigterm = {what for (cause, _), what in came_out.items() if cause == "SIGTERM"}
@@ -65,12 +66,7 @@ on_ctrl_c = {
 print("Ctrl-C always comes as KeyboardInterrupt:", on_ctrl_c == {"KeyboardInterrupt"})
 print("SIGTERM ever comes as KeyboardInterrupt: ", "KeyboardInterrupt" in on_sigterm)
 print("the context afterwards, in all six runs: ", *still_ok)
-
-# %% tags=["nbval-ignore-output"]
-reveal("sigterm", came_out=came_out["SIGTERM", "rclpy.spin"])
-
-# %%
-print("SIGTERM and Ctrl-C come out alike:", on_sigterm == on_ctrl_c)
+print("SIGTERM and Ctrl-C come out alike:       ", on_sigterm == on_ctrl_c)
 
 # %% [markdown]
 # So a good `main` catches two exceptions. `ExternalShutdownException` means that the context was shut down from outside

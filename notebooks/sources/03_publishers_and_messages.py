@@ -2,13 +2,13 @@
 # # 03 · Publishers and messages
 #
 # One topic tells the wheels where to go. Another tells the screen how much battery is left. Both need a publisher, and a
-# message whose numbers arrive as they were meant.
+# message with a number in it. How is that done well?
 #
 # - **Minutes:** 45
 # - **You need:** lessons 00 to 02
 # - **You will be able to:**
 #   - create a publisher
-#   - fill messages so that the number you mean arrives
+#   - put numbers into the fields of a message
 #   - read the errors that publishers give
 # - **Left out:** receiving (lesson 04), timers (lesson 05), quality of service (lesson 13); queues, pictures and richer
 #   message types (the deeper notebook)
@@ -44,10 +44,9 @@ show_path(
 )
 
 # %% [markdown]
-# Change something: `record(figure_driver, {DRIVE: 0.1}, seconds=12.7, turn_radps=2.0)`, and run both cells again.
+# Change something: `record(figure_driver, {DRIVE: 0.1}, seconds=12.7, eight=False)`, and run both cells again.
 #
-# Now you will publish messages of your own. You will see that the number that arrives is not always the number that you
-# gave.
+# Now you will publish messages of your own.
 
 # %% [markdown] prediction="int-in-a-float-field"
 # ## Predict
@@ -242,8 +241,8 @@ print(command)
 # %% [markdown]
 # ## Change it
 
-# %% [markdown] prediction="the-wider-circle"
-# ### Experiment 1: a wider circle
+# %% [markdown] prediction="the-other-circle"
+# ### Experiment 1: another circle
 #
 # The robot drives 0.4 m/s and turns left by 1.0 rad/s, always. That is a circle 0.8 m across. Now it turns by 0.5 rad/s.
 # What will the path be?
@@ -261,7 +260,7 @@ print(command)
 #   ✗ For a spiral, one of the two speeds would have to change on the way. Both are constant.
 
 # %%
-predict("the-wider-circle")
+predict("the-other-circle")
 
 # %%
 turn_radps = 0.5  # turn this knob, and forward_mps too, if you like
@@ -275,15 +274,16 @@ circle = record(
     eight=False,
 )
 points = path_of(arrival.value for arrival in circle.topic(DRIVE).arrivals)
+xs, _ = points
+print(f"from side to side: {max(xs) - min(xs):.1f} m")
+reveal("the-other-circle", width_m=max(xs) - min(xs))
+
+# %%
 show_path(
     points,
     "the path of the robot: one circle to the left",
     title="half the turning, twice the radius",
 )
-
-xs, _ = points
-print(f"from side to side: {max(xs) - min(xs):.1f} m")
-reveal("the-wider-circle", width_m=max(xs) - min(xs))
 
 # %% [markdown]
 # The robot drives as fast as before and turns half as fast. So one lap takes twice as long, and covers twice the
@@ -662,8 +662,7 @@ else:
 # Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
 #
 # - **An int in a float field raises a `TypeError`, or is converted:** In Jazzy the check is off by default. With the
-#   packages of this course, 0.0 arrives; other builds may crash. Type hints do not help, because rclpy does not read
-#   them.
+#   packages of this course, 0.0 arrives; other builds may crash.
 # - **Set `os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"` in `main()`:** Too late: the variable is read when the message
 #   type is imported.
 #

@@ -1,13 +1,13 @@
 # %% [markdown]
 # # 03 · Deeper: queues, pictures and messages with meaning
 #
-# A camera robot publishes pictures in bursts. Whether all of them arrive depends on the depth of a queue, a number
-# that most programs copy from an example.
+# A camera robot publishes pictures in bursts. Its publisher has a queue, and most programs copy the depth of that queue
+# from an example. What does this number do?
 #
 # - **Minutes:** 15
 # - **You need:** lesson [03](03_publishers_and_messages.ipynb)
 # - **You will be able to:**
-#   - choose the depth of a publisher's queue
+#   - say what the depth of a publisher's queue does
 #   - read and fill a picture
 #   - choose message types that other people understand
 # - **Left out:** the subscription's queue (lesson 04), other settings of quality of service (lesson 13)
@@ -15,7 +15,7 @@
 # %% [markdown]
 # Everything here is optional. Later lessons do not depend on it.
 
-# %% [markdown] prediction="whose-queue"
+# %% [markdown] prediction="a-burst-of-pictures"
 # ## Predict
 #
 # The last argument of `create_publisher` is the **depth** of the publisher's queue: how many messages it keeps, in case it
@@ -36,7 +36,7 @@
 # %%
 from workbook.lesson import predict, reveal
 
-predict("whose-queue")
+predict("a-burst-of-pictures")
 
 # %% [markdown]
 # ## Run it
@@ -69,9 +69,7 @@ def arrived(depth, size_bytes):
     """How many of 20 pictures arrive."""
     ear = fresh(Ear)
     start(burst_camera, depth=depth, size_bytes=size_bytes)
-    spin_for(
-        ear, seconds=10, until=lambda: 20 in ear.numbers
-    )  # the last one always arrives
+    spin_for(ear, seconds=10, until=lambda: 20 in ear.numbers)  # they end with 20
     spin_for(ear, seconds=1)
     stop()
     ear.destroy_node()
@@ -84,6 +82,7 @@ counts = {
 }
 for (depth, size), bursts in counts.items():
     print(f"depth {depth:>3}, {size / 1000:>3.0f} kB: {bursts} of 20")
+reveal("a-burst-of-pictures", arrived=min(counts[1, 921_600]))
 
 # %%
 print("depth   1, 0.9 MB: some pictures are lost: ", min(counts[1, 921_600]) < 20)
@@ -91,9 +90,6 @@ print(
     "depth 100, 0.9 MB: all arrive:             ", counts[100, 921_600] == [20, 20, 20]
 )
 print("depth   1,   1 kB: all arrive:             ", counts[1, 1_000] == [20, 20, 20])
-
-# %%
-reveal("whose-queue", arrived=min(counts[1, 921_600]))
 
 # %% [markdown]
 # Only the *publisher's* depth changed. `publish` returns before a large picture is delivered. What does not fit into the

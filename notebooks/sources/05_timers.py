@@ -390,31 +390,31 @@ predict("the-long-beep")
 # This one runs on the wall clock, for eight real seconds, because the beep takes real time.
 
 # %%
+from statistics import median
+
 long_beep = {"blink_period_s": 0.2, "beep_period_s": 2.0, "beep_takes_s": 1.1}
 slow = record(
     blink_and_beep, {BLINK: 0.2, BEEP: 2.0}, seconds=8.5, clock="wall", **long_beep
 )
 
 blinks, beeps = arrivals(slow, BLINK), arrivals(slow, BEEP)
-show(
-    strip({BLINK: blinks, BEEP: beeps}, periods={BLINK: 0.2, BEEP: 2.0}, end=8.5),
-    "blinks every 0.2 s, with a silence after each beep",
-)
-
-# %%
-from statistics import median
-
 came = [sum(a - 0.1 < t < b - 0.1 for t in blinks) for a, b in pairwise(beeps[:4])]
-print("blinks due from one beep to the next:", round(2.0 / 0.2))
-print("blinks that came, as a rule:         ", median(came))
 gaps = [b - a for a, b in pairwise(blinks)]
-print("any two of them at once, as in a burst:", any(gap < 0.02 for gap in gaps))
 reveal(
     "the-long-beep",
     blinks_per_beep=median(came),
     shortest_gap_s=min(gaps),
     longest_gap_s=max(gaps),
 )
+
+# %%
+show(
+    strip({BLINK: blinks, BEEP: beeps}, periods={BLINK: 0.2, BEEP: 2.0}, end=8.5),
+    "blinks every 0.2 s, with a silence after each beep",
+)
+print("blinks due from one beep to the next:", round(2.0 / 0.2))
+print("blinks that came, as a rule:         ", median(came))
+print("any two of them at once, as in a burst:", any(gap < 0.02 for gap in gaps))
 
 # %% [markdown]
 # This is the machine of lesson 04, with two timers. A timer has no queue. It has room for one tick that waits.

@@ -8,9 +8,9 @@
 #   a timer call
 # - **You will be able to:**
 #   - say what `spin` and `spin_once` do
-#   - spin a node step by step
-#   - give every wait an end
-#   - recognize five ways to get stuck
+#   - spin a node by hand
+#   - choose a timeout
+#   - recognize five mistakes with spinning
 # - **Left out:** several threads that share the work (lesson 10), services (lesson 12)
 
 # %% [markdown]
@@ -119,8 +119,7 @@ time.sleep(1.0)
 print("heard after more than a second:", robot.done)
 
 # %% [markdown]
-# No callback, no error, no warning: this is what a **forgotten spin** looks like. Publishing worked, because `publish` needs
-# no spin. Now one iteration, and then four more.
+# Publishing worked, because `publish` needs no spin. Now the one call in question.
 
 # %% id="one-is-not-all"
 rclpy.spin_once(robot, timeout_sec=0.5)
@@ -135,23 +134,18 @@ for call in range(4):
 # %% [markdown]
 # ## Look inside
 #
+# Before the first call, nothing spun the robot: no callback, no error, no warning. That is what a **forgotten spin**
+# looks like.
+#
 # A message that arrives does not call your callback. DDS puts it into the subscription's queue, in a thread of its own. A
 # timer does not call your callback either: it only knows when it is due. Both wait for the **executor**.
 # `rclpy.spin_once(node)` gives the node to an executor for one iteration:
 #
-# 1. Is something ready: a message in a queue, a timer that is due? If not, wait until something is, or until the
-#    timeout is over.
+# 1. Is something ready: a message in a queue, a timer that is due? If not, wait.
 # 2. Take **one** ready thing and run its callback, in the thread that called `spin_once`.
 # 3. Return `None`, whether a callback ran or not.
 #
-# `rclpy.spin(node)` is in essence:
-#
-# ```python
-# while rclpy.ok():
-#     executor.spin_once()
-# ```
-#
-# So spinning happens in *your* thread, and not in the background.
+# `rclpy.spin(node)` calls `spin_once` again and again. So spinning happens in *your* thread, and not in the background.
 #
 # Now with timers. The heart beats every 1.0 s, the robot looks around every 2.1 s, and three words are published. Both
 # timers start anew (`reset`), and we wait 2.2 s without spinning. Then both timers are due and three words wait. We call
@@ -209,8 +203,8 @@ print(
 # %% [markdown]
 # ## Change it
 #
-# What follows can get stuck, on purpose. So each piece runs as a program of its own behind a **watchdog**, which ends it when
-# it has printed nothing for four seconds. The pieces are the functions of
+# Each piece of code below runs as a program of its own. A **watchdog** ends a program that has printed nothing for four
+# seconds. The pieces are the functions of
 # [lesson_nodes/ways_to_spin.py](../lesson_nodes/ways_to_spin.py). `try_out` shows one of them, runs it with a new node, and
 # says how it ended.
 
@@ -268,8 +262,9 @@ seen = try_out(ways_to_spin.no_timeout)
 reveal("no-timeout", came_back="after" in seen.log)
 
 # %% [markdown]
-# "once" means *one callback*. Without a timeout it waits for that callback as long as it takes. Here nothing will ever be
-# ready, so it never returns. As long as a node has a timer, you do not notice this fault.
+# "once" means *one callback*. With a timeout, `spin_once` waits until something is ready, or until the timeout is over.
+# Without one, it waits as long as it takes. Here nothing will ever be ready, so it never returns. As long as a node has a
+# timer, you do not notice this fault.
 #
 # In a notebook, in a test, in every program with other work to do: **always give `timeout_sec`**.
 
@@ -293,15 +288,27 @@ reveal("no-timeout", came_back="after" in seen.log)
 predict("timeout-zero")
 
 # %%
-from workbook.pictures.figures import figure, show
-from workbook.pictures.palette import GREEN, RED
-
 print(inspect.getsource(ways_to_spin.twenty_ticks))
 
 meters = {}
 for timeout_s in (0, 0.01, 0.1):
     seen = run_program(ways_to_spin, arguments=["twenty_ticks", str(timeout_s)])
     meters[timeout_s] = tuple(map(float, seen.log.split()[-3:]))
+
+soonest = min(took_s for _, took_s, _ in meters.values())
+rounds = {timeout_s: iterations for timeout_s, (iterations, _, _) in meters.items()}
+reveal("timeout-zero", soonest_s=soonest, times_as_many_calls=rounds[0] / rounds[0.1])
+
+# %% id="busy-loop"
+print("no loop had twenty ticks before two seconds were over:", soonest > 1.9)
+print(
+    "timeout 0 went round more than 5 times as often as 0.1 s:",
+    rounds[0] > 5 * rounds[0.1],
+)
+
+# %%
+from workbook.pictures.figures import figure, show
+from workbook.pictures.palette import GREEN, RED
 
 fig, axes = figure(6.4, 2.4)
 for row, (iterations, took_s, busy_s) in enumerate(meters.values()):
@@ -327,16 +334,6 @@ show(
     "the others hardly anything",
 )
 
-# %% id="busy-loop"
-soonest = min(took_s for _, took_s, _ in meters.values())
-print("no loop had twenty ticks before two seconds were over:", soonest > 1.9)
-rounds = {timeout_s: iterations for timeout_s, (iterations, _, _) in meters.items()}
-print(
-    "timeout 0 went round more than 5 times as often as 0.1 s:",
-    rounds[0] > 5 * rounds[0.1],
-)
-reveal("timeout-zero", soonest_s=soonest, times_as_many_calls=rounds[0] / rounds[0.1])
-
 # %% [markdown]
 # This is called a **busy loop**. On a robot it empties the battery. A longer timeout makes nothing slower: a callback that
 # becomes ready ends the wait at once. A timeout is the longest you are willing to wait when nothing happens. It is not a
@@ -345,46 +342,63 @@ reveal("timeout-zero", soonest_s=soonest, times_as_many_calls=rounds[0] / rounds
 # %% [markdown] prediction="after-spin"
 # ### Experiment 3: what comes after `spin`
 #
-# The robot must park its arm at the end:
+# A robot makes one round, and must park its arm at the end. When the round is over, a timer of the node calls this:
+#
+# ```python
+# def finish() -> None:
+#     print("round finished")
+#     rclpy.shutdown()
+# ```
+#
+# The program ends with these two lines. No one presses Ctrl-C.
 #
 # ```python
 # rclpy.spin(node)
 # print("arm parked")
 # ```
 #
-# When is the arm parked?
+# Is the arm parked?
 #
-# - **a** At once: `spin` starts the node in the background, and the program goes on.
-#   when `parked_by_itself`
-#   ✗ `spin` runs in this thread, and returns only when the context is shut down. There is no background.
-# - **b** After Ctrl-C.
-#   when `parked_after_ctrl_c and not parked_by_itself`
-#   ✗ Ctrl-C does end `spin`, but with the exception `KeyboardInterrupt`. The line after it is skipped.
-# - **c** Never.
-#   when `not parked_after_ctrl_c and not parked_by_itself`
-#   ✓ Without Ctrl-C, `spin` does not return. With it, an exception leaves `spin` and skips the next line. A `finally`
-#   would run.
+# - **a** Yes, but too early: `spin` starts the node in the background, and the program goes on.
+#   when `0 <= parked_at < finished_at`
+#   ✗ `spin` runs the callbacks in this thread. The next line has to wait until `spin` is over.
+# - **b** No: `spin` raises an exception, because the context is shut down.
+#   when `parked_at < 0 and ended_by_itself`
+#   ✗ `spin` raises one if the shutdown comes while it *waits*. A callback runs between two waits.
+# - **c** Yes, when the round is over: `spin` returns.
+#   when `0 <= finished_at < parked_at`
+#   ✓ After each callback, `spin` asks whether the context is still up. It is not, so `spin` returns.
+# - **d** No: `spin` never returns, so the program hangs.
+#   when `parked_at < 0 and not ended_by_itself`
+#   ✗ `spin` works only as long as the context is up. It asks again after each callback.
 
 # %%
 predict("after-spin")
 
-# %% id="after-spin"
-print("without Ctrl-C:")
-alone = try_out(ways_to_spin.park_after_spin)
-print("\nCtrl-C after the first tick:")
-seen = try_out(ways_to_spin.park_after_spin, interrupt_at="tick", show_code=False)
-print("\nthe arm was parked:", "arm parked" in seen.log)
+# %% id="one-round"
+seen = try_out(ways_to_spin.park_after_round)
 reveal(
     "after-spin",
-    parked_by_itself="arm parked" in alone.log,
-    parked_after_ctrl_c="arm parked" in seen.log,
+    finished_at=seen.log.find("round finished"),
+    parked_at=seen.log.find("arm parked"),
+    ended_by_itself=seen.ended_by != "bench",
 )
 
 # %% [markdown]
-# `spin` does not return while the context is up. On Ctrl-C it does not return either: it raises `KeyboardInterrupt`, which
-# skips the next line. What must be done at the end belongs in `finally`:
+# `rclpy.spin(node)` is in essence:
+#
+# ```python
+# while rclpy.ok():
+#     executor.spin_once()
+# ```
+#
+# Ctrl-C is another case. You know from [lesson 01](01_the_context.ipynb) that `spin` then does not return: it raises
+# `KeyboardInterrupt`, which skips the next line. So what must be done at the end belongs in `finally`. Here are both:
 
-# %%
+# %% id="after-spin"
+seen = try_out(ways_to_spin.park_after_spin, interrupt_at="tick")
+print("the arm was parked:", "arm parked" in seen.log)
+print()
 _ = try_out(ways_to_spin.park_in_finally, interrupt_at="tick")
 
 # %% [markdown]
@@ -425,7 +439,8 @@ _ = try_out(ways_to_spin.two_spins)
 
 # %% [markdown]
 # `generator already executing` means: two threads are inside one executor. Without an executor of its own, `rclpy.spin` uses
-# the **global executor**, and that one cannot be shared. The second thread dies, its node is deaf, and the program goes on.
+# the **global executor**, and that one cannot be shared. The second thread ends with this
+# error, so nothing spins its node any more.
 #
 # One executor can serve many nodes. One thread is enough:
 

@@ -1,15 +1,15 @@
 # %% [markdown]
 # # 07 · Typed nodes
 #
-# A robot will find your typo at the worst moment. A type checker finds it while you type. What can it find in ROS code,
-# and what not?
+# A robot will find your typo at the worst moment. A type checker finds it while you type. How much of your ROS code does
+# it check?
 #
 # - **Minutes:** 50
 # - **You need:** lessons [00](00_start_here.ipynb) to 06, and to have seen a hint such as `level: float` before
 # - **You will be able to:**
 #   - annotate a node, and let mypy read it
-#   - say what mypy can and cannot see in ROS code
-#   - make wrong messages an error before the robot runs
+#   - say which mistakes in ROS code mypy finds
+#   - have your messages checked before the robot runs
 # - **Left out:** typing of services and actions, other type checkers, and how to type rclpy itself
 #
 # This robot publishes a heartbeat. Once its battery is below half, it should publish a warning.
@@ -384,8 +384,8 @@ for name, module in SHAPES.items():
     print(f"{name:8} {lines} lines of text, {messages} messages in a minute")
 
 # %% [markdown] prediction="three-shapes"
-# On their topics the three behave alike. For mypy they differ. We put the same mistake into each, `create_timer("2 s",
-# ...)`, and remove all hints of the form `-> None`. mypy runs without `--strict`. In which of the three does it find the
+# On their topics the three behave alike. What about mypy? We put the same mistake into each, `create_timer("2 s", ...)`,
+# and remove all hints of the form `-> None`. mypy runs without `--strict`. In which of the three does it find the
 # mistake?
 #
 # - **a** in all three: the call is wrong in each
@@ -506,16 +506,31 @@ print("and field checks:", with_checks.log.strip().splitlines()[-1])
 # %% [markdown] prediction="one-of-two-words"
 # ### Experiment 3: one of two words
 #
-# A status is `operational` or `error`. The type `str` accepts every text. `Literal["operational", "error"]` accepts only
-# these two. A program calls `send_status("operatoinal")`. We check and run both versions.
+# A status is `operational` or `error`. The hint `str` accepts every text. `Literal["operational", "error"]` accepts only
+# these two. Here, both calls pass a word that is spelled right:
 #
-# - **a** `str`: no objection. `Literal`: mypy objects, and at run time there is an error.
-#   ✗ mypy objects, but at run time there is no error. Python keeps hints and does not check them.
-# - **b** mypy finds the misspelled word in both: it is not an English word.
-#   ✗ mypy knows no English. For the hint `str`, every text is right.
-# - **c** `str`: no objection. `Literal`: mypy objects, and at run time the word is sent all the same.
-#   ✓ `Literal` is for mypy, and there the word does not fit. When the program runs, Python does not compare it with
-#   the hint.
+# ```python
+# Status = Literal["operational", "error"]
+#
+# def send_status(status: Status) -> None:
+#     print("sent:", status)
+#
+# send_status("operational")
+# word = "operational"
+# send_status(word)
+# ```
+#
+# What does mypy say?
+#
+# - **a** Nothing: both words are one of the two.
+#   when `first_call == 0 and second_call == 0`
+#   ✗ They are, when the program runs. But mypy compares types, and it gives the variable `word` the type `str`.
+# - **b** It objects to both calls: a `str` is not a `Literal`.
+#   when `first_call > 0 and second_call > 0`
+#   ✗ A text that stands in the call itself is no mere `str` to mypy. It sees which text it is.
+# - **c** It objects to the second call only.
+#   when `first_call == 0 and second_call > 0`
+#   ✓ mypy gives the variable `word` the type `str`, and a `str` may be any text.
 
 # %%
 predict("one-of-two-words")
@@ -524,25 +539,41 @@ predict("one-of-two-words")
 WORDS = '''\
 from typing import Literal
 
-
-def send_status(word: {hint}) -> None:
-    print("sent:", word)
+Status = Literal["operational", "error"]
 
 
-send_status("operatoinal")
+def send_status(status: Status) -> None:
+    print("sent:", status)
+
+
+send_status("operational")
+word = "operational"
+send_status(word)
 '''
-for hint in ("str", 'Literal["operational", "error"]'):
-    program = WORDS.format(hint=hint)
-    if hint == "str":
-        program = program.replace("from typing import Literal\n", "")
-    print(hint)
-    print(check_types(program))
-    print(run_program(program, seconds=20).log)
-reveal("one-of-two-words")
+report = check_types(WORDS)
+print(report)
+calls = [
+    line
+    for line, text in enumerate(WORDS.splitlines(), start=1)
+    if text.startswith("send_status")
+]
+reveal(
+    "one-of-two-words",
+    first_call=report.lines.count(calls[0]),
+    second_call=report.lines.count(calls[1]),
+)
 
 # %% [markdown]
-# The narrower the type, the more mistakes mypy finds. At run time the word is sent all the same: Python does not enforce
-# hints.
+# Give the variable the narrow type, too. Then mypy checks the word where you write it. Here it is first spelled right,
+# and then `eror`. The narrower the type, the more mistakes mypy finds. At run time `eror` is sent all the same: Python
+# does not enforce hints.
+
+# %%
+right = WORDS.replace("word =", "word: Status =")
+wrong = right.replace('Status = "operational"', 'Status = "eror"')
+print(check_types(right))
+print(check_types(wrong))
+print(run_program(wrong, seconds=20).log)
 
 # %% [markdown]
 # ## When it goes wrong

@@ -28,10 +28,10 @@
 #   when `complaints == 0`
 #   ✗ mypy wants to know in which direction the type goes, and here it goes in only.
 # - **b** It wants the variable to be contravariant.
-#   when `complaints > 0 and names_it`
+#   when `complaints > 0 and 'contravariant' in said`
 #   ✓ A type that goes only in, as an argument, is contravariant.
 # - **c** It wants a bound, such as a base class of all messages.
-#   when `complaints > 0 and not names_it`
+#   when `complaints > 0 and 'contravariant' not in said`
 #   ✗ A type variable needs no bound. ROS messages have no common base class in Python.
 
 # %%
@@ -54,9 +54,7 @@ class Sends(Protocol[Taken]):
 '''
 report = check_types(SENDS)
 print(report)
-reveal(
-    "one-letter-less", complaints=len(report), names_it="contravariant" in str(report)
-)
+reveal("one-letter-less", complaints=len(report), said=str(report))
 
 # %% [markdown]
 # ## Look inside

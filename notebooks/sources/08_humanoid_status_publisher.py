@@ -10,7 +10,7 @@
 #   - build a node with two topics at two rates
 #   - send numbers that really arrive
 #   - count the listeners
-#   - notice a node whose callbacks have stopped
+#   - say what follows when a callback raises an exception
 #   - end a node on Ctrl-C with exit code 0
 # - **Left out:** real battery sensors (`sensor_msgs/BatteryState`), several threads, services
 
@@ -36,7 +36,7 @@ print("battery still nearly full:", 90.0 < view.battery < 100.0)
 stop()
 
 # %% [markdown]
-# Compare the two rows of dots. One topic has more messages than the other.
+# Compare the two rows of dots.
 
 # %% [markdown] prediction="the-dashboard-opens"
 # ## Predict
@@ -220,7 +220,7 @@ print(inspect.getsource(HumanoidStatusPublisher))
 # ### Experiment 1: until the battery is empty
 #
 # A full battery takes about 11 minutes to run empty: 0.3 % per message on average, one message every 2 s. So we begin
-# with 10 %. This program takes the class and gives it another start value.
+# with 10 %. This program gives the class another start value.
 
 # %%
 # %%writefile evening.py
@@ -231,38 +231,50 @@ rclpy.init()
 rclpy.spin(HumanoidStatusPublisher(battery_level=10.0))
 
 # %% [markdown] prediction="the-empty-battery"
-# We record two minutes of robot time. What happens on `/robot/battery` once the battery is empty?
+# We record two minutes of robot time. At some tick of the battery's timer, the level becomes 0.0. How long does it take
+# then, at most, until `/robot/status` says `error`?
 #
-# - **a** The level goes on falling: −0.3, −0.6, ...
-#   when `lowest < 0`
-#   ✗ `max(0.0, ...)` in `publish_battery` keeps the level from going below zero.
-# - **b** The messages go on and say 0.0.
-#   when `lowest == 0 and messages_when_empty > 10`
-#   ✓ The timer goes on, and `max(0.0, ...)` keeps the level at zero. So each message says 0.0.
-# - **c** The messages stop: an empty robot cannot talk.
-#   when `lowest == 0 and messages_when_empty <= 10`
-#   ✗ The battery is a number in a program here. Nothing stops the timer when it is empty.
-# - **d** The node raises an error and ends.
-#   ✗ 0.0 is a level like any other. Nothing in the callback fails on it.
+# - **a** No time: both callbacks share `self.battery_level`.
+#   when `delay_s < 0.5`
+#   ✗ They share the level. But nothing calls the status callback when the level changes: it has a timer of its own.
+# - **b** 1 s: the period of the status.
+#   when `0.5 <= delay_s < 1.5`
+#   ✓ The status callback reads the level when its own timer ticks. The next tick comes after one period at most.
+# - **c** 2 s: the period of the battery.
+#   when `1.5 <= delay_s < 2.5`
+#   ✗ The next battery message comes after 2 s. The status does not wait for it: it reads the level, not the topic.
+# - **d** It never says so: the node had chosen its word when it started.
+#   when `delay_s >= 2.5`
+#   ✗ The word is chosen in the callback, so it is chosen anew for each message.
 
 # %%
 predict("the-empty-battery")
 
 # %%
+import math
+
 evening = record("evening.py", PERIODS, seconds=120)
 levels, words = values(evening, BATTERY), values(evening, STATUS)
-empty = levels[levels.index(0.0) :]
+empty_at = arrivals(evening, BATTERY)[levels.index(0.0)]
+timed = zip(arrivals(evening, STATUS), words, strict=True)
+error_at = min((t for t, word in timed if word == "error"), default=math.inf)
 
-print("lowest level:", min(levels))
-print("more than ten messages since then:", len(empty) > 10)
-print("every one of them says:", *set(empty))
-print(f"still one every {pace(evening, BATTERY):.1f} s")
-print("status:", " → ".join(dict.fromkeys(words)))
-reveal("the-empty-battery", lowest=min(levels), messages_when_empty=len(empty))
+print(f"from 0.0 to error: {error_at - empty_at:.1f} s")
+reveal("the-empty-battery", delay_s=error_at - empty_at)
+
+# %% [markdown]
+# Here both timers are due at the same moment, and the status comes first. So its next message is a whole period away.
+# And what does `/robot/battery` say once the battery is empty?
 
 # %%
 from workbook.pictures import figure
 from workbook.pictures.palette import AMBER, GREEN, RED
+
+empty = levels[levels.index(0.0) :]
+print("lowest level:", min(levels))
+print("more than ten messages since then:", len(empty) > 10)
+print("every one of them says:", *set(empty))
+print(f"still one every {pace(evening, BATTERY):.1f} s")
 
 fig, (upper, lower) = figure(7.2, 3.2, rows=2)
 upper.step(arrivals(evening, BATTERY), levels, where="post", color=AMBER)
@@ -282,62 +294,102 @@ show(
 # %% [markdown]
 # A message that says 0.0 tells a monitor what is wrong. Silence does not: is the battery empty, has the program crashed,
 # or is the network down? So a status node keeps publishing as long as it can.
-
-# %% [markdown] prediction="nobody-listens"
+#
 # ### Experiment 2: who is listening?
 #
-# We make the node here, in the notebook, and no subscription exists. What does `publish()` do then?
+# A publisher can count its listeners. Here is one that is killed by its first message. SIGKILL (`kill -9`) ends a
+# program at once.
+
+# %%
+# %%writefile fragile_monitor.py
+import os
+import signal
+
+import rclpy
+from std_msgs.msg import String
+
+
+def crash(message: String) -> None:
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+rclpy.init()
+node = rclpy.create_node("fragile_monitor")
+node.create_subscription(String, "/robot/status", crash, 10)
+rclpy.spin(node)
+
+# %% [markdown] prediction="who-is-counted"
+# We make the humanoid here, and start this monitor. `get_subscription_count()` of the publisher returns 1. Then we
+# publish one status. What does it return after half a second, and what after 10 s?
 #
-# - **a** It waits until there is a listener.
-#   ✗ `publish` hands the message to the middleware and returns. It does not wait.
-# - **b** It raises an error.
+# - **a** 0 both times: Linux has closed all connections of the monitor.
+#   when `soon == 0`
+#   ✗ Linux closes its UDP ports. But UDP has no connections, so no other program learns of that.
+# - **b** It raises an error, because the listener is lost.
 #   ✗ A topic without a listener is no error in ROS. Listeners may come and go.
-# - **c** It returns at once, and the message is gone.
-#   when `kept == 0`
-#   ✓ An ordinary publisher keeps nothing for those who come later.
-# - **d** It returns at once, and the message is kept for later listeners.
-#   when `kept > 0`
-#   ✗ A publisher can be told to do that, with another QoS (lesson 13). By default it does not.
+# - **c** First 1, then 0.
+#   when `soon == 1 and late == 0`
+#   ✓ A killed program cannot sign off. DDS takes it off its list when nothing has come from it for a while.
+# - **d** 1 both times: the publisher is not told.
+#   when `soon == 1 and late == 1`
+#   ✗ Every program announces itself again and again. When that stops, DDS takes it off its list.
 
 # %%
-predict("nobody-listens")
+predict("who-is-counted")
 
 # %%
+import time
+
 humanoid = fresh(HumanoidStatusPublisher)
-for _ in range(3):
-    humanoid.publish_status()
-print("listeners:", humanoid.status_publisher.get_subscription_count())
+status = humanoid.status_publisher
+print("started", start("fragile_monitor.py"))
+end = time.monotonic() + 10.0
+while status.get_subscription_count() == 0 and time.monotonic() < end:
+    time.sleep(0.01)
+
+humanoid.publish_status()
+time.sleep(0.5)
+soon = status.get_subscription_count()
+time.sleep(9.5)
+late = status.get_subscription_count()
+print("listeners after 0.5 s:", soon)
+print("listeners after 10 s: ", late)
+reveal("who-is-counted", soon=soon, late=late)
+stop()
 
 # %% [markdown]
-# It returned each time, without an error. Are the messages kept? A late listener finds out.
+# Here DDS waits for 2 s (`workbook/ros/loopback.xml`). The default of Fast DDS is 20 s. So the count says who was found,
+# not who is alive.
+#
+# It is useful at the start. You know from [lesson 00](00_start_here.ipynb) that a message without a listener is gone. A
+# program can wait until the count is above 0. This one does not wait:
 
 # %% id="late-listener"
 import rclpy
 
 from workbook.lesson import spin_for
 
+for _ in range(3):
+    humanoid.publish_status()
+
 heard = []
 listener = fresh(lambda: rclpy.create_node("late_listener"))
 listener.create_subscription(
     String, STATUS, lambda message: heard.append(message.data), 10
 )
-status = humanoid.status_publisher
 spin_for(listener, seconds=10, until=lambda: status.get_subscription_count() == 1)
 spin_for(listener, seconds=0.5)
-kept = len(heard)
-print("heard of the three messages:", kept)
+print("heard of the three messages:", len(heard))
 
 humanoid.publish_status()
 spin_for(listener, seconds=10, until=lambda: heard)
 print("heard after one more:", len(heard))
-reveal("nobody-listens", kept=kept)
 
 # %% [markdown]
 # The `10` in `create_publisher(..., 10)` is the publisher's queue depth for connected subscriptions. It does not keep
 # messages for later ones. (QoS can do that: lesson 13.)
 #
-# Now two more listeners: a monitor as a program of its own, and the dashboard in this notebook. The publisher needs no
-# change. It can count them.
+# Two more listeners: a monitor as a program of its own, and the dashboard in this notebook.
 
 # %%
 import asyncio
@@ -355,13 +407,10 @@ listeners = humanoid.status_publisher.get_subscription_count()
 network = graph_picture("/humanoid_status_publisher")
 await opened
 print("listeners while the dashboard was open:", listeners)
-
-# %%
 network
 
 # %% [markdown]
-# The graph was drawn while the dashboard was open. The nodes do not know each other's names: DDS connects equal topic names
-# with equal types.
+# The graph was drawn while the dashboard was open.
 
 # %%
 stop()
@@ -371,7 +420,7 @@ humanoid.destroy_node()
 # %% [markdown] prediction="the-exception"
 # ## When it goes wrong
 #
-# ### The node that no longer listens
+# ### An exception in a background thread
 #
 # Many programs spin in a background thread, to keep the main thread free. This node publishes its status ten times a
 # second. A second timer estimates how long the battery will last, and divides by zero the second time. What happens to
@@ -391,7 +440,7 @@ humanoid.destroy_node()
 predict("the-exception")
 
 # %% [markdown]
-# It runs behind a watchdog: `run_program` ends it when it takes too long.
+# We print what its main thread measures, and its exit code.
 
 # %% id="deaf-node"
 from workbook.lesson import run_program
@@ -403,7 +452,7 @@ def said(outcome):
     return "\n".join(line.removeprefix("main: ") for line in lines)
 
 
-DEAF = """
+PROGRAM = """
 import threading, time
 import rclpy
 from rclpy.node import Node
@@ -430,17 +479,16 @@ rclpy.init()
 humanoid = Humanoid()
 spinning = threading.Thread(target=rclpy.spin, args=(humanoid,), daemon=True)
 spinning.start()
-while spinning.is_alive():
-    time.sleep(0.1)  # the main thread is busy with other things
+time.sleep(3.0)  # the main thread is busy with other things
 
 before = humanoid.sent
 time.sleep(1.0)
 print("main: status messages in the last second:", humanoid.sent - before)
-print("main: the last word that went out:", humanoid.last_word)
-print("main: node still on the graph:", "humanoid" in humanoid.get_node_names())
+print("main: the last status:", humanoid.last_word)
+print("main: node on the graph:", "humanoid" in humanoid.get_node_names())
 rclpy.try_shutdown()
 """
-outcome = run_program(DEAF, seconds=20)
+outcome = run_program(PROGRAM, seconds=20)
 print(said(outcome))
 print("exit code", outcome.exit)
 reveal(
@@ -628,21 +676,21 @@ print("exit code", outcome.exit)
 # %% [markdown]
 # ## Check yourself
 #
-# **1. The battery is to be published at 0.5 Hz. Which line is right?**
+# **1. The battery is empty. What should a status node do?**
 #
-# <details><summary>a) create_timer(0.5, self.publish_battery)</summary>
+# <details><summary>a) Stop publishing: a silent robot is an empty robot</summary>
 #
-# ✗ The first argument is a period in seconds. Every half second is 2 Hz, four times too often.
-#
-# </details>
-# <details><summary>b) create_timer(2.0, self.publish_battery)</summary>
-#
-# ✓ The period is one over the frequency: 1 / 0.5 Hz = 2 s.
+# ✗ Silence can also mean a crashed program or a network that is down. A monitor cannot tell.
 #
 # </details>
-# <details><summary>c) create_timer(2.0, self.publish_battery())</summary>
+# <details><summary>b) Go on publishing: 0.0, and `error`</summary>
 #
-# ✗ The parentheses call the method right away and hand over what it returns, `None`. The timer wants the method itself.
+# ✓ Then every listener knows what is wrong, even one that has just started.
+#
+# </details>
+# <details><summary>c) End with an exit code that is not 0</summary>
+#
+# ✗ A service manager on the robot reads that. The listeners on the topics get only silence.
 #
 # </details>
 #
@@ -683,21 +731,21 @@ print("exit code", outcome.exit)
 #
 # </details>
 #
-# **4. Why does `rclpy.shutdown()` in `finally` fail after Ctrl-C?**
+# **4. A node publishes `started` once, with `10` as its QoS. A monitor that is running must get it. What do you do?**
 #
-# <details><summary>a) destroy_node() has shut the context down</summary>
+# <details><summary>a) Publish it as the first line after `create_publisher`, with depth 100</summary>
 #
-# ✗ `destroy_node()` takes one node off the graph. The context stays up.
-#
-# </details>
-# <details><summary>b) The context has been shut down already, by Ctrl-C itself</summary>
-#
-# ✓ rclpy does it when the signal comes. `try_shutdown()` then does nothing.
+# ✗ The depth counts for subscriptions that are connected. At that moment there may be none.
 #
 # </details>
-# <details><summary>c) `finally` is not executed after an exception</summary>
+# <details><summary>b) Publish it when `get_subscription_count()` is above 0</summary>
 #
-# ✗ It is always executed. That is why the second shutdown happens.
+# ✓ Then the publisher has found a subscription on its topic, and DDS delivers the message to it.
+#
+# </details>
+# <details><summary>c) Publish it three times in a row, in case one gets lost</summary>
+#
+# ✗ If no listener is connected yet, all three are gone.
 #
 # </details>
 

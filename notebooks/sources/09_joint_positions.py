@@ -9,7 +9,7 @@
 #   - publish an array of joint angles
 #   - choose its rate with a reason
 #   - use it in a subscriber
-#   - say what a higher rate costs
+#   - measure what a rate costs
 # - **Left out:** names inside the message (`sensor_msgs/JointState`), how links are connected (URDF), motor control
 
 # %% [markdown]
@@ -49,7 +49,7 @@ stop()
 # %%
 from workbook.lesson import knob
 
-await knob(joint_position_publisher, "period_s", 0.5, between=(0.05, 2.0), seconds=8)
+await knob(joint_position_publisher, "period_s", 0.5, between=(0.05, 1.0), seconds=8)
 
 # %% [markdown] prediction="the-slow-drawing"
 # ## Predict
@@ -117,8 +117,14 @@ swing = truth.max() - truth.min()
 worst = np.abs(last_known(slow) - truth).max()
 print(
     f"the elbow swings by {swing:.1f} rad; "
-    f"at 0.5 Hz the last message is wrong by up to {worst:.1f} rad"
+    f"largest difference from the last message: {worst:.1f} rad"
 )
+reveal("the-slow-drawing", share_of_the_swing=float(worst / swing))
+
+# %% [markdown]
+# ## Look inside
+#
+# Here is the real elbow, and the newest message at each moment:
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -139,21 +145,11 @@ show(
 )
 
 # %% [markdown]
-# ## Look inside
-#
-# Your prediction was about the worst error, as a share of the swing:
-
-# %%
-reveal("the-slow-drawing", share_of_the_swing=float(worst / swing))
-
-# %% [markdown]
 # Between two messages a subscriber learns nothing new: DDS delivers, it does not guess. The elbow swings 0.8 times a
 # second. In 2 s it can go to the other end and back. The battery is different: it drains by at most 0.5 % in 2 s, so
 # the last message is never wrong by more than that.
 #
-# **Publish often enough that a subscriber learns of every change that matters to it.** Batteries: once every few
-# seconds. Joints that a planner uses: 10 to 100 Hz. Motor control inside the joint: 1000 Hz and more, and not over a
-# Python topic.
+# **Publish often enough that a subscriber learns of every change that matters to it.**
 #
 # The message type is `Float32MultiArray`: a list of 32-bit floats with an optional `layout` that describes rows and
 # columns. It has no joint names. Sender and receiver must agree on the order, as we did in the table above.
@@ -195,48 +191,70 @@ predict("ten-hertz")
 # %%
 fast = record(joint_position_publisher, {TOPIC: 0.1}, seconds=14, period_s=0.1)
 worst_of_fast = np.abs(last_known(fast) - truth).max()
-
-print("the worst error at 10 Hz, compared with that at 0.5 Hz:")
-print("less than a third" if worst_of_fast < worst / 3 else "a third or more")
 reveal("ten-hertz", share_of_the_error=float(worst_of_fast / worst))
 
 # %% [markdown]
-# Joints change by radians in a second, the battery by a fraction of a percent. So the joints need the faster topic. The
-# exercise asks for 0.5 Hz all the same: there the angles are simulated, and no program steers by them.
+# Joints change by radians in a second, the battery by a fraction of a percent. So the joints need the faster topic.
+# Batteries: once every few seconds. Joints that a planner uses: 10 to 100 Hz. Motor control inside the joint: 1000 Hz and
+# more, and not over a Python topic. The exercise asks for 0.5 Hz all the same: there the angles are simulated, and no
+# program steers by them.
 
 # %% [markdown] prediction="the-hand-tracker"
 # ### Experiment 2: a subscriber that uses the angles
 #
-# The node below subscribes to the angles. It computes how high the left hand is above the shoulder, in meters, and
-# publishes that. It has no timer.
+# A node subscribes to the angles. It computes how high the left hand is above the shoulder, and publishes that. It has no
+# timer: its callback runs once for each message (lesson 04).
 #
-# It spins in this notebook while the waving robot runs in its own process. In five seconds, with 20 messages per
-# second, how many heights will it publish?
+# The hand of the waving robot goes up and down by 13 cm, 0.8 times a second. 20 messages come in a second. How large is
+# the largest step from one height to the next?
 #
-# - **a** about 5: one per second
-#   when `20 > heights > 0`
-#   ✗ Nothing here happens once a second. The messages set the pace, and they come 20 times a second.
-# - **b** about 100: one for each message that arrives
-#   when `heights >= 90`
-#   ✓ The callback runs once for each message, and it publishes one height each time. 20 a second for 5 s are 100.
-# - **c** none: it has no timer
-#   when `heights == 0`
-#   ✗ It needs no timer. A message that arrives makes the callback run, and the callback publishes.
+# - **a** about 0.65 cm: 13 cm in 20 messages
+#   when `largest_step_cm < 1.3`
+#   ✗ In a second the hand does more than one way of 13 cm. And it is not equally fast all the way.
+# - **b** about 2 cm
+#   when `1.3 <= largest_step_cm < 4`
+#   ✓ One way takes 0.625 s, or 12.5 messages, so 1 cm on average. Where the hand is fastest, it is about twice that.
+# - **c** 13 cm: it is up in one message, and down in the next
+#   when `largest_step_cm >= 4`
+#   ✗ From top to bottom the hand takes 0.625 s. In that time 12 messages come.
+# - **d** That depends on when the callback of the tracker runs.
+#   ✗ The height is computed from the message, not from the time at which it is handled.
 
 # %%
 predict("the-hand-tracker")
 
 # %%
 import math
+from itertools import pairwise
 
+UPPER_ARM, FOREARM = 0.30, 0.28  # m
+
+
+def hand_height(angles) -> float:
+    """How high the left hand is above the shoulder (m)."""
+    shoulder = angles[JOINTS.index("left_shoulder")]
+    elbow = angles[JOINTS.index("left_elbow")]
+    return -UPPER_ARM * math.cos(shoulder) - FOREARM * math.cos(shoulder + elbow)
+
+
+wave = record(joint_position_publisher, {TOPIC: 0.05}, seconds=14, period_s=0.05)
+heights_cm = [100 * hand_height(angles) for angles in values(wave, TOPIC)]
+steps_cm = [abs(later - earlier) for earlier, later in pairwise(heights_cm)]
+
+print(f"from {min(heights_cm):.0f} to {max(heights_cm):.0f} cm above the shoulder")
+reveal("the-hand-tracker", largest_step_cm=max(steps_cm))
+
+# %% [markdown]
+# So a tracker can say where the hand is to within 2 cm. Here is the node. It spins in this notebook, and the waving robot
+# runs in its own process.
+
+# %%
 from rclpy.node import Node
 from std_msgs.msg import Float32
 
 from workbook.lesson import fresh, init, run
 
 init()  # rclpy.init(), made so that a cell can be run again
-
-UPPER_ARM, FOREARM = 0.30, 0.28  # m
 
 
 class HandTracker(Node):
@@ -251,9 +269,7 @@ class HandTracker(Node):
         )
 
     def on_joints(self, msg: Float32MultiArray) -> None:
-        shoulder = msg.data[JOINTS.index("left_shoulder")]
-        elbow = msg.data[JOINTS.index("left_elbow")]
-        height = -UPPER_ARM * math.cos(shoulder) - FOREARM * math.cos(shoulder + elbow)
+        height = hand_height(msg.data)
         self.heights.append(height)
         self.height_pub.publish(Float32(data=height))
 
@@ -265,7 +281,6 @@ stop()
 
 print("a hundred heights:", len(tracker.heights) >= 100)
 print("always above the shoulder:", min(tracker.heights) > 0)
-reveal("the-hand-tracker", heights=len(tracker.heights))
 
 # %%
 fig, axes = figure(7.2, 2.4)
@@ -275,8 +290,8 @@ axes.set_title("each message becomes one height", fontsize=11)
 show(fig, "the height of the waving hand, computed from the angles, goes up and down")
 
 # %% [markdown]
-# One height for each message. The subscriber needs no timer: each message triggers its callback. Most of a robot works like
-# this: a node subscribes to one topic, computes something more useful, and publishes that.
+# One height for each message. Most of a robot works like this: a node subscribes to one topic, computes something more
+# useful, and publishes that.
 
 # %% [markdown] prediction="a-hundred-hertz"
 # ### Experiment 3: 100 Hz instead of 0.5 Hz
@@ -311,7 +326,7 @@ for hz in (0.5, 10, 100):
 # %% tags=["nbval-ignore-output"]
 from workbook.lesson import processor_seconds
 
-SECONDS = {0.5: 10.0, 10.0: 4.0, 100.0: 4.0}  # longer where there is less to measure
+SECONDS = {0.5: 10.0, 10.0: 4.0, 100.0: 4.0}  # how long we measure at each rate
 used = {}
 for hz, seconds in SECONDS.items():
     busy = processor_seconds(
@@ -320,14 +335,15 @@ for hz, seconds in SECONDS.items():
     used[hz] = busy / seconds  # share of one core
     print(f"{hz:>5} Hz: {100 * used[hz]:5.1f} % of one core")
 each_ms = 1000 * (used[100.0] - used[0.5]) / 99.5
-print(f"what one more message costs: {each_ms:.1f} ms")
+print(f"difference between 100 Hz and 0.5 Hz, per message: {each_ms:.1f} ms")
+
+# %%
+reveal("a-hundred-hertz", times_as_much=used[100.0] / used[0.5])
 
 # %%
 print("100 Hz costs more than 0.5 Hz:", used[100.0] > used[0.5])
 print("but less than 200 times as much:", used[100.0] < 200 * used[0.5])
-reveal("a-hundred-hertz", times_as_much=used[100.0] / used[0.5])
 
-# %%
 fig, axes = figure(5.2, 2.4)
 percent = {f"{hz:g} Hz": 100 * busy for hz, busy in used.items()}
 bars = axes.bar(list(percent), list(percent.values()), color=BLUE)
@@ -507,21 +523,21 @@ else:
 #
 # </details>
 #
-# **3. You want 0.5 Hz and write `create_timer(0.5, self.publish_joints)`. What arrives?**
+# **3. By mistake, a program publishes a quarter turn in degrees: 90.0. What do subscribers get?**
 #
-# <details><summary>a) Two messages every second</summary>
+# <details><summary>a) 90.0, and they take it for radians</summary>
 #
-# ✓ A period of 0.5 s is 2 Hz, four times too fast.
-#
-# </details>
-# <details><summary>b) One message every 2 s</summary>
-#
-# ✗ That would be `create_timer(2.0, …)`: the argument is a period in seconds.
+# ✓ The message carries a number without a unit. 90 rad are 14 turns and a bit.
 #
 # </details>
-# <details><summary>c) An error, because Hz was meant</summary>
+# <details><summary>b) Nothing: rclpy refuses an angle above π</summary>
 #
-# ✗ 0.5 is a fine period. rclpy cannot know what you meant.
+# ✗ To rclpy it is a float like any other. Only a program that uses the angle can notice.
+#
+# </details>
+# <details><summary>c) 1.57: the message type knows its unit</summary>
+#
+# ✗ A Float32MultiArray has no unit, so nothing converts. Sender and receiver have to agree on radians.
 #
 # </details>
 #

@@ -10,8 +10,8 @@
 #   - say what a slow callback does to the rest of a node
 #   - move slow work elsewhere
 #   - choose between threads, callback groups and a queue
-#   - protect what two callbacks share
-# - **Left out:** services and the ways they block (lesson 12), real-time scheduling
+#   - say how two callbacks may share data
+# - **Left out:** services (lesson 12), real-time scheduling
 
 # %% [markdown]
 # Watch the robot wave. Every three seconds it stops to think of what to do next. A thought takes one second.
@@ -106,16 +106,6 @@ print("heartbeats due:", DUE)
 # %% tags=["nbval-ignore-output"]
 print("heartbeats that came:", came(plain))
 
-# %% id="flat-line"
-from itertools import pairwise
-
-silences = [b - a for a, b in pairwise(beats)]
-print("fewer than half of the heartbeats came:", came(plain) < DUE / 2)
-print(
-    "silences of 0.9 s and more:",
-    "several" if sum(silence > 0.9 for silence in silences) >= 2 else "hardly any",
-)
-
 # %% [markdown]
 # That was one node. Now the colleague's program with two:
 
@@ -156,8 +146,18 @@ executor.spin()
 
 # %%
 two_nodes = record("two_nodes.py", {HEARTBEAT: 0.1}, seconds=SECONDS, clock="wall")
-print("two nodes: fewer than half of the heartbeats came:", came(two_nodes) < DUE / 2)
 reveal("two-nodes", arrived=came(two_nodes), due=DUE)
+
+# %% id="flat-line"
+from itertools import pairwise
+
+silences = [b - a for a, b in pairwise(beats)]
+print("fewer than half of the heartbeats came:", came(plain) < DUE / 2)
+print("two nodes: fewer than half of the heartbeats came:", came(two_nodes) < DUE / 2)
+print(
+    "silences of 0.9 s and more:",
+    "several" if sum(silence > 0.9 for silence in silences) >= 2 else "hardly any",
+)
 
 # %% [markdown]
 # ## Look inside
@@ -237,12 +237,13 @@ print("bursts, three heartbeats or more within 0.05 s:", bursts)
 # %%
 predict("four-threads")
 
-# %% id="more-threads"
+# %%
 counted = {"1 thread": came(plain)}
 counted["4 threads"] = came(watch(threads=4))
-
-print("with four threads, fewer than half came:", counted["4 threads"] < DUE / 2)
 reveal("four-threads", arrived=counted["4 threads"], due=DUE)
+
+# %% id="more-threads"
+print("with four threads, fewer than half came:", counted["4 threads"] < DUE / 2)
 
 # %% id="machine-of-four-threads"
 from workbook.lesson import record_machine, show_machine
@@ -260,8 +261,7 @@ show_machine(
 #
 # Four threads, and three of them idle. Each callback belongs to a **callback group**. If you name none, it is the node's default group, the same for all of
 # them. This group is *mutually exclusive*: one of its callbacks runs at a time, however many threads there are.
-# That is a safe default: callbacks never run at the same time, so you need no locks. You have to *say* which callbacks may
-# run in parallel.
+# With this default, callbacks of a node never run at the same time. You have to *say* which ones may run in parallel.
 
 # %% [markdown] prediction="own-group"
 # ### Experiment 2: a group of its own
@@ -276,7 +276,7 @@ show_machine(
 #
 # Now `beat` is in the default group, and `think` is alone in another one. Which program keeps its heartbeat?
 #
-# - **a** Only the one with this line **and** several threads.
+# - **a** Only the one with this line and several threads.
 #   when `one_thread < 0.6 * due and four_threads >= 0.6 * due`
 #   ✓ The group permits both at the same time, and a second thread makes it happen. It takes both.
 # - **b** None: thinking still takes a second.
@@ -290,10 +290,10 @@ show_machine(
 predict("own-group")
 
 # %%
-MOST = 0.6 * DUE  # on a calm machine it is nearly all of them
+MOST = 0.6 * DUE  # so many count as "most of them"
 counted["1 thread, own group"] = came(watch(own_group=True))
-rescued = watch(threads=4, own_group=True)
-counted["4 threads, own group"] = came(rescued)
+grouped = watch(threads=4, own_group=True)
+counted["4 threads, own group"] = came(grouped)
 
 for name, count in counted.items():
     fewer = "fewer than half" if count < DUE / 2 else count
@@ -341,7 +341,7 @@ from workbook.pictures.moving import by_name, robots
 
 robots(
     by_name(
-        {"1 thread": beats, "4 threads, own group": arrivals(rescued, HEARTBEAT)},
+        {"1 thread": beats, "4 threads, own group": arrivals(grouped, HEARTBEAT)},
         period=0.1,
     ),
     "two robots: one stands still with a red lamp during each thought, "
@@ -361,8 +361,7 @@ await knob(thinking_robot, "threads", 1, between=(1, 4), seconds=8, **settings)
 # %% [markdown]
 # ### Experiment 3: two threads, one number
 #
-# There is a second kind of group. In a **reentrant** group all callbacks may run in parallel, even one with itself. Why not
-# always use that one?
+# There is a second kind of group. In a **reentrant** group all callbacks may run in parallel, even one with itself.
 #
 # A robot counts its steps. Each foot has a timer, and both feet add to the same number:
 
@@ -423,20 +422,20 @@ def spin_with(executor, node, seconds):
 predict("the-steps")
 
 # %%
-lively = fresh(StepCounter, "lively_counter", ReentrantCallbackGroup())
-spin_with(MultiThreadedExecutor(num_threads=4), lively, 2.0)
+free = fresh(StepCounter, "reentrant_counter", ReentrantCallbackGroup())
+spin_with(MultiThreadedExecutor(num_threads=4), free, 2.0)
 
-orderly = fresh(StepCounter, "orderly_counter", MutuallyExclusiveCallbackGroup())
-spin_with(MultiThreadedExecutor(num_threads=4), orderly, 2.0)
+single = fresh(StepCounter, "exclusive_counter", MutuallyExclusiveCallbackGroup())
+spin_with(MultiThreadedExecutor(num_threads=4), single, 2.0)
+reveal("the-steps", steps=free.steps, calls=len(free.called))
 
 # %% tags=["nbval-ignore-output"]
-print(f"reentrant:          {len(lively.called)} calls, {lively.steps} steps")
-print(f"mutually exclusive: {len(orderly.called)} calls, {orderly.steps} steps")
+print(f"reentrant:          {len(free.called)} calls, {free.steps} steps")
+print(f"mutually exclusive: {len(single.called)} calls, {single.steps} steps")
 
 # %% id="race"
-print("reentrant: steps were lost:", lively.steps < 0.9 * len(lively.called))
-print("mutually exclusive: steps were lost:", orderly.steps < len(orderly.called))
-reveal("the-steps", steps=lively.steps, calls=len(lively.called))
+print("reentrant: steps were lost:", free.steps < 0.9 * len(free.called))
+print("mutually exclusive: steps were lost:", single.steps < len(single.called))
 
 # %% [markdown]
 # Both feet read 41, both add one, both write 42. One step is lost. This is a **race**: the result depends on the order
@@ -444,7 +443,7 @@ reveal("the-steps", steps=lively.steps, calls=len(lively.called))
 #
 # Python's own lock, the GIL, does not protect *your* three lines: Python may switch threads between any two of them.
 #
-# - What shares data goes into **one** mutually exclusive group.
+# - What shares data goes into **one** mutually exclusive group. There you need no locks.
 # - If two groups have to share something, protect it with a lock (`with self.lock:`), or hand it over in a `queue.Queue`.
 # - A reentrant group is for callbacks that share nothing.
 
@@ -690,23 +689,21 @@ print("paths:", queue_guide.paths or hint)
 # %% [markdown]
 # ## Check yourself
 #
-# In one thread, a timer with the period 0.1 s sits beside a callback that takes 1 s.
+# **1. A callback calls `self.pool.submit(self.plan)`, and `plan` raises an exception. What do you see?**
 #
-# **1. The slow callback has just ended. What does the timer do now?**
+# <details><summary>a) No plan, and no traceback</summary>
 #
-# <details><summary>a) One late tick, then the usual rhythm</summary>
-#
-# ✓ Yes. The others are dropped.
+# ✓ The exception is in the future that `submit` returned. Catch it in `plan`, and log it there.
 #
 # </details>
-# <details><summary>b) Ten ticks at once</summary>
+# <details><summary>b) <code>spin</code> raises the exception, and the program ends</summary>
 #
-# ✗ You counted: no burst. A timer does not catch up.
+# ✗ That happens if a callback raises. This callback has only handed the work over.
 #
 # </details>
-# <details><summary>c) Nothing: the timer has given up</summary>
+# <details><summary>c) A traceback, and no further plan, because the thread of the pool has ended</summary>
 #
-# ✗ It goes on with its old schedule.
+# ✗ A `threading.Thread` ends like that. A pool keeps the exception, and its thread takes the next task.
 #
 # </details>
 #

@@ -8,8 +8,8 @@
 # - **You will be able to:**
 #   - offer a service and call one
 #   - choose between a topic and a service
-#   - call from a callback without hanging your node
-#   - handle a response that never comes
+#   - call a service from a callback
+#   - say what a client learns when its server ends
 # - **Left out:** actions (long jobs with progress), services of your own type, parameters
 
 # %% [markdown]
@@ -117,9 +117,8 @@ predict("call-in-a-callback")
 # %% [markdown]
 # ## Run it
 #
-# The node may hang, so it runs outside of this notebook. `try_out` runs it as a process of its own, records two
-# seconds, and ends it. The node also publishes what it does, on `/robot/asked` and `/robot/answered`. Its server runs
-# in another node, with a thread of its own.
+# `try_out` runs the node as a process of its own, records two seconds, and ends it. The node also publishes what it
+# does, on `/robot/asked` and `/robot/answered`. Its server runs in another node, with a thread of its own.
 
 # %% id="deadlock"
 from lesson_nodes import heart_and_question
@@ -136,21 +135,21 @@ from workbook.lesson.service_trials import (
     try_out,
 )
 
-deadlock = try_out(heart_and_question, ("call", "default", 1))
-print("requests: ", len(arrivals(deadlock, ASKED)))
-print("responses:", len(arrivals(deadlock, ANSWERED)))
-print("the heart", heart(deadlock))
-print("what it printed:", repr(deadlock.process.log))
-
-# %%
+asking = try_out(heart_and_question, ("call", "default", 1))
+print("requests: ", len(arrivals(asking, ASKED)))
+print("responses:", len(arrivals(asking, ANSWERED)))
+print("the heart", heart(asking))
+print("what it printed:", repr(asking.process.log))
 reveal(
     "call-in-a-callback",
-    asked=len(arrivals(deadlock, ASKED)),
-    answered=len(arrivals(deadlock, ANSWERED)),
-    beats=len(arrivals(deadlock, HEART)),
+    asked=len(arrivals(asking, ASKED)),
+    answered=len(arrivals(asking, ANSWERED)),
+    beats=len(arrivals(asking, HEART)),
 )
+
+# %%
 questions_picture(
-    deadlock,
+    asking,
     "one request, and after it nothing",
     "a few heartbeats, one request, and then nothing on all three lines",
 )
@@ -276,7 +275,7 @@ hearts_picture(
 # | who takes part | any number of publishers and subscriptions | one client asks, one server responds |
 # | does the sender know it arrived? | no | yes, by the response |
 # | when | when there is news, or at a rate | on request |
-# | nobody on the other side | the message is gone | the call stays open forever |
+# | nobody on the other side | the message is gone | see experiment 3 |
 # | good for | joint angles, battery, camera, status | switch on, reset, self-test, "take a picture now" |
 #
 # Sensor values flow all the time: publish them. "Stand still" happens once, and you want to know that it did: a service.
@@ -382,9 +381,9 @@ hearts_picture(
         f"{way}, {group} group": seen
         for (way, group, _), seen in zip(SLOW, slow, strict=True)
     },
-    "only the callback that does not wait leaves the heart alone",
-    "heartbeats beside a slow server: gaps with call and with await, "
-    "none with a done callback",
+    "the heart beside a server that takes 0.35 s",
+    "heartbeats beside a slow server: a line for each of the three cases, "
+    "with what became of heart and responses",
 )
 
 # %% id="machine-of-await"
@@ -396,8 +395,8 @@ show_machine(
 )
 
 # %% [markdown]
-# The thread is free here, and there is still no heartbeat: the executor leaves the heartbeat timer out of its wait
-# set.
+# Only the done callback leaves the heart alone. With `await` the thread is free, and there is still no heartbeat: the
+# executor leaves the heartbeat timer out of its wait set.
 #
 # `call` and `await` get their response, because the *client* has a group of its own. But the waiting callback occupies
 # the default group, and the heartbeat timer is in it. A callback that only asks and returns leaves the group at once.
@@ -450,24 +449,24 @@ stop(self_test_server)
 spin_for(asker, seconds=10.0, until=lambda: not asker.self_test.service_is_ready())
 print("the server is gone; the future is done:", future.done())
 
-# %%
 start(self_test_server, pattern="ok")
 print("a new server is there:", asker.self_test.wait_for_service(timeout_sec=10.0))
 spin_for(asker, seconds=1.0)
 old_call_is_done = future.done()
 print("the old call is answered:", old_call_is_done)
+reveal("server-dies", old_call_is_done=old_call_is_done)
 
+# %%
 asker.self_test.remove_pending_request(future)
 future = asker.self_test.call_async(Trigger.Request())
 response = await run(asker, until=future, seconds=10)
 print("asked again:", response.message)
 stop()
-reveal("server-dies", old_call_is_done=old_call_is_done)
 
 # %% [markdown]
-# Nothing tells the client that the server is gone. `service_is_ready()` says whether a server is there *now*, and nothing
-# about your open call. So the client has to check the clock. After a time that you choose, give up on the call with
-# `remove_pending_request(future)`. Then ask again or raise an alarm.
+# Nothing tells the client that the server is gone: its call stays open forever. `service_is_ready()` says whether a server
+# is there *now*, and nothing about your open call. So the client has to check the clock. After a time that you choose,
+# give up on the call with `remove_pending_request(future)`. Then ask again or raise an alarm.
 
 # %% [markdown]
 # ## When it goes wrong
@@ -822,7 +821,7 @@ else:
 #
 # **Before:** [11 · Polling against callbacks](11_polling_against_callbacks.ipynb)
 #
-# **Next:** [13 · QoS and discovery](13_qos_and_discovery.ipynb), on what publishers offer and subscriptions request.
+# **Next:** [13 · QoS and discovery](13_qos_and_discovery.ipynb), on which messages reach whom.
 #
 # **More:** [Synchronous and asynchronous clients](https://docs.ros.org/en/jazzy/How-To-Guides/Sync-Vs-Async.html) and
 # [callback groups](https://docs.ros.org/en/jazzy/How-To-Guides/Using-callback-groups.html).

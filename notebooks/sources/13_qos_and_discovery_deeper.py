@@ -1,12 +1,12 @@
 # %% [markdown]
 # # 13 · Deeper: discovery and the first messages
 #
-# A program starts and publishes at once. Does anyone receive its first message, and how long must it wait to be sure?
+# A program starts and publishes at once. Who receives its first messages, and what does that depend on?
 #
 # - **Minutes:** 20
 # - **You need:** lesson [13](13_qos_and_discovery.ipynb)
 # - **You will be able to:**
-#   - keep the first message
+#   - decide what becomes of the first messages
 #   - say how long discovery takes
 #   - find out why two programs do not see each other
 # - **Left out:** discovery servers, and settings of DDS for large networks
@@ -177,6 +177,10 @@ PROFILES = {
     )
 }
 heard = try_pairs(PROFILES)
+hears = {pair: bool(messages) for pair, messages in heard.items()}
+reveal("sixteen-pairs", hearing=sum(hears.values()))
+
+# %%
 pairs_picture(
     heard, "sixteen pairs: nine hear the new messages, one of them the old one, too"
 )
@@ -184,7 +188,6 @@ pairs_picture(
 # %% id="matrix"
 from rclpy.qos import QoSCompatibility, qos_check_compatible
 
-hears = {pair: bool(messages) for pair, messages in heard.items()}
 foretold = {}
 for offered, requested in heard:
     verdict, _ = qos_check_compatible(PROFILES[offered], PROFILES[requested])
@@ -195,7 +198,6 @@ print("of these with equal QoS:        ", sum(with_equal_qos))
 print("rclpy predicted all sixteen:    ", hears == foretold)
 got_the_old = ["old" in messages for messages in heard.values()]
 print("pairs that got the old message: ", sum(got_the_old))
-reveal("sixteen-pairs", hearing=sum(hears.values()))
 
 # %% [markdown]
 # The old message arrived only where *both* sides are reliable *and* transient local. Five of the nine pairs that hear

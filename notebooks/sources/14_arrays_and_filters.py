@@ -8,7 +8,7 @@
 #   [09](09_joint_positions.ipynb)
 # - **You will be able to:**
 #   - turn a message into an array and back
-#   - say when the two share their memory
+#   - say which of the two a write changes
 #   - run a filter inside a callback
 #   - weigh noise against delay
 # - **Left out:** images (lesson 15), Kalman filters, messages that come at irregular intervals
@@ -67,8 +67,8 @@ angles = np.asarray(message.position)
 angles[0] = 9.0
 print("after a write through np.asarray:", message.position[0])
 
-copied = np.array(message.position)
-copied[1] = 9.0
+others = np.array(message.position)
+others[1] = 9.0
 print("after a write through np.array:  ", message.position[1])
 reveal("array-of-a-message", first=message.position[0])
 
@@ -380,10 +380,10 @@ def delay(one):
 
 for length in (4, 16):
     print(f"average of {length:>2}: {delay(MovingAverage(length)):.1f} messages behind")
-quieter = noise_left(MovingAverage(16)) / noise_left(MovingAverage(4))
-print(f"16 instead of 4 leaves {quieter:.1f} times the noise")
-longer = delay(MovingAverage(16)) / delay(MovingAverage(4))
-reveal("longer-average", noise_ratio=float(quieter), delay_ratio=longer)
+noise_ratio = float(noise_left(MovingAverage(16)) / noise_left(MovingAverage(4)))
+print(f"16 instead of 4 leaves {noise_ratio:.1f} times the noise")
+delay_ratio = delay(MovingAverage(16)) / delay(MovingAverage(4))
+reveal("longer-average", noise_ratio=noise_ratio, delay_ratio=delay_ratio)
 
 # %% [markdown]
 # The noise of independent measurements averages out slowly: N of them leave 1/√N. The delay grows with N itself: an
@@ -417,9 +417,9 @@ show(fig, "noise against delay: both filters fall from little delay to little no
 # Neither filter gets into the lower left corner. **Choose by what the robot can afford.** A balance controller cannot use
 # an angle that is 0.3 s old. A display can.
 #
-# Is there a filter without delay that looks back only? A **Savitzky–Golay** filter fits a straight line to the last
-# messages, and returns the value at the end of that line. Here is such a filter over 19 messages, applied to noise,
-# to a ramp, and to a step from 0 to 1.
+# Is there a filter without delay? A **Savitzky–Golay** filter fits a straight line to the last messages, and returns
+# the value at the end of that line. Here is such a filter over 19 messages, applied to noise, to a ramp, and to a step
+# from 0 to 1.
 
 # %% id="line-through-the-last"
 from scipy.signal import savgol_coeffs
@@ -452,8 +452,8 @@ print(f"after a step to 1.0 it says up to {max(after_step):.1f}")
 # ### Experiment 2: a filter without delay
 #
 # SciPy also has `sosfiltfilt`. It runs the Butterworth filter forward and then backward, so the two delays cancel.
-# Could the callback use it? Suppose we hold 60 messages and let it compute the result for message 50. Later we hold
-# 100 messages, and ask for message 50 again.
+# Suppose we hold 60 messages and let it compute the result for message 50. Later we hold 100 messages, and ask for
+# message 50 again.
 #
 # - **a** Message 50 gets the same result, because it has not changed.
 #   when `difference < 1e-12`
@@ -475,12 +475,12 @@ measured = np.array(elbow.seen["measured"][:100])
 
 
 def forward(values):
-    """The filter that a callback can use, over all values at once."""
+    """All values, from the first to the last."""
     return sosfilt(sos, values, zi=sosfilt_zi(sos) * values[0])[0]
 
 
 def forward_and_back(values):
-    """The filter that looks ahead."""
+    """All values, from the first to the last, and then backward."""
     return sosfiltfilt(sos, values)
 
 

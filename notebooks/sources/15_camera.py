@@ -89,7 +89,7 @@ pixels = to_pixels(image)
 shared = np.shares_memory(pixels, np.frombuffer(image.data, np.uint8))
 print(pixels.shape, pixels.dtype, "shares its memory:", shared)
 
-# %% [markdown] prediction="red-and-blue"
+# %% [markdown] prediction="read-as-bgr8"
 # ## Predict
 #
 # The ball is orange: much red, some green, little blue. The picture is `rgb8`. A program takes it for `bgr8`, as
@@ -107,20 +107,22 @@ print(pixels.shape, pixels.dtype, "shares its memory:", shared)
 # %%
 from workbook.lesson import predict, reveal
 
-predict("red-and-blue")
+predict("read-as-bgr8")
 
 # %% [markdown]
 # ## Run it
 
-# %% id="bgr-for-rgb"
+# %%
 import cv2
 
 hsv = cv2.cvtColor(pixels, cv2.COLOR_RGB2HSV)
 ball_mask = cv2.inRange(hsv, (4, 150, 60), (22, 255, 255)) > 0
 first, second, third = map(float, pixels[ball_mask].mean(axis=0))
+reveal("read-as-bgr8", red=third, green=second, blue=first)
+
+# %% id="bgr-for-rgb"
 print("read as rgb8: more red than blue:", first > third)
 print("read as bgr8: more blue than red:", third < first)
-reveal("red-and-blue", red=third, green=second, blue=first)
 
 # %% [markdown]
 # ## Look inside
@@ -349,6 +351,8 @@ scale.create_subscription(
 )
 await run(scale, seconds=60, until=lambda: min(map(len, sizes.values())) >= 40)
 stop()
+smaller = float(np.mean(sizes["raw"]) / np.mean(sizes["jpeg"]))
+reveal("how-much-smaller", smaller=smaller)
 
 # %% id="raw-and-jpeg" tags=["nbval-ignore-output"]
 for kind in sizes:
@@ -358,11 +362,9 @@ for kind in sizes:
     print(f"{kind:>5}: {measured} when it can be used")
 
 # %% id="how-much-smaller-it-is"
-smaller = float(np.mean(sizes["raw"]) / np.mean(sizes["jpeg"]))
 print("raw: 28 MB/s:", round(30 * np.mean(sizes["raw"]) / 1e6) == 28)
 png = cv2.imencode(".png", pixels)[1]
 print("PNG, without loss: less than 4 times smaller:", pixels.size < 4 * png.size)
-reveal("how-much-smaller", smaller=smaller)
 
 # %% [markdown]
 # On one machine, raw pictures are fine. Over Wi-Fi, 28 MB a second are 220 Mbit/s, more than many networks carry. JPEG

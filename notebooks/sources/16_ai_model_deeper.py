@@ -374,7 +374,6 @@ def shortest(call, times=30):
 
 
 ratio = shortest(lambda: ask(large)) / shortest(lambda: ask(small))
-print("the large picture takes four times as long or more:", ratio / 4 >= 1)
 reveal("to-another-process", ratio=ratio)
 
 # %% [markdown]
@@ -428,7 +427,6 @@ def processor_s(call, times=1):
 
 one = processor_s(lambda: network(pictures[:1]), 30)
 eight = processor_s(lambda: network(pictures), 30)
-print("a batch of eight saves less than a third:", eight >= 0.65 * 8 * one)
 reveal("eight-at-once", ratio=eight / (8 * one))
 
 # %% [markdown]

@@ -87,7 +87,7 @@ def test_robots_hear_their_own_domain_only() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "parks", "code"), [("hopeful", False, 130), ("careful", True, 1), ("seasoned", True, 0)]
+    ("name", "parks", "code"), [("first_main", False, 130), ("second_main", True, 1), ("third_main", True, 0)]
 )
 def test_three_mains_end_as_the_lesson_says(name: str, parks: bool, code: int) -> None:
     end = run_program(three_mains, arguments=[name], interrupt_at="round 1")
