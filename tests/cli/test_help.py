@@ -1,6 +1,9 @@
 """Help and errors: grouped, in sentences, and never wider than the terminal."""
 
+import os
 import re
+import subprocess
+import sys
 from collections.abc import Iterator
 
 import pytest
@@ -113,3 +116,19 @@ def test_a_command_in_backticks_stays_on_one_line(typed: Type) -> None:
     for columns in range(40, 81):
         page = typed("--help", columns=columns).out
         assert page.count("`workbook COMMAND --help`") == 1
+
+
+@pytest.mark.parametrize("words", [("--help",), ("check", "--help"), ("hint", "joint_positions")])
+def test_a_reader_that_has_seen_enough_is_no_error(words: tuple[str, ...]) -> None:
+    """As in `workbook --help | head -1`."""
+    reading, writing = os.pipe()
+    os.close(reading)
+    done = subprocess.run(
+        [sys.executable, "-m", "workbook.cli.main", *words],
+        stdout=writing,
+        stderr=subprocess.PIPE,
+        text=True,
+        timeout=120,
+    )
+    os.close(writing)
+    assert (done.returncode, done.stderr) == (0, "")

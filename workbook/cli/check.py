@@ -64,6 +64,8 @@ def run(options: argparse.Namespace) -> int:
         answer = read_answer(file, source.stem)
         with StartedAnswer(source, answer) as started:
             return _judge(options, source.stem, file, answer, started)
+    except BrokenPipeError:
+        raise
     except (Ungradable, UnknownExercise, NoCourse, SourceError, NoDomainFree, OSError) as error:
         return _not_judged(error)
 

@@ -40,6 +40,8 @@ def run(options: argparse.Namespace) -> int:
         level = _level(options.level)
         student_answers()
         print(hints_of(source.stem, source.hints, level))
+    except BrokenPipeError:
+        raise
     except (UnknownExercise, NoCourse, SourceError, ValueError, OSError) as error:
         terminal.complain("hint", error)
         return 2

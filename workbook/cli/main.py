@@ -72,6 +72,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
     words = list(sys.argv[1:] if arguments is None else arguments)
     if words[:1] == ["help"]:
         words = [*words[1:], "--help"]
+    try:
+        return _run(words, may_leave=arguments is None)
+    except KeyboardInterrupt:
+        print("\nStopped.", file=sys.stderr)
+        return 130
+    except BrokenPipeError:  # whoever read it has seen enough, as in `workbook check 09 | head -1`
+        sys.stderr.close()
+        return 0
+
+
+def _run(words: Sequence[str], *, may_leave: bool) -> int:
     options, rest = build_parser().parse_known_args(words)
     options.rest = rest
     command: CommandParser = options.command
@@ -79,15 +90,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         command.refuse(rest)
     if command.below:
         return show_what_is_below(command)
-    try:
-        code: int = options.run(options)
-    except KeyboardInterrupt:
-        print("\nStopped.", file=sys.stderr)
-        return 130
-    except BrokenPipeError:
-        sys.stderr.close()
-        return 0
-    if arguments is None and getattr(options, "leaves_at_once", False):
+    code: int = options.run(options)
+    if may_leave and getattr(options, "leaves_at_once", False):
         leave(code)
     return code
 

@@ -119,6 +119,8 @@ def _run(work: "Callable[[], int]") -> int:
 
     try:
         return work()
+    except BrokenPipeError:
+        raise
     except (CannotPackage, NoCourse, BrokenCriteria, SourceError, UnknownExercise, OSError) as error:
         terminal.complain("package", error)
         return 2

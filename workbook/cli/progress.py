@@ -25,6 +25,8 @@ def run(_options: argparse.Namespace) -> int:
 
     try:
         print(progress_table(answers=student_answers()).text(terminal.width()))
+    except BrokenPipeError:
+        raise
     except (NoCourse, BrokenCriteria, OSError) as error:
         terminal.complain("progress", error)
         return 2

@@ -32,6 +32,8 @@ def run(options: argparse.Namespace) -> int:
             print(f"{as_typed(folder / f'{stem}.py')} is your best version already.")
             return 0
         saved = restore_best(stem, folder)
+    except BrokenPipeError:
+        raise
     except (NoCourse, UnknownExercise, NothingJudged, OSError) as problem:
         terminal.complain("restore", problem)
         return 2

@@ -56,7 +56,9 @@ class Ids:
         while True:
             done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
             if done.returncode not in (0, -signal.SIGKILL):  # another sweeper of this user may end this one
-                raise StillThere(f"user {self.user} still has processes or files: {done.stderr.strip()[-200:]}")
+                raise StillThere(
+                    f"user {self.user} still has processes or files: {done.stderr.strip()[-200:]}"
+                )
             left = processes_of(self.user)
             if not left:
                 break
