@@ -44,18 +44,22 @@ KNOWN = ("rgb8", "bgr8")
 SEED = 2715
 FIRST_STAMP_S = 500
 
-# How many pictures of each kind come, in this order: encodings (used by turns), padding, ball, brightest and darkest.
-Part = tuple[int, tuple[str, ...], int, bool, float, float]
+NEAR_M, FAR_M = 1.02, 1.5
+"""How far away the brick lies: it looks larger than the ball, or smaller."""
+
+# How many pictures of each kind come, in this order: encodings (used by turns), padding, ball, brightest and darkest,
+# how far away the brick lies (m).
+Part = tuple[int, tuple[str, ...], int, bool, float, float, float]
 PARTS: tuple[Part, ...] = (
-    (35, ("rgb8",), 0, True, 1.1, 0.8),
-    (30, ("rgb8",), 0, True, 0.6, 0.4),
-    (20, ("rgb8",), 0, False, 0.4, 1.0),
-    (25, ("bgr8",), 0, True, 1.0, 0.5),
-    (4, ("yuv422_yuy2",), 0, True, 0.8, 0.8),
-    (30, ("rgb8",), PADDING, True, 0.9, 0.45),
-    (15, ("bgr8",), PADDING, False, 1.0, 0.4),
-    (4, ("mono16",), PADDING, True, 0.9, 0.9),
-    (32, ("rgb8", "bgr8"), 0, True, 0.45, 1.1),
+    (35, ("rgb8",), 0, True, 1.1, 0.8, NEAR_M),
+    (30, ("rgb8",), 0, True, 0.6, 0.4, NEAR_M),
+    (20, ("rgb8",), 0, False, 0.4, 1.0, NEAR_M),
+    (25, ("bgr8",), 0, True, 1.0, 0.5, NEAR_M),
+    (4, ("yuv422_yuy2",), 0, True, 0.8, 0.8, NEAR_M),
+    (30, ("rgb8",), PADDING, True, 0.9, 0.45, NEAR_M),
+    (15, ("bgr8",), PADDING, False, 1.0, 0.4, FAR_M),
+    (4, ("mono16",), PADDING, True, 0.9, 0.9, NEAR_M),
+    (32, ("rgb8", "bgr8"), 0, True, 0.45, 1.1, FAR_M),
 )
 
 
@@ -63,7 +67,7 @@ def views() -> tuple[CameraView, ...]:
     """All pictures, in order."""
     dice = random.Random(SEED)
     made: list[CameraView] = []
-    for count, encodings, padding, ball, first_light, last_light in PARTS:
+    for count, encodings, padding, ball, first_light, last_light, brick_m in PARTS:
         turn = dice.uniform(0.0, 6.28)
         for place in range(count):
             number = len(made)
@@ -71,7 +75,7 @@ def views() -> tuple[CameraView, ...]:
             in_ns = round((FIRST_STAMP_S + number / RATE_HZ) * 1e9)
             made.append(
                 CameraView(
-                    scene(number / RATE_HZ, turn, light, ball),
+                    scene(number / RATE_HZ, turn, light, ball, brick_m),
                     (in_ns // 10**9, in_ns % 10**9),
                     SEED,
                     number,
@@ -82,14 +86,14 @@ def views() -> tuple[CameraView, ...]:
     return tuple(made)
 
 
-def scene(seconds: float, turn: float, light: float, ball: bool) -> Scene:
+def scene(seconds: float, turn: float, light: float, ball: bool, brick_m: float) -> Scene:
     """The desk at a moment: the balls roll, the hands move, and the brick lies on the other side."""
     swing, sway = math.sin(2.2 * seconds + turn), math.cos(1.3 * seconds)
     hands = (0.0, 0.0, 0.72, 0.72 + 0.15 * swing, 0.7, 0.7 - 0.15 * swing, *[0.0] * 6)
     return Scene(
         see.on_desk(0.82 + 0.06 * sway, 0.1 + 0.16 * swing) if ball else None,
         see.on_desk(1.02 - 0.05 * swing, -0.32 - 0.05 * sway),
-        (Box((1.02, 0.5 - 0.03 * sway), turn=0.1 * turn),),
+        (Box((brick_m, 0.5 - 0.03 * sway), turn=0.1 * turn),),
         hands,
         light=light,
         warm=1.0 + 0.05 * sway,
@@ -505,6 +509,11 @@ def flipped(x: float, y: float) -> Callable[[int, Answered], bool]:
     return fits
 
 
+def missed_beside_a_smaller_brick(place: int, answer: Answered) -> bool:
+    """Whether the ball was not found where it is the largest orange thing."""
+    return answer.length < LENGTH_SLACK and VIEWS[place].scene.boxes[0].at[0] > 0.5 * (NEAR_M + FAR_M)
+
+
 def in_axes_of_the_robot(place: int, answer: Answered) -> bool:
     """Whether x points forward, y to the left, z up."""
     a, b, c = answer.vector
@@ -537,6 +546,12 @@ REASONS = (
         "NaN or infinity: something was divided by zero, such as the sum of an empty mask.",
         "Ask first whether there is a ball; a vector of length 0 has no direction.",
         lambda place, answer: not all(map(math.isfinite, answer.vector)),
+    ),
+    Reason(
+        "direction.largest-left-out",
+        "The ball was not found where it is the largest orange thing: here the brick lies farther away, and looks smaller.",
+        "Do not go by size. Go through all orange outlines, and keep the one that is round.",
+        missed_beside_a_smaller_brick,
     ),
     Reason(
         "direction.no-ball",

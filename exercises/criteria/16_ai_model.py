@@ -64,13 +64,14 @@ BEGIN_S = 0.5
 PICTURES = 330
 GLARE_S = ((3.0, 3.7), (6.2, 6.7))
 """When (s since the first picture) the light is so bright that the model gives up."""
-# From when to when (s since the first sample), and how far the robot is tilted then (°).
+# From when to when (s since the first sample), how far the robot is tilted then (°), and where to: 0° is forward, 90° to
+# the left. It falls forward and to the left: whoever looks at one of the two alone sees less than 60°.
 TILTS = (
-    (1.9, 2.03, 80.0),
-    (2.3, 2.47, 75.0),
-    (4.4, 5.8, 55.0),
-    (5.0, 5.11, 100.0),
-    (7.6, 8.9, 65.0),
+    (1.9, 2.03, 80.0, 0.0),
+    (2.3, 2.47, 75.0, -90.0),
+    (4.4, 5.8, 55.0, 90.0),
+    (5.0, 5.11, 100.0, 180.0),
+    (7.6, 8.9, 65.0, 45.0),
 )
 FALL_S, FALLEN_DEG = 7.6, 65.0
 IMU_SECONDS = PICTURES / CAMERA_HZ
@@ -114,8 +115,9 @@ def samples() -> list[tuple[float, dict[str, Any]]]:
     made = []
     for number in range(round(IMU_SECONDS * IMU_HZ)):
         seconds = number / IMU_HZ
-        tilt = math.radians(tilt_at(seconds))
-        x, z = 9.81 * math.sin(tilt), 9.81 * math.cos(tilt)
+        tilt, toward = map(math.radians, tilt_at(seconds))
+        level, z = 9.81 * math.sin(tilt), 9.81 * math.cos(tilt)
+        x, y = level * math.cos(toward), level * math.sin(toward)
         in_ns = round((FIRST_STAMP_S + seconds) * 1e9)
         made.append(
             (
@@ -127,7 +129,7 @@ def samples() -> list[tuple[float, dict[str, Any]]]:
                     },
                     "linear_acceleration": {
                         "x": x + dice.gauss(0.0, 0.15),
-                        "y": dice.gauss(0.0, 0.15),
+                        "y": y + dice.gauss(0.0, 0.15),
                         "z": z + dice.gauss(0.0, 0.15),
                     },
                 },
@@ -141,9 +143,10 @@ def samples_within(begin: float, end: float) -> int:
     return sum(begin <= number / IMU_HZ < end for number in range(len(SAMPLES)))
 
 
-def tilt_at(seconds: float) -> float:
-    """How far the robot is tilted (°): the most of what there is at that moment."""
-    return max((tilt for begin, end, tilt in TILTS if begin <= seconds < end), default=3.0)
+def tilt_at(seconds: float) -> tuple[float, float]:
+    """How far the robot is tilted, and where to (°): the most of what there is at that moment."""
+    now = [(tilt, toward) for begin, end, tilt, toward in TILTS if begin <= seconds < end]
+    return max(now, default=(3.0, 0.0))
 
 
 VIEWS = views()
@@ -1059,7 +1062,7 @@ def never_fell(recording: Recording) -> Verdict:
 def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verdict:
     """Why "error" was said before the fall."""
     sent = [word.wall for word in see.said(recording, IMAGE.name)]
-    for begin, end, tilt in TILTS:
+    for begin, end, tilt, _ in TILTS:
         start, stop = (moments[round(one * IMU_HZ)] for one in (begin, end))
         if tilt > TILT_DEG and start <= at <= stop + 0.25:
             return see.failed(
@@ -1070,7 +1073,7 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
                 "count does not begin again at an upright one.",
                 "Count the tilted samples in a row, and set the count to 0 at each upright one. Ten are a fall.",
             )
-    begin, end, tilt = TILTS[2]
+    begin, end, tilt, _ = TILTS[2]
     if moments[round(begin * IMU_HZ)] <= at <= moments[round(end * IMU_HZ)] + 0.25:
         return see.failed(
             "fall-reported.on-leaning",
