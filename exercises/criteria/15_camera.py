@@ -549,7 +549,8 @@ REASONS = (
     ),
     Reason(
         "direction.largest-left-out",
-        "The ball was not found where it is the largest orange thing: here the brick lies farther away, and looks smaller.",
+        "The ball was not found where it is the largest orange thing: here the brick lies farther away, and looks "
+        "smaller.",
         "Do not go by size. Go through all orange outlines, and keep the one that is round.",
         missed_beside_a_smaller_brick,
     ),

@@ -2,6 +2,7 @@
 
 import json
 import re
+import threading
 import tomllib
 from contextlib import suppress
 
@@ -12,6 +13,7 @@ from workbook.exercise.source import ExerciseSource, SourceError, load
 
 PLANNED = "planned.toml"
 RUN_TIMES = "run_times.json"
+_WRITING = threading.Lock()
 _MINUTES = re.compile(r"\*\*Minutes:\*\* (\d+)")
 
 
@@ -86,7 +88,12 @@ def run_times(tree: Tree) -> dict[str, int]:
 
 
 def note_run_times(tree: Tree, measured: dict[str, float]) -> None:
-    """Keep measured times (s), rounded to five seconds: the next run will not be the same to the second."""
-    times = run_times(tree) | {stem: max(5, 5 * round(seconds / 5)) for stem, seconds in measured.items()}
-    known = {stem: times[stem] for stem in sorted(times) if stem in tree.lesson_stems()}
-    (tree.sources / RUN_TIMES).write_text(json.dumps(known, indent=1) + "\n", encoding="utf-8")
+    """Keep measured times (s), rounded to five seconds: the next run will not be the same to the second.
+
+    Lessons are built side by side, so several may want to write at once.
+    """
+    rounded = {stem: max(5, 5 * round(seconds / 5)) for stem, seconds in measured.items()}
+    with _WRITING:
+        times = run_times(tree) | rounded
+        known = {stem: times[stem] for stem in sorted(times) if stem in tree.lesson_stems()}
+        (tree.sources / RUN_TIMES).write_text(json.dumps(known, indent=1) + "\n", encoding="utf-8")

@@ -45,16 +45,9 @@ FRONT_END = Path(__file__).with_name("front_end")
 """What JupyterLab itself loads: tells the kernel which answer is on the screen. Each folder in it is an extension of
 its own, `rclpy-workbook-FOLDER`: its `package.json`, and the files that go into `static/`."""
 
+# The server's part of the home page and of the panel.
 SERVER_SETTINGS = {
-    "ServerApp": {
-        "jpserver_extensions": {
-            # The server's part of the home page and of the panel.
-            "workbook.lab.home": True,
-            "workbook.lab.panel": True,
-            # No language server comes with the environment, and to look for one takes a quarter of the start.
-            "jupyter_lsp": False,
-        }
-    }
+    "ServerApp": {"jpserver_extensions": {"workbook.lab.home": True, "workbook.lab.panel": True}}
 }
 
 # An empty guard makes the wheels find their own libraries, even when Jupyter runs in another environment.
