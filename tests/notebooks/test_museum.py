@@ -1,5 +1,6 @@
 """The error museum: each known mistake of beginners hangs in a lesson, and the pages tell what the lessons show."""
 
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
@@ -105,3 +106,14 @@ def test_run_times_are_rounded_and_old_lessons_forgotten(tmp_path: Path) -> None
     assert run_times(tree) == {"05_timers": 30, "06_spinning": 5}
     note_run_times(tree, {"06_spinning": 12.6})
     assert run_times(tree) == {"05_timers": 30, "06_spinning": 15}
+
+
+def test_lessons_that_end_together_all_keep_their_times(tmp_path: Path) -> None:
+    tree = Tree(tmp_path)
+    tree.sources.mkdir(parents=True)
+    stems = [f"{number:02}_lesson" for number in range(40)]
+    for stem in stems:
+        (tree.sources / f"{stem}.py").write_text("")
+    with ThreadPoolExecutor(len(stems)) as pool:
+        list(pool.map(lambda stem: note_run_times(tree, {stem: 5.0}), stems))
+    assert run_times(tree) == dict.fromkeys(stems, 5)
