@@ -65,7 +65,7 @@ PICTURES = 330
 GLARE_S = ((3.0, 3.7), (6.2, 6.7))
 """When (s since the first picture) the light is so bright that the model gives up."""
 # From when to when (s since the first sample), how far the robot is tilted then (°), and where to: 0° is forward, 90°
-# is to the left. It falls forward and to the left: whoever looks at one of the two alone sees less than 60°.
+# is to the left. It falls forward and to the left: in each of these directions alone, it is tilted by less than 60°.
 TILTS = (
     (1.9, 2.03, 80.0, 0.0),
     (2.3, 2.47, 75.0, -90.0),

@@ -77,7 +77,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         print("\nStopped.", file=sys.stderr)
         return 130
-    except BrokenPipeError:  # whoever read it has seen enough, as in `workbook check 09 | head -1`
+    except BrokenPipeError:  # the reader has seen enough, as in `workbook check 09 | head -1`
         sys.stderr.close()
         return 0
 

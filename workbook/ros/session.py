@@ -20,6 +20,7 @@ from rclpy.task import Future
 from rclpy.utilities import get_default_context, try_shutdown
 
 from workbook.ros import exit_cleanup, fresh_nodes
+from workbook.ros.environment import is_prepared, prepare
 from workbook.ros.executor import SteppingExecutor, callback_place, callback_traceback
 from workbook.ros.fresh_nodes import fresh as fresh
 
@@ -53,10 +54,16 @@ class StoppedInBetween(_ShownAsSentence, KeyboardInterrupt):
 
 
 def init(args: list[str] | None = None) -> None:
-    """Start ROS in this notebook; does nothing when it runs already."""
+    """Start ROS in this notebook; does nothing when it runs already.
+
+    In a plain Python, which no kernel has set up, its traffic stays on this machine as well. Nor is anything left in
+    `/dev/shm` then if it is killed.
+    """
     exit_cleanup.register()
     if get_default_context().ok():
         return
+    if not is_prepared():
+        prepare()
     try_shutdown()  # forget a context that something else has shut down
     rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)
 
