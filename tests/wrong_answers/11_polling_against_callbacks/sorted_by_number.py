@@ -1,10 +1,10 @@
 # Touches that come together are sorted before they are reported.
 # loses: once_in_order
 # cause: once-in-order.sorted
+# also: quick
 # before: import rclpy
 import queue
 import threading
-import time
 
 # after: self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)
 self.touches: queue.Queue[int] = queue.Queue()
@@ -14,9 +14,11 @@ threading.Thread(target=self.report, daemon=True).start()
 def report(self) -> None:
     while True:
         some = [self.touches.get()]
-        time.sleep(0.003)
-        while not self.touches.empty():
-            some.append(self.touches.get())
+        try:
+            while True:
+                some.append(self.touches.get(timeout=0.005))
+        except queue.Empty:
+            pass
         for number in sorted(some):
             self.seen_publisher.publish(Int32(data=number))
 
