@@ -6,7 +6,7 @@ from types import ModuleType
 from typing import Any
 
 from workbook.criteria.verdict import Verdict
-from workbook.recording.plan import BYTES_PER_TOPIC, Feature, Plan
+from workbook.recording.plan import BYTES_PER_TOPIC, STEPS_PER_PERIOD, Feature, Plan
 from workbook.recording.recording import Recording
 from workbook.recording.script import NOTHING_SAID, Part, Script
 from workbook.recording.type_names import type_name
@@ -96,6 +96,7 @@ class Watching:
     to_the_end: bool = False
     script: Script = NOTHING_SAID
     bytes_per_topic: int = BYTES_PER_TOPIC
+    steps_per_period: int = STEPS_PER_PERIOD
 
 
 def watching(
@@ -105,6 +106,7 @@ def watching(
     to_the_end: bool = False,
     script: Sequence[Part] = (),
     bytes_per_topic: int = BYTES_PER_TOPIC,
+    steps_per_period: int = STEPS_PER_PERIOD,
 ) -> Watching:
     """Declare how to watch, once per criteria file.
 
@@ -114,8 +116,12 @@ def watching(
     messages, services and calls that the judge sends to the program meanwhile, made with `says`, `serves` and `calls`.
     `bytes_per_topic`: how many bytes of messages are kept of each topic, those of the judge not counted. Of a field
     with more than 4096 elements only the beginning, the size and the SHA-256 are kept, and hardly more is counted.
+    `steps_per_period`: into how many steps of robot time the shortest judged period is divided. Each step costs about
+    two milliseconds: fewer of them make a long watch of a fast topic quicker.
     """
-    return Watching(robot_seconds, wall_seconds, to_the_end, Script(tuple(script)), bytes_per_topic)
+    return Watching(
+        robot_seconds, wall_seconds, to_the_end, Script(tuple(script)), bytes_per_topic, steps_per_period
+    )
 
 
 def watching_in(module: ModuleType) -> Watching:
@@ -148,4 +154,5 @@ def plan_for(topics: Iterable[Topic], how: Watching) -> Plan:
         tuple(one.name for one in declared if one.hz is not None),
         how.bytes_per_topic,
         {one.name: one.features for one in declared if one.features},
+        how.steps_per_period,
     )

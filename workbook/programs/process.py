@@ -15,14 +15,13 @@ from workbook.programs.log import ProgramLog
 from workbook.programs.spec import ProgramSpec
 from workbook.programs.tier import Confinement, Order, Tier
 from workbook.programs.unconfined import Unconfined
-from workbook.programs.usage import limit_exceeded, limits_in_log
+from workbook.programs.usage import limit_exceeded, limits_in_log, until_next_look_s
 from workbook.recording.recording import ProcessRecord
 from workbook.ros.environment import child_environment, profile_with_lease
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
 PROFILE = "FASTRTPS_DEFAULT_PROFILES_FILE"
 POLL_S = 0.05
-COUNT_EVERY_S = 0.05
 SURROUNDINGS_END_S = 2.0
 
 
@@ -92,12 +91,13 @@ class NodeProcess:
     def _guard(self) -> None:
         """End a program that takes too much. The kernel's own limits hold for single processes, and not for root's."""
         while self.is_running():
-            hit = limit_exceeded(self.spec.limits, self._child.tree(), self._confinement)
+            pids = self._child.tree()
+            hit = limit_exceeded(self.spec.limits, pids, self._confinement)
             if hit is not None:
                 self._limits_hit.append(hit)
                 self._kill_tree()
                 return
-            time.sleep(COUNT_EVERY_S)
+            time.sleep(until_next_look_s(self.spec.limits, pids))
 
     @property
     def confinement(self) -> Confinement:

@@ -7,6 +7,8 @@ from workbook.inside.proc import memory_bytes
 from workbook.programs.tier import Confinement
 from workbook.recording.limits import Limits
 
+WATCHFUL_S = 0.05
+AT_EASE_S = 0.2
 _LAST_LINES = 3
 _SAID = {
     "memory": r"MemoryError|std::bad_alloc|Cannot allocate memory",
@@ -35,6 +37,17 @@ def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement
     if limits.queued is not None and confinement.queued_bytes(limits.queued) > limits.queued:
         return "sockets"
     return None
+
+
+def until_next_look_s(limits: Limits, pids: Sequence[int]) -> float:
+    """How long (s) these processes may go on until they are looked at again.
+
+    To look costs as much processor time as a small node needs. What is far from its limits cannot reach them sooner: a
+    processor fills some 2 GB of new memory in a second.
+    """
+    processes, memory = limits.processes or 0, limits.memory or 0
+    is_far = 2 * len(pids) <= processes and 2 * memory_bytes(pids, memory) <= memory
+    return AT_EASE_S if is_far else WATCHFUL_S
 
 
 def limits_in_log(log: str) -> tuple[str, ...]:

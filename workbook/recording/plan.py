@@ -13,6 +13,8 @@ PERIODS_PER_BLOCK = 4.5
 WALL_PERIODS = 4.0
 WALL_EXTRA_S = 0.5
 LEAST_WALL_WATCH_S = 4.0
+STEPS_PER_PERIOD = 10
+"""Steps of robot time in the shortest judged period, where an exercise says nothing else."""
 BYTES_PER_TOPIC = 1_000_000
 """How much is kept of a topic, where an exercise says nothing else. A joint array of twelve angles takes 80 bytes."""
 
@@ -32,7 +34,8 @@ class Plan:
     `to_the_end`: whether the watch also looks for nodes that stay on the graph after the program. A participant that
     vanishes without a DDS dispose is then remembered for much longer than a dispose takes on the busiest machine.
     `bytes_per_topic`: how many bytes of messages are kept of each topic. `features`: by topic and field, what is kept
-    of large fields besides their beginning, size and hash.
+    of large fields besides their beginning, size and hash. `steps_per_period`: into how many steps of robot time the
+    shortest judged period is divided.
     """
 
     topics: tuple[str, ...]
@@ -45,6 +48,7 @@ class Plan:
     paced: tuple[str, ...] = ()
     bytes_per_topic: int = BYTES_PER_TOPIC
     features: Mapping[str, Mapping[str, Feature]] = field(default_factory=dict, compare=False)
+    steps_per_period: int = STEPS_PER_PERIOD
 
     @property
     def node_suffices(self) -> bool:
@@ -53,8 +57,8 @@ class Plan:
 
     @property
     def step_s(self) -> float:
-        """Step of robot time: a tenth of the shortest judged period."""
-        return self.shortest_period / 10.0
+        """Step of robot time (s)."""
+        return self.shortest_period / self.steps_per_period
 
     @property
     def robot_s(self) -> float:
