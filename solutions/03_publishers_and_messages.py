@@ -47,7 +47,7 @@
 # | no measurement | `nan`, `inf`, `-inf`, also in one of NumPy's types | raises an error and sends nothing |
 #
 # Each call is independent of earlier calls. Send a number again even if it was sent before, and after an error send the
-# next number as usual.
+# next number as usual. A call may also come right after another one, a few milliseconds later.
 #
 # You choose which error to raise. `TypeError` for a wrong type and `ValueError` for a wrong value are usual.
 #

@@ -51,14 +51,16 @@
 # | 2 | mypy --strict finds nothing in your program |
 # | 2 | mypy objects to a message of the wrong type |
 # | 1 | mypy objects to a value of the wrong type and to any other word |
-# | 1 | every number arrives once and as that number, including `42` and `0.0` |
+# | 1 | every number arrives once for each call and as that number, including `42`, `0.0` and the same one again |
 # | 2 | at run time a wrong value or message raises an error, and nothing is sent |
 # | 1 | at run time the two words are sent; any other word raises an error, and is not sent |
 #
 # The judge ignores `# type: ignore`, and you may not write `Any`: neither makes the node safer.
 #
 # **Not part of it:** how the program ends on Ctrl-C, subscriptions, services, parameters. You decide what happens to
-# `True`, `nan` and NumPy's numbers (exercise 03 was about those), and to charges below 0 or above 100.
+# `True`, `nan` and NumPy's numbers (exercise 03 was about those), and to charges below 0 or above 100. The judge creates
+# a `RobotReport` itself and never calls your `main()`. It watches for 12 s: if your node's battery is empty later, it
+# never sees that.
 # %% [answer]
 """Reports battery and status of a humanoid. Others send through it, too, and cannot get the types wrong unnoticed."""
 

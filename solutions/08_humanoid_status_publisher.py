@@ -56,6 +56,10 @@
 # word may change as soon as the last charge above 0 is published. It must have changed when the battery reports 0 for
 # the second time.
 #
+# Steps need not be equal, and charges may be rounded. So the first charge may lie 1 % and one and a half of the largest
+# steps below 100 %. If your program does not follow robot time, the judge may miss its first messages. Then 1 % and four
+# steps are allowed.
+#
 # **Not part of it:** new topics, real batteries, signals other than the one that Ctrl-C sends, what you log, and how
 # fast the battery drains. (If yours lasts longer than the judge watches, the judge never sees it empty.)
 # %% [answer]

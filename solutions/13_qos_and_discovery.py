@@ -71,7 +71,8 @@
 #
 # **Not part of it:**
 #
-# - what the line says in the first second, and whether it comes then
+# - what the line says in the first second, and whether it comes then. (The judge's robot has published its status
+#   before, so the judge never sees `unknown`.)
 # - whether the alarm is published more often than it changes
 # - how your program ends
 # %% [answer]

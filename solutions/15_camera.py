@@ -38,9 +38,9 @@
 # `Image` is in `sensor_msgs.msg`, `Vector3Stamped` in `geometry_msgs.msg`.
 #
 # **The scene.** The ball is orange. On the desk there are also a blue ball and a brick that is just as orange as the
-# ball. The robot's own gray hands come into view. The light changes between bright and dim (40 % as bright), and gets a
-# little warmer or colder. There is at most one orange ball, and it is never partly hidden. It is at least 9 pixels
-# wide.
+# ball. The brick lies anywhere: farther away than the ball, or nearer. The robot's own gray hands come into view. The
+# light changes between bright and dim (40 % as bright), and gets a little warmer or colder. There is at most one orange
+# ball, and it is never partly hidden. It is at least 11 pixels wide.
 #
 # **The camera.** It follows the pinhole model, with a focal length of 140 pixels. Column 79.5, row 59.5 looks straight
 # ahead, where (0, 0) is the middle of the pixel at the upper left.
@@ -74,7 +74,8 @@
 # | 1 | where there is no ball, it says so |
 #
 # "Good light" means bright light and no padding. Changing light and padding are judged only when the direction is
-# right in good light.
+# right in good light. Padding is judged in both encodings. But in `bgr8` it counts only when the direction is right for
+# `bgr8` without padding.
 #
 # **Not part of it:** how far away the ball is, lenses, a ball that is partly hidden, and how your program ends.
 # %% [answer]

@@ -9,6 +9,7 @@ WATCH = watching(wall_seconds=WATCH_S, to_the_end=True)
 NODE = "/night_guard"
 PARKED = "arms parked"  # compared in lower case: the program may log it as it likes
 LEAST_ROUNDS = 4  # of the eight that are due; the task names it
+RAISED_BY_SPIN = ("ExternalShutdownException", "RCLError", "InvalidHandle")  # when the context is gone
 LONGEST_SILENCE_S = 1.5  # before Ctrl-C: three rounds; the task names it
 
 
@@ -130,7 +131,11 @@ def ends_cleanly(recording: Recording) -> Verdict:
             "Let main() return when it has cleaned up, and start nothing that outlives it.",
         )
     verdict = see.exits_cleanly(recording)
-    if verdict.ok or process.exit != 0 or "Exception in thread" not in process.end_log:
+    of_a_thread = process.exit == 0 and "Exception in thread" in process.end_log
+    of_rclpy = verdict.cause == "exits-cleanly.prints-a-traceback" or any(
+        name in process.end_log for name in RAISED_BY_SPIN
+    )
+    if verdict.ok or not of_a_thread or not of_rclpy:
         return verdict
     return see.failed(
         "ends-cleanly.thread-raised",

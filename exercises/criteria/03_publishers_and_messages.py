@@ -50,6 +50,7 @@ CALLS = (
     "-inf", "np.float16(50.5)", "np.int8(100)", "' 7.5 '", "np.int32(18)", "(50.0,)", "87.25", "np.float32(nan)",
     "np.float32(0.0)", "1", "''", "0.004", "np.float64(-inf)", "np.float32(-inf)", "42.5", "[]", "64",
 )  # fmt: skip
+AT_ONCE = 4  # the driver makes this call right after the one before, and all others 0.06 s after it
 EARLY = "sent before any call: "
 MISTAKES = ("NameError", "AttributeError", "UnboundLocalError")
 
@@ -282,7 +283,7 @@ def why_not_arrived(call: DriverCall, made: list[DriverCall]) -> Verdict:
     if call.how == "raised":
         return why_number_raised(call, made, saw, expected)
     if not call.sent:
-        return why_nothing_sent(call, made, saw, expected)
+        return why_dropped_at_once(call, made, saw, expected) or why_nothing_sent(call, made, saw, expected)
     if len(call.sent) > 1 or call.later:
         more = f"; {as_float(call.later[0])} followed after it had come back" if call.later else ""
         return see.failed(
@@ -293,6 +294,21 @@ def why_not_arrived(call: DriverCall, made: list[DriverCall]) -> Verdict:
             "Publish once in publish_level, and nowhere else.",
         )
     return why_changed(call, made, saw, expected)
+
+
+def why_dropped_at_once(call: DriverCall, made: list[DriverCall], saw: str, expected: str) -> Verdict | None:
+    """Why nothing was sent in the call that came at once after another, and in the next one again; else None."""
+    after = next((one for one in made if one.number > call.number and one.argument in MEANT), None)
+    if call.number != AT_ONCE or after is None or not arrived(after):
+        return None
+    return see.failed(
+        "number.dropped-soon-after",
+        saw,
+        expected,
+        "This call came a few milliseconds after the one before. The number before it and the one after it arrived. So "
+        "the method drops, or delays, a number that comes so soon.",
+        "Send each number in its own call, no matter how much time has passed.",
+    )
 
 
 def why_nothing_sent(call: DriverCall, made: list[DriverCall], saw: str, expected: str) -> Verdict:

@@ -16,7 +16,7 @@ WATCH = watching(
 )
 
 # What the driver sends, or what becomes of it; the node itself sends other values.
-NUMBERS = (42.0, 55.25, 0.0, 33.328125, 99.9375, 66.75, 87.5, 50.0, 12.5)
+NUMBERS = (42.0, 55.25, 0.0, 33.328125, 99.9375, 71.5, 66.75, 87.5, 50.0, 12.5)
 NEVER_SENT = (
     "operatoinal", "3", "None", "Error", " error", "error\n", "oper", "error: arm", "charging", "",
 )  # fmt: skip
@@ -27,12 +27,14 @@ DROPPED = (
 ROUNDING = 1e-4  # how near an arrived number is to a rounded one
 ZERO = "send_battery(0.0)"
 WHOLE = "send_battery(42)"
+TWICE = "send_battery(71.5)"  # the driver makes this call twice in a row
 NUMBER_CALLS = {
     WHOLE: 42.0,
     "send_battery(55.25)": 55.25,
     ZERO: 0.0,
     "send_battery(33.328125)": 33.328125,
     "send_battery(99.9375)": 99.9375,
+    TWICE: 71.5,
     "battery_publisher.publish(Float32(data=66.75))": 66.75,
 }
 GOOD_WORD = "send_status('error')"
@@ -174,7 +176,11 @@ def wrong_value_found(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=1, title="Every number arrives as that number, a whole one too", needs=[program_runs])
+@criterion(
+    points=1,
+    title="Every number arrives as that number, a whole one and a repeated one too",
+    needs=[program_runs],
+)
 def numbers_arrive(recording: Recording) -> Verdict:
     if not outcomes(recording):
         return never_called()
@@ -182,7 +188,7 @@ def numbers_arrive(recording: Recording) -> Verdict:
         verdict = why_refused(recording, call) or why_not_arrived(recording, call, number)
         if verdict is not None:
             return verdict
-    return see.passed("42 arrived as 42.0, 55.25 as 55.25, 0.0 as 0.0")
+    return see.passed("42 arrived as 42.0, 55.25 as 55.25, 0.0 as 0.0, and 71.5 twice for two calls")
 
 
 @criterion(
@@ -312,7 +318,8 @@ def why_refused(recording: Recording, call: str) -> Verdict | None:
 
 def why_not_arrived(recording: Recording, call: str, number: float) -> Verdict | None:
     """A failed verdict if a number that a call accepted did not arrive once as this number."""
-    arrived, asked = see.values(recording, BATTERY), len(see.said(recording, "/driver/go"))
+    arrived, orders = see.values(recording, BATTERY), len(see.said(recording, "/driver/go"))
+    asked = 2 * orders if call == TWICE else orders
 
     def fail(cause: str, saw: str, because: str, try_this: str) -> Verdict:
         return see.failed(cause, f"{call} sent {saw}", numbers_expected(call), because, try_this)
@@ -332,6 +339,14 @@ def why_not_arrived(recording: Recording, call: str, number: float) -> Verdict |
             f"{number} {arrived.count(number)} times in {see.count(asked, 'call')}",
             "Something publishes this number once more: a second publish(), or a timer.",
             "Publish once in each call.",
+        )
+    if call == TWICE and arrived.count(number) <= orders:
+        return fail(
+            "numbers-arrive.repeat-dropped",
+            f"{number} {see.count(arrived.count(number), 'time')} in {see.count(asked, 'call')}",
+            "A number that equals the one before is not sent again. A listener then cannot tell a charge that stays "
+            "the same from a robot that is silent.",
+            "Publish in each call, whatever was sent before.",
         )
     return None
 

@@ -53,6 +53,7 @@ MAY_TAKE_S = 0.8
 GIVEN_UP_AT_ONCE_S = 1.3  # with the next question, or a moment later
 GIVEN_UP_WITHIN_S = 2.0
 SLACK_S = 0.1  # for a busy machine
+NEARLY_S = 0.03  # the same, where each call is given up too early
 LONG_SLACK_S = 0.3  # the same, where an asking period and a patience add up
 MAY_COME_UNTIL_S = MAY_TAKE_S + 0.05
 LEAST_SHARE, MOST_SHARE = 0.9, 1.1  # of the beats that are due
@@ -166,6 +167,9 @@ def unanswered_told(recording: Recording) -> Verdict:
     untold, in_vain = given_up_in_vain(recording)
     if untold:
         return why_not_given_up(recording, untold[0], [t for t in in_vain if t > untold[0].t])
+    waited = given_up_after(recording)
+    if len(waited) > 1 and max(waited) < MAY_TAKE_S - NEARLY_S:
+        return why_always_early(waited)
     in_vain = [t for t in in_vain if t > FIRST_SECONDS_S]
     if len(in_vain) == 1 and any(given_up_a_moment_early(recording, one) for one in answers_in(recording)):
         in_vain = []  # a very busy machine
@@ -824,6 +828,15 @@ def given_up_in_vain(recording: Recording) -> tuple[list[CallSeen], list[float]]
     return untold, [t for t in left if not any(is_about(call, t) for call in may_come_later)]
 
 
+def given_up_after(recording: Recording) -> list[float]:
+    """How long (s) each call without an answer waited until it was given up, without those that were not."""
+    said = [t for t, _ in told(recording, NO_ANSWER)]
+    waited = [
+        [t - call.t for t in said if is_about(call, t)] for call in asked(recording) if call.response is None
+    ]
+    return [min(one) for one in waited if one]
+
+
 def given_up(recording: Recording, call: CallSeen) -> bool:
     """Whether "no answer" was said for this call."""
     untold, in_vain = given_up_in_vain(recording)
@@ -848,6 +861,19 @@ def why_early(call: CallSeen, at: float) -> Verdict:
         ONE_NO_ANSWER,
         f"It gave up too early: an answer may take {MAY_TAKE_S} s.",
         "Give up on a call when the next one is due, and no earlier.",
+    )
+
+
+def why_always_early(waited: list[float]) -> Verdict:
+    """Each call without an answer was given up a little too early, after so long (s)."""
+    return see.failed(
+        "unanswered-told.always-early",
+        f'{len(waited)} calls got no answer, and your node had said "{NO_ANSWER}" at most {max(waited):.2f} s after '
+        "each of them",
+        ONE_NO_ANSWER,
+        f"The time limit is a little too short: an answer may take {MAY_TAKE_S} s, and would be lost.",
+        "Give up on a call when the next one is due, and no earlier.",
+        about_time=True,
     )
 
 

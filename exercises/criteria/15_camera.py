@@ -44,22 +44,24 @@ KNOWN = ("rgb8", "bgr8")
 SEED = 2715
 FIRST_STAMP_S = 500
 
-NEAR_M, FAR_M = 1.02, 1.5
-"""How far away the brick lies: it looks larger than the ball, or smaller."""
+NEAR, FAR, IN_FRONT = (1.02, 0.5, 0.0), (1.5, 0.5, 0.0), (0.7, -0.35, -0.4)
+"""Where the brick lies (m: forward, left) and how it is turned (rad). It looks larger than the ball, or smaller, and
+lies above the ball in the picture, or below it."""
 
 # How many pictures of each kind come, in this order: encodings (used by turns), padding, ball, brightest and darkest,
-# how far away the brick lies (m).
-Part = tuple[int, tuple[str, ...], int, bool, float, float, float]
+# where the brick lies.
+Part = tuple[int, tuple[str, ...], int, bool, float, float, tuple[float, float, float]]
 PARTS: tuple[Part, ...] = (
-    (35, ("rgb8",), 0, True, 1.1, 0.8, NEAR_M),
-    (30, ("rgb8",), 0, True, 0.6, 0.4, NEAR_M),
-    (20, ("rgb8",), 0, False, 0.4, 1.0, NEAR_M),
-    (25, ("bgr8",), 0, True, 1.0, 0.5, NEAR_M),
-    (4, ("yuv422_yuy2",), 0, True, 0.8, 0.8, NEAR_M),
-    (30, ("rgb8",), PADDING, True, 0.9, 0.45, NEAR_M),
-    (15, ("bgr8",), PADDING, False, 1.0, 0.4, FAR_M),
-    (4, ("mono16",), PADDING, True, 0.9, 0.9, NEAR_M),
-    (32, ("rgb8", "bgr8"), 0, True, 0.45, 1.1, FAR_M),
+    (20, ("rgb8",), 0, True, 1.1, 0.93, NEAR),
+    (15, ("rgb8",), 0, True, 0.92, 0.8, IN_FRONT),
+    (30, ("rgb8",), 0, True, 0.6, 0.4, NEAR),
+    (20, ("rgb8",), 0, False, 0.4, 1.0, NEAR),
+    (25, ("bgr8",), 0, True, 1.0, 0.5, NEAR),
+    (4, ("yuv422_yuy2",), 0, True, 0.8, 0.8, NEAR),
+    (30, ("rgb8", "bgr8"), PADDING, True, 0.9, 0.45, NEAR),
+    (15, ("bgr8",), PADDING, False, 1.0, 0.4, FAR),
+    (4, ("mono16",), PADDING, True, 0.9, 0.9, NEAR),
+    (32, ("rgb8", "bgr8"), 0, True, 0.45, 1.1, FAR),
 )
 
 
@@ -67,15 +69,17 @@ def views() -> tuple[CameraView, ...]:
     """All pictures, in order."""
     dice = random.Random(SEED)
     made: list[CameraView] = []
-    for count, encodings, padding, ball, first_light, last_light, brick_m in PARTS:
-        turn = dice.uniform(0.0, 6.28)
+    turn = 0.0
+    for count, encodings, padding, ball, first_light, last_light, brick in PARTS:
+        if brick != IN_FRONT:  # else the ball rolls on as in the part before
+            turn = dice.uniform(0.0, 6.28)
         for place in range(count):
             number = len(made)
             light = first_light + (last_light - first_light) * place / (count - 1)
             in_ns = round((FIRST_STAMP_S + number / RATE_HZ) * 1e9)
             made.append(
                 CameraView(
-                    scene(number / RATE_HZ, turn, light, ball, brick_m),
+                    scene(number / RATE_HZ, turn, light, ball, brick),
                     (in_ns // 10**9, in_ns % 10**9),
                     SEED,
                     number,
@@ -86,14 +90,15 @@ def views() -> tuple[CameraView, ...]:
     return tuple(made)
 
 
-def scene(seconds: float, turn: float, light: float, ball: bool, brick_m: float) -> Scene:
-    """The desk at a moment: the balls roll, the hands move, and the brick lies on the other side."""
+def scene(seconds: float, turn: float, light: float, ball: bool, brick: tuple[float, float, float]) -> Scene:
+    """The desk at a moment: the balls roll, the hands move, and the brick lies beside them."""
     swing, sway = math.sin(2.2 * seconds + turn), math.cos(1.3 * seconds)
+    forward, left, turned = brick
     hands = (0.0, 0.0, 0.72, 0.72 + 0.15 * swing, 0.7, 0.7 - 0.15 * swing, *[0.0] * 6)
     return Scene(
         see.on_desk(0.82 + 0.06 * sway, 0.1 + 0.16 * swing) if ball else None,
         see.on_desk(1.02 - 0.05 * swing, -0.32 - 0.05 * sway),
-        (Box((brick_m, 0.5 - 0.03 * sway), turn=0.1 * turn),),
+        (Box((forward, left - 0.03 * sway), turn=turned + 0.1 * turn),),
         hands,
         light=light,
         warm=1.0 + 0.05 * sway,
@@ -123,7 +128,7 @@ def kind(encoding: str, padding: int, bright: bool | None) -> list[int]:
 IN_GOOD_LIGHT = kind("rgb8", 0, True)
 IN_DIM_LIGHT = kind("rgb8", 0, False)
 IN_BGR = kind("bgr8", 0, None)
-PADDED = kind("rgb8", PADDING, None)
+PADDED, PADDED_BGR = kind("rgb8", PADDING, None), kind("bgr8", PADDING, None)
 
 BEGIN_S = 0.5
 WATCH_S = BEGIN_S + len(VIEWS) / RATE_HZ + 1.0
@@ -273,7 +278,13 @@ def bgr_right(recording: Recording) -> Verdict:
 @criterion(points=1, title="The direction is right for rows with padding", needs=[direction_right])
 def padding_right(recording: Recording) -> Verdict:
     unpadded_are_right = directions(recording, IN_DIM_LIGHT).ok
-    return directions(recording, PADDED, PADDING_TAKEN_FOR_PIXELS if unpadded_are_right else None)
+    rgb = directions(recording, PADDED, PADDING_TAKEN_FOR_PIXELS if unpadded_are_right else None)
+    if not directions(recording, IN_BGR).ok:
+        return rgb  # what is wrong with bgr8 alone, `bgr_right` judges
+    bgr = directions(recording, PADDED_BGR, PADDING_OF_ONE_ENCODING if rgb.ok else PADDING_TAKEN_FOR_PIXELS)
+    if bgr.ok and not rgb.ok and unpadded_are_right:
+        rgb = directions(recording, PADDED, PADDING_OF_ONE_ENCODING)
+    return see.all_of(rgb, bgr)
 
 
 @criterion(points=1, title="Where there is no ball, it says so", needs=[stamps_kept])
@@ -481,6 +492,15 @@ PADDING_TAKEN_FOR_PIXELS = Reason(
 )
 
 
+PADDING_OF_ONE_ENCODING = Reason(
+    "direction.padding-of-one-encoding",
+    "Pictures of this encoding without padding lead to the ball, and so do pictures of the other one with padding. "
+    "So the code that reads this encoding takes the unused bytes at the end of a row for pixels.",
+    "Cut off the padding in one place, before the encoding matters: keep the first 3 * image.width bytes of each row.",
+    lambda place, answer: True,
+)
+
+
 def why_wrong(wrong: Wrong) -> Reason:
     """The first reason that fits most of the directions that are wrong."""
     return first_that_fits(REASONS, wrong) or Reason(
@@ -511,7 +531,12 @@ def flipped(x: float, y: float) -> Callable[[int, Answered], bool]:
 
 def missed_beside_a_smaller_brick(place: int, answer: Answered) -> bool:
     """Whether the ball was not found where it is the largest orange thing."""
-    return answer.length < LENGTH_SLACK and VIEWS[place].scene.boxes[0].at[0] > 0.5 * (NEAR_M + FAR_M)
+    return answer.length < LENGTH_SLACK and VIEWS[place].scene.boxes[0].at[0] > 0.5 * (NEAR[0] + FAR[0])
+
+
+def missed_above_the_brick(place: int, answer: Answered) -> bool:
+    """Whether the ball was not found where it is the topmost orange thing."""
+    return answer.length < LENGTH_SLACK and VIEWS[place].scene.boxes[0].at[0] < 0.5 * (NEAR[0] + IN_FRONT[0])
 
 
 def in_axes_of_the_robot(place: int, answer: Answered) -> bool:
@@ -553,6 +578,13 @@ REASONS = (
         "smaller.",
         "Do not go by size. Go through all orange outlines, and keep the one that is round.",
         missed_beside_a_smaller_brick,
+    ),
+    Reason(
+        "direction.topmost-left-out",
+        "The ball was not found where it is the topmost orange thing: here the brick lies nearer, and is lower in the "
+        "picture.",
+        "Do not go by place or order. Go through all orange outlines, and keep the one that is round.",
+        missed_above_the_brick,
     ),
     Reason(
         "direction.no-ball",

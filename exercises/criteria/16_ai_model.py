@@ -53,6 +53,8 @@ HARDLY_ANY = 3
 LONGEST_SILENCE_S = 0.5
 TILT_DEG, TILTED_SAMPLES = 60.0, 10
 FALL_WITHIN_S = 0.5
+FOLLOWS_WITHIN_S = 0.4
+"""So soon after the robot is upright again, a status that follows the current tilt has changed."""
 OPERATIONAL, ERROR = "operational", "error"
 WORDS_OF_THE_MODEL = re.compile(r"glare: \d+ ?% of the picture is white")
 MOST = 0.6
@@ -72,8 +74,9 @@ TILTS = (
     (4.4, 5.8, 55.0, 90.0),
     (5.0, 5.11, 100.0, 180.0),
     (7.6, 8.9, 65.0, 45.0),
+    (0.0, 0.11, 70.0, 0.0),  # also the very first samples
 )
-FALL_S, FALLEN_DEG = 7.6, 65.0
+FALL_S, UPRIGHT_S, FALLEN_DEG = 7.6, 8.9, 65.0
 IMU_SECONDS = PICTURES / CAMERA_HZ
 
 
@@ -155,6 +158,8 @@ PLACE_OF = {view.stamp: place for place, view in enumerate(VIEWS)}
 IN_GLARE = [place for place in range(PICTURES) if glare(place / CAMERA_HZ)]
 FALL_SAMPLE = round(FALL_S * IMU_HZ) + TILTED_SAMPLES - 1
 """The sample with which the fall is a fall: the tenth tilted one in a row."""
+UPRIGHT_SAMPLE = round(UPRIGHT_S * IMU_HZ)
+"""The first sample with which the robot is upright again after the fall."""
 AGAIN_FROM_S = [end for _, end in GLARE_S]
 
 WATCH_S = BEGIN_S + IMU_SECONDS + 0.7
@@ -361,13 +366,8 @@ def fall_reported(recording: Recording) -> Verdict:
         return late_error(recording, saw)
     again = [at for at, word in said if at > errors[0] and word == OPERATIONAL]
     if again:
-        return see.failed(
-            "fall-reported.taken-back",
-            f'{saw}, and "{OPERATIONAL}" again {again[0] - errors[0]:.1f} s later',
-            FALL_EXPECTED,
-            "The status follows the current tilt. But a robot that has fallen and was set upright again may be "
-            "damaged.",
-            "Remember the fall in an attribute, and never take it back.",
+        return why_taken_back(
+            f'{saw}, and "{OPERATIONAL}" again {again[0] - errors[0]:.1f} s later', again[0], moments
         )
     return see.passed(f"{saw}, and from then on")
 
@@ -1097,6 +1097,33 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
         FALL_EXPECTED,
         "Nothing had happened to the robot yet.",
         "Say which condition sets the status, and log the tilt when it is met.",
+    )
+
+
+def why_taken_back(saw: str, at: float, moments: Sequence[float]) -> Verdict:
+    """Why "operational" came again after the fall, at such a moment (s)."""
+    upright = moments[min(UPRIGHT_SAMPLE, len(moments) - 1)]
+    if 0.0 <= at - upright <= FOLLOWS_WITHIN_S:
+        return see.failed(
+            "fall-reported.taken-back",
+            saw,
+            FALL_EXPECTED,
+            "The status follows the current tilt. But a robot that has fallen and was set upright again may be "
+            "damaged.",
+            "Remember the fall in an attribute, and never take it back.",
+        )
+    how = (
+        "while the robot still lay there"
+        if at < upright
+        else f"{at - upright:.1f} s after it was set upright"
+    )
+    return see.failed(
+        "fall-reported.forgiven",
+        f"{saw}, {how}",
+        FALL_EXPECTED,
+        "The fall is forgotten after a while: by a counter, a timer, or a time limit. But a robot that has fallen may "
+        "be damaged, however long ago that was.",
+        "Remember the fall in an attribute, and never take it back.",
     )
 
 

@@ -24,6 +24,8 @@ from std_msgs.msg import String
 
 PACE_S = 0.06  # from one call to the next: all of them take about a second
 BREATH_S = 0.01  # what a call sends must carry a later time stamp than its announcement
+AT_ONCE = 4  # the call with this number follows the one before at once, with a shorter breath
+SHORT_BREATH_S = 0.001
 PATIENCE_S = 1.0  # for a listener; an answer that publishes elsewhere never gets one
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 NAMES = {"np": np, "nan": float("nan"), "inf": float("inf")}
@@ -87,7 +89,7 @@ class Driver(Node):
         self.not_before = 0.0
         self.report_publisher = self.create_publisher(String, "/driver/report", 200)
         self.create_subscription(String, "/driver/calls", self.on_calls, LATCHED)
-        self.create_timer(PACE_S, self.on_tick)
+        self.timer = self.create_timer(PACE_S, self.on_tick)
 
     def say(self, text: str) -> None:
         """Say something on /driver/report."""
@@ -100,7 +102,7 @@ class Driver(Node):
             self.not_before = time.monotonic() + PATIENCE_S
 
     def on_tick(self) -> None:
-        """Say how the making went, then make one call."""
+        """Say how the making went, then make one call, and once two."""
         if not self.expressions or self.report_publisher.get_subscription_count() == 0:
             return
         if self.to_say:
@@ -111,9 +113,11 @@ class Driver(Node):
                 self.say(f"sent before any call: {level}")
             self.early.clear()
             self.report_publisher.wait_for_all_acked(Duration(seconds=PATIENCE_S))
+            self.timer.reset()  # or the calls after a long wait would follow one another faster
         elif self.usable and self.is_heard():
-            self.call(self.expressions[self.called])
-            self.called += 1
+            self.call_next(BREATH_S)
+            if self.called + 1 == AT_ONCE:
+                self.call_next(SHORT_BREATH_S)
             if self.called == len(self.expressions):
                 self.to_say = "done"
                 self.usable = False
@@ -127,11 +131,12 @@ class Driver(Node):
         ]
         return bool(publishers) and all(one.get_subscription_count() > 0 for one in publishers)
 
-    def call(self, expression: str) -> None:
-        """Call the answer with one value."""
-        number = self.called + 1
+    def call_next(self, breath_s: float) -> None:
+        """Call the answer with the next value, so long (s) after announcing it."""
+        expression, number = self.expressions[self.called], self.called + 1
+        self.called = number
         self.say(f"call {number}: publish_level({expression})")
-        time.sleep(BREATH_S)
+        time.sleep(breath_s)
         try:
             self.battery.publish_level(eval(expression, dict(NAMES)))
         except Exception as error:

@@ -12,7 +12,7 @@ from tests.criteria.by_hand import LIVING, on_topic, publisher, recorded
 from workbook.criteria import Verdict
 from workbook.exercise.conclusiveness import BUSY_MACHINE
 from workbook.exercise.definition import load_exercise
-from workbook.recording.recording import Recording, Said, TopicRecording
+from workbook.recording.recording import CallSeen, Recording, Said, TopicRecording
 
 ROOT = Path(__file__).resolve().parents[2]
 FLOAT, TEXT, NUMBERS = "std_msgs/msg/Float32", "std_msgs/msg/String", "std_msgs/msg/Int32MultiArray"
@@ -40,6 +40,35 @@ def test_01_a_thread_that_spins_raises() -> None:
     process = replace(LIVING, end_log=f"arms parked\n{log}")
     verdict = judged("01_the_context", "ends_cleanly", recorded(process=process))
     refused_for("ends-cleanly.thread-raised", verdict, "of a thread")
+
+
+def test_01_an_error_of_its_own_in_a_thread_is_not_blamed_on_spin() -> None:
+    log = (
+        'Exception in thread Thread-1:\nTraceback (most recent call last):\n  File "/answers/answer.py", line 7, in f\n'
+        "ValueError: no arm has the number 3\n"
+    )
+    process = replace(LIVING, end_log=f"arms parked\n{log}")
+    verdict = judged("01_the_context", "ends_cleanly", recorded(process=process))
+    assert verdict.status == "failed" and verdict.cause.startswith("error."), verdict
+    assert "line 7" in verdict.saw and "ValueError: no arm has the number 3" in verdict.saw
+
+
+@pytest.mark.parametrize(
+    ("said_after", "cause"),
+    [((0.75, 0.79), ""), ((0.72, 0.76), "unanswered-told.always-early"), ((0.72,), "")],
+    ids=["one-in-time", "all-early", "one-call-only"],
+)
+def test_12_one_report_may_be_early_and_not_all_of_them(said_after: Sequence[float], cause: str) -> None:
+    moments = [3.0 + 2.0 * n for n in range(len(said_after))]
+    asked = [CallSeen("/robot/self_test", "program", at, at, {}) for at in moments]
+    told = on_topic(
+        "/robot/health",
+        TEXT,
+        [call.t + wait for call, wait in zip(asked, said_after, strict=True)],
+        ["no answer"] * len(asked),
+    )
+    verdict = judged("12_services", "unanswered_told", replace(recorded(told), calls=tuple(asked)))
+    assert (verdict.cause, verdict.ok) == (cause, not cause), verdict
 
 
 def test_02_faults_in_another_namespace() -> None:

@@ -1,11 +1,14 @@
 """The tolerances that a task tells are those that its criteria apply."""
 
 import re
+from itertools import pairwise
 from typing import Any
 
 import pytest
 
+from workbook.criteria import things_seen
 from workbook.criteria.criterion import Topic
+from workbook.criteria.vocabulary import batteries
 from workbook.criteria.vocabulary.rates import (
     INTERVAL_TOLERANCE,
     LONGEST_GAP_PERIODS,
@@ -66,7 +69,8 @@ def test_12_tells_when_a_report_is_in_time() -> None:
     slack, longer = f"{applied['SLACK_S']:g} s", f"{applied['LONG_SLACK_S']:g} s"
     once = f"{applied['BELONGS_S'] - applied['TOLD_WITHIN_S']:g} s"
     assert f"be {slack} later than stated above, and one of them {once} later" in told
-    assert f"A `no answer` may be {slack} earlier or {longer} later" in told
+    assert f"A `no answer` may be {longer} later, or {slack} earlier" in told
+    assert f"Where every `no answer` is early, {applied['NEARLY_S']:g} s is the limit" in told
     assert (
         f"some after {applied['SLOW']:g} s" in told and {10.0: "ten real seconds"}[applied["WATCH_S"]] in told
     )
@@ -85,6 +89,18 @@ def test_12_tells_what_once_a_second_and_five_hertz_mean() -> None:
     assert f"one every {applied['SHORTEST_BEAT_S']:g} to {applied['LONGEST_BEAT_S']:g} s" in told
     assert f"The last one comes at most {applied['STOPPED_S']:g} s before the end" in told
     assert f"While calls are open, {share(applied['LEAST_MEANWHILE'])} of the beats are enough" in told
+
+
+def test_07_tells_how_long_it_watches() -> None:
+    watched = load_exercise("07_typed_nodes", ROOT).plan.robot_s
+    assert f"It watches for {watched:g} s" in task("07_typed_nodes")
+
+
+def test_13_shows_the_sixth_and_the_seventh_status_for_longer_than_from_one_line_to_the_next() -> None:
+    applied = constants("13_qos_and_discovery")
+    begins = [*(at for at, _ in applied["CHANGES"]), applied["WATCH_S"]]
+    for begin, end in list(pairwise(begins))[-2:]:
+        assert end - begin - applied["FOLLOWS_S"] >= applied["LONGEST_S"] - 0.02
 
 
 def test_13_tells_when_the_line_and_the_alarm_must_come() -> None:
@@ -180,6 +196,13 @@ def test_05_tells_what_evenly_means() -> None:
     assert "each interval may differ from the period by a tenth of it" in told and INTERVAL_TOLERANCE == 0.1
 
 
+def test_08_tells_how_far_below_full_the_first_charge_may_be() -> None:
+    told = task("08_humanoid_status_publisher")
+    assert (batteries.DROPS_BEFORE_THE_FIRST, batteries.DROPS_MISSED_ON_THE_WALL_CLOCK) == (1.5, 4.0)
+    assert f"lie {batteries.ROUNDING:g} % and one and a half of the largest steps below 100 %" in told
+    assert f"Then {batteries.ROUNDING:g} % and four steps are allowed" in told
+
+
 @pytest.mark.parametrize("stem", ["08_humanoid_status_publisher", "09_joint_positions"])
 def test_08_and_09_tell_how_far_a_rate_may_be_off(stem: str) -> None:
     topics = [one for one in constants(stem).values() if isinstance(one, Topic) and one.hz]
@@ -214,6 +237,17 @@ def test_11_tells_how_soon_a_touch_must_be_reported_and_what_it_may_cost() -> No
     assert f"three in four are reported within {applied['ALONE_MS']:g} ms" in told
     assert f"half within {applied['TOGETHER_MS']:g} ms" in told
     assert f"less than {share(applied['PROCESSOR_SHARE'])} of a processor" in told
+
+
+def test_15_tells_how_wide_the_ball_is_and_shows_it_above_and_below_the_brick() -> None:
+    applied, told = constants("15_camera"), task("15_camera")
+    seen = [
+        {thing.label: thing for thing in things_seen(applied["VIEWS"][place].scene)}
+        for place in applied["WITH_BALL"]
+    ]
+    assert f"at least {min(things['ball'].width for things in seen) // 1:.0f} pixels wide" in told
+    assert {things["ball"].v < things["brick"].v for things in seen} == {True, False}
+    assert {things["ball"].width < things["brick"].height for things in seen} == {True, False}
 
 
 def test_16_tells_how_fresh_and_how_right_detections_must_be() -> None:

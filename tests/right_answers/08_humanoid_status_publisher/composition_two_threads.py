@@ -20,7 +20,7 @@ class Humanoid:
         self.status.publish(String(data="operational" if self.charge else "error"))
 
     def say_charge(self):
-        self.charge = max(self.charge - random.uniform(0.5, 1.5), 0.0)
+        self.charge = max(self.charge - random.uniform(8.0, 12.0), 0.0)
         self.battery.publish(Float32(data=self.charge))
 
 

@@ -1,6 +1,6 @@
 # Says "operational" again when the robot has been upright for a second.
 # loses: fall_reported
-# cause: fall-reported.taken-back
+# cause: fall-reported.forgiven
 # after: self.fallen = False
 self.upright = 0
 # after: self.fallen = self.fallen or self.tilted >= TILTED_SAMPLES

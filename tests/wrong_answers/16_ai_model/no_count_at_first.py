@@ -1,0 +1,5 @@
+# Has no count yet when the very first sample is tilted.
+# loses: detections_come, fall_reported
+# cause: error.exception
+# says: 'DeskWatcher' object has no attribute 'tilted'
+# replaces: self.tilted = 0  # samples in a row
