@@ -62,7 +62,9 @@ class Checkout:
         fake.write_text(FAKE_UV.format(python=sys.executable))
         fake.chmod(0o755)
 
-    def make(self, *arguments: str) -> "subprocess.CompletedProcess[str]":
+    def make(
+        self, *arguments: str, python: str | Path = sys.executable
+    ) -> "subprocess.CompletedProcess[str]":
         for log in ("calls.log", "installed.log"):
             (self.top / log).unlink(missing_ok=True)
         environ = {
@@ -71,7 +73,7 @@ class Checkout:
             "TMPDIR": str(self.temporary),
         }
         script = self.course / "workbook" / "lab" / "bootstrap.py"
-        command = [sys.executable, "-I", str(script), *arguments]
+        command = [str(python), "-I", str(script), *arguments]
         return subprocess.run(command, env=environ, capture_output=True, text=True, timeout=60)
 
     def log(self, name: str) -> str:
@@ -143,6 +145,24 @@ def test_a_failed_installation_is_told_and_repaired(checkout: Checkout) -> None:
     assert repaired.returncode == 0, repaired.stderr
     assert "Creating" in repaired.stdout
     assert not (checkout.venv / "half").exists()
+
+
+@pytest.mark.parametrize("with_uv", [True, False], ids=["uv", "pip"])
+def test_an_active_environment_that_is_unfinished_is_made_anew(checkout: Checkout, with_uv: bool) -> None:
+    """A terminal of VS Code finds the Python of `.venv` first: what creates must not be what is being removed."""
+    subprocess.run([sys.executable, "-m", "venv", "--without-pip", checkout.venv], check=True)
+    (checkout.venv / bootstrap.UNFINISHED).touch()
+    (checkout.venv / "half").touch()
+    if not with_uv:
+        (checkout.top / "bin" / "uv").unlink()
+    made = checkout.make(python=checkout.venv / "bin" / "python")
+    assert not (checkout.venv / "half").exists()
+    assert "Traceback" not in made.stderr
+    assert (checkout.venv / "bin" / "python").exists()
+    if with_uv:
+        assert made.returncode == 0, made.stderr
+        base = checkout.log("calls.log").split("--python ")[1].split()[0]
+        assert Path(base).exists() and checkout.venv not in Path(base).parents
 
 
 def test_a_moved_course_gets_a_new_environment(checkout: Checkout) -> None:

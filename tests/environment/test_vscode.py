@@ -63,6 +63,15 @@ def test_the_kernel_is_the_environment_s() -> None:
     assert settings["terminal.integrated.env.linux"]["PATH"].startswith("${workspaceFolder}/.venv/bin:")
 
 
+def test_a_search_finds_the_student_s_copy_and_not_what_it_was_made_from() -> None:
+    """Git does not know `work/`, and by itself VS Code's search leaves out what Git ignores."""
+    settings = read("settings.json")
+    hidden = settings["search.exclude"]
+    assert settings["search.useIgnoreFiles"] is False
+    assert {"notebooks/*.ipynb", "exercises/*.ipynb", "solutions", ".venv"} <= hidden.keys()
+    assert not any(pattern in ("work", "work/**", "**/*.ipynb") for pattern in hidden)
+
+
 def test_the_extensions_for_notebooks_are_recommended() -> None:
     assert {"ms-python.python", "ms-toolsai.jupyter"} <= set(read("extensions.json")["recommendations"])
 

@@ -133,7 +133,7 @@ def test_a_program_that_ends_at_once_says_why(kernel: Kernel) -> None:
 
 def test_hints_come_one_by_one_and_the_earlier_ones_stay(kernel: Kernel) -> None:
     answer(kernel, SOURCE.starter_code)
-    told = [f"**Hint {number} of 3.** {hint}" for number, hint in enumerate(SOURCE.hints, start=1)]
+    told = [f"**Hint {number} of 3.**\n\n{hint}" for number, hint in enumerate(SOURCE.hints, start=1)]
     for number in range(1, 4):
         assert kernel.good("%hint").displays == ["\n\n".join(told[:number])]
     assert kernel.good("%hint").displays == ["\n\n".join([*told, "These are all 3 hints."])]

@@ -84,7 +84,7 @@ def _file(options: argparse.Namespace, source: "ExerciseSource") -> Path:
     if not file.is_file():
         if not options.watch:
             raise Ungradable(
-                f"there is no {as_typed(file)} yet. Run the answer cell of the exercise in JupyterLab, or let "
+                f"there is no {as_typed(file)} yet. Run the answer cell of the exercise's notebook, or let "
                 f"`workbook check {source.stem[:2]} --watch` write the file with the starter, or name your file: "
                 f"`workbook check {source.stem[:2]} FILE`"
             )

@@ -193,8 +193,16 @@ def run(command: list[Any], what: str, temporary: str | None = None) -> None:
         )
 
 
+def outside() -> str:
+    """This Python; if it is that of `.venv` (a terminal where that is active), the one that `.venv` was made with."""
+    if Path(sys.prefix).resolve() != VENV.resolve():
+        return sys.executable
+    return str(getattr(sys, "_base_executable", sys.executable))
+
+
 def create(uv: str | None) -> None:
     """An empty virtual environment in `.venv`, marked as unfinished."""
+    python = outside()
     if VENV.is_symlink() or (VENV.exists() and not VENV.is_dir()):
         raise EnvironmentProblem("{} is not a folder. Move it away and try again.".format(VENV))
     if VENV.exists():
@@ -207,10 +215,10 @@ def create(uv: str | None) -> None:
     VENV.mkdir()
     (VENV / UNFINISHED).touch()
     if uv is None:
-        run([sys.executable, "-I", "-m", "venv", VENV], "Creating the environment")
+        run([python, "-I", "-m", "venv", VENV], "Creating the environment")
     else:
         run(
-            [uv, "venv", "--quiet", "--allow-existing", "--python", sys.executable, VENV],
+            [uv, "venv", "--quiet", "--allow-existing", "--python", python, VENV],
             "Creating the environment",
         )
 

@@ -295,7 +295,12 @@ class ExerciseMagics(Magics):
         number = min(progress.hints + 1, len(hints)) if wanted is None else wanted
         if not 1 <= number <= len(hints):
             raise _Notice(f"There are {len(hints)} hints: %hint 1 to %hint {len(hints)}.")
-        told = [f"**Hint {one} of {len(hints)}.** {hints[one - 1]}" for one in range(1, number + 1)]
+        # A list or a program has its marks only where a paragraph begins.
+        told = [
+            part
+            for one in range(1, number + 1)
+            for part in (f"**Hint {one} of {len(hints)}.**", hints[one - 1])
+        ]
         if wanted is None and progress.hints >= len(hints):
             told.append(f"These are all {len(hints)} hints.")
         with changed_progress(exercise.stem) as kept:
