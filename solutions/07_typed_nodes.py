@@ -14,7 +14,7 @@
 #   - how the program ends on Ctrl-C (lesson 01 judges that)
 #   - subscriptions, services and parameters
 #   - True, nan and the numbers of NumPy (exercise 03 judges those)
-#   - other type checkers; pyright reports the same mistakes in other words
+#   - other type checkers; they may accept what mypy reports
 # ---
 # %% [markdown]
 # # Exercise 07 · A report that cannot be misused

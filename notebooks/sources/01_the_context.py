@@ -496,7 +496,7 @@ print("box locked: ", "box locked" in end.log)
 # ✓ Yes. The object is still there. Its context is not valid any more, so it can neither publish nor make a publisher.
 #
 # </details>
-# <details><summary>c) Everything, once `rclpy.init()` is called again</summary>
+# <details><summary>c) Everything, once <code>rclpy.init()</code> is called again</summary>
 #
 # ✗ A second `init` makes a new context. This node belongs to the old one, and there is no way back.
 #
@@ -509,13 +509,13 @@ print("box locked: ", "box locked" in end.log)
 # ✓ One `init`, in `main`. Often the other one is at the top of a file that you import.
 #
 # </details>
-# <details><summary>b) Call `rclpy.shutdown()` before each `rclpy.init()`</summary>
+# <details><summary>b) Call <code>rclpy.shutdown()</code> before each <code>rclpy.init()</code></summary>
 #
 # ✗ `shutdown` itself raises an error if there is nothing to shut down. And nodes that were made in between lose their
 # context.
 #
 # </details>
-# <details><summary>c) Put it into `try` and `except` and go on</summary>
+# <details><summary>c) Put it into <code>try</code> and <code>except</code> and go on</summary>
 #
 # ✗ The program would run, but two parts of it both try to start ROS. Find out why.
 #

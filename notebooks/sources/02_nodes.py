@@ -93,7 +93,7 @@ show(
 # The name `"camera"` is taken when the second one is made. What happens?
 #
 # - **a** An error: a name can be used once.
-#   ✗ ROS 2 has no central register of names, so no part of it can refuse one. (ROS 1 had such a register, the *master*.)
+#   ✗ ROS 2 has no central register of names, so no part of it can refuse one. (ROS 1 had such a register, the master.)
 # - **b** The second one takes the place of the first.
 #   when `named_camera == 1 and all_nodes == 1`
 #   ✗ The two nodes do not know each other. Neither ends because another one has its name.
@@ -604,17 +604,17 @@ else:
 #
 # **2. A node `camera` in the namespace `/ada` publishes on `/faults`. What is the topic called?**
 #
-# <details><summary>a) `/ada/faults`</summary>
+# <details><summary>a) <code>/ada/faults</code></summary>
 #
 # ✗ It would be, without the slash at the front.
 #
 # </details>
-# <details><summary>b) `/ada/camera/faults`</summary>
+# <details><summary>b) <code>/ada/camera/faults</code></summary>
 #
 # ✗ That is what `~/faults` becomes.
 #
 # </details>
-# <details><summary>c) `/faults`</summary>
+# <details><summary>c) <code>/faults</code></summary>
 #
 # ✓ An absolute name stays as it is, wherever the node lives. All robots meet there.
 #
@@ -622,17 +622,17 @@ else:
 #
 # **3. `Node("robot/camera")` raises `InvalidNodeNameException`. How do you get `/robot/camera`?**
 #
-# <details><summary>a) `Node("camera", namespace="/robot")`</summary>
+# <details><summary>a) <code>Node("camera", namespace="/robot")</code></summary>
 #
 # ✓ Name and namespace are two things, and only the namespace has slashes.
 #
 # </details>
-# <details><summary>b) `Node("/robot/camera")`</summary>
+# <details><summary>b) <code>Node("/robot/camera")</code></summary>
 #
 # ✗ The same error: the name of a node has no slash, not even at the front.
 #
 # </details>
-# <details><summary>c) `Node("robot_camera")`</summary>
+# <details><summary>c) <code>Node("robot_camera")</code></summary>
 #
 # ✗ It is a valid name, but of another node: `/robot_camera`.
 #
@@ -640,17 +640,17 @@ else:
 #
 # **4. A program makes two nodes from one class. You start it with `--ros-args -r __node:=scout`. What are they called?**
 #
-# <details><summary>a) Both `scout`</summary>
+# <details><summary>a) Both <code>scout</code></summary>
 #
 # ✓ The arguments of the command line apply to all nodes of the process. Give `cli_args` to one of them instead.
 #
 # </details>
-# <details><summary>b) The first one `scout`, the second one as before</summary>
+# <details><summary>b) The first one <code>scout</code>, the second one as before</summary>
 #
 # ✗ Nothing in these words says which one is meant.
 #
 # </details>
-# <details><summary>c) `scout` and `scout_2`</summary>
+# <details><summary>c) <code>scout</code> and <code>scout_2</code></summary>
 #
 # ✗ ROS never numbers nodes.
 #

@@ -555,7 +555,7 @@ else:
 # ✓ Yes, and without an error. With the Ubuntu packages the process may abort. Write `float(...)` around it.
 #
 # </details>
-# <details><summary>c) Nothing: `publish` raises an error</summary>
+# <details><summary>c) Nothing: <code>publish</code> raises an error</summary>
 #
 # ✗ It would, if field checks had been on before `std_msgs.msg` was imported. By default they are off.
 #
@@ -563,17 +563,17 @@ else:
 #
 # **2. A robot must turn to the right on the spot. Which `Twist`?**
 #
-# <details><summary>a) `command.angular.z = -0.5`, all the rest as it is</summary>
+# <details><summary>a) <code>command.angular.z = -0.5</code>, all the rest as it is</summary>
 #
 # ✓ Turns to the left are positive; turns to the right are negative. Speeds that you do not set are zero.
 #
 # </details>
-# <details><summary>b) `command.angular = -0.5`</summary>
+# <details><summary>b) <code>command.angular = -0.5</code></summary>
 #
 # ✗ `angular` is a message, a `Vector3`, not a number. Set its field `z`.
 #
 # </details>
-# <details><summary>c) `command.linear.y = -0.5`</summary>
+# <details><summary>c) <code>command.linear.y = -0.5</code></summary>
 #
 # ✗ That asks the robot to slide to its right without turning. Most cannot.
 #

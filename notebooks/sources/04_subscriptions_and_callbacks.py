@@ -396,9 +396,9 @@ reveal("age-of-a-message", last_age_s=guards[50].ages_s[-1])
 
 # %%
 fig, axes = figure(6.4, 2.6)
-for depth, marker, line in ((50, "s", "--"), (1, "o", "-")):
+for depth, look, color in ((50, "s--", "#b06a00"), (1, "o-", "#2f78d0")):
     ages = guards[depth].ages_s
-    axes.plot(ages, marker=marker, markersize=4, linestyle=line)
+    axes.plot(ages, look, markersize=4, color=color)
     axes.text(len(ages) - 0.5, ages[-1], f"depth {depth}", va="center")
 axes.set(
     xlabel="callback",
@@ -687,7 +687,7 @@ else:
 # ✗ Connecting is the work of DDS, in threads of its own. You have seen the black box get all five.
 #
 # </details>
-# <details><summary>b) Both work, only more slowly</summary>
+# <details><summary>b) Publishing works and callbacks run, only more slowly</summary>
 #
 # ✗ Callbacks run in your thread, inside `spin`. A thread that sleeps runs none.
 #
@@ -702,7 +702,8 @@ else:
 #
 # <details><summary>a) rclpy raises an error: the queue has overflowed</summary>
 #
-# ✗ It drops the oldest and says nothing. If each message counts, you must choose the depth for it.
+# ✗ The queue drops its oldest message, without an error or a warning. If each message counts, choose a depth that is
+# large enough.
 #
 # </details>
 # <details><summary>b) The callback gets the first 10; the others found the queue full</summary>
@@ -741,17 +742,17 @@ else:
 #
 # **4. A callback gets a `Float32` and must know when it was sent. Where does it find that?**
 #
-# <details><summary>a) In a second argument of the callback: `info["source_timestamp"]`</summary>
+# <details><summary>a) In a second argument of the callback: <code>info["source_timestamp"]</code></summary>
 #
 # ✓ rclpy passes it to each callback that takes two arguments. The number is in nanoseconds.
 #
 # </details>
-# <details><summary>b) In the header of the message: `message.header.stamp`</summary>
+# <details><summary>b) In the header of the message: <code>message.header.stamp</code></summary>
 #
 # ✗ Only messages with a header have it, and `Float32` has none. Its only field is `data`.
 #
 # </details>
-# <details><summary>c) In the clock: `time.time()` in the first line of the callback</summary>
+# <details><summary>c) In the clock: <code>time.time()</code> in the first line of the callback</summary>
 #
 # ✗ That is the time at which it is handled. Before that, it may have waited in the queue for seconds.
 #

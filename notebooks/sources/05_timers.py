@@ -184,8 +184,8 @@ def lateness(moments):
 
 
 fig, axes = figure(6.4, 2.6)
-axes.plot(lateness(loop_moments))
-axes.plot(lateness(reader.moments), linestyle="--")
+axes.plot(lateness(loop_moments), color="#b06a00")
+axes.plot(lateness(reader.moments), linestyle="--", color="#2f78d0")
 axes.text(ROUNDS, lateness(loop_moments)[-1], "loop that sleeps", va="center")
 axes.text(ROUNDS, lateness(reader.moments)[-1], "timer", va="center")
 axes.set(

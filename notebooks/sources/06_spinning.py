@@ -326,7 +326,7 @@ axes.set(
 )
 axes.set_xticks(range(0, 101, 25))
 axes.set_title("a timeout of 0 keeps a processor busy")
-axes.grid(False, axis="y")
+axes.grid(False)
 axes.invert_yaxis()
 show(
     fig,
@@ -364,7 +364,7 @@ show(
 #   ✗ `spin` runs the callbacks in this thread. The next line has to wait until `spin` is over.
 # - **b** No: `spin` raises an exception, because the context is shut down.
 #   when `parked_at < 0 and ended_by_itself`
-#   ✗ `spin` raises one if the shutdown comes while it *waits*. A callback runs between two waits.
+#   ✗ `spin` raises one if the shutdown comes while it waits. A callback runs between two waits.
 # - **c** Yes, when the round is over: `spin` returns.
 #   when `0 <= finished_at < parked_at`
 #   ✓ After each callback, `spin` asks whether the context is still up. It is not, so `spin` returns.
@@ -392,8 +392,9 @@ reveal(
 #     executor.spin_once()
 # ```
 #
-# Ctrl-C is another case. You know from [lesson 01](01_the_context.ipynb) that `spin` then does not return: it raises
-# `KeyboardInterrupt`, which skips the next line. So what must be done at the end belongs in `finally`. Here are both:
+# Ctrl-C is another case. You know from [lesson 01](01_the_context.ipynb) that on Ctrl-C, `spin` raises
+# `KeyboardInterrupt`. The line after `spin` is skipped. So what must be done at the end belongs in `finally`. Here is the
+# program without `finally`, and then with it:
 
 # %% id="after-spin"
 seen = try_out(ways_to_spin.park_after_spin, interrupt_at="tick")
@@ -595,21 +596,21 @@ else:
 #
 # </details>
 #
-# **4. Two nodes in one program. How do both get their heartbeat?**
+# **4. A thread of your program runs `executor.spin()`. The work is done. How should the program end?**
 #
-# <details><summary>a) <code>rclpy.spin(left)</code>, and in the next line <code>rclpy.spin(right)</code></summary>
+# <details><summary>a) With nothing: as a daemon thread, it ends with the program</summary>
 #
-# ✗ The next line is not reached while the context is up, and Ctrl-C skips it. `right` is never spun.
-#
-# </details>
-# <details><summary>b) Two threads, one with <code>rclpy.spin(left)</code> and one with <code>rclpy.spin(right)</code></summary>
-#
-# ✗ Both use the global executor. The second thread dies with "generator already executing".
+# ✗ Python stops it in the middle of C++ code, and the program may abort.
 #
 # </details>
-# <details><summary>c) One executor with both nodes added, and one spin</summary>
+# <details><summary>b) With <code>thread.join()</code>, and then <code>executor.shutdown()</code></summary>
 #
-# ✓ An executor serves as many nodes as you add. They share its thread and take turns.
+# ✗ `join` waits until `spin` returns. The line that would make it return comes too late.
+#
+# </details>
+# <details><summary>c) With <code>executor.shutdown()</code>, and then <code>thread.join()</code></summary>
+#
+# ✓ The first line makes `spin` return. The second one waits until the thread has ended.
 #
 # </details>
 

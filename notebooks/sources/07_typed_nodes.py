@@ -429,8 +429,9 @@ reveal(
 )
 
 # %% [markdown]
-# mypy does not check a function without hints, unless you run it with `--strict`. One hint, such as `-> None`, is enough
-# to have the function checked. Code at the top level of a file belongs to no function, so it is always checked.
+# By default, mypy does not check a function without hints. The option `--check-untyped-defs` changes that, and so does
+# `--strict`, which includes it. One hint, such as `-> None`, is also enough to have the function checked. Code at the top
+# level of a file belongs to no function, so it is always checked.
 #
 # Which shape is best? A script is fine for ten lines. The state of a closure is hidden, so it is hard to test. In a class
 # everything has a name and a type, and a second robot is a second object. So most nodes are classes.
@@ -758,10 +759,10 @@ else:
 #
 # <details><summary>a) That a text is not a valid period</summary>
 #
-# ✗ It would, with `-> None`. Or with `--strict`, which reads all functions.
+# ✗ It would, with `-> None`. Or with `--check-untyped-defs` or `--strict`: they check all functions.
 #
 # </details>
-# <details><summary>b) That `send` is unknown</summary>
+# <details><summary>b) That <code>send</code> is unknown</summary>
 #
 # ✗ It does not check the line at all.
 #
@@ -817,7 +818,7 @@ else:
 # ✗ With stubs mypy knows the fields.
 #
 # </details>
-# <details><summary>b) `create_timer` gets its two arguments swapped</summary>
+# <details><summary>b) <code>create_timer</code> gets its two arguments swapped</summary>
 #
 # ✗ rclpy's own functions have hints, and mypy knew this one even without stubs.
 #

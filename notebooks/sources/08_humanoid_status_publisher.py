@@ -15,7 +15,7 @@
 # - **Left out:** real battery sensors (`sensor_msgs/BatteryState`), several threads, services
 
 # %% [markdown]
-# The next cell starts the finished node. It runs as a program of its own, beside this notebook.
+# The next cell starts the finished node, as a program of its own.
 
 # %%
 from lesson_nodes import humanoid_status_publisher
@@ -24,7 +24,7 @@ from workbook.lesson import start, stop, watch_status
 print("on the graph:", start(humanoid_status_publisher))
 
 # %% [markdown]
-# Now look at it. The dashboard listens to two topics: `/robot/status` lights the lamp, `/robot/battery` fills the gauge.
+# The dashboard listens to two topics: `/robot/status` lights the lamp, `/robot/battery` fills the gauge.
 # Each dot below is a message at the moment it arrived.
 
 # %%
@@ -162,8 +162,7 @@ for _ in range(4):
 # %% [markdown]
 # ### Step 3: the second topic
 #
-# Again a publisher, a timer, a callback. The level is kept in `self` from tick to tick. The status now depends on the
-# battery.
+# The level is kept in `self` from tick to tick. The status now depends on the battery.
 
 # %%
 import random
@@ -211,8 +210,8 @@ print(inspect.getsource(HumanoidStatusPublisher))
 #
 # - **Topics in the docstring**, with type, rate and meaning. It is the contract with all subscribers.
 # - **Type hints** (`-> None`, `battery_level: float`). Your editor and mypy read them. ROS does not.
-# - **A unit in each name or comment** (`STATUS_PERIOD_S`, percent). Many bugs come from a number in hertz where
-#   seconds are expected, or the other way around.
+# - **A unit in each name or comment** (`STATUS_PERIOD_S`, percent). Many bugs come from hertz where seconds are
+#   expected.
 
 # %% [markdown]
 # ## Change it
@@ -264,11 +263,11 @@ reveal("the-empty-battery", delay_s=error_at - empty_at)
 
 # %% [markdown]
 # Here both timers are due at the same moment, and the status comes first. So its next message is a whole period away.
-# And what does `/robot/battery` say once the battery is empty?
+# What does `/robot/battery` say from then on?
 
 # %%
 from workbook.pictures import figure
-from workbook.pictures.palette import AMBER, GREEN, RED
+from workbook.pictures.palette import BLUE, GREEN, RED
 
 empty = levels[levels.index(0.0) :]
 print("lowest level:", min(levels))
@@ -277,7 +276,7 @@ print("every one of them says:", *set(empty))
 print(f"still one every {pace(evening, BATTERY):.1f} s")
 
 fig, (upper, lower) = figure(7.2, 3.2, rows=2)
-upper.step(arrivals(evening, BATTERY), levels, where="post", color=AMBER)
+upper.step(arrivals(evening, BATTERY), levels, where="post", color=BLUE)
 upper.set(ylabel="battery (%)", xlim=(0, 120), ylim=(-0.5, 10.5))
 for word, color, sign in (("operational", GREEN, "o"), ("error", RED, "x")):
     timed = zip(arrivals(evening, STATUS), words, strict=True)
@@ -322,6 +321,8 @@ rclpy.spin(node)
 # We make the humanoid here, and start this monitor. `get_subscription_count()` of the publisher returns 1. Then we
 # publish one status. What does it return after half a second, and what after 10 s?
 #
+# In this course, DDS gives each program a **lease** of 2 s (`workbook/ros/loopback.xml`). The default of Fast DDS is 20 s.
+#
 # - **a** 0 both times: Linux has closed all connections of the monitor.
 #   when `soon == 0`
 #   ✗ Linux closes its UDP ports. But UDP has no connections, so no other program learns of that.
@@ -329,10 +330,10 @@ rclpy.spin(node)
 #   ✗ A topic without a listener is no error in ROS. Listeners may come and go.
 # - **c** First 1, then 0.
 #   when `soon == 1 and late == 0`
-#   ✓ A killed program cannot sign off. DDS takes it off its list when nothing has come from it for a while.
-# - **d** 1 both times: the publisher is not told.
+#   ✓ A killed program cannot sign off. DDS takes it off its list when nothing has come from it for the time of its lease.
+# - **d** 1 both times: a lease says how old a message may get.
 #   when `soon == 1 and late == 1`
-#   ✗ Every program announces itself again and again. When that stops, DDS takes it off its list.
+#   ✗ That is the lifespan, another setting. A program renews its lease again and again. A killed one does not.
 
 # %%
 predict("who-is-counted")
@@ -358,11 +359,10 @@ reveal("who-is-counted", soon=soon, late=late)
 stop()
 
 # %% [markdown]
-# Here DDS waits for 2 s (`workbook/ros/loopback.xml`). The default of Fast DDS is 20 s. So the count says who was found,
-# not who is alive.
+# With the default of 20 s, both counts are 1. So the count says who was found, not who is alive.
 #
-# It is useful at the start. You know from [lesson 00](00_start_here.ipynb) that a message without a listener is gone. A
-# program can wait until the count is above 0. This one does not wait:
+# It is useful at the start. A message without a listener is gone ([lesson 00](00_start_here.ipynb)). A program can wait
+# until the count is above 0. This one does not wait:
 
 # %% id="late-listener"
 import rclpy
@@ -683,7 +683,7 @@ print("exit code", outcome.exit)
 # ✗ Silence can also mean a crashed program or a network that is down. A monitor cannot tell.
 #
 # </details>
-# <details><summary>b) Go on publishing: 0.0, and `error`</summary>
+# <details><summary>b) Go on publishing: 0.0, and <code>error</code></summary>
 #
 # ✓ Then every listener knows what is wrong, even one that has just started.
 #
@@ -731,16 +731,16 @@ print("exit code", outcome.exit)
 #
 # </details>
 #
-# **4. A node publishes `started` once, with `10` as its QoS. A monitor that is running must get it. What do you do?**
+# **4. A node publishes `started` once, with QoS `10`. Its only listener is running. How do you make sure that it arrives?**
 #
-# <details><summary>a) Publish it as the first line after `create_publisher`, with depth 100</summary>
+# <details><summary>a) Publish it as the first line after <code>create_publisher</code>, with depth 100</summary>
 #
 # ✗ The depth counts for subscriptions that are connected. At that moment there may be none.
 #
 # </details>
-# <details><summary>b) Publish it when `get_subscription_count()` is above 0</summary>
+# <details><summary>b) Publish it when <code>get_subscription_count()</code> is above 0</summary>
 #
-# ✓ Then the publisher has found a subscription on its topic, and DDS delivers the message to it.
+# ✓ Then the publisher has found the subscription of its listener, and DDS delivers the message to it.
 #
 # </details>
 # <details><summary>c) Publish it three times in a row, in case one gets lost</summary>

@@ -707,21 +707,21 @@ print("paths:", queue_guide.paths or hint)
 #
 # </details>
 #
-# **2. Instead of `rclpy.spin` you use a MultiThreadedExecutor with eight threads. What changes for the callbacks?**
+# **2. You have one node, and spin it with a `MultiThreadedExecutor` of eight threads. How do its callbacks run?**
 #
-# <details><summary>a) Timers run at once, subscriptions do not</summary>
+# <details><summary>a) Those of timers at the same time, those of subscriptions one at a time</summary>
 #
 # ✗ Groups do not care about the kind of callback.
 #
 # </details>
-# <details><summary>b) They run at once, up to eight of them</summary>
+# <details><summary>b) Up to eight at the same time</summary>
 #
 # ✗ They would need permission: groups of their own, or a reentrant one.
 #
 # </details>
-# <details><summary>c) Nothing: they still run one at a time</summary>
+# <details><summary>c) One at a time, as with <code>rclpy.spin</code></summary>
 #
-# ✓ They are all in the default group, which is mutually exclusive.
+# ✓ They are all in the node's default group, which is mutually exclusive.
 #
 # </details>
 #
@@ -743,21 +743,21 @@ print("paths:", queue_guide.paths or hint)
 #
 # </details>
 #
-# **4. Code in pure Python computes for 0.5 s per picture. The heartbeat must be perfect. Where does this code go?**
+# **4. `on_goal` (0.8 s) is alone in a mutually exclusive group, and four threads spin. Three goals come. What happens?**
 #
-# <details><summary>a) Into a callback group of its own, with eight threads</summary>
+# <details><summary>a) They are planned at the same time, by three threads</summary>
 #
-# ✗ It holds the GIL nearly all the time, and the heartbeat gets its turns late. The computing does not get faster.
-#
-# </details>
-# <details><summary>b) Into the heartbeat's callback, so that they cannot disturb each other</summary>
-#
-# ✗ Then each beat waits for a picture.
+# ✗ That takes a reentrant group. This group lets one call run at a time, even if it is the same callback.
 #
 # </details>
-# <details><summary>c) Into a node in a process of its own</summary>
+# <details><summary>b) The first one is planned, and the other two are lost</summary>
 #
-# ✓ Another process has another GIL, and the heart survives its crash.
+# ✗ A group that is busy loses nothing. Messages wait in the queue of their subscription, up to its depth.
+#
+# </details>
+# <details><summary>c) They are planned one after another, in the order in which they came</summary>
+#
+# ✓ Two of them wait in the subscription's queue. The last plan is ready after about 2.4 s.
 #
 # </details>
 

@@ -381,7 +381,7 @@ hearts_picture(
         f"{way}, {group} group": seen
         for (way, group, _), seen in zip(SLOW, slow, strict=True)
     },
-    "the heart beside a server that takes 0.35 s",
+    "beside a slow server, only the done callback leaves the heart alone",
     "heartbeats beside a slow server: a line for each of the three cases, "
     "with what became of heart and responses",
 )

@@ -341,12 +341,13 @@ reveal("the-silence", missed=len(watcher.missed))
 
 # %%
 from workbook.pictures.moving import played_back
+from workbook.pictures.palette import AMBER
 from workbook.pictures.timeline import Row
 
 played_back(
     [
         Row("heartbeat", watcher.beats, period=0.25, start=0.0),
-        Row("deadline missed", watcher.missed),
+        Row("deadline missed", watcher.missed, color=AMBER),
     ],
     "heartbeats, then a silence: the missed deadline is reported "
     "after one second and again after two",

@@ -299,7 +299,7 @@ def draw():
     axes.plot(elbow.stamps[-60:], elbow.seen["measured"][-60:], ".", color="#787878")
     axes.plot(elbow.stamps[-60:], elbow.seen["average"][-60:], color="#2f78d0")
     axes.set(xlabel="stamp (s)", ylabel="left elbow (rad)")
-    axes.set_title("The average of nine, live")
+    axes.set_title("The average of nine is calmer than the measured dots")
     live.show(render(fig))
 
 
@@ -663,7 +663,7 @@ else:
 #
 # **1. A callback does `angles = np.asarray(message.position)` and then `angles *= 180 / np.pi`. What else changes?**
 #
-# <details><summary>a) Nothing, `angles` is a new array</summary>
+# <details><summary>a) Nothing, <code>angles</code> is a new array</summary>
 #
 # ✗ `np.asarray` makes a view. The message now holds degrees, for all code that uses this object.
 #
@@ -699,7 +699,7 @@ else:
 #
 # **3. After one NaN, all results of your Butterworth filter are NaN. What helps?**
 #
-# <details><summary>a) `np.nan_to_num` after the filter</summary>
+# <details><summary>a) <code>np.nan_to_num</code> after the filter</summary>
 #
 # ✗ The NaN sits in the memory of the filter. If you replace it only after the filter, you publish zeros forever.
 #

@@ -52,9 +52,8 @@ show_film(
 # %% [markdown] prediction="box-at-depth-10"
 # ## Predict
 #
-# The film shows a subscription with a queue depth of 1. A colleague types 10, as in most examples. You know from
-# lessons 04 and 15 that the outputs get older then. Thirty pictures come each second, and five are handled. How far
-# behind the ball is its box now, compared with before?
+# The film shows a subscription with a queue depth of 1. A colleague types 10, as in most examples. Thirty pictures come
+# each second, and five are handled. How far behind the ball is its box now, compared with before?
 #
 # - **a** About ten times as far: ten pictures wait instead of one.
 #   when `far >= 4 * near`
@@ -63,10 +62,10 @@ show_film(
 # - **b** Hardly further: the network takes its 0.2 s at any depth.
 #   when `far < 1.4 * near`
 #   ✗ The network takes as long as before. But it begins with a picture that has waited for a third of a second.
-# - **c** About twice as far.
+# - **c** Two to three times as far.
 #   when `far >= 1.4 * near and far < 4 * near`
-#   ✓ The network gets the oldest of ten pictures. At 30 Hz it has waited for a third of a second. That is about as long
-#   as the box was late before.
+#   ✓ The network gets the oldest of ten pictures. At 30 Hz it has waited for a third of a second. Then the network takes
+#   its 0.2 s, as before.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -178,7 +177,7 @@ print("SHA-256 of the file:", made["sha256"]["desk_detector.onnx"][:12], "...")
 #   ✓ The waiting picture is replaced whenever a newer one comes. So it is at most 0.033 s old when the network begins.
 # - **c** 0.4 s: a picture waits until the one before it is done.
 #   when `age >= age_at_10`
-#   ✗ A full queue drops its *oldest* picture. So the one that waits is new.
+#   ✗ A full queue drops its oldest picture. So the one that waits is new.
 
 # %%
 predict("age-at-depth-1")

@@ -26,12 +26,12 @@ def two_panels(lines, **labels):
     """A bow and a fall side by side. `lines` gives curves by name for an episode."""
     fig, axes = figure(7.0, 2.6, columns=2)
     for panel, episode in zip(axes, (practice[1], practice[3]), strict=True):
-        looks = (("#2f78d0", 0.0), ("#b06a00", 0.15))  # color, name moved up
+        looks = (("#2f78d0", "-", 0.0), ("#b06a00", "--", 0.15))  # the last: name moved up
         for (name, values), look in zip(lines(episode).items(), looks, strict=False):
             late = len(episode.samples) - len(values)  # of a full window
             seconds = [(late + n) / RATE_HZ for n in range(len(values))]
-            panel.plot(seconds, values, color=look[0])
-            place = seconds[-1] + 0.05, values[-1] + look[1]
+            panel.plot(seconds, values, look[1], color=look[0])
+            place = seconds[-1] + 0.05, values[-1] + look[2]
             panel.annotate(name, place, va="center")
         panel.set_title(f"A robot that {episode.kind}")
         panel.set(xlabel="time (s)", xlim=(0, 5.0), ylim=(-0.2, 1.4), **labels)
@@ -115,7 +115,7 @@ reveal("tilt-or-window", gain=median(rule.late_s) - median(learned.late_s))
 # %%
 show(
     two_panels(
-        lambda one: {"hip": one.samples[:, 2], "score": score(windows(one)[0])},
+        lambda one: {"hip": one.samples[:, 2], "- - score": score(windows(one)[0])},
         ylabel="hip (rad), score",
     ),
     "in the bow the hip bends and the score stays low; in the fall it is straight, "

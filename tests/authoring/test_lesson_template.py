@@ -70,7 +70,16 @@ CASES = [
     ("# **Next:** this is the last lesson so far.\n", "", "needs the line '**Next:** …'"),
     ("https://docs.ros.org/en/jazzy/", "https://example.org/", "official documentation"),
     ("print(1 / 2.0)", "# !pip install beep\nprint(1 / 2.0)", "no set-up cell"),
+    ("<summary>a) 10 Hz</summary>", "<summary>a) `10` Hz</summary>", "'a) `10` Hz' is shown as it is written"),
+    ("<summary>a) 10 Hz</summary>", "<summary>a) *10* Hz</summary>", "'a) *10* Hz' is shown as it is written"),
 ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "summary", ["a) <code>10</code> Hz", "a) 2 * 5 Hz, or 10 * 1 Hz", "a) 2*5 Hz and 10*1 Hz"]
+)
+def test_html_and_products_may_stand_in_a_summary(tmp_path: Path, summary: str) -> None:
+    assert told(tmp_path, LESSON.replace("a) 10 Hz</summary>", f"{summary}</summary>", 1)) == []
 
 
 @pytest.mark.parametrize(("old", "new", "says"), CASES)

@@ -66,6 +66,13 @@ def test_the_notebook_gets_question_and_options_only() -> None:
         ("n == 0", "n ==", "is not a condition"),
         ("n == 0", "exit()", "may only compare names and numbers"),
         ("n == 0", "n.__class__ == 0", "may only compare names and numbers"),
+        ("Each of", "*Each* of", "option b of 'how-many': '*Each*' is shown as it is written"),
+        (
+            "for anybody.",
+            "for *any\n  body*.",
+            "option a of 'how-many': '*any body*' is shown as it is written",
+        ),
+        ("It depends", "It *depends*", "option c of 'how-many': '*depends*' is shown as it is written"),
     ],
 )
 def test_what_is_no_prediction_is_refused_in_words(old: str, new: str, says: str) -> None:
@@ -73,6 +80,14 @@ def test_what_is_no_prediction_is_refused_in_words(old: str, new: str, says: str
     with pytest.raises(ValueError, match=r".") as caught:
         read_prediction("how-many", QUESTION.replace(old, new, 1))
     assert says in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "why", ["`*args*` takes **each** of them.", "2 * 3 and 3 * 2 are 6.", "2*3 and 3*2 are 6."]
+)
+def test_code_bold_words_and_products_may_stand_in_an_explanation(why: str) -> None:
+    _, prediction = read_prediction("how-many", QUESTION.replace("Each of them has its turn.", why))
+    assert prediction.option("b").why == why
 
 
 def test_the_name_of_a_prediction_is_made_of_small_letters(course: Tree) -> None:

@@ -76,7 +76,7 @@ def marks(picture: bytes, row: int, color: str) -> int:
 def test_each_arrival_in_the_window_has_a_mark() -> None:
     solid = dashboard.draw("error", 80.0, {"/robot/status": [9.0, 9.5], "/robot/battery": [9.2]}, now=10.0)
     assert marks(solid, 0, palette.BLUE) == 2
-    assert marks(solid, 1, palette.AMBER) == 1
+    assert marks(solid, 1, palette.BLUE) == 1
 
 
 def test_old_arrivals_leave_the_window_and_future_ones_are_not_shown() -> None:

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.pictures.reading import colored, reddish
+from tests.pictures.reading import colored, drawn, reddish
 from workbook.pictures import palette, png, timeline
 from workbook.pictures.marks import gaps, tiny
 from workbook.recording.recording import (
@@ -57,6 +57,16 @@ def test_a_gap_is_shaded_where_it_is() -> None:
     assert 0 < after - gap[1] < 16
 
 
+def test_no_line_strikes_out_the_words_of_a_gap() -> None:
+    picture = timeline.timeline(recording({JOINTS: [2, 4, 6, 12, 14, 16, 18, 20]}), periods={JOINTS: 2.0})
+    (gap,) = shaded(picture)
+    line = drawn(picture)[64, gap[0] + 8 : gap[1] - 8].astype(int)
+    assert line[0] and line[-1], "the line is there at both ends of the gap"
+    begins, ends = np.nonzero(np.diff(line) == -1)[0], np.nonzero(np.diff(line) == 1)[0]
+    room = ends - begins
+    assert min(room[0], room[-1]) >= 6, "between the line and the words there is room on both sides"
+
+
 def test_silence_before_the_first_and_after_the_last_message_is_a_gap() -> None:
     picture = timeline.timeline(recording({JOINTS: [8, 10, 12]}), periods={JOINTS: 2.0})
     assert len(shaded(picture)) == 2
@@ -81,7 +91,13 @@ def test_there_is_a_mark_per_arrival() -> None:
         recording({JOINTS: range(2, 21, 2), STATUS: range(1, 16)}), topics=[JOINTS, STATUS]
     )
     assert marks(picture, 0, palette.BLUE) == 10
-    assert marks(picture, 1, palette.AMBER) == 15
+    assert marks(picture, 1, palette.BLUE) == 15
+
+
+def test_marks_are_blue_as_data_unless_a_row_has_another_color() -> None:
+    rows = [timeline.Row("as data", [1.0, 2.0]), timeline.Row("alarm", [1.5], color=palette.AMBER)]
+    picture = timeline.draw(rows, end=3.0)
+    assert (marks(picture, 0, palette.BLUE), marks(picture, 1, palette.AMBER)) == (2, 1)
 
 
 def test_expected_ticks_are_added_for_a_period() -> None:

@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterator, Sequence
 
 from workbook.authoring.document import Cell, Document, write
+from workbook.authoring.marks import marks_in_prediction
 from workbook.authoring.tree import Tree, entries
 from workbook.authoring.violations import Violation
 from workbook.lesson.prediction import Option, Prediction
@@ -85,6 +86,8 @@ def _prediction(name: str, parts: Sequence[_Part]) -> Prediction:
         shown = f"option {part.letter} of {name!r}"
         if not part.sign or len(" ".join(part.why).split()) < FEWEST_WORDS:
             raise ValueError(f"{shown} needs an explanation below it, '  ✗ The period is in seconds.'")
+        for mark in marks_in_prediction(" ".join([*part.text, *part.why])):
+            raise ValueError(f"{shown}: {mark!r} is shown as it is written, leave out the marks of Markdown")
         if part.when:
             _check_condition(shown, part.when)
     usual = [part.letter for part in parts if part.sign == "✓"]

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from workbook.authoring.document import OPENING, Cell, heading_of
+from workbook.authoring.marks import marks_in_html
 
 FACTS = ("Minutes", "You need", "You will be able to", "Left out")
 QUESTIONS = range(3, 6)
@@ -25,6 +26,7 @@ _RECALL = re.compile(r"^\s*(?:recall|reveal|.*\bpredicted)\(", re.MULTILINE)
 _OPTION = re.compile(r"^- \*\*[a-e]\*\* \S", re.MULTILINE)
 _QUESTION = re.compile(r"^\*\*(?P<number>\d)\. .+\*\*\s*$", re.MULTILINE)
 _DETAILS = re.compile(r"<details>\s*<summary>(?P<summary>.*?)</summary>(?P<body>.*?)</details>", re.DOTALL)
+_SUMMARY = re.compile(r"<summary>(.*?)</summary>", re.DOTALL)
 _FENCE = re.compile(r"^(`{3,}|~{3,}).*?^\1", re.MULTILINE | re.DOTALL)
 _BLANK = re.compile(r"\.\.\.|___|# TODO")
 _SETUP = re.compile(r"^\s*(%load_ext|[%!]pip|!apt|%conda)", re.MULTILINE)
@@ -69,6 +71,7 @@ def shape_violations(
     A deeper notebook may leave out sections, and has as many experiments as it likes.
     """
     yield from _headings_open_cells(cells)
+    yield from _marks_in_summaries(cells)
     sections = split(cells, number, has_exercise=has_exercise, is_deeper=is_deeper)
     found = [section.title for section in sections[1:]]
     if found != list(SHAPE):
@@ -125,6 +128,18 @@ def _headings_open_cells(cells: Sequence[Cell]) -> Iterator[tuple[int, str]]:
             for line in inner:
                 if re.match(r"##? ", line):
                     yield cell.line, f"cell {cell.id}: the heading {line!r} must be the first line of a cell"
+
+
+def _marks_in_summaries(cells: Sequence[Cell]) -> Iterator[tuple[int, str]]:
+    for cell in cells:
+        if cell.kind != "markdown":
+            continue
+        for summary in _SUMMARY.findall(_FENCE.sub("", cell.source)):
+            if any(marks_in_html(summary)):
+                yield (
+                    cell.line,
+                    f"{summary!r} is shown as it is written: in a summary, write <code>x</code> and <em>x</em>",
+                )
 
 
 def _opening(section: Section) -> Iterator[str]:

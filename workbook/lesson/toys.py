@@ -13,23 +13,43 @@ HEIGHT = 270
 """Pixels of the page. A picture is brought to this height before boxes are drawn into it."""
 WHITE, INK = (255, 255, 255), (20, 20, 20)
 MARGIN = 3
+Frame = tuple[float, float, float, float]
+"""Left, top, right and bottom, in pixels."""
 
 
 def boxed(picture: Pixels, detections: Sequence[Detection], scores: bool = False) -> bytes:
-    """A picture, RGB, with a box and a label for each detection, and its score if asked for, as PNG bytes."""
+    """A picture, RGB, with a box and a label for each detection, and its score if asked for, as PNG bytes.
+
+    A label stands above its box, or below it where it would cover another label.
+    """
     factor = HEIGHT / picture.shape[0]
     drawn = Image.fromarray(picture).resize((round(factor * picture.shape[1]), HEIGHT))
     pen = ImageDraw.Draw(drawn)
     font = ImageFont.truetype(font_manager.findfont("DejaVu Sans"), 13)
+    taken: list[Frame] = []
     for one in detections:
         left, top = factor * (one.u - one.width / 2) - MARGIN, factor * (one.v - one.height / 2) - MARGIN
         right, bottom = factor * (one.u + one.width / 2) + MARGIN, factor * (one.v + one.height / 2) + MARGIN
         pen.rectangle((left, top, right, bottom), outline=WHITE, width=2)
         words = f"{one.label} {one.score:.2f}" if scores else one.label
-        place = max(left, 1.0), top - 4
-        frame = pen.textbbox(place, words, font=font, anchor="ld")
-        pen.rectangle((frame[0] - 1, frame[1] - 1, frame[2] + 1, frame[3] + 1), fill=INK)
-        pen.text(place, words, fill=WHITE, font=font, anchor="ld")
+        places = ((max(left, 1.0), top - 4, "ld"), (max(left, 1.0), bottom + 5, "la"))
+        frames = [_around(pen.textbbox((x, y), words, font=font, anchor=anchor)) for x, y, anchor in places]
+        at = next(
+            (at for at, frame in enumerate(frames) if not any(_overlap(frame, one) for one in taken)), 0
+        )
+        x, y, anchor = places[at]
+        taken.append(frames[at])
+        pen.rectangle(frames[at], fill=INK)
+        pen.text((x, y), words, fill=WHITE, font=font, anchor=anchor)
     file = io.BytesIO()
     drawn.save(file, "PNG")
     return file.getvalue()
+
+
+def _around(frame: Frame) -> Frame:
+    left, top, right, bottom = frame
+    return left - 1, top - 1, right + 1, bottom + 1
+
+
+def _overlap(one: Frame, other: Frame) -> bool:
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]

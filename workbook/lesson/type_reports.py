@@ -92,7 +92,14 @@ def nets_picture(nets: Mapping[str, Set[int]], names: Mapping[int, str], descrip
             color = RED if not is_caught else AMBER if late else GREEN
             fill = "full" if is_caught else "none"
             axes.plot(column, number, "o", markersize=14, color=color, fillstyle=fill)
-            axes.text(column + 0.16, number, words[not is_caught], va="center", fontsize=8)
+            axes.annotate(
+                words[not is_caught],
+                (column, number),
+                (11, 0),
+                textcoords="offset points",
+                va="center",
+                fontsize=8,
+            )
     before = sum("run time" not in net for net in nets)
     axes.text((before - 1) / 2 + 0.1, 0.25, "before anything runs", ha="center", fontsize=9)
     if before < len(nets):

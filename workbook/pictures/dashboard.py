@@ -107,7 +107,6 @@ def _rows(
     canvas.line([(left, bottom), (right, bottom)], Paint(width=1.4, alpha=0.8))
     for index, (topic, times) in enumerate(arrivals.items()):
         y = top + ROW * index + ROW / 2
-        color = {STATUS_TOPIC: BLUE, BATTERY_TOPIC: AMBER}.get(topic, GREEN)
         canvas.text((left - 12, y + 4), shorten(topic, _LABEL - 18, 12), Font(size=12), align="right")
         canvas.line([(left, y), (right, y)], Paint(width=1.2, alpha=0.35))
         seen = [t for t in times if now - window <= t <= now]
@@ -116,10 +115,10 @@ def _rows(
         }  # a fast topic: one mark per 2 pixels is all one can see
         for t in drawn.values():
             age = (now - t) / window
-            canvas.disc((place(t), y), 5.0, Paint(fill=color, alpha=1.0 - 0.55 * age))
+            canvas.disc((place(t), y), 5.0, Paint(fill=BLUE, alpha=1.0 - 0.55 * age))
             if now - t < 0.35:  # a ring that opens around a message that has just arrived
                 grown = (now - t) / 0.35
-                canvas.disc((place(t), y), 6 + 7 * grown, Paint(stroke=color, width=2, alpha=1 - grown))
+                canvas.disc((place(t), y), 6 + 7 * grown, Paint(stroke=BLUE, width=2, alpha=1 - grown))
         canvas.text((right + 12, y + 4), f"{len(seen)} ×", Font(size=12))
 
 

@@ -23,7 +23,7 @@ DDS, QUEUE_END, WAIT_SET, EXECUTOR, CALLBACK = (
     (6.0, 72.0),
     326.0,
     (358.0, 62.0),
-    (452.0, 104.0),
+    (448.0, 112.0),
     (588.0, 166.0),
 )
 """Where the columns lie: left edge and width, and the front of the queues."""

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from workbook.pictures.figures import figure, show
-from workbook.pictures.palette import BLUE, GREEN, RED
+from workbook.pictures.palette import BLUE, GREY
 
 Points = tuple[list[float], list[float]]
 """Two lists of equal length: x and y, in m."""
@@ -32,8 +32,8 @@ def show_path(points: Points, description: str, title: str = "") -> None:
     xs, ys = points
     fig, axes = figure(5.2, 2.8)
     axes.plot(xs, ys, color=BLUE)
-    for place, color, mark, word in ((0, GREEN, "o", "start"), (-1, RED, "x", "end")):
-        axes.plot(xs[place], ys[place], mark, color=color, markersize=9)
+    for place, mark, word in ((0, "o", "start"), (-1, "x", "end")):
+        axes.plot(xs[place], ys[place], mark, color=GREY, markersize=9, markeredgewidth=2, fillstyle="none")
         axes.annotate(
             word, (xs[place], ys[place]), xytext=(8, 10 if place else -16), textcoords="offset points"
         )

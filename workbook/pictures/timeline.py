@@ -12,7 +12,7 @@ import numpy as np
 
 from workbook.pictures.canvas import Canvas, Font, Paint, shorten, text_width
 from workbook.pictures.marks import gaps
-from workbook.pictures.palette import AMBER, BLUE, CYCLE, RED
+from workbook.pictures.palette import AMBER, BLUE, RED
 from workbook.recording.recording import Recording
 
 WIDTH = 680
@@ -29,7 +29,7 @@ class Row:
 
     `period` (s) is what was asked for: it gives the expected ticks and decides what a gap is. `start` and `end` bound
     the time in which marks could be seen; outside them nothing is missing. `note` stands at the right of the line.
-    Without `color` (of the palette) lines differ in color.
+    `color` is one of the palette. Most marks are data, so it is blue where nothing else is said.
     """
 
     label: str
@@ -38,7 +38,7 @@ class Row:
     start: float | None = None
     end: float | None = None
     note: str | None = None
-    color: str | None = None
+    color: str = BLUE
 
 
 def timeline(
@@ -120,7 +120,7 @@ def draw(
         y = top + _ROW * (index + 0.5)
         canvas.text((left - 14, y + 4.5), shorten(row.label, 220, 12.5), Font(size=12.5), align="right")
         canvas.text((right + 14, y + 4.5), note, Font(size=11.5))
-        _row(canvas, axis, row, y, row.color or CYCLE[index % 3])
+        _row(canvas, axis, row, y)
     if now is not None:
         canvas.line([(axis.clip(now), 4), (axis.clip(now), bottom)], Paint(width=1.6))
     if program_end is not None and start <= program_end <= stop:
@@ -273,29 +273,38 @@ def _target(canvas: Canvas, axis: _Axis, base: float, target: float, unit: str) 
     )
 
 
-def _row(canvas: Canvas, axis: _Axis, row: Row, y: float, color: str) -> None:
+def _row(canvas: Canvas, axis: _Axis, row: Row, y: float) -> None:
     begin, finish = axis.bounds(row)
-    canvas.line([(axis.clip(begin), y), (axis.clip(finish), y)], Paint(width=1.4, alpha=0.55))
+    drawn = axis.clip(begin)  # up to here, the line is drawn
     if row.period:
         _expected(canvas, axis, row, y)
         for a, b in gaps(row.times, row.period, row.start, row.end):
             x0, x1 = axis.clip(a), axis.clip(b)
             place, size = (x0 + 3, y - 12), (max(2.0, x1 - x0 - 6), 24.0)
-            words = f"✗ {b - a:.3g} s"
-            told = text_width(words, 11, bold=True) < x1 - x0 - 8
+            words, middle = f"✗ {b - a:.3g} s", (x0 + x1) / 2
+            wide = text_width(words, 11, bold=True)
+            told = wide < x1 - x0 - 10
             # No text has enough contrast to a tinted ground in both themes.
             canvas.box(
                 place, size, Paint(stroke=RED, width=1.8) if told else Paint(fill=RED, alpha=0.24), radius=4
             )
-            if told:
-                canvas.text(((x0 + x1) / 2, y + 4), words, Font(size=11, bold=True), align="center")
+            if told:  # the line stops at the words, so that it does not strike them out
+                canvas.text((middle, y + 4), words, Font(size=11, bold=True), align="center")
+                _base_line(canvas, drawn, max(drawn, middle - wide / 2 - 5), y)
+                drawn = middle + wide / 2 + 5
+    _base_line(canvas, drawn, axis.clip(finish), y)
     xs = sorted({round(axis.x(t) * 2) / 2 for t in row.times if axis.start <= t <= axis.end})
     close = len(xs) > 1 and median(b - a for a, b in pairwise(xs)) < 5
     for x in xs:
         canvas.line(
             [(x, y - 9), (x, y + 9)],
-            Paint(stroke=color, width=1.2 if close else 3.4, alpha=0.8 if close else 1.0),
+            Paint(stroke=row.color, width=1.2 if close else 3.4, alpha=0.8 if close else 1.0),
         )
+
+
+def _base_line(canvas: Canvas, left: float, right: float, y: float) -> None:
+    if right > left:
+        canvas.line([(left, y), (right, y)], Paint(width=1.4, alpha=0.55))
 
 
 def _expected(canvas: Canvas, axis: _Axis, row: Row, y: float) -> None:
