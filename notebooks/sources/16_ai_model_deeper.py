@@ -26,7 +26,7 @@ def two_panels(lines, **labels):
     """A bow and a fall side by side. `lines` gives curves by name for an episode."""
     fig, axes = figure(7.0, 2.6, columns=2)
     for panel, episode in zip(axes, (practice[1], practice[3]), strict=True):
-        looks = (("#2f78d0", "-", 0.0), ("#b06a00", "--", 0.15))  # the last: name moved up
+        looks = (("#2f78d0", "-", 0.0), ("#b06a00", "--", 0.15))  # last: name up by
         for (name, values), look in zip(lines(episode).items(), looks, strict=False):
             late = len(episode.samples) - len(values)  # of a full window
             seconds = [(late + n) / RATE_HZ for n in range(len(values))]
