@@ -62,7 +62,7 @@ show_film(
 # - **b** Hardly further: the network takes its 0.2 s at any depth.
 #   when `far < 1.4 * near`
 #   ✗ The network takes as long as before. But it begins with a picture that has waited for a third of a second.
-# - **c** Two to three times as far.
+# - **c** About twice as far.
 #   when `far >= 1.4 * near and far < 4 * near`
 #   ✓ The network gets the oldest of ten pictures. At 30 Hz it has waited for a third of a second. Then the network takes
 #   its 0.2 s, as before.
