@@ -13,7 +13,7 @@ from workbook.inside.proc import memory_bytes
 from workbook.isolation.sandbox import most_files
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
-from workbook.programs.usage import limits_in_log
+from workbook.programs.usage import AT_EASE_S, WATCHFUL_S, limits_in_log, until_next_look_s
 from workbook.recording.limits import ANSWER_LIMITS, Limits
 from workbook.recording.recording import ProcessRecord
 from workbook.ros.domains import lease_domain
@@ -172,3 +172,12 @@ def test_processes_are_counted_whoever_starts_them(tmp_path: Path, domain: int) 
         assert process.wait(60.0)
         record = process.record()
     assert record.limits_hit == ("processes",)
+
+
+def test_a_program_near_a_limit_is_looked_at_more_often() -> None:
+    one = [os.getpid()]
+    held = memory_bytes(one, 10**12)
+    assert until_next_look_s(Limits(processes=64, memory=4 * held), one) == AT_EASE_S
+    assert until_next_look_s(Limits(processes=64, memory=held * 3 // 2), one) == WATCHFUL_S
+    assert until_next_look_s(Limits(processes=1, memory=4 * held), one) == WATCHFUL_S
+    assert until_next_look_s(Limits(), one) == WATCHFUL_S
