@@ -97,7 +97,7 @@ def test_a_program_cannot_tell_that_it_was_forked(start: Start) -> None:
 def test_the_same_modules_appear_as_in_a_fresh_python(start: Start, line: str) -> None:
     forked, fresh = (finished(start(NAMES.format(line=line), forked=one)) for one in (True, False))
     assert forked == fresh
-    assert forked.startswith("rclpy ")
+    assert "rclpy " in forked
 
 
 def test_an_error_shows_the_program_and_nothing_of_ours(start: Start) -> None:

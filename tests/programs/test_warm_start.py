@@ -68,13 +68,17 @@ IMPORTS = (
     "from rclpy.executors import SingleThreadedExecutor; import rclpy; rclpy.init(); rclpy.create_node('a_node')",
     "from sensor_msgs.msg import JointState",
     "import numpy",
+    "import lark",
+    "import rclpy; rclpy.init(); rclpy.create_node('a_node').get_logger().info('logged')",
     "from numpy.linalg import norm; import numpy as np; norm(np.eye(3)); np.random.default_rng(1)",
     "from std_srvs.srv import Trigger; import rclpy; rclpy.init(); rclpy.create_node('a').create_client(Trigger, 'b')",
 )
 NAMES = """\
 {line}
 import hashlib, sys
-for package in ("rclpy", "std_msgs", "rosgraph_msgs", "rcl_interfaces", "sensor_msgs", "std_srvs", "numpy"):
+PACKAGES = ("rclpy", "std_msgs", "rosgraph_msgs", "rcl_interfaces", "sensor_msgs", "std_srvs", "numpy")
+OF_TYPES = ("rosidl_generator_py", "rosidl_parser", "rosidl_pycommon", "lark", "em")
+for package in PACKAGES + OF_TYPES:
     seen = [
         (name, module.__name__, getattr(module.__spec__, "name", None), sorted(vars(module)))
         for name, module in sorted(sys.modules.items())
@@ -142,7 +146,7 @@ def test_a_program_cannot_tell_that_it_was_forked(start: Start) -> None:
 def test_the_same_modules_appear_as_in_a_fresh_python(start: Start, line: str) -> None:
     warm, fresh = (finished(start(NAMES.format(line=line), warm=warm)) for warm in (True, False))
     assert warm == fresh
-    assert warm.startswith("rclpy ")
+    assert "rclpy " in warm
 
 
 @pytest.mark.parametrize(

@@ -25,6 +25,20 @@ while sys.stdin.readline():
     while time.monotonic() < end: pass
     print('done', flush=True)
 """
+SLEEPS_WHEN_ASKED = """
+import sys, time
+print('up', flush=True)
+while sys.stdin.readline():
+    time.sleep(1.0)
+    print('done', flush=True)
+"""
+BEGINS_THREADS = """
+import sys, threading, time
+print('up', flush=True)
+while sys.stdin.readline():
+    threading.Thread(target=time.sleep, args=(60,), daemon=True).start()
+    print('done', flush=True)
+"""
 
 
 def test_a_program_that_waits_for_input_is_at_rest() -> None:
@@ -64,6 +78,30 @@ def test_it_waits_for_work_to_be_done() -> None:
             while lock.wait() is not State.AT_REST:
                 assert time.monotonic() < deadline
             assert process.stdout.readline() == "done\n"
+
+
+def test_it_sees_each_time_that_the_same_thread_sleeps() -> None:
+    with talking_program(SLEEPS_WHEN_ASKED) as process, closing(LockStep(process.pid)) as lock:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        for _ in range(2):
+            wait_until(lambda: lock.state() is State.AT_REST)
+            process.stdin.write("go\n")
+            process.stdin.flush()
+            wait_until(lambda: lock.state() is State.SLEEPING)
+            assert process.stdout.readline() == "done\n"
+
+
+def test_a_thread_that_has_just_begun_is_seen_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("workbook.watching.lockstep.LISTED_EVERY_S", 3600.0)
+    with talking_program(BEGINS_THREADS) as process, closing(LockStep(process.pid)) as lock:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        wait_until(lambda: lock.state() is State.AT_REST)
+        process.stdin.write("go\n")
+        process.stdin.flush()
+        assert process.stdout.readline() == "done\n"
+        wait_until(lambda: lock.state() is State.SLEEPING)
 
 
 def test_a_program_that_has_ended_holds_nobody_up() -> None:

@@ -2,6 +2,7 @@
 
 import builtins
 import importlib.util
+import inspect
 import os
 import sys
 import types
@@ -19,6 +20,7 @@ WARMED = (
     "std_msgs.msg",
     "std_srvs.srv",
     "numpy",  # every first node imports it: messages with arrays need it
+    "rosidl_generator_py",  # every first type support imports it, and with it a parser of grammars
 )
 TYPE_SUPPORT = (
     "builtin_interfaces",
@@ -125,3 +127,12 @@ def import_what_answers_need() -> None:
         importlib.import_module(name)
     for package in TYPE_SUPPORT:
         importlib.import_module(f"{package}.{package}_s__rosidl_typesupport_c")
+    _look_up_their_files()
+
+
+def _look_up_their_files() -> None:
+    """Let `inspect` note where each module comes from, which it does at the first look for one that it cannot find.
+
+    rclpy asks it who logs. For the first line of a log that means several thousand system calls.
+    """
+    inspect.getmodule(compile("", "nowhere", "exec"))

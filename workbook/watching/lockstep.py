@@ -14,8 +14,8 @@ import time
 from workbook.inside import proc
 from workbook.watching.threads import Thread, ThreadTable
 
-LISTED_EVERY_S = 0.02
-"""A thread that has just begun is not seen for so long (s); what has started it is."""
+LISTED_EVERY_S = 0.05
+"""A thread that a child process has just begun is not seen for so long (s); what has started it is."""
 LONGEST_WAIT_S = 0.25
 """A callback that computes or sleeps for so long (s) is waited for."""
 WORK_WAITS, SLEEP_WAITS = 4, 2
@@ -44,6 +44,7 @@ class LockStep:
     def __init__(self, pid: int) -> None:
         self._table = ThreadTable(pid, LISTED_EVERY_S)
         self._suspect: Thread | None = None  # was at work at the last look, and probably still is
+        self._naps: dict[int, tuple[bytes, bool]] = {}
         self._vain = {State.SLEEPING: SLEEP_WAITS, State.AT_WORK: WORK_WAITS}
         self.never_in_vain = True
         self._can_tell = bool(proc.NANOSLEEP) and self._is_told()
@@ -77,16 +78,28 @@ class LockStep:
         self._suspect = next((thread for thread in threads if proc.is_at_work(thread.stat)), None)
         if self._suspect is not None:
             return State.AT_WORK
-        sleeping = any(
-            thread.syscall is not None and proc.is_in_nanosleep(thread.syscall) for thread in threads
-        )
+        sleeping = any([self._is_in_nanosleep(*one) for one in zip(threads, before, strict=True)])
         if before != [_times_scheduled(thread) for thread in threads]:
             return State.AT_WORK
         return State.SLEEPING if sleeping else State.AT_REST
 
+    def _is_in_nanosleep(self, thread: Thread, scheduled: bytes) -> bool:
+        """Whether a thread that is asleep, and was `scheduled` so often before, sleeps for a time of its own.
+
+        It is asked once: as long as it is not scheduled again, it is in the same call.
+        """
+        if thread.syscall is None:
+            return False
+        asked, answer = self._naps.get(thread.syscall, (b"", False))
+        if asked != scheduled:
+            answer = proc.is_in_nanosleep(thread.syscall)
+            self._naps[thread.syscall] = scheduled, answer
+        return answer
+
     def close(self) -> None:
         """Close the files that tell of threads."""
         self._suspect = None
+        self._naps.clear()
         self._table.close()
 
     def _is_told(self) -> bool:

@@ -28,19 +28,25 @@ class Thread:
 
 
 class ThreadTable:
-    """Lists the threads of the program whose first process is `pid`, again after every `listed_every_s` (s)."""
+    """Lists the threads of the program whose first process is `pid`, again after every `listed_every_s` (s).
+
+    Also as soon as that process has more threads than before, or fewer.
+    """
 
     def __init__(self, pid: int, listed_every_s: float) -> None:
         self._pid = pid
         self._every_s = listed_every_s
         self._listed_at = -listed_every_s
+        self._how_many = 0
         self._threads: dict[str, Thread] = {}
         self._receivers: set[str] = set()
         self._others: set[str] = set()
 
     def threads(self) -> list[Thread]:
         """All threads, as of the last listing."""
-        if time.monotonic() - self._listed_at >= self._every_s:
+        how_many = proc.how_many_threads(self._pid)
+        if how_many != self._how_many or time.monotonic() - self._listed_at >= self._every_s:
+            self._how_many = how_many
             self._list()
         return [*self._threads.values()]
 
