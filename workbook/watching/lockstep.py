@@ -5,13 +5,14 @@ was running or waiting for a processor. All threads were asleep at one moment if
 given a processor from before the first look until after the last. Linux counts that for each thread (`schedstat`, see
 https://docs.kernel.org/scheduler/sched-stats.html).
 
-A thread inside `nanosleep` is not at rest: it goes on by itself, in real time.
+A thread that sleeps for a time of its own is not at rest: it goes on by itself, in real time (see `sleeps`).
 """
 
 import enum
 import time
 
 from workbook.inside import proc
+from workbook.watching.sleeps import CALLS, goes_on_by_itself
 from workbook.watching.threads import Thread, ThreadTable
 
 LISTED_EVERY_S = 0.02
@@ -29,7 +30,7 @@ class State(enum.Enum):
     """What a program was last seen doing."""
 
     AT_REST = "at rest"
-    SLEEPING = "a thread is in nanosleep"
+    SLEEPING = "a thread sleeps for a while"
     AT_WORK = "at work"
 
 
@@ -46,7 +47,7 @@ class LockStep:
         self._suspect: Thread | None = None  # was at work at the last look, and probably still is
         self._vain = {State.SLEEPING: SLEEP_WAITS, State.AT_WORK: WORK_WAITS}
         self.never_in_vain = True
-        self._can_tell = bool(proc.NANOSLEEP) and self._is_told()
+        self._can_tell = bool(CALLS) and self._is_told()
 
     @property
     def works(self) -> bool:
@@ -78,7 +79,8 @@ class LockStep:
         if self._suspect is not None:
             return State.AT_WORK
         sleeping = any(
-            thread.syscall is not None and proc.is_in_nanosleep(thread.syscall) for thread in threads
+            thread.syscall is not None and goes_on_by_itself(proc.system_call(thread.syscall))
+            for thread in threads
         )
         if before != [_times_scheduled(thread) for thread in threads]:
             return State.AT_WORK
@@ -94,7 +96,7 @@ class LockStep:
         threads = self._table.threads()
         calls = [thread.syscall for thread in threads if thread.syscall is not None]
         counted = all(len(_times_scheduled(thread).split()) == 3 for thread in threads)
-        return counted and bool(calls) and all(map(proc.tells_system_call, calls))
+        return counted and bool(calls) and all(map(proc.system_call, calls))
 
 
 def _times_scheduled(thread: Thread) -> bytes:
