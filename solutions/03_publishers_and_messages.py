@@ -69,8 +69,9 @@
 # | 1 | `nan`, `inf` and `-inf` are refused with an error |
 # | 1 | no `0.0` is sent by mistake |
 #
-# **Not part of it:** timers, charges below 0 or above 100, NumPy's bools, texts and arrays, bytes, and how a program
-# starts and ends. There is no `main()`: other code creates and spins your node.
+# **Not part of it:** timers, charges below 0 or above 100, other kinds of numbers (`Decimal`, `Fraction`, `complex`),
+# NumPy's bools, texts and arrays, and bytes. How a program starts and ends is not part of it, either. There is no
+# `main()`: other code creates and spins your node.
 # %% [answer]
 """A node that reports the charge of the battery, and nothing but the charge."""
 

@@ -41,9 +41,9 @@
 #
 # Your program runs as its own process for one minute of robot time, which takes a few real seconds. Every message is
 # counted. One more or one less at the edge of the minute is fine. *Evenly* means: one period from one message to the
-# next, on average within 4 %, and never more than one and a half periods. Programs that do not follow robot time are
-# counted in the same way, for at least 8.5 real seconds. For them, each interval may differ from the period by a
-# tenth of it.
+# next, and never more than one and a half. The mean interval may differ from the period by 4 %, and the median interval
+# by a tenth. Programs that do not follow robot time are counted in the same way, for at least 8.5 real seconds. Of
+# their intervals, only the longest and the median are judged.
 #
 # | points | criterion |
 # |---:|---|

@@ -10,6 +10,7 @@ NODE = "/night_guard"
 PARKED = "arms parked"  # compared in lower case: the program may log it as it likes
 LEAST_ROUNDS = 4  # of the eight that are due; the task names it
 RAISED_BY_SPIN = ("ExternalShutdownException", "RCLError", "InvalidHandle")  # when the context is gone
+LONGEST_QUOTE = 60  # characters of a line of the log that feedback quotes
 LONGEST_SILENCE_S = 1.5  # before Ctrl-C: three rounds; the task names it
 
 
@@ -108,7 +109,19 @@ def why_never_parked(recording: Recording, expected: str) -> Verdict:
             "a process silently.",
             "Keep the handler that rclpy.init() sets, or set one that lets your program clean up.",
         )
-    return see.failed_at_the_end(recording, "the arms are still up", expected) or see.failed(
+    verdict = see.failed_at_the_end(recording, "the arms are still up", expected)
+    if verdict is not None:
+        return verdict
+    said = next((line.strip() for line in process.end_log.splitlines() if "park" in line.lower()), None)
+    if said is not None:
+        return see.failed(
+            "arms-parked.other-words",
+            f"after Ctrl-C the log says {said[:LONGEST_QUOTE]!r}",
+            expected,
+            "The judge reads the log, and these are other words. If park() says them, it was changed.",
+            "Leave the class NightGuard as it was: its park() says 'arms parked'.",
+        )
+    return see.failed(
         "arms-parked.never",
         "the program ended after Ctrl-C, and its arms are still up",
         expected,

@@ -234,6 +234,14 @@ def as_float(value: float) -> str:
 
 def cannot_be_called(recording: Recording, trouble: str, expected: str) -> Verdict:
     """Why the driver could not begin."""
+    if "BatteryPublisher.__init__() missing" in trouble:
+        return see.failed(
+            "calls-come-back.needs-arguments",
+            trouble,
+            expected,
+            "Your class cannot be created without arguments. But other code creates it, as BatteryPublisher().",
+            "Write def __init__(self) without more arguments, or give each of them a default.",
+        )
     raised = see.failed_in_call(recording, trouble, expected) if "raised" in trouble else None
     return raised or see.failed(
         "calls-come-back.name-missing",
@@ -482,12 +490,15 @@ def why_number_raised(call: DriverCall, made: list[DriverCall], saw: str, expect
 
 
 def went_well_before(call: DriverCall, made: list[DriverCall]) -> bool:
-    """Whether the same call arrived before, or every number did until the first refusal, and none after it."""
+    """Whether the same call arrived before, or all numbers did until some call after a refusal, and none from it on."""
     if any(one.number < call.number and one.argument == call.argument and arrived(one) for one in made):
         return True
     numbers = [one for one in made if one.argument in MEANT]
     first_refusal = min((one.number for one in made if one.argument not in MEANT and refused(one)), default=0)
-    return first_refusal > 1 and all(arrived(one) == (one.number < first_refusal) for one in numbers)
+    first_lost = next((one.number for one in numbers if not arrived(one)), 0)
+    return 1 < first_refusal < first_lost and all(
+        arrived(one) == (one.number < first_lost) for one in numbers
+    )
 
 
 def only_after_errors(made: list[DriverCall]) -> bool:

@@ -23,7 +23,7 @@ SHARE_AT_ONCE = 0.9  # of the readings: the others may have been kept waiting by
 BEFORE_PAUSE = (52.0, 51.5, 51.0, 51.0, 50.25, 49.5)
 AFTER_PAUSE = (
     49.25, -3.0, -3.0, 48.75, 100.0, 99.5, 98.75, 98.0, 97.25, 96.5, math.nan, 95.0, 94.25, 93.5, 120.0, math.inf,
-    math.nan, 92.75, 12.5, 6.25, 0.0, -0.125, 88.0, 87.5, 100.0078125, 87.25,
+    math.nan, 92.75, 12.5, 6.25, 0.375, 0.0, -0.125, 88.0, 87.5, 100.0078125, 87.25,
 )  # fmt: skip
 AT_THE_SAME_MOMENT = (86.75, 86.5, 86.25, 85.75)
 AT_THE_END = (
@@ -180,15 +180,7 @@ def alarms_come(recording: Recording) -> Verdict:
 def one_alarm(recording: Recording) -> Verdict:
     found = alarms(recording)
     if found.misnamed:
-        place, text = found.misnamed[0]
-        return see.partial(
-            "one-alarm.value-not-named",
-            0.5,
-            f"the alarm for the bad reading {shown(BAD[place])} says {quoted(text)}",
-            ONE_EACH,
-            "This text must help a person to find the fault, and the value is the best clue.",
-            'Put the value into the text, as it came: String(data=f"bad battery reading: {message.data}").',
-        )
+        return why_not_named(found.misnamed)
     if len(found.repeated) > len(found.missed):
         return see.failed(
             "one-alarm.repeated",
@@ -781,6 +773,9 @@ def kinds_of(readings: Sequence[float]) -> set[str]:
 # --- why alarms are missing, or too many --------------------------------------------------------------------
 
 ONE_EACH = f"exactly one text on {ALARM.name} for each of the {len(BAD)} bad readings, with its value in it"
+VALUE_AS_IT_CAME = (
+    'Put the value into the text, as it came: String(data=f"bad battery reading: {message.data}").'
+)
 
 
 def why_no_alarm_came(recording: Recording) -> Verdict:
@@ -818,6 +813,38 @@ def perhaps_not_called(saw: str) -> Verdict:
         "First make sure that all good readings are passed on.",
         about_time=True,
     )
+
+
+def why_not_named(misnamed: Sequence[tuple[int, str]]) -> Verdict:
+    """Why there is one alarm for each bad reading, and not each one names its value: half of the points."""
+    finite = [(BAD[place], text) for place, text in misnamed if math.isfinite(BAD[place])]
+    reading, text = finite[0] if finite else (BAD[misnamed[0][0]], misnamed[0][1])
+    saw = f"the alarm for the bad reading {shown(reading)} says {quoted(text)}"
+
+    def partly(cause: str, because: str, try_this: str = VALUE_AS_IT_CAME) -> Verdict:
+        return see.partial(cause, 0.5, saw, ONE_EACH, because, try_this)
+
+    if finite and all(names(told, -one) for one, told in finite):
+        return partly("one-alarm.sign-lost", "The sign of the value is missing or wrong.")
+    if finite and all(names_as_whole(told, one) for one, told in finite):
+        return partly(
+            "one-alarm.value-rounded",
+            "The value is rounded to a whole number, so a reading just outside of the range looks good.",
+        )
+    if finite and all(names_one_of(READINGS, told) and not names(told, one) for one, told in finite):
+        return partly(
+            "one-alarm.names-another-reading",
+            "The value in this text is that of another reading: of an earlier one, or the same one in each text.",
+        )
+    return partly(
+        "one-alarm.value-not-named",
+        "This text must help a person to find the fault, and the value is the best clue.",
+    )
+
+
+def names_as_whole(text: str, reading: float) -> bool:
+    """Whether an alarm gives a reading as a whole number, which it is not."""
+    return any(number.is_integer() and abs(number - reading) < 1.0 for number in numbers_in(text))
 
 
 def why_alarms_are_missing(recording: Recording, missed: tuple[int, ...]) -> Verdict:
@@ -926,6 +953,7 @@ def why_a_kind_is_missing(saw: str, missed: tuple[int, ...]) -> Verdict:
     )
 
 
+DECIDE_BY_THIS_ONE = "Decide by this one reading: 0.0 <= message.data <= 100.0."
 NO_FALSE_ONES = f"no alarm for the {len(GOOD)} good readings"
 
 
@@ -940,6 +968,41 @@ def names_an_earlier_one(saw: str) -> Verdict:
     )
 
 
+def names_a_number(text: str) -> bool:
+    return bool(numbers_in(text)) or names_one_of(BAD, text)
+
+
+def names_no_reading(saw: str) -> Verdict:
+    """The alarms came with good readings, and name none."""
+    return see.failed(
+        "no-false-alarm.names-no-reading",
+        saw,
+        NO_FALSE_ONES,
+        "This text came with a good reading, and it names none. Any text on this topic is an alarm, even one that "
+        "says that all is well.",
+        "Publish on this topic only when this one reading is bad.",
+    )
+
+
+def many_false_alarms(saw: str, *, before_bad: bool) -> Verdict:
+    """Why there were alarms for most of the good readings. `before_bad`: even before the first bad one."""
+    if before_bad:
+        return see.failed(
+            "no-false-alarm.every-reading",
+            saw,
+            NO_FALSE_ONES,
+            "Good readings cause texts on this topic, too, even before the first bad one.",
+            "Publish on this topic only when a reading is bad.",
+        )
+    return see.failed(
+        "no-false-alarm.goes-on",
+        saw,
+        NO_FALSE_ONES,
+        "After the first alarm, an alarm is raised for every later reading, too.",
+        DECIDE_BY_THIS_ONE,
+    )
+
+
 def why_false_alarms(found: Alarms) -> Verdict:
     """Why there were alarms for good readings."""
     false = found.false
@@ -948,37 +1011,24 @@ def why_false_alarms(found: Alarms) -> Verdict:
     about_bad = [text for text in false if names_one_of(BAD, text) and not names_one_of(INSIDE, text)]
     if len(about_bad) == len(false) and not all(names_one_of(GOOD, text) for text in false):
         return names_an_earlier_one(saw)
-    hint = "Decide by this one reading: 0.0 <= message.data <= 100.0."
     if any(shown(GOOD[place]) in false[0] for place in LOW if GOOD[place]):
         return see.failed(
             "no-false-alarm.low-charge",
             saw,
             expected,
             "A low battery is bad news, but it is not a bad reading.",
-            hint,
+            DECIDE_BY_THIS_ONE,
         )
-    if len(false) > len(GOOD) // 2 and found.before_bad:
-        return see.failed(
-            "no-false-alarm.every-reading",
-            saw,
-            expected,
-            "Good readings cause texts on this topic, too, even before the first bad one.",
-            "Publish on this topic only when a reading is bad.",
-        )
+    if len(false) <= len(GOOD) // 2 and not any(names_a_number(text) for text in false):
+        return names_no_reading(saw)
     if len(false) > len(GOOD) // 2:
-        return see.failed(
-            "no-false-alarm.goes-on",
-            saw,
-            expected,
-            "After the first alarm, an alarm is raised for every later reading, too.",
-            hint,
-        )
+        return many_false_alarms(saw, before_bad=found.before_bad)
     return see.failed(
         "no-false-alarm.good-reading",
         saw,
         expected,
         "Readings from 0 to 100 % are good, both limits included, no matter what came before them.",
-        hint,
+        DECIDE_BY_THIS_ONE,
     )
 
 

@@ -40,7 +40,14 @@ def test_a_zero_that_stands_out_is_looked_at_with_field_checks(values: tuple[flo
 
 def test_a_zero_among_its_like_is_not() -> None:
     accepts(see.given_floats(tilts(0.0, 0.06, 0.1, 0.1, 0.06, 0.0, -0.06), TILT))
-    accepts(see.given_floats(tilts(0.6, 0.4, 0.2, 0.1, 0.0, 0.0), TILT))
+    accepts(see.given_floats(tilts(0.6, 0.4, 0.2, 0.1, 0.0), TILT))
+
+
+@pytest.mark.parametrize("values", [(0.6, 0.4, 0.2, 0.1, 0.0, 0.0), (0.8, 0.6, 0.4, 0.2, 0.0, 0.8, 0.6)])
+def test_zeros_that_an_int_may_have_become_are_looked_at(values: tuple[float, ...]) -> None:
+    refuses(see.given_floats(tilts(*values), TILT), "in message", "beside it")
+    assert see.given_floats(tilts(*values), TILT).recheck_fields
+    accepts(see.given_floats(tilts(*values, notes=("with field checks on: no complaint",)), TILT))
 
 
 def test_arrays_of_different_lengths_are_not_compared() -> None:

@@ -10,6 +10,15 @@ from workbook.watching.lockstep import SLEEP_WAITS, WORK_WAITS, LockStep, State
 
 READS = "import sys; print('up', flush=True); sys.stdin.read()"
 SLEEPS = "import time; print('up', flush=True); time.sleep(60)"
+POLLS = """
+import asyncio
+async def turns():
+    while True:
+        await asyncio.sleep(0.01)
+print('up', flush=True)
+asyncio.run(turns())
+"""
+WAITS_FOR_EVENTS = "import select; print('up', flush=True); select.epoll().poll()"
 WORKS = "print('up', flush=True)\nwhile True: pass"
 THREAD_SLEEPS = """
 import sys, threading, time
@@ -41,11 +50,19 @@ while sys.stdin.readline():
 """
 
 
-def test_a_program_that_waits_for_input_is_at_rest() -> None:
-    with talking_program(READS) as process, closing(LockStep(process.pid)) as lock:
+@pytest.mark.parametrize("code", [READS, WAITS_FOR_EVENTS])
+def test_a_program_that_waits_for_input_is_at_rest(code: str) -> None:
+    with talking_program(code) as process, closing(LockStep(process.pid)) as lock:
         assert lock.works
         wait_until(lambda: lock.state() is State.AT_REST)
         assert lock.wait() is State.AT_REST
+
+
+def test_an_event_loop_that_wakes_by_itself_is_not_at_rest() -> None:
+    with talking_program(POLLS) as process, closing(LockStep(process.pid)) as lock:
+        wait_until(lambda: lock.state() is State.SLEEPING)
+        while lock.works:
+            assert lock.wait() is not State.AT_REST
 
 
 @pytest.mark.parametrize("code", [SLEEPS, THREAD_SLEEPS])

@@ -12,8 +12,6 @@ _TICK_S = 1.0 / os.sysconf("SC_CLK_TCK")
 _STEAL_FIELD = 8
 READ_BYTES = 65_536
 PROC_STAT = "/proc/stat"
-NANOSLEEP = {"x86_64": (b"35 ", b"230 "), "aarch64": (b"101 ", b"115 ")}.get(os.uname().machine, ())
-"""How `syscall` of a thread begins in `nanosleep` and `clock_nanosleep`: by the numbers of these calls."""
 UDP_TABLES = ("/proc/net/udp", "/proc/net/udp6")
 UNIX_SOCKETS = "/proc/net/unix"
 SOCKET_TOTALS = "/proc/net/sockstat"
@@ -267,14 +265,12 @@ def times_main_thread_ran(pid: int) -> int | None:
         return None
 
 
-def tells_system_call(syscall_fd: int) -> bool:
-    """Whether the kernel lets us know which call a thread is in. From its open `syscall`."""
-    return bool(_peek(syscall_fd))
+def system_call(syscall_fd: int) -> bytes:
+    """The call that a thread is in, as the kernel tells it: its number and arguments. From its open `syscall`.
 
-
-def is_in_nanosleep(syscall_fd: int) -> bool:
-    """Whether a thread sleeps for a time that it has chosen. From its open `syscall`."""
-    return _peek(syscall_fd).startswith(NANOSLEEP)
+    Nothing where the kernel does not let us know.
+    """
+    return _peek(syscall_fd)
 
 
 def _peek(fd: int) -> bytes:

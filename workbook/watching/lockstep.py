@@ -5,13 +5,14 @@ was running or waiting for a processor. All threads were asleep at one moment if
 given a processor from before the first look until after the last. Linux counts that for each thread (`schedstat`, see
 https://docs.kernel.org/scheduler/sched-stats.html).
 
-A thread inside `nanosleep` is not at rest: it goes on by itself, in real time.
+A thread that sleeps for a time of its own is not at rest: it goes on by itself, in real time (see `sleeps`).
 """
 
 import enum
 import time
 
 from workbook.inside import proc
+from workbook.watching.sleeps import CALLS, goes_on_by_itself
 from workbook.watching.threads import Thread, ThreadTable
 
 LISTED_EVERY_S = 0.05
@@ -29,7 +30,7 @@ class State(enum.Enum):
     """What a program was last seen doing."""
 
     AT_REST = "at rest"
-    SLEEPING = "a thread is in nanosleep"
+    SLEEPING = "a thread sleeps for a while"
     AT_WORK = "at work"
 
 
@@ -47,7 +48,7 @@ class LockStep:
         self._naps: dict[int, tuple[bytes, bool]] = {}
         self._vain = {State.SLEEPING: SLEEP_WAITS, State.AT_WORK: WORK_WAITS}
         self.never_in_vain = True
-        self._can_tell = bool(proc.NANOSLEEP) and self._is_told()
+        self._can_tell = bool(CALLS) and self._is_told()
 
     @property
     def works(self) -> bool:
@@ -78,21 +79,21 @@ class LockStep:
         self._suspect = next((thread for thread in threads if proc.is_at_work(thread.stat)), None)
         if self._suspect is not None:
             return State.AT_WORK
-        sleeping = any([self._is_in_nanosleep(*one) for one in zip(threads, before, strict=True)])
+        sleeping = any([self._goes_on_by_itself(*one) for one in zip(threads, before, strict=True)])
         if before != [_times_scheduled(thread) for thread in threads]:
             return State.AT_WORK
         return State.SLEEPING if sleeping else State.AT_REST
 
-    def _is_in_nanosleep(self, thread: Thread, scheduled: bytes) -> bool:
-        """Whether a thread that is asleep, and was `scheduled` so often before, sleeps for a time of its own.
+    def _goes_on_by_itself(self, thread: Thread, scheduled: bytes) -> bool:
+        """Whether a thread that is asleep, and was `scheduled` so often before, goes on without being told to.
 
-        It is asked once: as long as it is not scheduled again, it is in the same call.
+        The kernel is asked once: as long as the thread is not scheduled again, it is in the same call.
         """
         if thread.syscall is None:
             return False
         asked, answer = self._naps.get(thread.syscall, (b"", False))
         if asked != scheduled:
-            answer = proc.is_in_nanosleep(thread.syscall)
+            answer = goes_on_by_itself(proc.system_call(thread.syscall))
             self._naps[thread.syscall] = scheduled, answer
         return answer
 
@@ -107,7 +108,7 @@ class LockStep:
         threads = self._table.threads()
         calls = [thread.syscall for thread in threads if thread.syscall is not None]
         counted = all(len(_times_scheduled(thread).split()) == 3 for thread in threads)
-        return counted and bool(calls) and all(map(proc.tells_system_call, calls))
+        return counted and bool(calls) and all(map(proc.system_call, calls))
 
 
 def _times_scheduled(thread: Thread) -> bytes:

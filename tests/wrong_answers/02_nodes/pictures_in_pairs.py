@@ -1,6 +1,6 @@
 # Two pictures at once, and only once a second: right on average.
 # loses: front_pictures, rear_pictures
-# cause: rate.silence
+# cause: rate.groups-with-silences
 # replaces: self.create_timer(0.5, self.take_picture)
 self.create_timer(1.0, self.take_picture)
 

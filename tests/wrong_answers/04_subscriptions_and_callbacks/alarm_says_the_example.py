@@ -1,5 +1,5 @@
 # Each alarm says the value that the task prints.
 # loses: one_alarm
-# cause: one-alarm.value-not-named
+# cause: one-alarm.names-another-reading
 # replaces: self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
 self.alarm_publisher.publish(String(data="bad reading: -3.0"))

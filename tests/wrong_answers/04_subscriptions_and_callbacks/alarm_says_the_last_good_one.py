@@ -1,6 +1,6 @@
 # The alarm names the good reading before the bad one.
 # loses: one_alarm
-# cause: one-alarm.value-not-named
+# cause: one-alarm.names-another-reading
 # after: super().__init__("battery_monitor")
 self.last = 0.0
 

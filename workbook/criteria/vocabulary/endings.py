@@ -1,8 +1,11 @@
 """Judges how a program ends on Ctrl-C. Needs `watching(to_the_end=True)` in the criteria file."""
 
+import re
+
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.known_errors import (
     TRACEBACK,
+    ProgramError,
     find_error,
     shutdown_overtaken,
     without_executors_end,
@@ -12,6 +15,8 @@ from workbook.recording.recording import ProcessRecord, Recording
 
 _EXPECTED = "exit code 0 and no traceback after Ctrl-C"
 _INTERRUPT = "KeyboardInterrupt"
+_NOT_CAUGHT = re.compile(r"^(Exception (in|ignored)|Task exception)", re.MULTILINE)
+"""Python prints this for an exception that does not end the program: in a thread, a finalizer or a task."""
 
 
 def exits_cleanly(recording: Recording) -> Verdict:
@@ -47,10 +52,20 @@ def exits_cleanly(recording: Recording) -> Verdict:
             "main() return after rclpy.try_shutdown().",
         )
     error = find_error(process.end_log, process.program)
-    if error is not None:
-        saw = f"after Ctrl-C: {error.where}{error.error} (exit code {process.exit})"
-        return failed(error.cause, saw, _EXPECTED, error.because, error.try_this)
-    return _by_exit_code(process)
+    return _by_exit_code(process) if error is None else _by_error(process, error)
+
+
+def _by_error(process: ProcessRecord, error: ProgramError) -> Verdict:
+    saw = f"after Ctrl-C: {error.where}{error.error} (exit code {process.exit})"
+    if process.exit == 0 and error.cause == "error.exception" and not _NOT_CAUGHT.search(process.end_log):
+        return failed(
+            "exits-cleanly.prints-an-error",
+            saw,
+            _EXPECTED,
+            "The program caught this exception and went on to its end, but it printed the traceback.",
+            "Find what raises it. Ctrl-C has shut the context down, so leave out what needs ROS after that.",
+        )
+    return failed(error.cause, saw, _EXPECTED, error.because, error.try_this)
 
 
 def _by_exit_code(process: ProcessRecord) -> Verdict:

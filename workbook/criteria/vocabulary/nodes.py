@@ -63,6 +63,11 @@ def _not_there(found: Mapping[str, NodeSeen], wanted: str, beside: Collection[st
         namespace, _, name = other.rpartition("/")
         if other.lower() == wanted.lower():
             return fail("on-the-graph.other-case", "Names are case-sensitive.")
+        if namespace == wanted:
+            return fail(
+                "on-the-graph.name-as-namespace",
+                f"{base} is part of the namespace of {other}. The node itself is still called {name}.",
+            )
         if name == base:
             return fail(
                 "on-the-graph.other-namespace",

@@ -67,7 +67,8 @@ def given_floats(recording: Recording, topic: Topic) -> Verdict:
         return passed("its numbers are floats")
     if not any(value != 0.0 for value in seen):
         return _zeros(recording, f"0.0 on {topic.name} in each of {count(len(seen), 'message')}")
-    place = _zero_that_stands_out(seen)
+    stands_out = _zero_that_stands_out(seen)
+    place = _zero_that_stays(seen) if stands_out is None else stands_out
     if place is None:
         return passed("its numbers are floats")
     beside = next(value for value in [*seen[place:], *reversed(seen[:place])] if value != 0.0)
@@ -79,13 +80,21 @@ def _zero_that_stands_out(seen: Sequence[float]) -> int | None:
     others = [value for value in seen if value != 0.0]
     if len(others) < LEAST_OTHERS:
         return None
-    usual = max(abs(after - before) for before, after in pairwise(others))
+    usual = max(
+        (abs(after - before) for before, after in pairwise(seen) if before != 0.0 != after), default=0.0
+    )
     jumps = (
         place if before != 0.0 else place - 1
         for place, (before, after) in enumerate(pairwise(seen), start=1)
         if (before == 0.0) != (after == 0.0) and abs(after - before) > STANDS_OUT * usual
     )
     return next(jumps, None)
+
+
+def _zero_that_stays(seen: Sequence[float]) -> int | None:
+    """The place of the first of several 0.0 that end a topic with other numbers: `max(0, level)` makes an int of it."""
+    last = max(place for place, value in enumerate(seen) if value != 0.0)
+    return last + 1 if len(seen) - last > 2 else None
 
 
 def _zeros(recording: Recording, saw: str) -> Verdict:

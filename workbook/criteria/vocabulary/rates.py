@@ -109,11 +109,14 @@ def _at_one_moment(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
     )
 
 
+def _groups(seen: Pace) -> str:
+    return "pairs" if seen.burst == 2 else f"groups of {seen.burst}"
+
+
 def _in_bursts(topic: Topic, seen: Pace, hz: float) -> Verdict:
-    groups = "pairs" if seen.burst == 2 else f"groups of {seen.burst}"
     return failed(
         "rate.in-bursts",
-        f"{hertz(hz)} Hz: messages come in {groups}",
+        f"{hertz(hz)} Hz: messages come in {_groups(seen)}",
         _rate_expected(topic),
         "Two timers call the same function, two publishers share the topic, or one callback publishes twice.",
         "Keep one timer and one publish() for this topic.",
@@ -166,12 +169,22 @@ def _skips(recording: Recording, topic: Topic, seen: Pace) -> Verdict | None:
 
 def _falls_silent(topic: Topic, seen: Pace) -> Verdict:
     where = "before the first message" if seen.gap.kind == "before" else f"after {seconds(seen.gap.start)}"
+    if seen.in_bursts:
+        return failed(
+            "rate.groups-with-silences",
+            f"messages come in {_groups(seen)}, and there is a silence of {seconds(seen.gap.seconds)} {where}",
+            _rate_expected(topic),
+            "Several messages are published at once, and then none for a while. Their number is right, but a "
+            "subscriber gets old values or none.",
+            f"Publish once in each call of a timer's callback: create_timer({topic.period}, ...).",
+            about_time=True,
+        )
     return failed(
         "rate.silence",
         f"a silence of {seconds(seen.gap.seconds)} {where}",
         _rate_expected(topic),
         "Something blocks the node: while one callback works or sleeps, no other timer runs. Or some messages are "
-        "left out, or several are published at once and then none for a while.",
+        "left out.",
         "Keep callbacks short, never sleep in them, and publish once in each call.",
         about_time=True,
     )

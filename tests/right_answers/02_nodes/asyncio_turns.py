@@ -1,0 +1,66 @@
+"""Two cameras on one robot, in front and in the back, with one driver."""
+
+import asyncio
+from typing import Any
+
+import rclpy
+from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class CameraDriver(Node):
+    """The driver of the manufacturer, version 3.1. Please do not edit: updates replace this class.
+
+    `settings` go to the Node as they are: namespace, cli_args and so on.
+    """
+
+    def __init__(self, **settings: Any) -> None:
+        super().__init__("camera", **settings)
+        self.frames = 0
+        self.frame_publisher = self.create_publisher(String, "~/frame", 10)
+        self.fault_publisher = self.create_publisher(String, "faults", 10)
+        self.create_timer(0.5, self.take_picture)
+        self.create_timer(1.0, self.report_faults)
+
+    def take_picture(self) -> None:
+        """Publish the next picture."""
+        self.frames += 1
+        self.frame_publisher.publish(String(data=f"picture {self.frames}"))
+
+    def report_faults(self) -> None:
+        """Say what is wrong with this camera."""
+        self.fault_publisher.publish(String(data=f"{self.get_name()}: none"))
+
+
+def make_cameras() -> list[Node]:
+    """Make /robot/camera and /robot/rear_camera."""
+    front = CameraDriver(namespace="robot")
+    rear = CameraDriver(namespace="robot", cli_args=["--ros-args", "-r", "__node:=rear_camera"])
+    return [front, rear]
+
+
+async def work(camera: Node) -> None:
+    executor = SingleThreadedExecutor()
+    executor.add_node(camera)
+    while rclpy.ok():
+        executor.spin_once(timeout_sec=0)
+        await asyncio.sleep(0.01)
+
+
+async def both() -> None:
+    await asyncio.gather(*(work(camera) for camera in make_cameras()))
+
+
+def main(args: list[str] | None = None) -> None:
+    rclpy.init(args=args)
+    try:
+        asyncio.run(both())
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        rclpy.try_shutdown()
+
+
+if __name__ == "__main__":
+    main()

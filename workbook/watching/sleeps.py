@@ -1,0 +1,56 @@
+"""Whether a thread sleeps for a time that it has chosen itself, told by the system call that it is in.
+
+`time.sleep` is one of the `nanosleep` calls. An event loop (asyncio, selectors, zmq) sleeps in `epoll_wait` or `poll`,
+with its time-out as a number. A wait for a futex with a time-out tells nothing: rclpy itself waits like that.
+"""
+
+import os
+from collections.abc import Callable, Sequence
+
+SHORT_MS = 250
+"""A poll with a longer time-out (ms) counts as rest. Programs whose nodes a thread spins wait like that elsewhere."""
+
+Sleeps = Callable[[Sequence[bytes]], bool]
+
+
+def _always(_: Sequence[bytes]) -> bool:
+    return True
+
+
+def _milliseconds(place: int) -> Sleeps:
+    """The argument at `place` is a time-out (ms); a negative one has no end."""
+    return lambda arguments: int(arguments[place], 16) & 0xFFFFFFFF <= SHORT_MS
+
+
+def _pointer(place: int) -> Sleeps:
+    """The argument at `place` points to a time-out, which cannot be read; without one the wait has no end."""
+    return lambda arguments: int(arguments[place], 16) != 0
+
+
+_CALLS: dict[str, dict[bytes, Sleeps]] = {
+    "x86_64": {
+        b"35": _always,  # nanosleep
+        b"230": _always,  # clock_nanosleep
+        b"7": _milliseconds(2),  # poll
+        b"232": _milliseconds(3),  # epoll_wait
+        b"281": _milliseconds(3),  # epoll_pwait
+        b"23": _pointer(4),  # select
+        b"270": _pointer(4),  # pselect6
+        b"271": _pointer(2),  # ppoll
+    },
+    "aarch64": {
+        b"101": _always,  # nanosleep
+        b"115": _always,  # clock_nanosleep
+        b"22": _milliseconds(3),  # epoll_pwait
+        b"72": _pointer(4),  # pselect6
+        b"73": _pointer(2),  # ppoll
+    },
+}
+CALLS = _CALLS.get(os.uname().machine, {})
+"""By number: whether a thread in this call goes on by itself soon. Empty on a machine whose calls we do not know."""
+
+
+def goes_on_by_itself(call: bytes) -> bool:
+    """Whether a thread in this call goes on soon, without any message. `call`: its number and arguments."""
+    number, *arguments = call.split() or [b""]
+    return number in CALLS and len(arguments) > 4 and CALLS[number](arguments)
