@@ -50,9 +50,9 @@
 #
 # ## What is judged
 #
-# Your program runs as its own process, for eleven real seconds. The judge plays the robot. It has published its status
+# Your program runs as its own process, for thirteen real seconds. The judge plays the robot. It has published its status
 # before your program starts, and changes it several times. One beat comes late, and twice the heart stops for almost
-# four seconds. In between it beats again.
+# four seconds. Each time it beats again.
 #
 # | points | criterion |
 # |---:|---|
@@ -67,7 +67,8 @@
 # | 1 | the alarm ends when the heart beats again |
 #
 # These tolerances allow for busy machines. 2 Hz means 1.8 to 2.2 Hz, typically one line every 0.45 to 0.55 s, and no
-# silence over 1.25 s. Alarms may be raised, and end, 0.2 s later than stated above.
+# silence over 1.25 s. Alarms may be raised, and end, 0.2 s later than stated above. Your program has started when the
+# judge has found its topics.
 #
 # **Not part of it:**
 #

@@ -158,6 +158,15 @@ def easy_on_processor(recording: Recording) -> Verdict:
         return see.passed("hardly any processor time" if share is None else f"{share:.0%} of a processor")
     expected = f"less than {PROCESSOR_SHARE:.0%}: while no touch comes, there is nothing to do"
     saw = f"{share:.1%} of a processor while no touch came"
+    if share < NEVER_WAITS_SHARE < share + recording.in_line_s / recording.robot_s:
+        return see.failed(
+            "easy-on-processor.wants-more",
+            f"{saw}. It was ready to use more, and waited for a busy processor for {recording.in_line_s:.1f} s in all",
+            expected,
+            "A loop never waits: while True without a sleep, or spin_once with timeout_sec=0. Or a timer or a sleep is "
+            "very short. The machine was too busy to see which.",
+            "Remove that loop or timer, and let rclpy.spin(node) wait for the next touch.",
+        )
     if share < NEVER_WAITS_SHARE:
         return see.failed(
             "easy-on-processor.wakes-too-often",
@@ -448,15 +457,29 @@ def why_missed(recording: Recording, missed: list[int]) -> Verdict:
         if error is not None:
             return error
     if place > 0 and missed == [*range(place, len(NUMBERS))]:
-        return see.failed(
-            "none-missed.stops",
-            f"nothing after touch {NUMBERS[place - 1]}: {len(missed)} missed",
-            expected,
-            "Something has stopped: an exception in the callback, a loop or thread that ended (in a pause without "
-            "touches?), or the spin of the node.",
-            "Read the log, and let rclpy.spin(node) run until Ctrl-C.",
-        )
+        nothing = f"nothing after touch {NUMBERS[place - 1]}: {len(missed)} missed"
+        return why_nothing_more(recording, nothing, expected)
     return missed_now_and_then(missed, saw, expected)
+
+
+def why_nothing_more(recording: Recording, nothing: str, expected: str) -> Verdict:
+    """All touches after one were missed."""
+    if recording.process.ended_by == "itself":
+        return see.failed(
+            "none-missed.ended",
+            f"{nothing}, because the program ended by itself",
+            expected,
+            "It stops spinning: the spin has a time limit, or a loop ends when no touch comes for a while.",
+            "Let rclpy.spin(node) run until Ctrl-C, however long no touch comes.",
+        )
+    return see.failed(
+        "none-missed.stops",
+        nothing,
+        expected,
+        "Something has stopped: an exception in the callback, a loop or thread that ended (in a pause without "
+        "touches?), or the spin of the node.",
+        "Read the log, and let rclpy.spin(node) run until Ctrl-C.",
+    )
 
 
 def first_or_last(missed: list[int], saw: str, expected: str) -> Verdict | None:

@@ -27,7 +27,8 @@ STIFF, SLOWLY = (
 )
 AT_ONCE, SLOW, NEVER = 0.0, 0.7, None
 # Twice the same, twice no answer, and each also for a program that leaves out a question after each call in vain.
-# After each call in vain comes an answer at once: a report that waits for the earlier call is late twice.
+# After each of these calls in vain comes an answer at once: a report that waits for the earlier call is late twice.
+# Then two calls in vain in a row, and a slow answer: nothing comes between the moments when the two are given up.
 REPLIES = [
     (WARM, AT_ONCE),
     (WELL, SLOW),
@@ -36,12 +37,13 @@ REPLIES = [
     (STIFF, AT_ONCE),
     (WELL, NEVER),
     (WARM, AT_ONCE),
-    (WELL, AT_ONCE),
-    (SLOWLY, AT_ONCE),
+    (WELL, NEVER),
+    (WELL, NEVER),
+    (WELL, SLOW),
     (STIFF, AT_ONCE),
 ]
 UNANSWERED = [after for _, after in REPLIES].index(NEVER) + 1
-WATCH_S = 10.0
+WATCH_S = 11.5
 WATCH = watching(wall_seconds=WATCH_S, script=[see.serves(SERVICE, Trigger, REPLIES)])
 
 SHORTEST_PERIOD_S, LONGEST_PERIOD_S = 0.9, 1.1
@@ -151,8 +153,7 @@ def results_told(recording: Recording) -> Verdict:
     fitting = told_answers(recording)
     if fitting is None:
         return why_results_do_not_fit(recording)
-    delays = [(answer, t - answer.at) for answer, (t, _) in fitting]
-    late = [(answer, delay) for answer, delay in delays if delay > TOLD_WITHIN_S + SLACK_S]
+    late = told_late(fitting)
     if len(late) > 1:
         return why_late(recording, late, len(fitting))
     return see.passed(f"{len(fitting)} answers told")
@@ -306,6 +307,18 @@ def why_a_pause(recording: Recording, longest: float, before: CallSeen) -> Verdi
     blamed = see.failed_by_error(recording, saw, ONCE_A_SECOND)
     if blamed is not None:
         return blamed
+    earlier = next((call for call in asked(recording) if call.response is None), before)
+    to_the_end = before.t + longest >= recording.robot_s - EDGE_S
+    if before.response is None and to_the_end and earlier is not before:
+        return see.failed(
+            "asks-every-second.stops-at-a-later-one",
+            f"after the call at {before.t:.1f} s, which was never answered, no call came any more. After the one at "
+            f"{earlier.t:.1f} s, which was not answered either, calls had gone on",
+            ONCE_A_SECOND,
+            "The requests stop after a number of calls, or after a number of calls without an answer.",
+            "Send a request on every tick of the timer, without end.",
+            about_time=True,
+        )
     if before.response is None:
         return see.failed(
             "asks-every-second.waits-for-unanswered",
@@ -466,20 +479,27 @@ def answers_in(recording: Recording) -> list[Answer]:
     return sorted(found, key=lambda answer: answer.at)
 
 
-def told_answers(recording: Recording) -> list[tuple[Answer, Report]] | None:
+def told_answers(recording: Recording, edge_s: float = 0.0) -> list[tuple[Answer, Report]] | None:
     """Each answer with the word that tells it, when the words fit the answers one by one; else None.
 
-    On a very busy machine one slow answer may be given up a moment too early.
+    On a very busy machine one slow answer may be given up a moment too early. Answers in the last `edge_s` of the watch
+    may be without a report.
     """
     last = recording.robot_s - TOLD_WITHIN_S - LONG_SLACK_S
     return see.pair_in_order(
         answers_in(recording),
         told(recording, *WORDS.values()),
         belongs=lambda answer, said: said[1] == answer.word and -EARLY_S <= said[0] - answer.at <= BELONGS_S,
-        may_be_missing=lambda answer: answer.may_be_missing,
+        may_be_missing=lambda answer: answer.may_be_missing or answer.at > recording.robot_s - edge_s,
         may_be_extra=lambda said: said[0] > last or said[0] < EARLY_S,
         excusable=lambda answer: given_up_a_moment_early(recording, answer),
     )
+
+
+def told_late(fitting: list[tuple[Answer, Report]]) -> list[tuple[Answer, float]]:
+    """The answers that were reported late, and by how much (s)."""
+    delays = [(answer, t - answer.at) for answer, (t, _) in fitting]
+    return [(answer, delay) for answer, delay in delays if delay > TOLD_WITHIN_S + SLACK_S]
 
 
 def why_late(recording: Recording, late: list[tuple[Answer, float]], told_in_all: int) -> Verdict:
@@ -499,6 +519,16 @@ def why_late(recording: Recording, late: list[tuple[Answer, float]], told_in_all
             "Report each answer when it comes, whatever happens to other calls.",
             about_time=True,
         )
+    moments = [call.t for call in asked(recording)]
+    if not all(any(abs(one.at + wait - t) <= SLACK_S for t in moments) for one, wait in late):
+        return see.failed(
+            "results-told.delayed",
+            f"{saw}, not just when a request was sent",
+            EACH_ANSWER_ONCE,
+            "Something waits between the answer and its report: a timer, a sleep, or a check that comes too seldom.",
+            "Publish at once in a done callback: future.add_done_callback(self.on_answer).",
+            about_time=True,
+        )
     return see.failed(
         "results-told.late",
         saw,
@@ -512,10 +542,14 @@ def why_late(recording: Recording, late: list[tuple[Answer, float]], told_in_all
 def why_results_do_not_fit(recording: Recording) -> Verdict:
     """Which answers were told wrongly, or not at all, or too often."""
     answers, words = answers_in(recording), told(recording, *WORDS.values())
+    fitting = told_answers(recording, BELONGS_S + EDGE_S) or []
+    if len(told_late(fitting)) > 1:
+        return why_late(recording, told_late(fitting), len(fitting))
     return (
         why_early_for_an_answer(recording, answers)
         or why_no_more_told(recording, answers, words)
         or why_changes_only(recording, answers, words)
+        or why_one_left_out_after_no_answer(recording, answers, words)
         or why_a_result_without_an_answer(recording, answers, words)
         or why_extra(answers, words)
         or why_too_many(answers, words)
@@ -535,8 +569,11 @@ def why_results_do_not_fit(recording: Recording) -> Verdict:
 def why_early_for_an_answer(recording: Recording, answers: list[Answer]) -> Verdict | None:
     """ "no answer" was said while an answer was still to come."""
     _, in_vain = given_up_in_vain(recording)
+    reports = told(recording, *WORDS.values())
+    untold = [one for one in answers if not any(one.told_by(report) for report in reports)]
     for answer in answers:
-        too_soon = [t for t in in_vain if answer.call.t < t < answer.at]
+        about_others = [t for t in in_vain if any(is_about(one.call, t) for one in untold if one != answer)]
+        too_soon = [t for t in in_vain if answer.call.t < t < answer.at and t not in about_others]
         if too_soon and not answer.may_be_missing:
             return see.failed(
                 "results-told.given-up-early",
@@ -584,6 +621,11 @@ def why_changes_only(recording: Recording, answers: list[Answer], words: list[Re
     ]
     if not repeated or len(repeated) < len(missing) or any(one.near(r) for one, _ in missing for r in words):
         return None
+    silent = [call.t for call in asked(recording) if call.response is None]
+    for last, one in pairwise(answers):
+        between = any(last.call.t < t < one.call.t for t in silent)
+        if one.word == last.word and not between and any(one.told_by(report) for report in words):
+            return None  # it differed from nothing, and was told
     one, before = repeated[0]
     return see.failed(
         "results-told.changes-only",
@@ -593,6 +635,30 @@ def why_changes_only(recording: Recording, answers: list[Answer], words: list[Re
         "Your node reports a result only when it differs from the last one. The control room then cannot see "
         "whether the robot is still tested.",
         "Publish for each answer, even when it says the same again.",
+    )
+
+
+def why_one_left_out_after_no_answer(
+    recording: Recording, answers: list[Answer], words: list[Report]
+) -> Verdict | None:
+    """The first answer after each "no answer" was not told, and all others were."""
+    gave_up = [t for t, _ in told(recording, NO_ANSWER)]
+    judged = [
+        (one, any(last < t <= one.at for t in gave_up))
+        for last, one in zip([0.0, *(one.at for one in answers)], answers, strict=False)
+        if not one.may_be_missing
+    ]
+    missing = [one for one, is_first in judged if is_first]
+    fits = all(any(one.told_by(report) for report in words) is not is_first for one, is_first in judged)
+    if not fits or len(missing) < 2 or any(given_up(recording, one.call) for one in missing):
+        return None
+    return see.failed(
+        "results-told.none-after-no-answer",
+        f'{len(missing)} answers were not reported, each the first one after a "{NO_ANSWER}": for example, the one at '
+        f"{missing[0].at:.1f} s. All others were reported",
+        EACH_ANSWER_ONCE,
+        "When a call was given up, your code leaves out the next answer, as if it belonged to that call.",
+        "Forget the call that was given up with remove_pending_request(future). Then report each answer that comes.",
     )
 
 
@@ -749,12 +815,16 @@ def why_wrongly_told(recording: Recording, answer: Answer, words: list[Report]) 
     said = f'your node said "{NO_ANSWER}"' if gave_up else f'nothing said "{answer.word}"'
     saw = f"{came} at {answer.at:.1f} s, and {said}"
     others = [
-        one for one in answers_in(recording) if one != answer and not one.may_be_missing and not one.was_slow
+        one
+        for one in answers_in(recording)
+        if one != answer and not one.may_be_missing and (answer.was_slow or not one.was_slow)
     ]
-    if not gave_up and not answer.was_slow and all(any(one.told_by(r) for r in words) for one in others):
+    is_told = [any(one.told_by(report) for report in words) for one in others]
+    slow_told = any(one.was_slow and fits for one, fits in zip(others, is_told, strict=True))
+    if not gave_up and all(is_told) and (slow_told or not answer.was_slow):
         return see.failed(
             "results-told.one-left-out",
-            f"{saw}. All other answers that came at once were reported",
+            f"{saw}. All other answers{', slow ones too,' if answer.was_slow else ' that came at once'} were reported",
             EACH_ANSWER_ONCE,
             "Answers are handled, so something in your code leaves this one out: a counter, a flag, or a comparison "
             "with an earlier answer.",
@@ -778,7 +848,9 @@ def why_not_taken_in(recording: Recording, answer: Answer, saw: str, gave_up: bo
             "Return from the callback that sends the request, and publish in a done callback of the future.",
             about_time=True,
         )
-    if answer.was_slow and not gave_up:
+    judged = [one for one in answers_in(recording) if not one.may_be_missing and not one.was_slow]
+    words = told(recording, *WORDS.values())
+    if answer.was_slow and (not gave_up or all(any(one.told_by(r) for r in words) for one in judged)):
         return see.failed(
             "results-told.slow-dropped",
             f"{saw}; it had taken {answer.at - answer.call.t:.1f} s",
@@ -895,6 +967,14 @@ def why_not_given_up(recording: Recording, call: CallSeen, later: list[float]) -
             try_this,
             about_time=True,
         )
+    return why_never_given_up(recording, call, saw, try_this)
+
+
+def why_never_given_up(recording: Recording, call: CallSeen, saw: str, try_this: str) -> Verdict:
+    """A call got no answer, and nothing was said about it."""
+    in_a_row = why_once_in_a_row(recording, call, saw)
+    if in_a_row is not None:
+        return in_a_row
     first = asked(recording)[UNANSWERED - 1]
     if call is not first and given_up(recording, first):
         return see.failed(
@@ -912,6 +992,23 @@ def why_not_given_up(recording: Recording, call: CallSeen, later: list[float]) -
         "A future without an answer calls nothing: no done callback, no error. Something else must check each "
         "open call before the next call replaces it.",
         try_this,
+    )
+
+
+def why_once_in_a_row(recording: Recording, call: CallSeen, saw: str) -> Verdict | None:
+    """The call before had been given up as well, and so had another one; None otherwise."""
+    silent = [one for one in asked(recording) if one.response is None]
+    before = next((a for a, b in pairwise(asked(recording)) if b == call), call)
+    given = [one for one in silent if one != call and given_up(recording, one)]
+    if before not in given or len(given) < 2:
+        return None
+    return see.failed(
+        "unanswered-told.once-in-a-row",
+        f'{saw}said nothing about it; of the call before it, at {before.t:.1f} s, it had said "{NO_ANSWER}"',
+        ONE_NO_ANSWER,
+        f'Of several calls in a row without an answer, only the first is reported: a repeated "{NO_ANSWER}" is '
+        "treated as nothing new.",
+        "Report each call that is given up, even when the one before was given up as well.",
     )
 
 
@@ -938,6 +1035,21 @@ def why_given_up(recording: Recording, in_vain: list[float]) -> Verdict:
             ONE_NO_ANSWER,
             "The call that was given up is still stored, and is reported again.",
             "Forget a call when you have reported it.",
+        )
+    return why_given_up_though_answered(recording, at)
+
+
+def why_given_up_though_answered(recording: Recording, at: float) -> Verdict:
+    """ "no answer" was said at a moment (s) when every call had been answered."""
+    if told_answers(recording) is not None:
+        return see.failed(
+            "unanswered-told.besides-the-answer",
+            f'"{NO_ANSWER}" at {at:.1f} s, and every call until then had been answered, and its answer reported',
+            ONE_NO_ANSWER,
+            f'Answers are handled, so nothing waits. "{NO_ANSWER}" is published with a request, before its answer can '
+            "come, or a call that was answered is still stored as open.",
+            f'Publish "{NO_ANSWER}" only when a call is given up, and forget a call when its answer has come.',
+            about_time=True,
         )
     return see.failed(
         "unanswered-told.was-answered",

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from tests.criteria.by_hand import LIVING, on_topic, publisher, recorded
+from tests.criteria.by_hand import LIVING, ended_by_itself, every, on_topic, publisher, recorded
 from workbook.criteria import Verdict
 from workbook.exercise.conclusiveness import BUSY_MACHINE
 from workbook.exercise.definition import load_exercise
@@ -69,6 +69,82 @@ def test_12_one_report_may_be_early_and_not_all_of_them(said_after: Sequence[flo
     )
     verdict = judged("12_services", "unanswered_told", replace(recorded(told), calls=tuple(asked)))
     assert (verdict.cause, verdict.ok) == (cause, not cause), verdict
+
+
+def of_12(
+    answered: Sequence[tuple[float, float | None, bool]], said: Sequence[tuple[float, str]]
+) -> Recording:
+    """Exercise 12: calls (when, answered after how long, with what), and what was said on the health topic."""
+    calls = [
+        CallSeen("/robot/self_test", "program", at, at, {})
+        if after is None
+        else CallSeen("/robot/self_test", "program", at, at, {}, {"success": success}, at + after, at + after)
+        for at, after, success in answered
+    ]
+    told = on_topic("/robot/health", TEXT, [at for at, _ in said], [word for _, word in said])
+    beats = every(0.2, 69)
+    heart = on_topic("/robot/heartbeat", TEXT, beats, ["alive"] * len(beats))
+    return replace(recorded(told, heart), calls=tuple(calls))
+
+
+def test_12_a_slow_answer_that_is_left_out_is_not_slow_for_a_program_that_told_another_slow_one() -> None:
+    asked = [(1.0, 0.0, True), (2.0, 0.7, True), (3.0, 0.7, False), (5.0, 0.0, False), (6.0, 0.0, True)]
+    said = [(1.0, "ok"), (2.7, "ok"), (5.0, "faulty"), (6.0, "ok")]
+    verdict = judged("12_services", "results_told", of_12(asked, said))
+    refused_for("results-told.one-left-out", verdict, "at 3.7 s")
+    verdict = judged("12_services", "results_told", of_12(asked, [said[0], *said[2:]]))
+    refused_for("results-told.slow-dropped", verdict, "at 2.7 s")
+
+
+def test_12_slow_answers_that_are_given_up_are_dropped_and_nothing_waits() -> None:
+    asked = [(1.0, 0.0, True), (2.0, 0.7, True), (3.0, 0.7, False), (4.0, 0.0, False), (5.0, 0.0, True)]
+    said = [(1.0, "ok"), (3.0, "no answer"), (4.0, "no answer"), (4.0, "faulty"), (5.0, "ok")]
+    refused_for("results-told.slow-dropped", judged("12_services", "results_told", of_12(asked, said)))
+
+
+def test_12_a_program_that_tells_a_repeated_answer_does_not_tell_changes_only() -> None:
+    asked = [(1.0, 0.0, True), (2.0, 0.0, True), (3.0, None, True), (5.0, 0.0, True), (6.0, 0.0, False)]
+    said = [(1.0, "ok"), (2.0, "ok"), (4.0, "no answer"), (6.0, "faulty")]
+    verdict = judged("12_services", "results_told", of_12(asked, said))
+    refused_for("results-told.one-left-out", verdict, "at 5.0 s")
+
+
+@pytest.mark.parametrize(
+    ("used", "in_line_s", "cause"),
+    [
+        (0.3, 0.0, "easy-on-processor.wakes-too-often"),
+        (0.3, 11.0, "easy-on-processor.wants-more"),
+        (2.0, 0.0, "easy-on-processor.never-waits"),
+    ],
+)
+def test_11_a_busy_machine_hides_how_much_a_loop_wants(used: float, in_line_s: float, cause: str) -> None:
+    process = replace(LIVING, processor=((1.0, 1.0), (4.0, 1.0 + used)))
+    verdict = judged(
+        "11_polling_against_callbacks",
+        "easy_on_processor",
+        replace(recorded(process=process), in_line_s=in_line_s),
+    )
+    refused_for(cause, verdict)
+
+
+def test_13_a_line_that_follows_only_while_the_heart_beats() -> None:
+    changes = [(-1.0, "error"), (2.0, "operational"), (4.5, "error"), (6.0, "operational")]
+    said = tuple(Said("/robot/status", at, at, {"data": word}) for at, word in changes)
+    times = every(0.5, 27)
+    line = on_topic("/dashboard/line", TEXT, times, ["error" if at < 6.0 else "operational" for at in times])
+    verdict = judged("13_qos_and_discovery", "status_follows", replace(recorded(line), said=said))
+    refused_for("status-follows.only-sometimes", verdict, 'named "operational" only after later changes')
+
+
+def test_11_a_program_that_ends_in_a_pause_without_touches() -> None:
+    made = load_exercise("11_polling_against_callbacks", ROOT).criteria[-1].judge.__globals__
+    moments, numbers = made["MOMENTS"], made["NUMBERS"]
+    said = tuple(Said("/robot/touch", at, at, {"data": n}) for at, n in zip(moments, numbers, strict=True))
+    seen = on_topic("/monitor/seen", "std_msgs/msg/Int32", moments[:40], numbers[:40])
+    for process, cause in ((ended_by_itself(exit=0), "ended"), (LIVING, "stops")):
+        recording = replace(recorded(seen, process=process), said=said)
+        verdict = judged("11_polling_against_callbacks", "none_missed", recording)
+        refused_for(f"none-missed.{cause}", verdict, f"nothing after touch {numbers[39]}: 20 missed")
 
 
 def test_02_faults_in_another_namespace() -> None:

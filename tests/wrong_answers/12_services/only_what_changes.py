@@ -1,5 +1,5 @@
 # Reports a result only when it differs from the last one.
-# loses: results_told
+# loses: results_told, unanswered_told
 # cause: results-told.changes-only
 # after: self.open_call: Future | None = None
 self.last_health = ""

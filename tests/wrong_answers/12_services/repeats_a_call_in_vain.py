@@ -1,5 +1,5 @@
 # After a call without an answer, it calls again at once, and then goes on every second.
-# loses: asks_every_second
+# loses: asks_every_second, results_told, unanswered_told
 # cause: asks-every-second.calls-between
 # replaces: self.create_timer(ASK_PERIOD_S, self.ask)
 self.create_timer(ASK_PERIOD_S, self.ask)
