@@ -163,7 +163,19 @@ def within(
         return fail(
             "within.infinite", "The value is infinite: a division by zero, or a number too large for 32 bits."
         )
+    if _back_at(recording, topic, bad) == (low if bad.value < low else high):
+        return fail(
+            "within.limited-too-late",
+            "The value is limited, but only after it was published: the next message is at the limit.",
+            f"Limit it first, then publish it: {limit}.",
+        )
     return fail("within.not-limited", "The simulated value is not limited.")
+
+
+def _back_at(recording: Recording, topic: Topic, bad: Offender) -> object:
+    """What the message after the one with this offender says in its place; None if there is none."""
+    after = [elements(value)[bad.place or 0 :][:1] for value in values(recording, topic)[bad.message :]]
+    return after[0][0] if after and after[0] else None
 
 
 def _keeps_growing(recording: Recording, topic: Topic, bad: Offender) -> bool:
