@@ -400,6 +400,18 @@ def spins_on(recording: Recording) -> Verdict | None:
     )
 
 
+def thread_left(saw: str) -> Verdict:
+    """A thread goes on spinning, although no callback runs."""
+    return see.failed(
+        "nothing-left-running.thread-left",
+        saw,
+        "nothing that pump started keeps running",
+        "A thread was left behind in spin(). That it has no node any more does not end it. Each call leaves one "
+        "more, and such a thread may abort the process when the program ends.",
+        "Spin in the thread that called pump. If you need another one, end it: executor.shutdown(), then join().",
+    )
+
+
 def why_changed(changed: list[str]) -> Verdict:
     """What a call has changed that is not its own."""
     call, _, first = changed[0].partition(" ")
@@ -422,14 +434,7 @@ def why_changed(changed: list[str]) -> Verdict:
             "Check the clock between two callbacks, and let the callback that runs finish.",
         )
     if "thread" in first:
-        return see.failed(
-            "nothing-left-running.thread-left",
-            saw,
-            "nothing that pump started keeps running",
-            "A thread was left behind in spin(). That it has no node any more does not end it. Each call leaves one "
-            "more, and such a thread may abort the process when the program ends.",
-            "Spin in the thread that called pump. If you need another one, end it: executor.shutdown(), then join().",
-        )
+        return thread_left(saw)
     if first in ("rclpy.init called", "node made"):
         return see.failed(
             "nothing-left-running.not-its-own",
@@ -606,7 +611,7 @@ def ended_early(recording: Recording, took: dict[int, float]) -> Verdict | None:
             f"asked for {ASKED_S[BURST]:g} s and {ASKED_S[AGAIN]:g} s, back {ahead[BURST]:.2f} s and "
             f"{ahead[AGAIN]:.2f} s too early",
             IN_TIME,
-            "Each time is shortened by about as much: your function subtracts something from it, or does not begin a "
+            "Each time is shortened by about as much. Your function subtracts something from it, or does not begin a "
             "wait that would reach beyond the end.",
             "Store time.monotonic() + seconds at the start, and continue until that time.",
         )
@@ -741,7 +746,7 @@ def ended_by_job(recording: Recording, number: int, took: float) -> Verdict | No
         f"asked for {ASKED_S[number]:g} s, back after {took:.2f} s and {see.count(len(begun), 'job')} of {JOB_S} s; "
         "the first call, which had no slow jobs, took its time",
         IN_TIME,
-        "A slow callback ends your function early: it takes a long spin_once for one in which nothing was ready, or "
+        "A slow callback ends your function early. It takes a long spin_once for one in which nothing was ready, or "
         "counts the time of a callback twice.",
         "Store time.monotonic() + seconds at the start, and continue until that time.",
     )

@@ -555,14 +555,7 @@ def refuses_wrong_numbers(recording: Recording) -> Verdict:
     found = outcomes(recording)
     once = now_and_then(recording, WRONG_NUMBERS)
     if once is not None:
-        return see.failed(
-            "refuses-wrong-types.not-each-time",
-            f"{once} raised an error once, and nothing another time",
-            expected,
-            "The same wrong value is refused in one call, and not in another. Your check counts or remembers, or is "
-            "skipped for some calls.",
-            f"The same check in every call. {hint}",
-        )
+        return refused_once(once, expected)
     if all(call in READ_AS_NUMBERS for call in WRONG_NUMBERS if found.get(call) == "returned"):
         return see.failed(
             "refuses-wrong-types.text-read",
@@ -587,6 +580,18 @@ def refuses_wrong_numbers(recording: Recording) -> Verdict:
         "Hints are for readers; Python ignores them at run time. This build of ROS does not check either: it "
         "sends anything that is not a float as 0.0.",
         hint,
+    )
+
+
+def refused_once(call: str, expected: str) -> Verdict:
+    """The same call raised an error, and later or earlier none."""
+    return see.failed(
+        "refuses-wrong-types.not-each-time",
+        f"{call} raised an error once, and nothing another time",
+        expected,
+        "The same wrong value is refused in one call, and not in another. Your check counts or remembers, or is "
+        "skipped for some calls.",
+        "Check in every call, before publishing: if not isinstance(level, (int, float)): raise TypeError(...)",
     )
 
 

@@ -94,16 +94,7 @@ def heartbeat_gap(recording: Recording) -> Verdict:
         )
     where = f"a silence of {silence.seconds:.2f} s, from {silence.start:.1f} s on"
     if silence.seconds < PLANNING_S and beats_during_most_plans(recording):
-        return see.failed(
-            "heartbeat-gap.other-plans-do-not",
-            f"{where}; during most plans the heartbeat goes on",
-            expected,
-            "Planning does not hold up the heartbeat: it goes on during other plans, and the silence is shorter than a "
-            "plan. Something else holds it up, such as a callback that takes long now and then.",
-            "Read the log: what did the program do at that time? Let a thread without slow work run the timer of the "
-            "heartbeat.",
-            about_time=True,
-        )
+        return held_up_once(where, expected)
     if not during_plans(recording, silence.start, silence.end):
         return see.failed(
             "heartbeat-gap.held-up",
@@ -121,6 +112,20 @@ def heartbeat_gap(recording: Recording) -> Verdict:
         "help, and neither does a separate callback group alone.",
         "You need both: callback_group=MutuallyExclusiveCallbackGroup() for the slow callback, and a "
         "MultiThreadedExecutor(num_threads=2).",
+        about_time=True,
+    )
+
+
+def held_up_once(where: str, expected: str) -> Verdict:
+    """The heartbeat stops for less than a plan, and goes on during most plans."""
+    return see.failed(
+        "heartbeat-gap.other-plans-do-not",
+        f"{where}; during most plans the heartbeat goes on",
+        expected,
+        "Planning does not hold up the heartbeat: it goes on during other plans, and the silence is shorter than a "
+        "plan. Something else holds it up, such as a callback that takes long now and then.",
+        "Read the log: what did the program do at that time? Let a thread without slow work run the timer of the "
+        "heartbeat.",
         about_time=True,
     )
 
