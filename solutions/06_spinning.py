@@ -38,10 +38,10 @@
 #
 # ## What is judged
 #
-# A driver imports your file and calls `pump` seven times, for 0.05 s to 2.1 s. Its robot has a heartbeat (10 Hz), looks
+# A driver imports your file and calls `pump` eight times, for 0.05 s to 2.1 s. Its robot has a heartbeat (10 Hz), looks
 # around (2 Hz), repeats each word that it receives, and has slow jobs of 0.4 s. A second robot is quiet: it has no
-# timer, and receives four words, two of them near the end. Both robots publish what they do. The driver publishes when
-# each call begins and ends, and what the call changed on the node.
+# timer, and receives four words, two of them near the end. A third one has slow jobs alone. All robots publish what
+# they do. The driver publishes when each call begins and ends, and what the call changed on the node.
 #
 # | points | criterion |
 # |---:|---|
@@ -56,7 +56,7 @@
 # | 1 | between two calls no callback runs, and the node has the timers and subscriptions that it had |
 #
 # **Not part of it:** stopping a running callback, several threads, callbacks that raise, and simulated time. (Seconds
-# are real time, and so is the clock of the two robots.)
+# are real time, and so is the clock of the robots.)
 # %% [answer]
 """Spins a node for a given time."""
 

@@ -38,7 +38,7 @@
 # | `send_status(word)` | exactly `"operational"` or `"error"` | sends it; anything else raises an error and sends nothing |
 #
 # The node still reports by itself: the battery at 1 Hz, the status at 0.5 Hz, each within 20 %. It is never silent for
-# more than one and a half periods.
+# more than one and a half periods. What others send does not change the charge that it reports.
 #
 # ## What is judged
 #

@@ -1,4 +1,4 @@
-"""How exercise 06 is judged: a driver calls `pump` seven times, and everything that the nodes did is on the topics."""
+"""How exercise 06 is judged: a driver calls `pump` eight times, and everything that the nodes did is on the topics."""
 
 import math
 from dataclasses import dataclass, replace
@@ -20,13 +20,23 @@ PUMP = topic("/driver/pump", String)
 CHANGED = topic("/driver/changed", String)
 
 # The calls of pump by their number, and for how many seconds each asks. Between two calls the robots report 0.
-BETWEEN, BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST, SLOW, QUIET = 0, 1, 2, 3, 4, 5, 6, 7
-ASKED_S = {BURST: 2.1, AGAIN: 1.2, SHORT: 0.08, SHORT_TOO: 0.08, SHORTEST: 0.05, SLOW: 0.8, QUIET: 1.6}
+BETWEEN, BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST, SLOW, QUIET, JOBS_ALONE = range(9)
+ASKED_S = {
+    BURST: 2.1,
+    AGAIN: 1.2,
+    SHORT: 0.08,
+    SHORT_TOO: 0.08,
+    SHORTEST: 0.05,
+    SLOW: 0.8,
+    QUIET: 1.6,
+    JOBS_ALONE: 0.08,
+}
 ROBOT_CALLS = (BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST)
 SHORT_CALLS = (SHORT, SHORT_TOO, SHORTEST)
 BURST_WORDS = range(1, 21)
 WAITING_WORDS = range(21, 26)
 JOBS = range(1, 8)
+JOBS_IN_A_ROW = range(11, 16)  # for a robot without timers: two of them are two callbacks in a row
 EARLY_QUIET_WORDS = range(1, 3)  # long before the call ends
 JOB_S = 0.4  # as in the driver, like the next one
 HEARTBEAT_PERIOD_S = 0.1
@@ -61,6 +71,7 @@ WATCH = watching(
                 *ordered(4.15, "5 robot 0.05"),
                 *ordered(5.3, "6 robot 0.8"),
                 *ordered(6.65, "7 quiet_robot 1.6"),
+                *ordered(8.4, "8 worker 0.08"),
             ],
         ),
         see.says(
@@ -75,6 +86,7 @@ WATCH = watching(
             ],
         ),
         see.says("/robot/jobs", Int32, [(5.1, job) for job in JOBS]),
+        see.says("/worker/jobs", Int32, [(7.8, job) for job in JOBS_IN_A_ROW]),
         # The last two late in the call, so that a wait that begins anew shows, even when the call itself began half a
         # second late.
         see.says("/quiet/words", Int32, [(7.4, 1), (7.47, 2), (8.0, 3), (8.07, 4)]),
@@ -268,7 +280,7 @@ def slow_callbacks(recording: Recording) -> Verdict:
         return verdict
     begun = done_in(recording, JOB_BEGUN.name, SLOW)
     if begun:
-        return see.passed(f"{verdict.saw}, with {len(begun)} slow jobs begun")
+        return too_many_jobs(recording) or see.passed(f"{verdict.saw}, with {len(begun)} slow jobs begun")
     return see.failed(
         "slow-callbacks.none-begun",
         "none of the slow jobs was begun",
@@ -276,6 +288,23 @@ def slow_callbacks(recording: Recording) -> Verdict:
         "Nothing took a message from the queue of /robot/jobs.",
         "Let rclpy.spin_once(node, timeout_sec=...) choose what to run.",
         about_time=True,
+    )
+
+
+def too_many_jobs(recording: Recording) -> Verdict | None:
+    """More than one job was begun in a call for less than one; None if not, or if short calls are late anyway."""
+    begun = done_in(recording, JOB_BEGUN.name, JOBS_ALONE)
+    short = [call.took for n, call in calls(recording).items() if n in SHORT_CALLS and call.took is not None]
+    if len(begun) < 2 or not short or min(short) > LATE_S:
+        return None
+    asked, took = ASKED_S[JOBS_ALONE], calls(recording)[JOBS_ALONE].took
+    back = f", and back after {took:.2f} s" if took is not None else ""
+    return see.failed(
+        "slow-callbacks.several",
+        f"{len(begun)} jobs of {JOB_S} s begun in a call for {asked:g} s{back}",
+        "at most one callback once the time is up: the second job waits for the next call",
+        "Several callbacks run between two looks at the clock: a loop inside the loop, or a wait for something else.",
+        TIME_THAT_IS_LEFT,
     )
 
 
@@ -343,7 +372,7 @@ def nothing_left_running(recording: Recording) -> Verdict:
 
 
 def spins_on(recording: Recording) -> Verdict | None:
-    """The robot's callbacks ran between two calls, or in the call that was about the quiet robot."""
+    """The robot's callbacks ran between two calls, or in a call with another robot."""
     beats = [
         arrival.published
         for arrival in recording.topic(HEARTBEAT.name).arrivals
@@ -351,12 +380,12 @@ def spins_on(recording: Recording) -> Verdict | None:
     ]
     if len(beats) < A_FEW_BEATS:
         return None
-    quiet = calls(recording).get(QUIET)
-    end = quiet.end if quiet is not None and quiet.end is not None else recording.wall_s
-    if quiet is not None and all(quiet.begin - EARLY_S < beat < end + EARLY_S for beat in beats):
+    others = [call for number, call in calls(recording).items() if number in (QUIET, JOBS_ALONE)]
+    spans = [(call.begin, call.end if call.end is not None else recording.wall_s) for call in others]
+    if all(any(begin - EARLY_S < beat < end + EARLY_S for begin, end in spans) for beat in beats):
         return see.failed(
             "nothing-left-running.another-node",
-            f"{len(beats)} heartbeats of the other robot while pump was called with the quiet robot",
+            f"{len(beats)} heartbeats of the first robot while pump was called with another one",
             "pump runs the callbacks of the node that it was called with",
             "The executor or the node of an earlier call is used again, so the earlier node is spun as well.",
             "Use the node that you were handed. If you add it to an executor, remove it before you return.",
@@ -368,6 +397,18 @@ def spins_on(recording: Recording) -> Verdict | None:
         "A thread that spins was left behind. It runs callbacks at unexpected times, and may abort the "
         "process when the program ends.",
         "Spin in the thread that called pump. If you need another thread, end it: executor.shutdown(), then join().",
+    )
+
+
+def thread_left(saw: str) -> Verdict:
+    """A thread goes on spinning, although no callback runs."""
+    return see.failed(
+        "nothing-left-running.thread-left",
+        saw,
+        "nothing that pump started keeps running",
+        "A thread was left behind in spin(). That it has no node any more does not end it. Each call leaves one "
+        "more, and such a thread may abort the process when the program ends.",
+        "Spin in the thread that called pump. If you need another one, end it: executor.shutdown(), then join().",
     )
 
 
@@ -392,6 +433,8 @@ def why_changed(changed: list[str]) -> Verdict:
             "Something ended the callback half way: a signal, or an exception from another thread.",
             "Check the clock between two callbacks, and let the callback that runs finish.",
         )
+    if "thread" in first:
+        return thread_left(saw)
     if first in ("rclpy.init called", "node made"):
         return see.failed(
             "nothing-left-running.not-its-own",
@@ -548,6 +591,7 @@ def in_time(recording: Recording, number: int, extra: float = 0.0) -> Verdict:
         return (
             ended_by_what_was_left(recording, number, call.took)
             or ended_by_silence(recording, number, call.took)
+            or ended_by_job(recording, number, call.took)
             or too_early(number, call.took)
         )
     if call.took > asked + extra + LATE_S + kept_waiting(recording, number):
@@ -561,6 +605,16 @@ def ended_early(recording: Recording, took: dict[int, float]) -> Verdict | None:
     early = next((n for n, seconds in ahead.items() if seconds > EARLY_S), None)
     if early is None:
         return None
+    if subtracted(ahead):
+        return see.failed(
+            "in-time.subtracted",
+            f"asked for {ASKED_S[BURST]:g} s and {ASKED_S[AGAIN]:g} s, back {ahead[BURST]:.2f} s and "
+            f"{ahead[AGAIN]:.2f} s too early",
+            IN_TIME,
+            "Each time is shortened by about as much. Your function subtracts something from it, or does not begin a "
+            "wait that would reach beyond the end.",
+            "Store time.monotonic() + seconds at the start, and continue until that time.",
+        )
     if ahead.get(BURST, math.inf) > EARLY_S or all(seconds > AHEAD_S for seconds in ahead.values()):
         return too_early(early, took[early])
     others = [seconds for n, seconds in ahead.items() if n not in SHORT_CALLS]
@@ -643,9 +697,9 @@ def why_not_again(recording: Recording, beats: int, saw: str) -> Verdict:
         saw,
         expected,
         "The first call destroyed the node or the executor, shut down ROS, or left a thread behind that takes the "
-        "callbacks.",
-        "Do not destroy or shut down what you did not create. If you created an executor, shut it down in the "
-        "same call.",
+        "callbacks. Or a future or a flag of the first call still says that it is done.",
+        "Do not destroy or shut down what you did not create. Create executors and futures anew in each call, and "
+        "shut your executor down in the same call.",
         about_time=True,
     )
 
@@ -679,6 +733,29 @@ def ended_by_silence(recording: Recording, number: int, took: float) -> Verdict 
         "Your function returns when nothing has been ready for a while. But a callback may be ready later.",
         "Continue until the time is up, even if nothing is ready.",
     )
+
+
+def ended_by_job(recording: Recording, number: int, took: float) -> Verdict | None:
+    """Only the call with slow jobs came back too early, after one of them; None if it is otherwise."""
+    first = calls(recording)[BURST].took
+    begun = done_in(recording, JOB_BEGUN.name, SLOW)
+    if number != SLOW or not begun or first is None or first < ASKED_S[BURST] - EARLY_S:
+        return None
+    return see.failed(
+        "in-time.ended-by-job",
+        f"asked for {ASKED_S[number]:g} s, back after {took:.2f} s and {see.count(len(begun), 'job')} of {JOB_S} s; "
+        "the first call, which had no slow jobs, took its time",
+        IN_TIME,
+        "A slow callback ends your function early. It takes a long spin_once for one in which nothing was ready, or "
+        "counts the time of a callback twice.",
+        "Store time.monotonic() + seconds at the start, and continue until that time.",
+    )
+
+
+def subtracted(ahead: dict[int, float]) -> bool:
+    """Whether the longer calls came back too early by the same time, whatever they were asked for."""
+    long = [seconds for n, seconds in ahead.items() if n in (BURST, AGAIN)]
+    return len(long) > 1 and min(long) > EARLY_S and max(long) - min(long) < EARLY_S / 2.0
 
 
 def too_early(number: int, took: float) -> Verdict:

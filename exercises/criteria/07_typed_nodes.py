@@ -16,7 +16,7 @@ WATCH = watching(
 )
 
 # What the driver sends, or what becomes of it; the node itself sends other values.
-NUMBERS = (42.0, 55.25, 0.0, 33.328125, 99.9375, 71.5, 66.75, 87.5, 50.0, 12.5)
+NUMBERS = (42.0, 55.25, 0.0, 0.40625, 33.328125, 99.9375, 71.5, 66.75, 87.5, 50.0, 12.5)
 NEVER_SENT = (
     "operatoinal", "3", "None", "Error", " error", "error\n", "oper", "error: arm", "charging", "",
 )  # fmt: skip
@@ -27,19 +27,21 @@ DROPPED = (
 ROUNDING = 1e-4  # how near an arrived number is to a rounded one
 ZERO = "send_battery(0.0)"
 WHOLE = "send_battery(42)"
-TWICE = "send_battery(71.5)"  # the driver makes this call twice in a row
+TWICE = "send_battery(71.5)"  # the driver makes this call twice in a row; its last one with a right number
+NEAR = 1.0  # how far (%) a node may drain until it reports by itself again
 NUMBER_CALLS = {
     WHOLE: 42.0,
     "send_battery(55.25)": 55.25,
     ZERO: 0.0,
+    "send_battery(0.40625)": 0.40625,
     "send_battery(33.328125)": 33.328125,
     "send_battery(99.9375)": 99.9375,
     TWICE: 71.5,
     "battery_publisher.publish(Float32(data=66.75))": 66.75,
 }
 GOOD_WORD = "send_status('error')"
-DIGITS = "send_battery('87.5')"
-WRONG_NUMBERS = ("send_battery('full')", DIGITS, "send_battery(None)", "send_battery([50.0])")
+READ_AS_NUMBERS = ("send_battery('87.5')", "send_battery(b'87.5')")  # float() accepts both
+WRONG_NUMBERS = ("send_battery('full')", *READ_AS_NUMBERS, "send_battery(None)", "send_battery([50.0])")
 WRONG_WORDS = (
     "send_status('operatoinal')",
     "send_status(3)",
@@ -52,13 +54,17 @@ WRONG_WORDS = (
     "send_status('charging')",
     "send_status('')",
 )
-WRONG_MESSAGES = (
-    "battery_publisher.publish(String())",
-    "status_publisher.publish(Float32())",
+NO_MESSAGES = (
     "battery_publisher.publish(12.5)",
     "status_publisher.publish('oper')",
     "battery_publisher.publish(None)",
     "status_publisher.publish(None)",
+)
+WRONG_MESSAGES = (
+    "battery_publisher.publish(String())",
+    "battery_publisher.publish(Float64(data=12.5))",
+    "status_publisher.publish(Float32())",
+    *NO_MESSAGES,
 )
 
 RIGHT_USE = probe(
@@ -81,7 +87,7 @@ WRONG_MESSAGE = probe(
     "a message of the wrong type",
     """
     from answer import RobotReport
-    from std_msgs.msg import Float32, String
+    from std_msgs.msg import Bool, Char, Float32, Float64, Int32, String
 
     def use(robot: RobotReport) -> None:
         robot.battery_publisher.publish(Float32(data=55.25))
@@ -94,12 +100,17 @@ WRONG_MESSAGE = probe(
         robot.status_publisher.publish(None)  # wrong
         robot.battery_publisher.publish(b"full")  # wrong
         robot.status_publisher.publish(b"operational")  # wrong
+        robot.battery_publisher.publish(Float64(data=55.25))  # wrong
+        robot.battery_publisher.publish(Int32(data=55))  # wrong
+        robot.status_publisher.publish(Bool(data=True))  # wrong
+        robot.status_publisher.publish(Char(data=111))  # wrong
     """,
 )
 WRONG_VALUE = probe(
     "a value of the wrong type",
     """
     from answer import RobotReport
+    from std_msgs.msg import Float32
 
     def use(robot: RobotReport) -> None:
         robot.send_battery(55.25)
@@ -108,6 +119,8 @@ WRONG_VALUE = probe(
         robot.send_battery(None)  # wrong
         robot.send_battery([50.0])  # wrong
         robot.send_battery(1j)  # wrong
+        robot.send_battery(b"87.5")  # wrong
+        robot.send_battery(Float32(data=50.0))  # wrong
         robot.send_status("operatoinal")  # wrong
         robot.send_status(3)  # wrong
         robot.send_status(None)  # wrong
@@ -116,6 +129,23 @@ WRONG_VALUE = probe(
         robot.send_status("warning")  # wrong
         robot.send_status("unknown")  # wrong
         robot.send_status("ok")  # wrong
+        robot.send_status("idle")  # wrong
+        robot.send_status("ready")  # wrong
+        robot.send_status("busy")  # wrong
+        robot.send_status("standby")  # wrong
+        robot.send_status("low")  # wrong
+        robot.send_status("low battery")  # wrong
+        robot.send_status("low_battery")  # wrong
+        robot.send_status("empty")  # wrong
+        robot.send_status("degraded")  # wrong
+        robot.send_status("maintenance")  # wrong
+        robot.send_status("fault")  # wrong
+        robot.send_status("failed")  # wrong
+        robot.send_status("stopped")  # wrong
+        robot.send_status("offline")  # wrong
+        robot.send_status("emergency")  # wrong
+        robot.send_status("OPERATIONAL")  # wrong
+        robot.send_status("ERROR")  # wrong
         robot.send_status("")  # wrong
     """,
 )
@@ -128,7 +158,7 @@ WRONG_VALUE = probe(
 )
 def reports_as_before(recording: Recording) -> Verdict:
     own = by_itself(recording)
-    return see.all_of(
+    return level_replaced(recording, own) or see.all_of(
         see.publishes(own, BATTERY),
         see.publishes(own, STATUS),
         see.rate(own, BATTERY),
@@ -137,6 +167,32 @@ def reports_as_before(recording: Recording) -> Verdict:
         see.one_of(own, STATUS, {"operational", "error"}),
         see.drains(own, BATTERY),
         see.word_fits_charge(own, STATUS, BATTERY),
+    )
+
+
+def level_replaced(recording: Recording, own: Recording) -> Verdict | None:
+    """Whether the node goes on with the number that the driver sent last, each time."""
+    told = NUMBER_CALLS[TWICE]
+    own_values = [(one.published, one.value["data"]) for one in own.topic(BATTERY.name).arrivals]
+    pairs = []
+    for order in see.said(recording, "/driver/go"):
+        before = [value for at, value in own_values if at < order.wall]
+        after = [value for at, value in own_values if at >= order.wall]
+        if not before or not after:
+            return None
+        pairs.append((before[-1], after[0]))
+    if (
+        not pairs
+        or abs(pairs[0][0] - told) <= NEAR
+        or any(not 0.0 <= told - after <= NEAR for _, after in pairs)
+    ):
+        return None
+    return see.failed(
+        "reports-as-before.level-replaced",
+        f"{see.number(pairs[0][0])} % before others sent charges, and {see.number(pairs[0][1])} % after {TWICE}",
+        "the charge of the node itself, as if nothing had been sent",
+        "send_battery changes the charge that the node itself drains and reports.",
+        "Publish the level that is given, and leave self.level as it is.",
     )
 
 
@@ -361,7 +417,16 @@ def why_changed(recording: Recording, call: str, number: float) -> tuple[str, st
             "it, and reports no error. The Ubuntu packages may abort the program instead.",
             "Pass float(level) to the message.",
         )
-    rounded = {float(int(number)), *(round(number, digits) for digits in range(5))}
+    if number < 1.0 and 100.0 * number in see.values(recording, BATTERY):
+        return (
+            "numbers-arrive.share",
+            see.number(100.0 * number),
+            "A number up to 1 is taken for a share, and multiplied by 100. A nearly empty battery then looks fuller.",
+            "Pass float(level) to the message: every level is a percentage.",
+        )
+    rounded = {float(int(number)), *(round(number, digits) for digits in range(5))} - {
+        0.0
+    }  # 0.0 is sent, too
     near = [
         one for one in see.values(recording, BATTERY) if any(abs(one - way) < ROUNDING for way in rounded)
     ]
@@ -390,7 +455,8 @@ def numbers_expected(call: str) -> str:
 def by_itself(recording: Recording) -> Recording:
     """The recording without what the driver sent through the node.
 
-    The driver makes its calls in one callback, from an order to its report. The node's timers do not run meanwhile.
+    The driver makes its calls in one callback, from an order to its report. The node's timers do not run meanwhile, but
+    a thread of its own may: what fits between its other reports is the node's.
     """
     reported = [one.published for one in recording.topic(REPORT.name).arrivals]
     spans = [
@@ -400,13 +466,26 @@ def by_itself(recording: Recording) -> Recording:
     topics = dict(recording.topics)
     for one in (BATTERY, STATUS):
         seen = recording.topic(one.name)
+        within = [any(begin <= one.published <= end for begin, end in spans) for one in seen.arrivals]
+        outside = [arrival for arrival, inside in zip(seen.arrivals, within, strict=True) if not inside]
         own = tuple(
             arrival
-            for arrival in seen.arrivals
-            if not any(begin <= arrival.published <= end for begin, end in spans)
+            for arrival, inside in zip(seen.arrivals, within, strict=True)
+            if not inside or fits_between(arrival, outside)
         )
         topics[one.name] = replace(seen, arrivals=own)
     return replace(recording, topics=topics)
+
+
+def fits_between(arrival: see.Arrival, outside: list[see.Arrival]) -> bool:
+    """Whether the node itself may have reported this while the driver made its calls: nothing that the driver sent, and
+    below the charge before it and above the one after it."""
+    value = arrival.value["data"]
+    if isinstance(value, str):
+        return value == "operational"
+    before = [one.value["data"] for one in outside if one.published < arrival.published]
+    after = [one.value["data"] for one in outside if one.published > arrival.published]
+    return value not in NUMBERS and bool(before and after) and before[-1] > value > after[0]
 
 
 def outcomes(recording: Recording) -> dict[str, str]:
@@ -415,12 +494,23 @@ def outcomes(recording: Recording) -> dict[str, str]:
     It makes all calls twice. If they ended differently, the end that should not be counts.
     """
     found: dict[str, str] = {}
-    for text in see.driver_reports(recording, REPORT):
-        for call, what in (line.split("\t", 1) for line in text.splitlines() if "\t" in line):
-            right = call == GOOD_WORD or call in NUMBER_CALLS
-            if call not in found or (what == "returned") != right:
-                found[call] = what
+    for call, what in calls_made(recording):
+        right = call == GOOD_WORD or call in NUMBER_CALLS
+        if call not in found or (what == "returned") != right:
+            found[call] = what
     return found
+
+
+def calls_made(recording: Recording) -> list[tuple[str, str]]:
+    """Each call that the driver made, in their order, and what became of it."""
+    lines = [line for text in see.driver_reports(recording, REPORT) for line in text.splitlines()]
+    return [(call, what) for call, mark, what in (line.partition("\t") for line in lines) if mark]
+
+
+def now_and_then(recording: Recording, calls: tuple[str, ...]) -> str | None:
+    """The first of these calls that raised an error once, and none another time; None if each ended alike."""
+    ends = {(call, what == "returned") for call, what in calls_made(recording)}
+    return next((call for call in calls if {(call, True), (call, False)} <= ends), None)
 
 
 def never_called() -> Verdict:
@@ -463,13 +553,15 @@ def refuses_wrong_numbers(recording: Recording) -> Verdict:
     saw, expected = raised_nothing(accepted, sent), errors_expected(WRONG_NUMBERS)
     hint = "Before publishing: if not isinstance(level, (int, float)): raise TypeError(...)"
     found = outcomes(recording)
-    others_refused = all(found.get(call) != "returned" for call in WRONG_NUMBERS if call != DIGITS)
-    if others_refused and found.get(DIGITS) == "returned":
+    once = now_and_then(recording, WRONG_NUMBERS)
+    if once is not None:
+        return refused_once(once, expected)
+    if all(call in READ_AS_NUMBERS for call in WRONG_NUMBERS if found.get(call) == "returned"):
         return see.failed(
             "refuses-wrong-types.text-read",
             saw,
             expected,
-            "float('87.5') turns a text into a number. It is still a text, and the next one may be '87 %'. "
+            "float('87.5') turns a text into a number, and float(b'87.5') does so with bytes. The next may be '87 %'. "
             "A caller's mistake should not be accepted by chance.",
             hint,
         )
@@ -491,6 +583,18 @@ def refuses_wrong_numbers(recording: Recording) -> Verdict:
     )
 
 
+def refused_once(call: str, expected: str) -> Verdict:
+    """The same call raised an error, and later or earlier none."""
+    return see.failed(
+        "refuses-wrong-types.not-each-time",
+        f"{call} raised an error once, and nothing another time",
+        expected,
+        "The same wrong value is refused in one call, and not in another. Your check counts or remembers, or is "
+        "skipped for some calls.",
+        "Check in every call, before publishing: if not isinstance(level, (int, float)): raise TypeError(...)",
+    )
+
+
 def number_sent(recording: Recording) -> str:
     """What arrived because of a wrong number, in words; empty if nothing did."""
     found = outcomes(recording)
@@ -506,7 +610,7 @@ def refuses_wrong_messages(recording: Recording) -> Verdict:
     accepted = first_accepted(recording, WRONG_MESSAGES)
     if accepted is None:
         return refused(recording, WRONG_MESSAGES, "")
-    if accepted in WRONG_MESSAGES[2:]:
+    if accepted in NO_MESSAGES:
         return see.failed(
             "refuses-wrong-types.no-message-accepted",
             raised_nothing(accepted, ""),

@@ -1,5 +1,7 @@
 """How exercise 08 is judged: status and battery as they arrive, and how the program ends on Ctrl-C."""
 
+from itertools import pairwise
+
 from std_msgs.msg import Float32, String
 
 import workbook.criteria as see
@@ -46,7 +48,24 @@ def status_kept(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="The program runs until it is told to end", needs=[program_runs])
 def alive_at_end(recording: Recording) -> Verdict:
-    return see.alive_at_end(recording)
+    verdict = see.alive_at_end(recording)
+    return ended_when_empty(recording, verdict) if verdict.cause == "alive-at-end.ended" else verdict
+
+
+def ended_when_empty(recording: Recording, ended: Verdict) -> Verdict:
+    """The verdict on a program that ended by itself, with the battery as a possible reason where it was just empty."""
+    levels = [level for level in see.values(recording, BATTERY) if isinstance(level, float)]
+    largest = max((before - after for before, after in pairwise(levels)), default=0.0)
+    if not levels or levels.count(0.0) > 1 or levels[-1] > largest:
+        return ended
+    return see.failed(
+        "alive-at-end.empty",
+        f"{ended.saw}; the last charge was {see.number(levels[-1])} %",
+        ended.expected,
+        "The battery was empty or about to be. Either your program ends for that reason, or it ended just then because "
+        "of a loop that counts, or a spin with a time limit. Silence does not say that the battery is empty.",
+        'Keep publishing 0.0 and "error" when the battery is empty. Only Ctrl-C ends the program.',
+    )
 
 
 @criterion(points=3, title="Ctrl-C ends it with exit code 0, without a traceback", needs=[alive_at_end])

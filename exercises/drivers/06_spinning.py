@@ -14,6 +14,8 @@ happened when an answer shuts ROS down.
 
 import functools
 import os
+import sys
+import threading
 import time
 import traceback
 from collections.abc import Callable, Iterable
@@ -21,6 +23,7 @@ from time import monotonic
 from typing import Any
 
 import rclpy
+import rclpy.executors
 from rclpy.context import Context
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
@@ -35,6 +38,7 @@ JOB_S = 0.4
 
 REPEAT_S = 0.1  # how often the latest announcement is made again
 PATIENCE_S = 1.0  # a judge that is not there by then will not come
+GRACE_S = 0.3  # a thread that was told to end has ended by then
 
 
 class Watched:
@@ -48,6 +52,7 @@ class Watched:
         self.noted: list[str] = []
         self.watches = False
         self.before: dict[str, list[object]] = {}
+        self.threads: list[threading.Thread] = []
 
     def note(self, what: str) -> None:
         """Note something once, while a call runs."""
@@ -68,6 +73,7 @@ class Watched:
         """A call of pump begins, with this node."""
         self.noted = []
         self.before = entities(node)
+        self.threads = threading.enumerate()
         self.watches = True
 
     def end(self, node: Node) -> list[str]:
@@ -86,6 +92,10 @@ class Watched:
         if canceled:
             self.noted.append(f"{canceled} timer{'s' if canceled > 1 else ''} canceled")
         return self.noted
+
+    def left_a_thread(self) -> bool:
+        """Whether the call has left a thread behind that spins. This may take a moment."""
+        return any(still_spins(one) for one in threading.enumerate() if one not in self.threads)
 
 
 def entities(node: Node) -> dict[str, list[object]]:
@@ -107,6 +117,25 @@ def is_canceled(timer: Timer) -> bool:
         return True
 
 
+def still_spins(thread: threading.Thread) -> bool:
+    """Whether a thread goes on in a spin of rclpy: one that was told to end has a moment to do so."""
+    if not spins(thread):
+        return False
+    thread.join(GRACE_S)
+    return spins(thread)
+
+
+def spins(thread: threading.Thread) -> bool:
+    """Whether a thread is in a spin of rclpy now. A pool's thread that waits for work is not."""
+    frame = sys._current_frames().get(thread.ident or 0)
+    while frame is not None:
+        code = frame.f_code
+        if code.co_filename == rclpy.executors.__file__ and code.co_name.startswith("spin"):
+            return True
+        frame = frame.f_back
+    return False
+
+
 watched = Watched()
 rclpy.init = watched.tells(rclpy.init, "rclpy.init called")
 Node.__init__ = watched.tells(Node.__init__, "node made")  # type: ignore[method-assign]
@@ -116,7 +145,10 @@ import answer  # type: ignore[import-not-found]  # noqa: E402  # the student's f
 
 
 class Teller(Node):
-    """A node that tells what it does, and in which call of pump.
+    """A node that tells what it does, and in which call of pump. It does jobs of 0.4 s.
+
+    Topics:
+        /robot/job_begun (std_msgs/Int32MultiArray): the call; the number of a job. /robot/job_done: when it ends.
 
     Attributes:
         call: The number of the call that runs now; 0 if none does.
@@ -127,6 +159,16 @@ class Teller(Node):
         super().__init__(name)
         self.call = 0
         self.at_work: int | None = None
+        self.job_publisher = self.create_publisher(Int32MultiArray, "/robot/job_begun", 100)
+        self.job_done_publisher = self.create_publisher(Int32MultiArray, "/robot/job_done", 100)
+
+    def work(self, job: Int32) -> None:
+        """Do a job that takes its time."""
+        self.at_work = job.data
+        self.tell(self.job_publisher, job.data)
+        time.sleep(JOB_S)
+        self.tell(self.job_done_publisher, job.data)
+        self.at_work = None
 
     def tell(self, publisher: Publisher, number: int) -> None:
         """Publish the number of the call and another number."""
@@ -139,7 +181,7 @@ class Robot(Teller):
     Topics:
         /robot/heartbeat (std_msgs/Int32MultiArray), 10 Hz, and /robot/look, 2 Hz: the call; how many there were.
         /robot/heard: the call; each number from /robot/words (std_msgs/Int32).
-        /robot/job_begun: the call; each number from /robot/jobs (std_msgs/Int32). /robot/job_done: the same at its end.
+        /robot/job_begun and /robot/job_done: each number from /robot/jobs (std_msgs/Int32).
     """
 
     def __init__(self) -> None:
@@ -149,8 +191,6 @@ class Robot(Teller):
         self.heartbeat_publisher = self.create_publisher(Int32MultiArray, "/robot/heartbeat", 100)
         self.look_publisher = self.create_publisher(Int32MultiArray, "/robot/look", 100)
         self.heard_publisher = self.create_publisher(Int32MultiArray, "/robot/heard", 100)
-        self.job_publisher = self.create_publisher(Int32MultiArray, "/robot/job_begun", 100)
-        self.job_done_publisher = self.create_publisher(Int32MultiArray, "/robot/job_done", 100)
         self.create_timer(HEARTBEAT_PERIOD_S, self.beat)
         self.create_timer(LOOK_PERIOD_S, self.look_around)
         self.create_subscription(Int32, "/robot/words", self.hear, 100)
@@ -170,14 +210,6 @@ class Robot(Teller):
         """Repeat a word."""
         self.tell(self.heard_publisher, word.data)
 
-    def work(self, job: Int32) -> None:
-        """Do a job that takes its time."""
-        self.at_work = job.data
-        self.tell(self.job_publisher, job.data)
-        time.sleep(JOB_S)
-        self.tell(self.job_done_publisher, job.data)
-        self.at_work = None
-
 
 class QuietRobot(Teller):
     """A robot without timers: as long as nobody talks to it, it has nothing to do.
@@ -194,6 +226,18 @@ class QuietRobot(Teller):
     def hear(self, word: Int32) -> None:
         """Repeat a word."""
         self.tell(self.heard_publisher, word.data)
+
+
+class Worker(Teller):
+    """A robot that does jobs, and nothing else.
+
+    Topics:
+        /robot/job_begun and /robot/job_done: each number from /worker/jobs (std_msgs/Int32).
+    """
+
+    def __init__(self) -> None:
+        super().__init__("worker")
+        self.create_subscription(Int32, "/worker/jobs", self.work, 100)
 
 
 class Driver(Node):
@@ -259,6 +303,8 @@ class Driver(Node):
         for change in watched.end(node):
             self.changes.publish(String(data=f"{call} {change}"))
         self.say(news)
+        if watched.left_a_thread():
+            self.changes.publish(String(data=f"{call} a thread still spins"))
 
 
 def in_line_s() -> float:
@@ -294,7 +340,7 @@ def main() -> None:
     driver = Driver(context)
     executor = SingleThreadedExecutor(context=context)
     executor.add_node(driver)
-    robots = {robot.get_name(): robot for robot in (Robot(), QuietRobot())}
+    robots = {robot.get_name(): robot for robot in (Robot(), QuietRobot(), Worker())}
     driver.wait_for_speakers(robots.values())
     done: set[int] = set()
     try:

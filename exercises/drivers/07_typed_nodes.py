@@ -13,7 +13,7 @@ import answer  # type: ignore[import-not-found]  # the student's file
 import rclpy
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
-from std_msgs.msg import Float32, String
+from std_msgs.msg import Float32, Float64, String
 
 LONGEST_ERROR = 200  # characters
 
@@ -24,6 +24,7 @@ def calls(robot: Any) -> list[tuple[str, Callable[[], object]]]:
         ("send_battery(42)", lambda: robot.send_battery(42)),
         ("send_battery(55.25)", lambda: robot.send_battery(55.25)),
         ("send_battery(0.0)", lambda: robot.send_battery(0.0)),
+        ("send_battery(0.40625)", lambda: robot.send_battery(0.40625)),
         ("send_battery(33.328125)", lambda: robot.send_battery(33.328125)),
         ("send_battery(99.9375)", lambda: robot.send_battery(99.9375)),
         ("send_battery(71.5)", lambda: robot.send_battery(71.5)),
@@ -34,6 +35,7 @@ def calls(robot: Any) -> list[tuple[str, Callable[[], object]]]:
         ),
         ("send_battery('full')", lambda: robot.send_battery("full")),
         ("send_battery('87.5')", lambda: robot.send_battery("87.5")),
+        ("send_battery(b'87.5')", lambda: robot.send_battery(b"87.5")),
         ("send_battery(None)", lambda: robot.send_battery(None)),
         ("send_battery([50.0])", lambda: robot.send_battery([50.0])),
         ("send_status('error')", lambda: robot.send_status("error")),
@@ -48,6 +50,10 @@ def calls(robot: Any) -> list[tuple[str, Callable[[], object]]]:
         ("send_status('charging')", lambda: robot.send_status("charging")),
         ("send_status('')", lambda: robot.send_status("")),
         ("battery_publisher.publish(String())", lambda: robot.battery_publisher.publish(String())),
+        (
+            "battery_publisher.publish(Float64(data=12.5))",
+            lambda: robot.battery_publisher.publish(Float64(data=12.5)),
+        ),
         ("status_publisher.publish(Float32())", lambda: robot.status_publisher.publish(Float32())),
         ("battery_publisher.publish(12.5)", lambda: robot.battery_publisher.publish(12.5)),
         ("status_publisher.publish('oper')", lambda: robot.status_publisher.publish("oper")),

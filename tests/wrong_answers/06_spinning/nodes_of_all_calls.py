@@ -1,5 +1,6 @@
 # One executor for all calls keeps the nodes of the calls before.
 # loses: nothing_left_running
+# also: quiet_node
 # cause: nothing-left-running.another-node
 # after: import rclpy
 from rclpy.executors import SingleThreadedExecutor

@@ -1,6 +1,6 @@
 # After five plans the next one is never begun.
 # loses: all_in_order
-# cause: all-in-order.stops
+# cause: all-in-order.stops-or-refuses
 # after: self.planner = ElbowPlanner()
 self.left = 5
 

@@ -1,6 +1,6 @@
 # A distance that is waiting already is not taken again.
 # loses: all_in_order
-# cause: all-in-order.last-missing, all-in-order.stops
+# cause: all-in-order.last-missing
 # on: starter
 # after: import time
 import queue

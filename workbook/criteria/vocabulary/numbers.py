@@ -140,11 +140,8 @@ def within(
     """Every value lies in [low, high]; `slack` allows for rounding to 32 bits. NaN is left to `finite`."""
     unit = f" {unit}" if unit else ""
     span = f"{_bound(low)} to {_bound(high)}{unit}"
-    bad = first_offender(
-        recording,
-        topic,
-        lambda x: isinstance(x, (int, float)) and not low - slack <= x <= high + slack and x == x,
-    )
+    least, most = low - slack, high + slack
+    bad = first_offender(recording, topic, lambda x: isinstance(x, (int, float)) and (x < least or x > most))
     if bad is None:
         return passed(f"all values within {span}")
     saw = f"{number(bad.value)}{unit} in {bad}"
@@ -172,7 +169,16 @@ def within(
         return fail(
             "within.infinite", "The value is infinite: a division by zero, or a number too large for 32 bits."
         )
-    return fail("within.not-limited", "The simulated value is not limited.")
+    if _back_at(recording, topic, bad) != (low if bad.value < low else high):
+        return fail("within.not-limited", "The simulated value is not limited.")
+    because = "The value is limited, but only after it was published: the next message is at the limit."
+    return fail("within.limited-too-late", because, f"Limit it first, then publish it: {limit}.")
+
+
+def _back_at(recording: Recording, topic: Topic, bad: Offender) -> object:
+    """What the message after the one with this offender says in its place; None if there is none."""
+    after = [elements(value)[bad.place or 0 :][:1] for value in values(recording, topic)[bad.message :]]
+    return after[0][0] if after and after[0] else None
 
 
 def _keeps_growing(recording: Recording, topic: Topic, bad: Offender) -> bool:

@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import wraps
+from itertools import pairwise
 
 from workbook.criteria.criterion import Topic
 from workbook.criteria.verdict import Verdict, failed, passed
@@ -18,6 +19,7 @@ LONGEST_GAP_PERIODS = 1.5
 INTERVAL_TOLERANCE = 0.1
 MEAN_TOLERANCE = 0.04
 LEAST_INTERVALS = 3
+UNEVEN = 0.3
 
 
 def _of_pace(judge: Callable[[Recording, Topic], Verdict]) -> Callable[[Recording, Topic], Verdict]:
@@ -156,13 +158,33 @@ def _skips(recording: Recording, topic: Topic, seen: Pace) -> Verdict | None:
             "Create the timer in __init__, and publish in each call of its callback.",
             about_time=True,
         )
-    return failed(
+    return _uneven(recording, topic) or failed(
         "rate.skips",
         f"a silence of {seconds(seen.gap.seconds)} after {seconds(seen.gap.start)}, while {listing(going_on)} went on",
         _rate_expected(topic),
         "The node was not blocked. A condition or a counter skips the publish() now and then, or the callback of "
         "this topic waits for something.",
         "Publish once in each call of the timer's callback, no matter what was published before.",
+        about_time=True,
+    )
+
+
+def _uneven(recording: Recording, topic: Topic) -> Verdict | None:
+    """A failed verdict where many messages come too soon and many too late; None where most come in time."""
+    times = [arrival.t for arrival in recording.topic(topic.name).arrivals]
+    intervals = [after - before for before, after in pairwise(times)]
+    soon = [one for one in intervals if one < (1 - UNEVEN) * topic.period]
+    late = [one for one in intervals if one > (1 + UNEVEN) * topic.period]
+    if min(len(soon), len(late)) < UNEVEN * len(intervals):
+        return None
+    return failed(
+        "rate.uneven",
+        f"{seconds(min(intervals))} to {seconds(max(intervals))} from one message to the next; {len(soon)} came too "
+        f"soon, {len(late)} too late",
+        _rate_expected(topic),
+        "The time between two messages changes. The timer is created anew with other periods, or the callback waits "
+        "before it publishes.",
+        f"Create one timer, with a fixed period: create_timer({topic.period}, ...). Publish at once in its callback.",
         about_time=True,
     )
 
