@@ -139,6 +139,13 @@ KNOWN_ERRORS = (
         "Give your attribute another name, for example joint_pub instead of publishers.",
     ),
     KnownError(
+        "error.method-in-with",
+        r"'method' object does not support the context manager protocol",
+        "A with statement got a method. In the line super().__init__, that is rclpy: your class has a method with the "
+        "name handle, and Node needs this name itself.",
+        "Give a method with the name handle another name. In a with statement of your own, call the method.",
+    ),
+    KnownError(
         "error.invalid-topic-name",
         r"InvalidTopicNameException|Invalid topic name",
         "The topic name breaks the naming rules (no space, hyphen, trailing slash or leading digit).",
