@@ -250,7 +250,7 @@ def refuses_others(recording: Recording) -> Verdict:
     if guessed and all(by_place[place].length < LENGTH_SLACK for place in guessed):
         return see.failed(
             "refuses-others.says-no-ball",
-            f"{saw}, and {len(guessed)} of them were answered with (0, 0, 0)",
+            f"{saw}, and {len(guessed)} of them were answered with (0, 0, 0): {came_as(guessed)}",
             expected,
             'The node says "no ball" where it could not look. A listener then believes that the node has '
             "looked at the desk and found no ball.",
@@ -259,7 +259,7 @@ def refuses_others(recording: Recording) -> Verdict:
     if guessed:
         return see.failed(
             "refuses-others.guesses",
-            f"{saw}, and {len(guessed)} of them were answered",
+            f"{saw}, and {len(guessed)} of them were answered: {came_as(guessed)}",
             expected,
             "The node reads bytes of another encoding as if they were red, green and blue.",
             RETURN_EARLY,
@@ -341,6 +341,11 @@ def silent_since(recording: Recording, saw: str, expected: str) -> Verdict | Non
         "Log a line and return from the callback. The next picture may be readable again.",
         about_time=True,
     )
+
+
+def came_as(places: Iterable[int]) -> str:
+    """The encodings of these pictures."""
+    return see.listing(sorted({VIEWS[place].encoding for place in places}))
 
 
 def why_not_named(recording: Recording, names: list[str], saw: str, expected: str) -> Verdict | None:
@@ -761,7 +766,8 @@ REASONS = (
     Reason(
         "direction.no-ball",
         "The ball was not found. The range of colors may not fit this light, or the bytes were read in another order "
-        "of rows or colors. Or the ball was rejected as too small, or as not round.",
+        "of rows or colors. Or the ball was rejected as too small, or as not round, or was outside of the part of the "
+        "picture that was searched.",
         "Look at the pixels of the ball in such a picture, in the color space that you use: which bounds exclude them?",
         lambda place, answer: answer.length < LENGTH_SLACK,
     ),

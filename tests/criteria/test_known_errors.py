@@ -137,6 +137,12 @@ Humanoid()
         6,
         "handle another name",
     ),
+    in_node(
+        "builtin_callback",
+        "from collections import deque; self.create_subscription(String, '/s', deque().append, 10)",
+        "ValueError",
+        "Write the callback yourself",
+    ),
     in_node("no_depth", "self.create_publisher(String, '/robot/status')", "TypeError", "Add a depth"),
     in_node(
         "other_message",
