@@ -7,6 +7,7 @@ import statistics
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 from sensor_msgs.msg import JointState
@@ -35,6 +36,8 @@ TYPICALLY_S = 0.15
 LEAST_CHANGE_RAD = 0.005  # root mean square, between what comes in and what goes out: less is no filter
 SAME_RAD = 0.001  # root mean square: the same angle, but for rounding
 NEARLY_ALL = 0.95  # of the noise: who leaves more takes nothing away
+WIDE_GAP = 1.4  # from the noise left at one joint to that at the next: they are not filtered alike
+RARELY = 0.6  # share of answers that are those before: a filter changes each of them
 MORE_THAN_ALL = 1.2  # of the noise: no weak filter leaves so much, something else is added
 FOLLOWS_RAD = 0.3  # so near is an angle to a joint that has moved on after NaN
 FAR_BEHIND_S = 0.4  # a filter so late would be farther away than that by itself
@@ -769,6 +772,15 @@ def why_strange_stamps(strange: list[Answered], given: int) -> Verdict:
             "A new message is published, and its header was never filled in.",
             "Copy the header: answer.header = message.header.",
         )
+    if len(strange) <= 3 and given > len(SAMPLES) // 2:
+        return see.failed(
+            "labels-kept.extra-message",
+            saw.format(f"{strange[0].stamp_s:g} s"),
+            f"on {FILTERED.name} only answers, each with {BOARD_STAMPS}",
+            "Beside its answers, the node publishes a message that answers none, such as a first, empty one when it "
+            "starts.",
+            "Publish in the callback of the subscription only.",
+        )
     if all(any(int(one) == sec for sec, _ in PLACE_OF) for one in stamps) and len(stamps) < given:
         return see.failed(
             "labels-kept.rounded-stamp",
@@ -1021,7 +1033,7 @@ def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verd
             "Give the filter in each call the memory that it handed back in the last one, and publish its result as it "
             "is.",
         )
-    return see.failed(
+    return why_unlike(saw, left) or see.failed(
         "noise-reduced.too-little",
         saw,
         LITTLE_LEFT,
@@ -1029,6 +1041,22 @@ def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verd
         "new measurements too large.",
         "A moving average of N messages leaves 1/sqrt(N) of the noise. Let it look back farther, and look at the delay "
         "again.",
+    )
+
+
+def why_unlike(saw: str, left: Sequence[float]) -> Verdict | None:
+    """A failed verdict for joints that are filtered enough beside others that are not; None without such a gap."""
+    order = sorted(left)
+    factor, enough = max((more / less, place + 1) for place, (less, more) in enumerate(pairwise(order)))
+    if factor < WIDE_GAP or order[enough - 1] > MOST_NOISE_OF_ONE or order[enough] <= MOST_NOISE:
+        return None
+    return see.failed(
+        "noise-reduced.unlike-joints",
+        f"{saw}. At {see.count(enough, 'joint')} of {len(JOINTS)}, at most {order[enough - 1]:.0%} is left, at the "
+        f"others {order[enough]:.0%} or more",
+        LITTLE_LEFT,
+        "Not all joints are filtered alike: for some, new measurements get more weight.",
+        "Filter the whole array with the same weights.",
     )
 
 
@@ -1073,7 +1101,7 @@ def why_no_filter(recording: Recording, saw: str) -> Verdict | None:
         return None
     return see.failed(
         "noise-reduced.stands-still",
-        f"{saw}; the answers do not change from message to message",
+        f"{saw}; most answers are the same as those before",
         LITTLE_LEFT,
         "The answer keeps an old value until a new one is far from it (a dead band). It is calm, but as wrong "
         "as that old value was.",
@@ -1093,8 +1121,14 @@ def held_joints(recording: Recording, places: Sequence[int]) -> list[str]:
 
 
 def stands_still(recording: Recording) -> bool:
-    """Whether the answers for most joints keep one value where the joints stand first."""
-    return len(held_joints(recording, STEADY_FIRST)) > len(JOINTS) // 2
+    """Whether the answers for most joints keep one value where the joints stand first, or change rarely."""
+    by_place = first_answers(recording)
+    rows = [by_place[place].angles for place in STEADY_FIRST if place in by_place]
+    same = [
+        one == other for before, after in pairwise(rows) for one, other in zip(before, after, strict=True)
+    ]
+    rarely = bool(same) and sum(same) > RARELY * len(same)
+    return rarely or len(held_joints(recording, STEADY_FIRST)) > len(JOINTS) // 2
 
 
 def why_held(recording: Recording, saw: str) -> Verdict | None:

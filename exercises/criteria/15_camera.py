@@ -30,6 +30,7 @@ DIRECTION = topic("/robot/ball_direction", Vector3Stamped)
 
 RATE_HZ = 30.0
 FOCAL_PIXELS = 140.0
+BALL_RADIUS_M = 0.04
 WITHIN_DEG = 1.0
 LENGTH_SLACK = 0.02
 LEAST_SHARE = 0.8
@@ -48,20 +49,25 @@ NEAR, FAR, IN_FRONT = (1.02, 0.5, 0.0), (1.5, 0.5, 0.0), (0.7, -0.35, -0.4)
 """Where the brick lies (m: forward, left) and how it is turned (rad). It looks larger than the ball, or smaller, and
 lies above the ball in the picture, or below it."""
 
+ROLLS, ACROSS, NO_BALL = "rolls", "across", ""
+"""What the ball does: it rolls near the middle, or from one edge of the picture to the other and nearer, or is not
+there."""
+
 # How many pictures of each kind come, in this order: encodings (used by turns), padding, ball, brightest and darkest,
-# where the brick lies.
-Part = tuple[int, tuple[str, ...], int, bool, float, float, tuple[float, float, float]]
+# where the brick lies. Encodings that are refused come more than a second apart: a line in the log may be throttled.
+Part = tuple[int, tuple[str, ...], int, str, float, float, tuple[float, float, float]]
 PARTS: tuple[Part, ...] = (
-    (20, ("rgb8",), 0, True, 1.1, 0.93, NEAR),
-    (15, ("rgb8",), 0, True, 0.92, 0.8, IN_FRONT),
-    (30, ("rgb8",), 0, True, 0.6, 0.4, NEAR),
-    (20, ("rgb8",), 0, False, 0.4, 1.0, NEAR),
-    (25, ("bgr8",), 0, True, 1.0, 0.5, NEAR),
-    (4, ("yuv422_yuy2",), 0, True, 0.8, 0.8, NEAR),
-    (30, ("rgb8", "bgr8"), PADDING, True, 0.9, 0.45, NEAR),
-    (15, ("bgr8",), PADDING, False, 1.0, 0.4, FAR),
-    (4, ("mono16",), PADDING, True, 0.9, 0.9, NEAR),
-    (32, ("rgb8", "bgr8"), 0, True, 0.45, 1.1, FAR),
+    (20, ("rgb8",), 0, ROLLS, 1.1, 0.93, NEAR),
+    (15, ("rgb8",), 0, ROLLS, 0.92, 0.8, IN_FRONT),
+    (30, ("rgb8",), 0, ROLLS, 0.6, 0.4, NEAR),
+    (20, ("rgb8",), 0, NO_BALL, 0.4, 1.0, NEAR),
+    (25, ("bgr8",), 0, ROLLS, 1.0, 0.5, NEAR),
+    (4, ("rgba8",), 0, ROLLS, 0.8, 0.8, NEAR),
+    (30, ("rgb8", "bgr8"), PADDING, ROLLS, 0.9, 0.45, NEAR),
+    (4, ("mono16",), PADDING, ROLLS, 0.9, 0.9, NEAR),
+    (28, ("rgb8", "bgr8"), 0, ACROSS, 0.45, 1.1, FAR),
+    (4, ("8UC3",), 0, ROLLS, 0.9, 0.9, FAR),
+    (15, ("bgr8",), PADDING, NO_BALL, 1.0, 0.4, FAR),
 )
 
 
@@ -79,7 +85,13 @@ def views() -> tuple[CameraView, ...]:
             in_ns = round((FIRST_STAMP_S + number / RATE_HZ) * 1e9)
             made.append(
                 CameraView(
-                    scene(number / RATE_HZ, turn, light, ball, brick),
+                    scene(
+                        number / RATE_HZ,
+                        turn,
+                        light,
+                        where_to(ball, number / RATE_HZ, turn, place / count),
+                        brick,
+                    ),
                     (in_ns // 10**9, in_ns % 10**9),
                     SEED,
                     number,
@@ -90,13 +102,28 @@ def views() -> tuple[CameraView, ...]:
     return tuple(made)
 
 
-def scene(seconds: float, turn: float, light: float, ball: bool, brick: tuple[float, float, float]) -> Scene:
+def where_to(ball: str, seconds: float, turn: float, part: float) -> tuple[float, float] | None:
+    """Where the ball lies at a moment (m: forward, left); None where none is. `part`: 0 to 1, from edge to edge."""
+    if ball == ACROSS:
+        return 0.69 + 0.21 * math.cos(2 * math.pi * part - 2.24), -0.27 * math.cos(math.pi * part)
+    return (
+        (0.82 + 0.06 * math.cos(1.3 * seconds), 0.1 + 0.16 * math.sin(2.2 * seconds + turn)) if ball else None
+    )
+
+
+def scene(
+    seconds: float,
+    turn: float,
+    light: float,
+    ball: tuple[float, float] | None,
+    brick: tuple[float, float, float],
+) -> Scene:
     """The desk at a moment: the balls roll, the hands move, and the brick lies beside them."""
     swing, sway = math.sin(2.2 * seconds + turn), math.cos(1.3 * seconds)
     forward, left, turned = brick
     hands = (0.0, 0.0, 0.72, 0.72 + 0.15 * swing, 0.7, 0.7 - 0.15 * swing, *[0.0] * 6)
     return Scene(
-        see.on_desk(0.82 + 0.06 * sway, 0.1 + 0.16 * swing) if ball else None,
+        see.on_desk(*ball) if ball else None,
         see.on_desk(1.02 - 0.05 * swing, -0.32 - 0.05 * sway),
         (Box((forward, left - 0.03 * sway), turn=turned + 0.1 * turn),),
         hands,
@@ -178,23 +205,12 @@ def answers_come(recording: Recording) -> Verdict:
 )
 def stamps_kept(recording: Recording) -> Verdict:
     given = answers(recording)
-    strange = [answer for answer in given if answer.place is None]
+    strange = [answer for answer in given if answer.place is None or only_whole_seconds(given)]
     if strange:
         return why_strange_stamps(strange, len(given))
-    times = Counter(answer.place for answer in given)
-    place, most = times.most_common(1)[0]
-    if most > 1 and place is not None:
-        return see.failed(
-            "stamps-kept.repeated",
-            f"{most} directions with the stamp of picture {place + 1}",
-            ONE_EACH,
-            "One picture is answered again and again: by a timer, by a loop over all that is orange, or by two "
-            "subscriptions.",
-            "Publish once for each call of the callback.",
-        )
-    shifted = one_behind(given)
-    if shifted is not None:
-        return shifted
+    wrong = shifted(given) or why_repeated(given)
+    if wrong is not None:
+        return wrong
     return see.passed(f"{see.count(len(given), 'direction')}, each with the stamp of a picture")
 
 
@@ -234,7 +250,7 @@ def refuses_others(recording: Recording) -> Verdict:
     if guessed and all(by_place[place].length < LENGTH_SLACK for place in guessed):
         return see.failed(
             "refuses-others.says-no-ball",
-            f"{saw}, and {len(guessed)} of them were answered with (0, 0, 0)",
+            f"{saw}, and {len(guessed)} of them were answered with (0, 0, 0): {came_as(guessed)}",
             expected,
             'The node says "no ball" where it could not look. A listener then believes that the node has '
             "looked at the desk and found no ball.",
@@ -243,20 +259,14 @@ def refuses_others(recording: Recording) -> Verdict:
     if guessed:
         return see.failed(
             "refuses-others.guesses",
-            f"{saw}, and {len(guessed)} of them were answered",
+            f"{saw}, and {len(guessed)} of them were answered: {came_as(guessed)}",
             expected,
             "The node reads bytes of another encoding as if they were red, green and blue.",
             RETURN_EARLY,
         )
-    unnamed = [name for name in names if name not in recording.process.log]
-    if unnamed:
-        return see.failed(
-            "refuses-others.no-line",
-            f"{saw}, and no line in the log names {unnamed[0]}",
-            expected,
-            "The node drops these pictures, and nobody who looks for the fault learns which encoding came.",
-            'self.get_logger().error(f"... {image.encoding}"), with the encoding in the text.',
-        )
+    not_named = why_not_named(recording, names, saw, expected)
+    if not_named is not None:
+        return not_named
     return see.passed(f"{saw}: refused, and logged")
 
 
@@ -330,6 +340,37 @@ def silent_since(recording: Recording, saw: str, expected: str) -> Verdict | Non
         "The node ends itself, or stops answering, when it meets an encoding that it cannot read.",
         "Log a line and return from the callback. The next picture may be readable again.",
         about_time=True,
+    )
+
+
+def came_as(places: Iterable[int]) -> str:
+    """The encodings of these pictures."""
+    return see.listing(sorted({VIEWS[place].encoding for place in places}))
+
+
+def why_not_named(recording: Recording, names: list[str], saw: str, expected: str) -> Verdict | None:
+    """Why an encoding that was refused is not in the log; None if each is that the node has come to."""
+    last = max(first_answers(recording), default=0)
+    met = {VIEWS[place].encoding for place in OTHERS if place < last} or {VIEWS[FIRST_OTHER].encoding}
+    unnamed = [name for name in names if name in met and name not in recording.process.log]
+    if not unnamed:
+        return None
+    if len(unnamed) < len(met):
+        named = see.listing([name for name in names if name in met and name not in unnamed])
+        return see.failed(
+            "refuses-others.named-once",
+            f"{saw}. The log names {named}, but not {unnamed[0]}",
+            expected,
+            "Only the first picture that is refused is logged: by once=True, by a flag, or by a throttle of several "
+            "seconds. Or the line is missing in one branch.",
+            "Log a line for each encoding that you refuse, and not only for the first one.",
+        )
+    return see.failed(
+        "refuses-others.no-line",
+        f"{saw}, and no line in the log names {unnamed[0]}",
+        expected,
+        "The node drops these pictures, and nobody who looks for the fault learns which encoding came.",
+        'self.get_logger().error(f"... {image.encoding}"), with the encoding in the text.',
     )
 
 
@@ -457,7 +498,7 @@ def directions(recording: Recording, places: Iterable[int], suspected: "Reason |
     )
     if math.isfinite(off):
         saw += f", {off:.1f}° away from it"
-    reason = why_wrong(wrong)
+    reason = why_wrong(wrong, first_answers(recording))
     if suspected is not None and reason.cause in UNCLEAR and len(wrong) >= MOST * len(known):
         reason = suspected
     expected = f"a vector of length 1, within {WITHIN_DEG}° of the middle of the orange ball"
@@ -482,7 +523,7 @@ class Reason:
     fits: Callable[[int, Answered], bool]
 
 
-UNCLEAR = ("direction.no-ball", "direction.beside")
+UNCLEAR = ("direction.no-ball", "direction.too-dark", "direction.too-small", "direction.beside")
 PADDING_TAKEN_FOR_PIXELS = Reason(
     "direction.padding-taken-for-pixels",
     "The ball is found where rows have no padding. Here the unused bytes at the end of a row are taken for pixels, "
@@ -501,15 +542,100 @@ PADDING_OF_ONE_ENCODING = Reason(
 )
 
 
-def why_wrong(wrong: Wrong) -> Reason:
-    """The first reason that fits most of the directions that are wrong."""
-    return first_that_fits(REASONS, wrong) or Reason(
-        "direction.beside",
-        "Something other than the ball was found, or only a part of it. Or the pixel was turned into a direction with "
-        "a focal length or middle other than those in the task.",
-        "Draw the mask of what you take for orange, for one such picture, and mark the pixel that you found.",
-        lambda place, answer: True,
+def why_wrong(wrong: Wrong, by_place: dict[int, Answered]) -> Reason:
+    """The first reason that fits most of the directions that are wrong. `by_place`: all directions."""
+    right = [(place, one) for place, one in by_place.items() if place in WITH_BALL and is_right(place, one)]
+    reason = first_that_fits([one for one in REASONS if not found_there(one, right)], wrong)
+    if reason is None:
+        return why_beside(wrong)
+    return (why_not_found(wrong, by_place) or reason) if reason.cause == "direction.no-ball" else reason
+
+
+def found_there(reason: Reason, right: Wrong) -> bool:
+    """Whether a ball was found where this reason says that none can be."""
+    where = {
+        "direction.largest-left-out": beside_a_smaller_brick,
+        "direction.topmost-left-out": above_the_brick,
+    }
+    return any(where[reason.cause](place) for place, _ in right) if reason.cause in where else False
+
+
+def why_not_found(wrong: Wrong, by_place: dict[int, Answered]) -> Reason | None:
+    """Why balls were not found, if brighter or larger ones in pictures of the same kind were; None if unknown."""
+    view = VIEWS[wrong[0][0]]
+    lost = [place for place, answer in wrong if answer.length < LENGTH_SLACK]
+    found = [
+        place
+        for place in kind(view.encoding, view.padding, None)
+        if place in by_place and is_right(place, by_place[place])
+    ]
+    if min(len(lost), len(found)) < 3:
+        return None
+    for measure, reason in ((light_of, TOO_DARK), (width_of, TOO_SMALL)):
+        smaller = sum(measure(one) < measure(other) for one in lost for other in found)
+        if smaller >= SURE * len(lost) * len(found):
+            return reason
+    return None
+
+
+def light_of(place: int) -> float:
+    return VIEWS[place].scene.light
+
+
+def width_of(place: int) -> float:
+    """How wide the ball is (pixels)."""
+    ball = VIEWS[place].scene.ball
+    assert ball is not None
+    beside = ball[0], ball[1] + BALL_RADIUS_M, ball[2]
+    return 2 * abs(see.seen_pixel(ball)[0] - see.seen_pixel(beside)[0])
+
+
+def why_beside(wrong: Wrong) -> Reason:
+    """Why directions are near the ball, but not near enough."""
+    pairs = [(place, seen_at(ball_of(place)), seen_at(answer.vector)) for place, answer in wrong]
+    if len(pairs) < 4 or not all(map(math.isfinite, (one for _, _, at in pairs for one in at))):
+        return BESIDE
+    square = sum(x * x + y * y for _, (x, y), _ in pairs)
+    factor = sum(x * a + y * b for _, (x, y), (a, b) in pairs) / square
+    right = statistics.median(a - x for _, (x, _), (a, _) in pairs)
+    down = statistics.median(b - y for _, (_, y), (_, b) in pairs)
+    scaled = share(math.dist(at, (factor * ball[0], factor * ball[1])) <= 1.0 for _, ball, at in pairs)
+    moved = share(math.dist(at, (ball[0] + right, ball[1] + down)) <= 1.0 for _, ball, at in pairs)
+    if scaled >= SURE and scaled >= moved and 0.2 < factor < 5.0:
+        return FOCAL_LENGTH
+    if moved >= SURE:
+        return MIDDLE
+    if share(lags(place, at) for place, _, at in pairs) >= 0.8:
+        return BEHIND
+    return BESIDE
+
+
+def seen_at(vector: Vector) -> tuple[float, float]:
+    """Where the pinhole model sees a direction: pixels to the right of the middle and below it."""
+    x, y, z = vector
+    return (FOCAL_PIXELS * x / z, FOCAL_PIXELS * y / z) if z > 0.0 else (math.nan, math.nan)
+
+
+def lags(place: int, at: tuple[float, float]) -> bool:
+    """Whether a pixel is beside the ball toward where the ball was in the pictures before, and no farther than that."""
+    ball, before = (
+        seen_at(ball_of(place)),
+        [one for one in range(max(place - 12, 0), place) if one in WITH_BALL],
     )
+    if not before:
+        return False
+    there = [seen_at(ball_of(one)) for one in before]
+    back = statistics.mean(x for x, _ in there) - ball[0], statistics.mean(y for _, y in there) - ball[1]
+    off = at[0] - ball[0], at[1] - ball[1]
+    along = off[0] * back[0] + off[1] * back[1]
+    farthest = max(math.dist(ball, one) for one in there)
+    return along > 0.9 * math.hypot(*off) * math.hypot(*back) and math.hypot(*off) <= farthest + 2.0
+
+
+def share(fits: Iterable[bool]) -> float:
+    """Which part of them is true."""
+    known = list(fits)
+    return sum(known) / len(known)
 
 
 def first_that_fits(reasons: Iterable[Reason], wrong: Wrong) -> Reason | None:
@@ -529,14 +655,14 @@ def flipped(x: float, y: float) -> Callable[[int, Answered], bool]:
     return fits
 
 
-def missed_beside_a_smaller_brick(place: int, answer: Answered) -> bool:
-    """Whether the ball was not found where it is the largest orange thing."""
-    return answer.length < LENGTH_SLACK and VIEWS[place].scene.boxes[0].at[0] > 0.5 * (NEAR[0] + FAR[0])
+def beside_a_smaller_brick(place: int) -> bool:
+    """Whether the ball is the largest orange thing."""
+    return VIEWS[place].scene.boxes[0].at[0] > 0.5 * (NEAR[0] + FAR[0])
 
 
-def missed_above_the_brick(place: int, answer: Answered) -> bool:
-    """Whether the ball was not found where it is the topmost orange thing."""
-    return answer.length < LENGTH_SLACK and VIEWS[place].scene.boxes[0].at[0] < 0.5 * (NEAR[0] + IN_FRONT[0])
+def above_the_brick(place: int) -> bool:
+    """Whether the ball is the topmost orange thing."""
+    return VIEWS[place].scene.boxes[0].at[0] < 0.5 * (NEAR[0] + IN_FRONT[0])
 
 
 def in_axes_of_the_robot(place: int, answer: Answered) -> bool:
@@ -565,6 +691,57 @@ def of_an_earlier_picture(place: int, answer: Answered) -> bool:
     return any(off_deg(answer.vector, ball_of(one)) <= 0.4 for one in before)
 
 
+SURE = 0.9
+"""Which share of the pictures, or of pairs of them, must look like a reason that a single one does not show."""
+
+
+def always(place: int, answer: Answered) -> bool:
+    return True
+
+
+TOO_DARK = Reason(
+    "direction.too-dark",
+    "The ball was not found, but it was in pictures of the same kind that are brighter. A bound on the brightness "
+    "keeps it out where the light is dim.",
+    "Look at the value (HSV) of the ball in such a picture, and accept darker pixels. Hue and saturation stay.",
+    always,
+)
+TOO_SMALL = Reason(
+    "direction.too-small",
+    "The ball was not found, but it was in pictures of the same kind in which it is larger. Here it is rejected as too "
+    "small.",
+    "A ball may be 11 pixels wide: its radius is then 5.5 pixels, its area about 95. Accept that.",
+    always,
+)
+FOCAL_LENGTH = Reason(
+    "direction.focal-length",
+    "All these directions are too far from the middle, or too near to it, by the same factor. The ball was found, and "
+    "its pixel was turned into a direction with another focal length than that of the task.",
+    "The focal length is 140 pixels: x = (column - 79.5) / 140, y = (row - 59.5) / 140.",
+    always,
+)
+MIDDLE = Reason(
+    "direction.middle",
+    "All these directions are beside the ball by the same number of pixels, to the same side. Another middle was "
+    "subtracted than that of the task, or a corner of the ball is taken for its middle.",
+    "Straight ahead is column 79.5, row 59.5. Subtract these from the middle of the ball.",
+    always,
+)
+BEHIND = Reason(
+    "direction.behind",
+    "The directions lie where the ball was in the pictures before: they are averaged over several pictures, or limited "
+    "in how fast they change.",
+    "Compute each direction from its own picture alone.",
+    always,
+)
+BESIDE = Reason(
+    "direction.beside",
+    "Something other than the ball was found, or only a part of it, or its place only to a few pixels. Or its pixel "
+    "was turned into a direction in another way than by the pinhole model.",
+    "Draw the mask of what you take for orange, for one such picture, and mark the pixel that you found.",
+    always,
+)
+
 REASONS = (
     Reason(
         "direction.no-number",
@@ -577,19 +754,20 @@ REASONS = (
         "The ball was not found where it is the largest orange thing: here the brick lies farther away, and looks "
         "smaller.",
         "Do not go by size. Go through all orange outlines, and keep the one that is round.",
-        missed_beside_a_smaller_brick,
+        lambda place, answer: answer.length < LENGTH_SLACK and beside_a_smaller_brick(place),
     ),
     Reason(
         "direction.topmost-left-out",
         "The ball was not found where it is the topmost orange thing: here the brick lies nearer, and is lower in the "
         "picture.",
         "Do not go by place or order. Go through all orange outlines, and keep the one that is round.",
-        missed_above_the_brick,
+        lambda place, answer: answer.length < LENGTH_SLACK and above_the_brick(place),
     ),
     Reason(
         "direction.no-ball",
         "The ball was not found. The range of colors may not fit this light, or the bytes were read in another order "
-        "of rows or colors. Or the ball was rejected as too small, or as not round.",
+        "of rows or colors. Or the ball was rejected as too small, or as not round, or was outside of the part of the "
+        "picture that was searched.",
         "Look at the pixels of the ball in such a picture, in the color space that you use: which bounds exclude them?",
         lambda place, answer: answer.length < LENGTH_SLACK,
     ),
@@ -656,7 +834,7 @@ REASONS = (
 def why_silent(recording: Recording, expected: str) -> Verdict:
     """Why most pictures without a ball were not answered."""
     by_place = first_answers(recording)
-    if any(place in by_place for place in WITHOUT_BALL) or max(by_place, default=0) < WITHOUT_BALL[-1]:
+    if any(place in by_place for place in WITHOUT_BALL) or max(by_place, default=0) < WITHOUT_BALL[10]:
         return too_few("no-ball-said.too-few-answers")
     return see.failed(
         "no-ball-said.silent",
@@ -676,10 +854,6 @@ def why_a_ball(wrong: Wrong, by_place: dict[int, Answered]) -> Reason:
     if not all(math.isfinite(one) for vector in several for one in vector):
         return NO_NUMBER
     return CONSTANT if len(several) == 1 else first_that_fits(GHOSTS, wrong) or SOMETHING_ELSE
-
-
-def always(place: int, answer: Answered) -> bool:
-    return True
 
 
 NEW_MESSAGE = "Publish (0, 0, 0): a new Vector3Stamped with the header of this picture."
@@ -726,6 +900,11 @@ GHOSTS = (
 # --- why stamps and times are not as they should be ---------------------------------------------------------
 
 
+def only_whole_seconds(given: list[Answered]) -> bool:
+    """Whether the stamps are those of pictures without their nanoseconds. Some pictures are taken at a whole second."""
+    return len(given) > 10 and all(answer.stamp_s == int(answer.stamp_s) for answer in given)
+
+
 def why_strange_stamps(strange: list[Answered], given: int) -> Verdict:
     """Why stamps are not those of pictures."""
     saw = (
@@ -739,6 +918,14 @@ def why_strange_stamps(strange: list[Answered], given: int) -> Verdict:
             "A new message is published, and its header was never filled in.",
             "Copy the header: answer.header = image.header.",
         )
+    if only_whole_seconds(strange):
+        return see.failed(
+            "stamps-kept.whole-seconds",
+            f"the stamps of all {see.count(given, 'direction')} are whole seconds, such as {strange[0].stamp_s:.0f} s",
+            PICTURE_STAMPS,
+            "The field sec is copied, and nanosec is not.",
+            "Copy the whole header: answer.header = image.header.",
+        )
     return see.failed(
         "stamps-kept.own-stamp",
         saw.format(f"{strange[0].stamp_s:.2f} s"),
@@ -749,24 +936,65 @@ def why_strange_stamps(strange: list[Answered], given: int) -> Verdict:
     )
 
 
-def one_behind(given: list[Answered]) -> Verdict | None:
+def why_repeated(given: list[Answered]) -> Verdict | None:
+    """Why pictures were answered more than once; None if none was."""
+    times = Counter(answer.place for answer in given)
+    place, most = times.most_common(1)[0]
+    if most < 2 or place is None:
+        return None
+    saw = f"{most} directions with the stamp of picture {place + 1}"
+    several = [one for one, number in times.items() if number > 1]
+    if set(several) <= set(WITHOUT_BALL) and len(several) > 3:
+        return see.failed(
+            "stamps-kept.no-ball-repeated",
+            f"{saw}. It shows no orange ball. Each picture with one has a single direction",
+            ONE_EACH,
+            "Where there is no ball, two lines publish. One says (0, 0, 0), and then the callback goes on to the one "
+            "that publishes every direction.",
+            "Return after the first one, or let a single line publish, with a ball or without.",
+        )
+    return see.failed(
+        "stamps-kept.repeated",
+        saw,
+        ONE_EACH,
+        "One picture is answered again and again: by a timer, by a loop over all that is orange, or by two "
+        "subscriptions.",
+        "Publish once for each call of the callback.",
+    )
+
+
+def shifted(given: list[Answered]) -> Verdict | None:
     """Whether stamps and directions belong to different pictures; None if not."""
     pairs = [(answer.place, answer) for answer in given if answer.place in IN_GOOD_LIGHT]
-    moving = [(place, answer) for place, answer in pairs if place and place - 1 in WITH_BALL]
+    moving = [
+        (place, answer) for place, answer in pairs if place and {place - 1, place + 1} <= set(WITH_BALL)
+    ]
     if len(moving) < 10:
         return None
-    here = statistics.median(off_deg(answer.vector, ball_of(place)) for place, answer in moving)
-    before = statistics.median(off_deg(answer.vector, ball_of(place - 1)) for place, answer in moving)
-    if here <= 0.3 or before > 0.5 * here or before > 0.3:
+
+    def apart(later: int) -> float:
+        return statistics.median(off_deg(answer.vector, ball_of(place + later)) for place, answer in moving)
+
+    here, before, after = apart(0), apart(-1), apart(1)
+    if here <= 0.3 or min(before, after) > min(0.5 * here, 0.3):
         return None
+    saw = f"the directions are typically {here:.1f}° away from the ball, but only {{:.1f}}° away from where the ball "
+    if before < after:
+        return see.failed(
+            "stamps-kept.one-behind",
+            saw.format(before) + "was one picture earlier",
+            PICTURE_STAMPS,
+            "A direction gets the stamp of the next picture. The picture before is kept and answered, or a new header "
+            "is put on an old result.",
+            "Use pixels and header of the same message.",
+        )
     return see.failed(
-        "stamps-kept.one-behind",
-        f"the directions are typically {here:.1f}° away from the ball, but only {before:.1f}° away from where the "
-        "ball was one picture earlier",
+        "stamps-kept.one-ahead",
+        saw.format(after) + "is one picture later",
         PICTURE_STAMPS,
-        "A direction gets the stamp of the next picture. The picture before is kept and answered, or a new header is "
-        "put on an old result.",
-        "Use pixels and header of the same message.",
+        "A direction gets the stamp of the picture before. The header is kept in an attribute, and used before the "
+        "new one is stored.",
+        "Use pixels and header of the same message: Vector3Stamped(header=image.header).",
     )
 
 

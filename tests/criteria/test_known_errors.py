@@ -121,6 +121,28 @@ Humanoid()
         6,
         "super().__init__",
     ),
+    Case(
+        "method_named_handle",
+        HEAD
+        + """\
+class Humanoid(Node):
+    def __init__(self):
+        super().__init__("humanoid")
+    def handle(self):
+        pass
+rclpy.init()
+Humanoid()
+""",
+        "TypeError",
+        6,
+        "handle another name",
+    ),
+    in_node(
+        "builtin_callback",
+        "from collections import deque; self.create_subscription(String, '/s', deque().append, 10)",
+        "ValueError",
+        "Write the callback yourself",
+    ),
     in_node("no_depth", "self.create_publisher(String, '/robot/status')", "TypeError", "Add a depth"),
     in_node(
         "other_message",

@@ -121,8 +121,69 @@ CASES: list[tuple[str, str, Callable[[], Recording]]] = [
     ("survives.not-seen", "survives", lambda: recording(found(until=2.2))),
     ("fall-reported.before", "fall_reported", lambda: recording(status=beats(error_at=1.0))),
     ("fall-reported.late", "fall_reported", lambda: recording(status=beats(error_at=FALLEN + 0.7))),
+    ("fresh.some-guessed", "fresh", lambda: recording(hurried(4, 0.15))),
+    ("fresh.rarely-after-the-fall", "fresh", lambda: recording(rare_from(FALLEN, 2))),
+    ("survives.pauses", "survives", lambda: recording([one for one in found() if not 3.5 < one[0] < 6.4])),
+    ("survives.same-picture-again", "survives", lambda: recording(found(until=3.5), log=40 * f"{LOG}\n")),
+    (
+        "survives.marker-without-a-toy",
+        "survives",
+        lambda: recording(sorted([*found(), (4.0, toyless(NAMES["IN_GLARE"][5]))], key=lambda one: one[0])),
+    ),
+    (
+        "stamps-kept.some-without-stamp",
+        "stamps_kept",
+        lambda: recording([(at, stamped_once(value)) for at, value in found()]),
+    ),
+    (
+        "stamps-kept.last-result-again",
+        "stamps_kept",
+        lambda: recording([(0.91 + place / 30, markers_of(place, place - 9)) for place in range(12, 60)]),
+    ),
+    (
+        "stamps-kept.one-for-each-detection",
+        "stamps_kept",
+        lambda: recording([(at, {"markers": [one]}) for at, value in found() for one in value["markers"]]),
+    ),
+    ("stamps-kept.repeated", "stamps_kept", lambda: recording([one for one in found() for _ in range(2)])),
+    ("right.labels", "right", lambda: recording([(at, all_bricks(value)) for at, value in found()])),
     ("right.something-else", "right", lambda: recording([(at, flipped(value)) for at, value in found()])),
 ]
+
+
+def hurried(each: int, sooner: float) -> list[Message]:
+    """Every so many messages, one comes sooner."""
+    return [
+        (at - (sooner if number % each == 2 else 0.0), value) for number, (at, value) in enumerate(found())
+    ]
+
+
+def rare_from(moment: float, each: int) -> list[Message]:
+    """From this moment on, only one of so many messages comes."""
+    return [one for number, one in enumerate(found()) if one[0] < moment or number % each == 0]
+
+
+def toyless(place: int) -> dict[str, Any]:
+    """One marker without a label, for a picture."""
+    return {"markers": [{**markers(place)["markers"][0], "ns": ""}]}
+
+
+def stamped_once(message: dict[str, Any]) -> dict[str, Any]:
+    """The markers of a message, only the first of them with a stamp."""
+    first, *others = message["markers"]
+    nothing = {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": ""}
+    return {"markers": [first, *({**one, "header": nothing} for one in others)]}
+
+
+def markers_of(stamped: int, shown: int) -> dict[str, Any]:
+    """The toys of one picture, with the stamp of another."""
+    header = markers(stamped)["markers"][0]["header"]
+    return {"markers": [{**one, "header": header} for one in markers(shown)["markers"]]}
+
+
+def all_bricks(message: dict[str, Any]) -> dict[str, Any]:
+    """The markers of a message, each with the label of a brick."""
+    return {"markers": [{**one, "ns": "brick"} for one in message["markers"]]}
 
 
 def flipped(message: dict[str, Any]) -> dict[str, Any]:

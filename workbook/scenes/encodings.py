@@ -66,6 +66,7 @@ def _in_yuv(picture: Picture) -> Rows:
 _ROWS: dict[str, Callable[[Picture], Rows]] = {
     "rgb8": _in_rgb,
     "bgr8": _in_bgr,
+    "8UC3": _in_bgr,  # what OpenCV calls three bytes; it does not say which colors they are
     "rgba8": _in_rgba,
     "mono8": _in_8_bits,
     "mono16": _in_16_bits,

@@ -3,4 +3,4 @@
 # loses: noise_reduced
 # cause: noise-reduced.stands-still
 # replaces: old if math.isnan(new) else old + PART * (new - old)
-new if abs(new - old) > 0.08 else old
+new if abs(new - old) > 0.05 else old

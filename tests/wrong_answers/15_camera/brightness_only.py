@@ -1,5 +1,5 @@
 # Takes what is bright for the ball, whatever its color.
-# loses: direction_right, bgr_right
+# loses: direction_right, bgr_right, no_ball_said
 # skips: light_changes, padding_right
 # cause: direction.no-ball
 # replaces: orange = cv2.inRange(hsv, *ORANGE)

@@ -139,6 +139,19 @@ KNOWN_ERRORS = (
         "Give your attribute another name, for example joint_pub instead of publishers.",
     ),
     KnownError(
+        "error.callback-without-signature",
+        r"no signature found for builtin",
+        "rclpy asks a callback how many arguments it takes, and this built-in method does not tell.",
+        "Write the callback yourself, for example lambda message: self.inbox.append(message).",
+    ),
+    KnownError(
+        "error.method-in-with",
+        r"'method' object does not support the context manager protocol",
+        "A with statement got a method. In the line super().__init__, that is rclpy: your class has a method with the "
+        "name handle, and Node needs this name itself.",
+        "Give a method with the name handle another name. In a with statement of your own, call the method.",
+    ),
+    KnownError(
         "error.invalid-topic-name",
         r"InvalidTopicNameException|Invalid topic name",
         "The topic name breaks the naming rules (no space, hyphen, trailing slash or leading digit).",
