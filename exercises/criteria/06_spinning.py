@@ -303,7 +303,8 @@ def too_many_jobs(recording: Recording) -> Verdict | None:
         "slow-callbacks.several",
         f"{len(begun)} jobs of {JOB_S} s begun in a call for {asked:g} s{back}",
         "at most one callback once the time is up: the second job waits for the next call",
-        "Several callbacks run between two looks at the clock: a loop inside the loop, or a wait for something else.",
+        "Several callbacks run between two looks at the clock, for example in a loop inside the loop. Or the time is "
+        "counted only after a first callback.",
         TIME_THAT_IS_LEFT,
     )
 
