@@ -79,7 +79,7 @@ class LockStep:
         self._suspect = next((thread for thread in threads if proc.is_at_work(thread.stat)), None)
         if self._suspect is not None:
             return State.AT_WORK
-        sleeping = any([self._goes_on_by_itself(*one) for one in zip(threads, before, strict=True)])
+        sleeping = any(self._goes_on_by_itself(*one) for one in zip(threads, before, strict=True))
         if before != [_times_scheduled(thread) for thread in threads]:
             return State.AT_WORK
         return State.SLEEPING if sleeping else State.AT_REST
