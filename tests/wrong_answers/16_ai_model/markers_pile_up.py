@@ -1,5 +1,5 @@
 # Never empties its message.
-# loses: stamps_kept
+# loses: stamps_kept, survives
 # skips: fresh, right
 # cause: stamps-kept.several-pictures
 # replaces: message = MarkerArray()
