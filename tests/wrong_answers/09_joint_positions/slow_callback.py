@@ -1,6 +1,6 @@
 # The joint callback takes 1.9 s, and all other timers wait.
 # loses: status_kept
-# cause: rate.silence
+# cause: rate.groups-with-silences
 # after: import random
 import time
 

@@ -196,9 +196,10 @@ def _falls_silent(topic: Topic, seen: Pace) -> Verdict:
             "rate.groups-with-silences",
             f"messages come in {_groups(seen)}, and there is a silence of {seconds(seen.gap.seconds)} {where}",
             _rate_expected(topic),
-            "Several messages are published at once, and then none for a while. Their number is right, but a "
-            "subscriber gets old values or none.",
-            f"Publish once in each call of a timer's callback: create_timer({topic.period}, ...).",
+            "Several messages are published at once, and then none for a while. One callback publishes them all. Or "
+            "something blocks the node: another callback works or sleeps, and then the timer makes up for it.",
+            f"Publish once in each call of a timer's callback: create_timer({topic.period}, ...). Keep all callbacks "
+            "short, and never sleep in them.",
             about_time=True,
         )
     return failed(
