@@ -331,7 +331,7 @@ def survives(recording: Recording) -> Verdict:
     return (
         silent_since_glare(recording, saw, full)
         or too_rarely(saw, full)
-        or pauses(recording, saw)
+        or pauses(recording, saw, full)
         or answered_glare(saw, full)
         or said_nothing_there(recording, saw, given)
         or no_line(recording, saw)
@@ -1096,15 +1096,15 @@ def too_rarely(saw: str, given: Sequence[Answered]) -> Verdict | None:
     )
 
 
-def pauses(recording: Recording, saw: str) -> Verdict | None:
-    """Whether no picture is answered for a long time after glare, by a node that answers fresh ones otherwise."""
+def pauses(recording: Recording, saw: str, given: Sequence[Answered]) -> Verdict | None:
+    """Whether no detections come for a long time after glare, from a node that answers fresh pictures otherwise."""
     seen = timed(recording)
     sent = [word.wall for word in see.said(recording, IMAGE.name)]
     if not seen or statistics.median(one.age for one in seen) > MOSTLY_S:
         return None
     for _, end in GLARE_S:
         over = sent[min(round(end * CAMERA_HZ), len(sent) - 1)]
-        waited = min((one.wall for one in seen if one.wall > over + MODEL_S / 2), default=sent[-1]) - over
+        waited = min((one.wall for one in given if one.wall > over + MODEL_S / 2), default=sent[-1]) - over
         if waited > PAUSE_S:
             return see.failed(
                 "survives.pauses",

@@ -1,5 +1,5 @@
 # Never empties its message.
-# loses: stamps_kept, survives
+# loses: stamps_kept
 # skips: fresh, right
 # cause: stamps-kept.several-pictures
 # replaces: message = MarkerArray()
