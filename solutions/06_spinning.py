@@ -40,7 +40,7 @@
 #
 # A driver imports your file and calls `pump` eight times, for 0.05 s to 2.1 s. Its robot has a heartbeat (10 Hz), looks
 # around (2 Hz), repeats each word that it receives, and has slow jobs of 0.4 s. A second robot is quiet: it has no
-# timer, and receives four words, two of them near the end. A third one has slow jobs alone. All robots publish what
+# timer, and receives four words, two of them near the end. A third one has only slow jobs. All robots publish what
 # they do. The driver publishes when each call begins and ends, and what the call changed on the node.
 #
 # | points | criterion |

@@ -67,7 +67,7 @@
 # | 1 | the alarm ends when the heart beats again |
 #
 # These tolerances allow for busy machines. 2 Hz means 1.8 to 2.2 Hz, typically one line every 0.45 to 0.55 s, and no
-# silence over 1.25 s. Alarms may be raised, and end, 0.2 s later than stated above. Your program has started when the
+# silence over 1.25 s. Alarms may be raised, and end, 0.2 s later than stated above. Your program counts as started when the
 # judge has found its topics.
 #
 # **Not part of it:**

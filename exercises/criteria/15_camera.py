@@ -30,6 +30,7 @@ DIRECTION = topic("/robot/ball_direction", Vector3Stamped)
 
 RATE_HZ = 30.0
 FOCAL_PIXELS = 140.0
+CENTER = (79.5, 59.5)  # column and row that look straight ahead
 BALL_RADIUS_M = 0.04
 WITHIN_DEG = 1.0
 LENGTH_SLACK = 0.02
@@ -673,15 +674,14 @@ def in_axes_of_the_robot(place: int, answer: Answered) -> bool:
 
 def is_a_pixel(place: int, answer: Answered) -> bool:
     """Whether the vector holds column and row of the ball in the place of a direction."""
-    x, y, z = ball_of(place)
-    column, row = 79.5 + FOCAL_PIXELS * x / z, 59.5 + FOCAL_PIXELS * y / z
-    return math.hypot(answer.vector[0] - column, answer.vector[1] - row) < 8.0
+    right, down = seen_at(ball_of(place))
+    return math.dist(answer.vector[:2], (CENTER[0] + right, CENTER[1] + down)) < 8.0
 
 
 def from_the_corner(place: int, answer: Answered) -> bool:
     """Whether columns and rows are counted from the corner, not from the middle."""
-    x, y, z = ball_of(place)
-    ray = (x / z + 79.5 / FOCAL_PIXELS, y / z + 59.5 / FOCAL_PIXELS, 1.0)
+    right, down = seen_at(ball_of(place))
+    ray = (CENTER[0] + right, CENTER[1] + down, FOCAL_PIXELS)
     return off_deg(answer.vector, ray) <= NEAR_DEG
 
 
