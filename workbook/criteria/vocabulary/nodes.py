@@ -63,6 +63,12 @@ def _not_there(found: Mapping[str, NodeSeen], wanted: str, beside: Collection[st
         namespace, _, name = other.rpartition("/")
         if other.lower() == wanted.lower():
             return fail("on-the-graph.other-case", "Names are case-sensitive.")
+        if other.replace("/", "_") == wanted.replace("/", "_"):
+            return fail(
+                "on-the-graph.slash-for-underscore",
+                "The slashes are in other places. What stands before the last slash is the namespace, here "
+                f"{namespace or '/'}. The name of this node is {name}, not {base}.",
+            )
         if namespace == wanted:
             return fail(
                 "on-the-graph.name-as-namespace",
