@@ -395,13 +395,16 @@ def in_turn(texts: Sequence[str]) -> dict[int, int]:
 
 
 _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:[.,]\d+)?(?:[eE][-+]?\d+)?")
+_IN_GROUPS = re.compile(r"(?<![\w.,])[-+]?\d{1,3}(?:,\d{3})+(?:\.\d+)?(?![\d,])")
 _NO_NUMBER = re.compile(r"\bnan\b|not a number", re.IGNORECASE)
 _INFINITE = re.compile(r"(-|\bminus |\bnegative |)\binf(?:inity|inite)?\b", re.IGNORECASE)
 AS_ROUNDED = 0.05 + 1e-6  # an alarm may give its value with one decimal
 
 
 def numbers_in(text: str) -> list[float]:
-    return [float(number.replace(",", ".")) for number in _NUMBER.findall(text)]
+    """The numbers in an alarm, also with a decimal comma, with an exponent, or with commas between the thousands."""
+    in_groups = [float(number.replace(",", "")) for number in _IN_GROUPS.findall(text)]
+    return [float(number.replace(",", ".")) for number in _NUMBER.findall(text)] + in_groups
 
 
 def names(text: str, reading: float) -> bool:
