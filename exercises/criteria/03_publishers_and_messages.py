@@ -452,16 +452,23 @@ def why_changed(call: DriverCall, made: list[DriverCall], saw: str, expected: st
             "Send the number as it is. Round it where it is displayed, not where it is sent.",
         )
     if any(one.sent and abs(one.sent[0] - sent) > TOLERANCE for one in made if one.argument == call.argument):
-        return fail(
-            "number.depends-on-earlier",
-            "In another call the same argument was sent as another number. So what is sent depends on earlier calls: a "
-            "mean, a filter, or a limit for the step from one number to the next.",
-            "Send the number of this call as it is.",
-        )
+        return why_differently(saw, expected)
     return fail(
         "number.changed",
         "The number is changed before it is sent: scaled, limited, or converted to another type.",
         "Send the number as it is, in percent.",
+    )
+
+
+def why_differently(saw: str, expected: str) -> Verdict:
+    """Why one argument was sent as different numbers."""
+    return see.failed(
+        "number.depends-on-earlier",
+        saw,
+        expected,
+        "In another call the same argument was sent as another number. So what is sent depends on earlier calls: a "
+        "mean, a filter, or a limit for the step from one number to the next.",
+        "Send the number of this call as it is.",
     )
 
 
@@ -499,15 +506,24 @@ def why_number_raised(call: DriverCall, made: list[DriverCall], saw: str, expect
             "Your check refuses too much: this is a number, although it is not a Python float.",
             "Accept every kind of number (numbers.Real includes NumPy's), then send float(level).",
         )
+    return why_float_raised(made, saw, expected)
+
+
+def why_float_raised(made: list[DriverCall], saw: str, expected: str) -> Verdict:
+    """Why a call with a float raised an error."""
     refused_floats = {one.argument for one in made if one.argument in FLOATS and one.how == "raised"}
     if refused_floats == {argument for argument, number in FLOATS.items() if number < 1.0}:
-        return fail(
+        return see.failed(
             "number.small-refused",
+            saw,
+            expected,
             "Only charges below 1 % are refused. But a battery that is almost empty is a measurement, too.",
             "Refuse only what is not a finite number.",
         )
-    return fail(
+    return see.failed(
         "number.raised",
+        saw,
+        expected,
         "Your method raised an error, although it was given a number.",
         "Read the error: it names what went wrong in your method.",
     )

@@ -66,8 +66,7 @@ def _not_there(found: Mapping[str, NodeSeen], wanted: str, beside: Collection[st
         if other.replace("/", "_") == wanted.replace("/", "_"):
             return fail(
                 "on-the-graph.slash-for-underscore",
-                "The slashes are in other places. What stands before the last slash is the namespace, here "
-                f"{namespace or '/'}. The name of this node is {name}, not {base}.",
+                f"The part before the last slash, {namespace or '/'}, is the namespace. The node is called {name}.",
             )
         if namespace == wanted:
             return fail(
