@@ -58,7 +58,8 @@ def walks_its_rounds(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="/night_guard is on the graph, once", needs=[runs_until_told])
 def guard_on_the_graph(recording: Recording) -> Verdict:
-    verdict = see.on_the_graph(recording, NODE)
+    how = "Leave the class NightGuard as it was, remap nothing, and give the node no namespace."
+    verdict = see.on_the_graph(recording, NODE, how=how)
     others = sorted({node.name for node in recording.nodes} - {NODE})
     if not verdict.ok or not others:
         return verdict
@@ -126,14 +127,23 @@ def why_never_parked(recording: Recording, expected: str) -> Verdict:
         "the program ended after Ctrl-C, and its arms are still up",
         expected,
         "Nothing calls park() after Ctrl-C. rclpy.spin() does not return on Ctrl-C: it raises KeyboardInterrupt, "
-        "so the lines after it never run. on_shutdown callbacks are not called either.",
-        "Call guard.park() in the finally block of a try around rclpy.spin(guard).",
+        "so the lines after it never run. By then rclpy.ok() is False, and on_shutdown callbacks are not called.",
+        "Call guard.park() in the finally block of a try around rclpy.spin(guard), without a condition.",
     )
 
 
 @criterion(points=3, title="Ctrl-C ends it with exit code 0, without a traceback", needs=[runs_until_told])
 def ends_cleanly(recording: Recording) -> Verdict:
     process = recording.process
+    if process.signal == "SIGKILL" and walked_after_parking(recording):
+        return see.failed(
+            "ends-cleanly.walks-on",
+            "the arms were parked after Ctrl-C, then the guard walked on and had to be killed",
+            "exit code 0 and no traceback after Ctrl-C",
+            "The guard is still spun after it has parked. Either a signal handler of your own parks and does not end "
+            "the spin, or a loop starts the night again.",
+            "Leave SIGINT to rclpy: spin raises KeyboardInterrupt. Park in finally, and let main() return.",
+        )
     if process.signal == "SIGKILL" and PARKED in process.end_log.lower():
         return see.failed(
             "ends-cleanly.goes-on-after-parking",
@@ -173,6 +183,13 @@ def node_gone(recording: Recording) -> Verdict:
         "programs see such a ghost for up to 20 s.",
         "First make the program end on Ctrl-C. Its node then disappears with it.",
     )
+
+
+def walked_after_parking(recording: Recording) -> bool:
+    """Whether the guard logged something else after the words that say that its arms are parked."""
+    _, parked, after = recording.process.end_log.lower().partition(PARKED)
+    lines = [line for line in after.splitlines()[1:] if line.strip() and PARKED not in line]
+    return bool(parked) and len(lines) > 1
 
 
 def came_to_its_end(recording: Recording) -> bool:

@@ -15,7 +15,7 @@ TOLERANCE = 1e-5  # what 32 bits make of a charge with a few decimals; the task 
 
 # What publish_level is called with, as Python writes it, and the number that must arrive.
 FLOATS = {
-    "87.25": 87.25, "99.9": 99.9, "0.1": 0.1, "100.0": 100.0, "66.66667": 66.66667, "1.0": 1.0, "0.004": 0.004,
+    "87.25": 87.25, "99.9": 99.9, "0.1": 0.1, "100.0": 100.0, "66.66667": 66.66667, "1.0": 1.0, "0.00005": 0.00005,
     "42.5": 42.5,
 }  # fmt: skip
 EMPTY = {"0.0": 0.0}
@@ -48,10 +48,11 @@ CALLS = (
     "87.25", "99.9", "99.9", "0.1", "64", "None", "np.float32(12.5)", "True", "0.0", "0.0", "'full'",
     "np.float64(33.25)", "nan", "100.0", "'50'", "np.int64(7)", "7", "[50.0]", "0", "False", "66.66667", "inf", "1.0",
     "-inf", "np.float16(50.5)", "np.int8(100)", "' 7.5 '", "np.int32(18)", "(50.0,)", "87.25", "np.float32(nan)",
-    "np.float32(0.0)", "1", "''", "0.004", "np.float64(-inf)", "np.float32(-inf)", "42.5", "[]", "64",
+    "np.float32(0.0)", "1", "''", "0.00005", "np.float64(-inf)", "np.float32(-inf)", "42.5", "[]", "64",
 )  # fmt: skip
 AT_ONCE = 4  # the driver makes this call right after the one before, and all others 0.06 s after it
 EARLY = "sent before any call: "
+NEVER_AWAITED = "publish_level' was never awaited"  # Python's warning in the log
 MISTAKES = ("NameError", "AttributeError", "UnboundLocalError")
 
 WATCH = watching(
@@ -84,6 +85,15 @@ def sends(recording: Recording) -> Verdict:
     numbers = [call for call in judged_calls(recording) if call.argument in MEANT]
     if any(call.sent or call.later for call in numbers):
         return see.passed("numbers are published")
+    if NEVER_AWAITED in recording.process.log:
+        return see.failed(
+            "number.coroutine",
+            words(numbers[0]),
+            f"{as_float(meant(numbers[0]))} on {BATTERY.name}, once, within {TOLERANCE:g}",
+            "publish_level is written with async. A call of such a method runs none of its lines, it only makes a "
+            "coroutine, and the driver does not wait for one.",
+            "Write def publish_level(self, level), without async.",
+        )
     return why_not_arrived(numbers[0], numbers)
 
 
@@ -425,7 +435,7 @@ def why_changed(call: DriverCall, made: list[DriverCall], saw: str, expected: st
             "error. The Ubuntu packages may abort the program instead.",
             "Convert the number when you make the message: Float32(data=float(level)).",
         )
-    if abs(100.0 * sent - number) <= 100.0 * TOLERANCE:
+    if sent and abs(100.0 * sent - number) <= 100.0 * TOLERANCE:
         return fail(
             "number.fraction",
             "The number is divided by 100. The topic carries percent, so a subscriber would think that the "
@@ -441,10 +451,24 @@ def why_changed(call: DriverCall, made: list[DriverCall], saw: str, expected: st
             "Decimals are cut off, rounded or ignored: by round(), int(), a condition, or a type with fewer digits.",
             "Send the number as it is. Round it where it is displayed, not where it is sent.",
         )
+    if any(one.sent and abs(one.sent[0] - sent) > TOLERANCE for one in made if one.argument == call.argument):
+        return why_differently(saw, expected)
     return fail(
         "number.changed",
         "The number is changed before it is sent: scaled, limited, or converted to another type.",
         "Send the number as it is, in percent.",
+    )
+
+
+def why_differently(saw: str, expected: str) -> Verdict:
+    """Why one argument was sent as different numbers."""
+    return see.failed(
+        "number.depends-on-earlier",
+        saw,
+        expected,
+        "In another call the same argument was sent as another number. So what is sent depends on earlier calls: a "
+        "mean, a filter, or a limit for the step from one number to the next.",
+        "Send the number of this call as it is.",
     )
 
 
@@ -482,8 +506,24 @@ def why_number_raised(call: DriverCall, made: list[DriverCall], saw: str, expect
             "Your check refuses too much: this is a number, although it is not a Python float.",
             "Accept every kind of number (numbers.Real includes NumPy's), then send float(level).",
         )
-    return fail(
+    return why_float_raised(made, saw, expected)
+
+
+def why_float_raised(made: list[DriverCall], saw: str, expected: str) -> Verdict:
+    """Why a call with a float raised an error."""
+    refused_floats = {one.argument for one in made if one.argument in FLOATS and one.how == "raised"}
+    if refused_floats == {argument for argument, number in FLOATS.items() if number < 1.0}:
+        return see.failed(
+            "number.small-refused",
+            saw,
+            expected,
+            "Only charges below 1 % are refused. But a battery that is almost empty is a measurement, too.",
+            "Refuse only what is not a finite number.",
+        )
+    return see.failed(
         "number.raised",
+        saw,
+        expected,
         "Your method raised an error, although it was given a number.",
         "Read the error: it names what went wrong in your method.",
     )

@@ -23,11 +23,11 @@ SHARE_AT_ONCE = 0.9  # of the readings: the others may have been kept waiting by
 BEFORE_PAUSE = (52.0, 51.5, 51.0, 51.0, 50.25, 49.5)
 AFTER_PAUSE = (
     49.25, -3.0, -3.0, 48.75, 100.0, 99.5, 98.75, 98.0, 97.25, 96.5, math.nan, 95.0, 94.25, 93.5, 120.0, math.inf,
-    math.nan, 92.75, 12.5, 6.25, 0.375, 0.0, -0.125, 88.0, 87.5, 100.0078125, 87.25,
+    math.nan, 92.75, 12.5, 6.25, 0.375, 0.0, -0.125, 88.0, 87.5, 100.0001220703125, 87.25,
 )  # fmt: skip
 AT_THE_SAME_MOMENT = (86.75, 86.5, 86.25, 85.75)
 AT_THE_END = (
-    85.5, 6553.5, 85.25, 84.5, 84.5, 84.25, 83.75, -0.0078125, 83.5, 82.75, -math.inf, 81.5, 80.25, 79.75, 78.5,
+    85.5, 2e9, 85.25, 84.5, 84.5, 84.25, 83.75, -0.0001220703125, 83.5, 82.75, -math.inf, 81.5, 80.25, 79.75, 78.5,
     77.25, 120.0,
 )  # fmt: skip
 READINGS = (*BEFORE_PAUSE, *AFTER_PAUSE, *AT_THE_SAME_MOMENT, *AT_THE_END)
@@ -45,7 +45,7 @@ BAD_PLACES = tuple(place for place, reading in enumerate(READINGS) if not is_goo
 GOOD = tuple(READINGS[place] for place in GOOD_PLACES)
 BAD = tuple(READINGS[place] for place in BAD_PLACES)
 BELOW, ABOVE = {one for one in BAD if one < 0.0}, {one for one in BAD if one > 100.0}
-NEAR_LIMITS = {-0.125, -0.0078125, 100.0078125}
+NEAR_LIMITS = {-0.125, -0.0001220703125, 100.0001220703125}
 LIMITS = {0.0, 100.0}
 INSIDE = tuple(reading for reading in GOOD if reading not in LIMITS)
 LOW_AT_MOST = 20.0
@@ -157,6 +157,15 @@ def bad_kept_back(recording: Recording) -> Verdict:
             f"{shown(answered.instead[0])} on {PASSED_ON.name} in place of a bad reading",
             NO_BAD_ONES,
             "The node makes up a reading. A subscriber will think that it was measured.",
+            "Raise the alarm, and publish nothing on this topic.",
+        )
+    if len(answered.bad) > sum(map(math.isnan, BAD)) and all(map(math.isnan, answered.bad)):
+        return see.failed(
+            "bad-kept-back.nan-instead",
+            f"{len(answered.bad)} times nan on {PASSED_ON.name}, more often than it was sent",
+            NO_BAD_ONES,
+            "The node publishes a nan in place of other bad readings. A subscriber that compares it with a limit is "
+            "misled: each comparison with nan is False.",
             "Raise the alarm, and publish nothing on this topic.",
         )
     if answered.bad:
@@ -276,12 +285,8 @@ def bad_before(place: int) -> int:
 def at_once(recording: Recording) -> Verdict:
     """All good readings came in order; whether they came at once."""
     said_at = [word.t for word in see.said(recording, BATTERY_TOPIC) if is_good(word.value["data"])]
-    came_at = [
-        arrival.t
-        for arrival in recording.topic(PASSED_ON.name).arrivals
-        if arrival.value["data"] in GOOD and arrival.value["data"] not in OTHERS
-    ]
-    late = [came - said for said, came in zip(said_at, came_at, strict=False) if came - said > AT_ONCE_S]
+    came_at = moments_of_good_ones(recording)
+    late = late_ones(recording)
     if len(came_at) != len(said_at) or len(late) <= (1.0 - SHARE_AT_ONCE) * len(said_at):
         return see.passed(f"{len(GOOD)} good readings, from {shown(GOOD[0])} to {shown(GOOD[-1])}, in order")
     return see.failed(
@@ -292,6 +297,28 @@ def at_once(recording: Recording) -> Verdict:
         "Publish each one inside the callback, at once.",
         about_time=True,
     )
+
+
+def moments_of_good_ones(recording: Recording) -> list[float]:
+    """When good readings arrived on /monitor/battery (s)."""
+    return [
+        arrival.t
+        for arrival in recording.topic(PASSED_ON.name).arrivals
+        if arrival.value["data"] in GOOD and arrival.value["data"] not in OTHERS
+    ]
+
+
+def late_ones(recording: Recording) -> list[float]:
+    """How late (s) those good readings came that came late, if none is missing before the last one that came."""
+    said_at = [word.t for word in see.said(recording, BATTERY_TOPIC) if is_good(word.value["data"])]
+    delays = [came - said for said, came in zip(said_at, moments_of_good_ones(recording), strict=False)]
+    return [delay for delay in delays if delay > AT_ONCE_S]
+
+
+def come_in_groups(recording: Recording) -> bool:
+    """Whether most good readings arrived at the same moment as another one."""
+    came_at = moments_of_good_ones(recording)
+    return 3 * sum(after - before > APART_S / 2 for before, after in pairwise(came_at)) < len(came_at)
 
 
 @dataclass(frozen=True)
@@ -367,14 +394,17 @@ def in_turn(texts: Sequence[str]) -> dict[int, int]:
     return pairs
 
 
-_NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:[.,]\d+)?")
+_NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(?:[.,]\d+)?(?:[eE][-+]?\d+)?")
+_IN_GROUPS = re.compile(r"(?<![\w.,])[-+]?\d{1,3}(?:,\d{3})+(?:\.\d+)?(?![\d,])")
 _NO_NUMBER = re.compile(r"\bnan\b|not a number", re.IGNORECASE)
 _INFINITE = re.compile(r"(-|\bminus |\bnegative |)\binf(?:inity|inite)?\b", re.IGNORECASE)
 AS_ROUNDED = 0.05 + 1e-6  # an alarm may give its value with one decimal
 
 
 def numbers_in(text: str) -> list[float]:
-    return [float(number.replace(",", ".")) for number in _NUMBER.findall(text)]
+    """The numbers in an alarm, also with a decimal comma, with an exponent, or with commas between the thousands."""
+    in_groups = [float(number.replace(",", "")) for number in _IN_GROUPS.findall(text)]
+    return [float(number.replace(",", ".")) for number in _NUMBER.findall(text)] + in_groups
 
 
 def names(text: str, reading: float) -> bool:
@@ -533,7 +563,8 @@ def jumps_or_stops(saw: str, lost: set[int]) -> Verdict | None:
             "in-order.stops-at-the-bad-one",
             saw,
             EXPECTED,
-            "Nothing comes after the first bad reading: the node ends, or it remembers the fault forever.",
+            "Nothing comes after the first bad reading: the node ends, or it remembers the fault, forever or for a "
+            "while.",
             "Judge each reading on its own, and return from the callback without an error after the alarm.",
             about_time=True,
         )
@@ -593,7 +624,34 @@ def lost_on_the_way(recording: Recording, saw: str, lost: tuple[int, ...]) -> Ve
         )
     if made_late(recording, PASSED_ON) and lost[0] == 0:
         return see.failed("in-order.first-ones-lost", saw, EXPECTED, *MADE_LATE, about_time=True)
-    return lost_at_an_end(saw, lost) or lost_among_others(saw, lost)
+    return lost_at_an_end(saw, lost) or none_from_one_on(recording, saw, lost) or lost_among_others(saw, lost)
+
+
+def none_from_one_on(recording: Recording, saw: str, lost: tuple[int, ...]) -> Verdict | None:
+    """Why all came up to one reading, and none from it on; None if it is not so, or if many of them came late."""
+    if lost != tuple(range(lost[0], len(GOOD))):
+        return None
+    late = late_ones(recording)
+    if len(late) <= (1.0 - SHARE_AT_ONCE) * lost[0]:
+        return see.failed(
+            "in-order.stops",
+            saw,
+            EXPECTED,
+            "All readings before it came at once, and none from it on. So the node counts readings or alarms, it "
+            "remembers an error, a callback never returns, or nothing spins the node any more.",
+            "Treat every reading the same, let the callback return, and spin until the program is stopped.",
+            about_time=True,
+        )
+    if come_in_groups(recording):
+        return see.failed(
+            "in-order.in-groups",
+            f"{saw}, and {len(late)} of the others came late, one of them after {max(late):.1f} s",
+            EXPECTED,
+            "Readings are collected and sent in groups, and the last group was not full.",
+            "Publish each one inside the callback, at once.",
+            about_time=True,
+        )
+    return None
 
 
 def lost_at_an_end(saw: str, lost: tuple[int, ...]) -> Verdict | None:
@@ -695,7 +753,8 @@ def why_others_came(answered: Answered) -> Verdict:
             "in-order.repeated",
             f"{shown(twice[0])} came {ours.count(twice[0])} times on {PASSED_ON.name}",
             EXPECTED,
-            "Two subscriptions receive the same topic, or a timer sends the last reading again.",
+            "The callback publishes it twice, two subscriptions receive the same topic, or a timer sends the last "
+            "reading again.",
             "Make one subscription, and publish once in each call of the callback.",
         )
     return in_other_order(ours)
@@ -818,6 +877,8 @@ def perhaps_not_called(saw: str) -> Verdict:
 def why_not_named(misnamed: Sequence[tuple[int, str]]) -> Verdict:
     """Why there is one alarm for each bad reading, and not each one names its value: half of the points."""
     finite = [(BAD[place], text) for place, text in misnamed if math.isfinite(BAD[place])]
+    unnamed = [(reading, text) for reading, text in finite if not names(text, reading)]
+    finite = unnamed if 2 * len(unnamed) >= len(finite) else finite  # by chance, a text may name its reading
     reading, text = finite[0] if finite else (BAD[misnamed[0][0]], misnamed[0][1])
     saw = f"the alarm for the bad reading {shown(reading)} says {quoted(text)}"
 
@@ -826,6 +887,8 @@ def why_not_named(misnamed: Sequence[tuple[int, str]]) -> Verdict:
 
     if finite and all(names(told, -one) for one, told in finite):
         return partly("one-alarm.sign-lost", "The sign of the value is missing or wrong.")
+    if finite and all(names_as_share(told, one) for one, told in finite):
+        return partly("one-alarm.value-divided", "The value is divided by 100. The readings are in percent.")
     if finite and all(names_as_whole(told, one) for one, told in finite):
         return partly(
             "one-alarm.value-rounded",
@@ -839,6 +902,14 @@ def why_not_named(misnamed: Sequence[tuple[int, str]]) -> Verdict:
     return partly(
         "one-alarm.value-not-named",
         "This text must help a person to find the fault, and the value is the best clue.",
+    )
+
+
+def names_as_share(text: str, reading: float) -> bool:
+    """Whether an alarm gives a reading divided by 100."""
+    return any(
+        abs(number) > 0.0 and abs(100.0 * number - reading) <= 1e-3 * abs(reading)
+        for number in numbers_in(text)
     )
 
 

@@ -1,6 +1,6 @@
 # Destroys the node and then needs its name.
 # loses: arms_parked, ends_cleanly
-# cause: error.exception
+# cause: error.destroyed
 # replaces: guard.park()
 # replaces: guard.destroy_node()
 guard.destroy_node()

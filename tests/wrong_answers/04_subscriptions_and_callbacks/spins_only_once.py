@@ -1,7 +1,7 @@
 # Takes one message and believes that this was it; then it goes on with something else.
 # loses: in_order, alarms_come
 # skips: one_alarm, no_false_alarm
-# cause: in-order.some-lost
+# cause: in-order.stops
 # before: import rclpy
 import time
 

@@ -13,6 +13,7 @@ from workbook.criteria.vocabulary.known_errors import (
 from workbook.criteria.vocabulary.phrasing import seconds
 from workbook.recording.recording import ProcessRecord, Recording
 
+_AFTER_THE_END = ("error.exception", "error.destroyed", "error.context-down")
 _EXPECTED = "exit code 0 and no traceback after Ctrl-C"
 _INTERRUPT = "KeyboardInterrupt"
 _NOT_CAUGHT = re.compile(r"^(Exception (in|ignored)|Task exception)", re.MULTILINE)
@@ -57,7 +58,7 @@ def exits_cleanly(recording: Recording) -> Verdict:
 
 def _by_error(process: ProcessRecord, error: ProgramError) -> Verdict:
     saw = f"after Ctrl-C: {error.where}{error.error} (exit code {process.exit})"
-    if process.exit == 0 and error.cause == "error.exception" and not _NOT_CAUGHT.search(process.end_log):
+    if process.exit == 0 and error.cause in _AFTER_THE_END and not _NOT_CAUGHT.search(process.end_log):
         return failed(
             "exits-cleanly.prints-an-error",
             saw,

@@ -164,6 +164,32 @@ KNOWN_ERRORS = (
         "Give the node a plain name such as humanoid_status_publisher.",
     ),
     KnownError(
+        "error.topic-name-no-text",
+        r"rclpy_resolve_name\(\): incompatible function arguments",
+        "The name of a topic or service must be a text, and something else stands in its place. In ROS 2 the message "
+        "type comes first, then the name. In ROS 1 it was the other way around.",
+        "Write create_publisher(String, '/robot/status', 10): the type, the name, the depth.",
+    ),
+    KnownError(
+        "error.ros-arguments",
+        r"RCLInvalidROSArgsError",
+        "ROS cannot read one of its arguments, and the error quotes it. A rule of a remapping is one text with := in "
+        "it. The new name of a node has letters, digits and underscores only, and no slash.",
+        "Write each rule as two texts: '-r', '__node:=left_arm'. For another namespace, use the argument namespace.",
+    ),
+    KnownError(
+        "error.context-down",
+        r"publisher's context is invalid",
+        "The context was already shut down, and then nothing can be published. On Ctrl-C rclpy shuts it down at once.",
+        "Leave the message out, or publish it before the context is shut down.",
+    ),
+    KnownError(
+        "error.destroyed",
+        r"InvalidHandle: cannot use Destroyable because destruction was requested",
+        "Something is used after it was destroyed. The error calls a node, a publisher or a timer a Destroyable.",
+        "Call destroy_node() and the like last, after the last use.",
+    ),
+    KnownError(
         "error.wrong-value-type",
         r"(?:must be real number, not str|bad argument type for built-in operation|a float is required)",
         "A value of the wrong type was put into a message field.",

@@ -63,6 +63,11 @@ def _not_there(found: Mapping[str, NodeSeen], wanted: str, beside: Collection[st
         namespace, _, name = other.rpartition("/")
         if other.lower() == wanted.lower():
             return fail("on-the-graph.other-case", "Names are case-sensitive.")
+        if other.replace("/", "_") == wanted.replace("/", "_"):
+            return fail(
+                "on-the-graph.slash-for-underscore",
+                f"The part before the last slash, {namespace or '/'}, is the namespace. The node is called {name}.",
+            )
         if namespace == wanted:
             return fail(
                 "on-the-graph.name-as-namespace",
