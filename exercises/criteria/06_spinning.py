@@ -46,6 +46,7 @@ EARLY_S, LATE_S = 0.05, 0.25
 LEAST_SHARE = 0.8  # of the heartbeats that are due
 LONGEST_SILENCE_S = 0.3
 PROCESSOR_SHARE = 0.12
+SHARE_WITH_TIMERS = 0.4  # right functions use up to a tenth, one that never waits uses all of it
 
 DELAY_S = 1.5  # longer than a message needs to arrive, on however busy a machine
 A_FEW_BEATS = 3  # fewer may be chance
@@ -365,7 +366,7 @@ def easy_on_the_processor(recording: Recording) -> Verdict:
     idle = [QUIET] if QUIET in made else [number for number in (BURST, AGAIN) if number in made]
     share = max((made[number].processor_share for number in idle), default=0.0)
     if share < PROCESSOR_SHARE:
-        return see.passed(f"{share:.0%} of one processor")
+        return polls_with_timers(recording, share) or see.passed(f"{share:.0%} of one processor")
     return see.failed(
         "easy-on-the-processor.never-waits",
         f"{share:.0%} of one processor, most of it for waiting",
@@ -373,6 +374,22 @@ def easy_on_the_processor(recording: Recording) -> Verdict:
         "A loop with timeout_sec=0, or with a very short timeout, hardly waits: it polls for work again and again.",
         "Let spin_once wait, for example 0.05 s, but no longer than the time that is left. It returns by itself "
         "when a callback was ready.",
+    )
+
+
+def polls_with_timers(recording: Recording, quiet: float) -> Verdict | None:
+    """Polling for work with the robot that has timers, though not with the quiet one; None if it waits there, too."""
+    made = calls(recording)
+    long = [made[n] for n in (BURST, AGAIN) if n in made and (made[n].took or 0.0) > ASKED_S[n] / 2.0]
+    share = max((call.processor_share for call in long), default=0.0)
+    if share < SHARE_WITH_TIMERS:
+        return None
+    return see.failed(
+        "easy-on-the-processor.polls-with-timers",
+        f"{share:.0%} of one processor with the robot that has timers, {quiet:.0%} with the quiet one",
+        f"less than {SHARE_WITH_TIMERS:.0%} with timers, and less than {PROCESSOR_SHARE:.0%} with the quiet robot",
+        "Between two callbacks, your loop polls for work again and again. It waits only if the node has no timer.",
+        "Give each spin_once the same timeout, for example 0.05 s, whatever the node has.",
     )
 
 
@@ -433,7 +450,15 @@ def spins_on(recording: Recording) -> Verdict | None:
 
 
 def thread_left(saw: str) -> Verdict:
-    """A thread goes on spinning, although no callback runs."""
+    """A thread goes on, although no callback runs."""
+    if saw.endswith("still runs"):
+        return see.failed(
+            "nothing-left-running.thread-runs",
+            saw,
+            "nothing that pump started keeps running",
+            "Your function starts a thread that goes on after pump has returned. Each call may leave one more.",
+            "Avoid the thread, or tell it to end and join() it before you return.",
+        )
     return see.failed(
         "nothing-left-running.thread-left",
         saw,
@@ -464,14 +489,6 @@ def why_changed(changed: list[str]) -> Verdict:
             "a callback that has begun is finished before pump returns",
             "Something ended the callback half way: a signal, or an exception from another thread.",
             "Check the clock between two callbacks, and let the callback that runs finish.",
-        )
-    if first.endswith("still runs"):
-        return see.failed(
-            "nothing-left-running.thread-runs",
-            saw,
-            "nothing that pump started keeps running",
-            "Your function starts a thread that goes on after pump has returned. Each call may leave one more.",
-            "Avoid the thread, or tell it to end and join() it before you return.",
         )
     if "thread" in first:
         return thread_left(saw)
@@ -610,8 +627,8 @@ def not_made(recording: Recording, number: int) -> Verdict | None:
             "call.raises-later",
             f"call 1 raised nothing, and call {number} raised {call.raised}",
             expected,
-            "Something no longer existed when pump was called again: the node or a part of it, its executor, or the ROS "
-            "context.",
+            "Something no longer existed when pump was called again: the node or a part of it, its executor, or the "
+            "ROS context.",
             "Leave the node and the context as you found them. Do not destroy either, or a part of the node, and do "
             "not shut down the context.",
         )
@@ -666,7 +683,8 @@ def ended_early(recording: Recording, took: dict[int, float]) -> Verdict | None:
         return None
     return see.failed(
         "in-time.short-calls",
-        f"asked for {ASKED_S[SHORT]:g} s, back after {ASKED_S[SHORT] - max(shorts):.2f} s; longer calls took their time",
+        f"asked for {ASKED_S[SHORT]:g} s, back after {ASKED_S[SHORT] - max(shorts):.2f} s; longer calls took their "
+        "time",
         IN_TIME,
         "A short time is treated in another way, or the time is counted in whole steps and rounded down.",
         "Store time.monotonic() + seconds at the start, and continue until that time.",

@@ -454,7 +454,7 @@ def why_refused(recording: Recording, call: str) -> Verdict | None:
 def why_not_arrived(recording: Recording, call: str, number: float) -> Verdict | None:
     """A failed verdict if a number that a call accepted did not arrive once as this number."""
     arrived, orders = see.values(recording, BATTERY), len(see.said(recording, "/driver/go"))
-    asked, done = 2 * orders if call == TWICE else orders, times_done(recording, call)
+    asked = 2 * orders if call == TWICE else orders
 
     def fail(cause: str, saw: str, because: str, try_this: str) -> Verdict:
         return see.failed(cause, f"{call} sent {saw}", numbers_expected(call), because, try_this)
@@ -475,23 +475,41 @@ def why_not_arrived(recording: Recording, call: str, number: float) -> Verdict |
             "Something publishes this number once more: a second publish(), or a timer.",
             "Publish once in each call.",
         )
-    if call == TWICE and arrived.count(number) <= orders:
-        return fail(
+    return why_not_each_time(recording, call, number)
+
+
+def why_not_each_time(recording: Recording, call: str, number: float) -> Verdict | None:
+    """A failed verdict if a number arrived in some calls, and in others not."""
+    arrived, done = see.values(recording, BATTERY).count(number), times_done(recording, call)
+    if arrived >= done:
+        return None
+    saw = f"{call} sent {number} {see.count(arrived, 'time')} in {see.count(done, 'call')}"
+    hint = "Publish in each call, whatever was sent before."
+    if call == TWICE and arrived <= len(see.said(recording, "/driver/go")):
+        return see.failed(
             "numbers-arrive.repeat-dropped",
-            f"{number} {see.count(arrived.count(number), 'time')} in {see.count(asked, 'call')}",
+            saw,
+            numbers_expected(call),
             "A number that equals the one before is not sent again. A listener then cannot tell a charge that stays "
             "the same from a robot that is silent.",
-            "Publish in each call, whatever was sent before.",
+            hint,
         )
-    if arrived.count(number) < done:
-        return fail(
-            "numbers-arrive.not-each-time",
-            f"{number} {see.count(arrived.count(number), 'time')} in {see.count(done, 'call')}",
-            "The number is sent in one call, and not in another. A condition or a counter skips the publish(), and no "
-            "error is raised.",
-            "Publish in each call, whatever was sent before.",
-        )
-    return None
+    return see.failed(
+        "numbers-arrive.not-each-time",
+        saw,
+        numbers_expected(call),
+        "A condition or a counter skips the publish() in some calls, and no error is raised.",
+        hint,
+    )
+
+
+ZERO_DROPPED = (
+    "numbers-arrive.zero-dropped",
+    "nothing that arrived as 0.0",
+    "0.0 counts as false in a condition: `if level:` treats it like a missing number. Or the level is limited to a "
+    "smallest value above 0.",
+    "Publish 0.0 like any other number.",
+)
 
 
 def why_changed(recording: Recording, call: str, number: float) -> tuple[str, str, str, str]:
@@ -505,13 +523,7 @@ def why_changed(recording: Recording, call: str, number: float) -> tuple[str, st
             "Pass float(level) to the message.",
         )
     if call == ZERO:
-        return (
-            "numbers-arrive.zero-dropped",
-            "nothing that arrived as 0.0",
-            "0.0 counts as false in a condition: `if level:` treats it like a missing number. Or the level is limited "
-            "to a smallest value above 0.",
-            "Publish 0.0 like any other number.",
-        )
+        return ZERO_DROPPED
     if number < 1.0 and 100.0 * number in see.values(recording, BATTERY):
         return (
             "numbers-arrive.share",
@@ -666,14 +678,7 @@ def refuses_wrong_numbers(recording: Recording) -> Verdict:
             hint,
         )
     if accepted == NO_NUMBER and sent == ZERO_SENT:
-        return see.failed(
-            "refuses-wrong-types.none-becomes-zero",
-            saw,
-            expected,
-            "Your check refuses other wrong values, but turns None into 0.0, as `level or 0.0` does. The battery then "
-            "looks empty.",
-            hint,
-        )
+        return none_becomes_zero(saw, expected)
     if not sent:
         return see.failed(
             "refuses-wrong-types.value-dropped",
@@ -689,6 +694,18 @@ def refuses_wrong_numbers(recording: Recording) -> Verdict:
         "Hints are for readers; Python ignores them at run time. This build of ROS does not check either: it "
         "sends anything that is not a float as 0.0.",
         hint,
+    )
+
+
+def none_becomes_zero(saw: str, expected: str) -> Verdict:
+    """None was sent as 0.0, though texts are refused."""
+    return see.failed(
+        "refuses-wrong-types.none-becomes-zero",
+        saw,
+        expected,
+        "Your check refuses other wrong values, but turns None into 0.0, as `level or 0.0` does. The battery then "
+        "looks empty.",
+        "Check the level as it was given: if not isinstance(level, (int, float)): raise TypeError(...)",
     )
 
 

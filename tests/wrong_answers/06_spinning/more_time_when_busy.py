@@ -2,7 +2,6 @@
 # loses: quiet_node
 # also: again
 # cause: in-time.wait-begins-anew
-# says: moves the end
 # before: end = time.monotonic() + seconds
 turns = 0
 # replaces: rclpy.spin_once(node, timeout_sec=min(left, TURN_S))
