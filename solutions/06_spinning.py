@@ -54,7 +54,7 @@
 # | 1 | a queue of slow jobs delays its return by at most one job (0.4 s) and 0.25 s |
 # | 1 | it returns in time (0.25 s) from the quiet robot, too, and handles its words |
 # | 1 | it uses less than 12 % of a processor with the quiet robot, and less than 40 % with the one that has timers |
-# | 1 | between two calls no callback and no thread of `pump` runs, and the node has what it had: timers and their periods, subscriptions, guard conditions, parameters |
+# | 1 | between two calls no callback and no thread of `pump` runs; the node has the same timers, periods, subscriptions, guard conditions and parameters |
 #
 # **Not part of it:** stopping a running callback, several threads, callbacks that raise, and simulated time. (Seconds
 # are real time, and so is the clock of the robots.)
