@@ -38,7 +38,7 @@
 # | `send_status(word)` | exactly `"operational"` or `"error"` | sends it; anything else raises an error and sends nothing |
 #
 # The node still reports by itself: the battery at 1 Hz, the status at 0.5 Hz, each within 20 %. It is never silent for
-# more than one and a half periods. What others send does not change the charge that it reports.
+# more than one and a half periods. What others send changes neither the charge nor the word that it reports.
 #
 # ## What is judged
 #
@@ -50,10 +50,10 @@
 # | 1 | the node reports as before |
 # | 2 | mypy --strict finds nothing in your program |
 # | 2 | mypy objects to a message of the wrong type |
-# | 1 | mypy objects to a value of the wrong type and to any other word |
+# | 1 | mypy objects to a value of the wrong type, to any other word, and to a call without a value |
 # | 1 | every number arrives once for each call and as that number, including `42`, `0.0` and the same one again |
 # | 2 | at run time a wrong value or message raises an error, and nothing is sent |
-# | 1 | at run time the two words are sent; any other word raises an error, and is not sent |
+# | 1 | at run time the two words are sent, also as messages of `status_publisher`; any other word raises an error, and is not sent |
 #
 # The judge ignores `# type: ignore`, and you may not write `Any`: neither makes the node safer.
 #

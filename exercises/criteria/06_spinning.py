@@ -46,6 +46,7 @@ EARLY_S, LATE_S = 0.05, 0.25
 LEAST_SHARE = 0.8  # of the heartbeats that are due
 LONGEST_SILENCE_S = 0.3
 PROCESSOR_SHARE = 0.12
+SHARE_WITH_TIMERS = 0.4  # right functions use up to a tenth, one that never waits uses all of it
 
 DELAY_S = 1.5  # longer than a message needs to arrive, on however busy a machine
 A_FEW_BEATS = 3  # fewer may be chance
@@ -199,7 +200,8 @@ def words_handled(recording: Recording) -> Verdict:
             "words-handled.one-a-round",
             saw,
             expected,
-            "One spin_once runs one callback. Other callbacks that are ready wait for the next spin_once.",
+            "One spin_once runs one callback, and a sleep runs none. Other callbacks that are ready wait for the next "
+            "spin_once.",
             hint,
             about_time=True,
         )
@@ -257,7 +259,8 @@ def again(recording: Recording) -> Verdict:
             "again.ends-early",
             f"the second call came back after {took:.2f} s",
             f"back after {ASKED_S[AGAIN]} s",
-            "Something from the first call is still there and ends the second one: a timer, a flag, or a future.",
+            "Something from the first call is still there and ends the second one: a timer, a flag, or a future. Or "
+            "your function gives later calls less time than they ask for.",
             "Destroy what you created on the node (node.destroy_timer), and create it again in each call.",
         )
     late = took is not None and took > ASKED_S[AGAIN] + 2 * LATE_S + kept_waiting(recording, AGAIN)
@@ -280,7 +283,11 @@ def slow_callbacks(recording: Recording) -> Verdict:
         return verdict
     begun = done_in(recording, JOB_BEGUN.name, SLOW)
     if begun:
-        return too_many_jobs(recording) or see.passed(f"{verdict.saw}, with {len(begun)} slow jobs begun")
+        return (
+            too_many_jobs(recording)
+            or late_after_job(recording)
+            or see.passed(f"{verdict.saw}, with {len(begun)} slow jobs begun")
+        )
     return see.failed(
         "slow-callbacks.none-begun",
         "none of the slow jobs was begun",
@@ -294,8 +301,7 @@ def slow_callbacks(recording: Recording) -> Verdict:
 def too_many_jobs(recording: Recording) -> Verdict | None:
     """More than one job was begun in a call for less than one; None if not, or if short calls are late anyway."""
     begun = done_in(recording, JOB_BEGUN.name, JOBS_ALONE)
-    short = [call.took for n, call in calls(recording).items() if n in SHORT_CALLS and call.took is not None]
-    if len(begun) < 2 or not short or min(short) > LATE_S:
+    if len(begun) < 2 or short_calls_late(recording):
         return None
     asked, took = ASKED_S[JOBS_ALONE], calls(recording)[JOBS_ALONE].took
     back = f", and back after {took:.2f} s" if took is not None else ""
@@ -307,6 +313,32 @@ def too_many_jobs(recording: Recording) -> Verdict | None:
         "counted only after a first callback.",
         TIME_THAT_IS_LEFT,
     )
+
+
+def late_after_job(recording: Recording) -> Verdict | None:
+    """The last call began one job, and came back long after it; None if not, or if short calls are late anyway."""
+    call = calls(recording).get(JOBS_ALONE)
+    if call is None or call.raised is not None or short_calls_late(recording):
+        return None
+    asked = ASKED_S[JOBS_ALONE]
+    spent = call.took if call.took is not None else recording.wall_s - call.begin
+    if spent <= asked + JOB_S + LATE_S + kept_waiting(recording, JOBS_ALONE):
+        return None
+    back = f"back after {spent:.2f} s" if call.took is not None else f"not back after {spent:.2f} s"
+    return see.failed(
+        "slow-callbacks.late-after-job",
+        f"asked for {asked:g} s, {back}, although one job takes {JOB_S} s",
+        f"back at most one job ({JOB_S} s) and {LATE_S} s after its time is up",
+        "After a slow callback, your function waits or sleeps, although its time is up.",
+        TIME_THAT_IS_LEFT,
+        about_time=True,
+    )
+
+
+def short_calls_late(recording: Recording) -> bool:
+    """Whether short calls come back late even without slow jobs, or never came back."""
+    short = [call.took for n, call in calls(recording).items() if n in SHORT_CALLS and call.took is not None]
+    return not short or min(short) > LATE_S
 
 
 @criterion(points=1, title="It comes back in time from a node that has almost nothing to do", needs=[returns])
@@ -334,7 +366,7 @@ def easy_on_the_processor(recording: Recording) -> Verdict:
     idle = [QUIET] if QUIET in made else [number for number in (BURST, AGAIN) if number in made]
     share = max((made[number].processor_share for number in idle), default=0.0)
     if share < PROCESSOR_SHARE:
-        return see.passed(f"{share:.0%} of one processor")
+        return polls_with_timers(recording, share) or see.passed(f"{share:.0%} of one processor")
     return see.failed(
         "easy-on-the-processor.never-waits",
         f"{share:.0%} of one processor, most of it for waiting",
@@ -342,6 +374,22 @@ def easy_on_the_processor(recording: Recording) -> Verdict:
         "A loop with timeout_sec=0, or with a very short timeout, hardly waits: it polls for work again and again.",
         "Let spin_once wait, for example 0.05 s, but no longer than the time that is left. It returns by itself "
         "when a callback was ready.",
+    )
+
+
+def polls_with_timers(recording: Recording, quiet: float) -> Verdict | None:
+    """Polling for work with the robot that has timers, though not with the quiet one; None if it waits there, too."""
+    made = calls(recording)
+    long = [made[n] for n in (BURST, AGAIN) if n in made and (made[n].took or 0.0) > ASKED_S[n] / 2.0]
+    share = max((call.processor_share for call in long), default=0.0)
+    if share < SHARE_WITH_TIMERS:
+        return None
+    return see.failed(
+        "easy-on-the-processor.polls-with-timers",
+        f"{share:.0%} of one processor with the robot that has timers, {quiet:.0%} with the quiet one",
+        f"less than {SHARE_WITH_TIMERS:.0%} with timers, and less than {PROCESSOR_SHARE:.0%} with the quiet robot",
+        "Between two callbacks, your loop polls for work again and again. It waits only if the node has no timer.",
+        "Give each spin_once the same timeout, for example 0.05 s, whatever the node has.",
     )
 
 
@@ -402,7 +450,15 @@ def spins_on(recording: Recording) -> Verdict | None:
 
 
 def thread_left(saw: str) -> Verdict:
-    """A thread goes on spinning, although no callback runs."""
+    """A thread goes on, although no callback runs."""
+    if saw.endswith("still runs"):
+        return see.failed(
+            "nothing-left-running.thread-runs",
+            saw,
+            "nothing that pump started keeps running",
+            "Your function starts a thread that goes on after pump has returned. Each call may leave one more.",
+            "Avoid the thread, or tell it to end and join() it before you return.",
+        )
     return see.failed(
         "nothing-left-running.thread-left",
         saw,
@@ -423,8 +479,8 @@ def why_changed(changed: list[str]) -> Verdict:
             "nothing-left-running.left-behind",
             saw,
             expected,
-            "What you create on the node stays there after pump has returned. It is still active in the next call.",
-            "Avoid it, or destroy it before you return: node.destroy_timer(timer).",
+            "What you create on the node stays there after pump has returned. The next call finds it there, too.",
+            "Avoid it, or remove it before you return, as node.destroy_timer(timer) does with a timer.",
         )
     if first.startswith("job"):
         return see.failed(
@@ -448,7 +504,7 @@ def why_changed(changed: list[str]) -> Verdict:
         "nothing-left-running.changed",
         saw,
         expected,
-        "The timers and subscriptions belong to the node. Do not cancel, restart or destroy them.",
+        "The timers and subscriptions belong to the node. Do not cancel, restart, change or destroy them.",
         "Only spin the node: rclpy.spin_once(node, timeout_sec=...).",
     )
 
@@ -571,8 +627,10 @@ def not_made(recording: Recording, number: int) -> Verdict | None:
             "call.raises-later",
             f"call 1 raised nothing, and call {number} raised {call.raised}",
             expected,
-            "The node, its executor or the ROS context no longer existed when pump was called again.",
-            "Leave the node and the context as you found them. Do not destroy the node or shut down the context.",
+            "Something no longer existed when pump was called again: the node or a part of it, its executor, or the "
+            "ROS context.",
+            "Leave the node and the context as you found them. Do not destroy either, or a part of the node, and do "
+            "not shut down the context.",
         )
     return None
 
@@ -621,11 +679,12 @@ def ended_early(recording: Recording, took: dict[int, float]) -> Verdict | None:
     others = [seconds for n, seconds in ahead.items() if n not in SHORT_CALLS]
     shorts = [ahead.get(n, 0.0) for n in (SHORT, SHORT_TOO)]
     left = any(one.endswith("left") for one in see.driver_reports(recording, CHANGED))
-    if left or max(others) > EARLY_S or min(shorts) <= EARLY_S:
+    if left or max(others) > EARLY_S or max(shorts) <= EARLY_S:
         return None
     return see.failed(
         "in-time.short-calls",
-        f"asked for {ASKED_S[SHORT]:g} s, back after {took[SHORT]:.2f} s; longer calls took their time",
+        f"asked for {ASKED_S[SHORT]:g} s, back after {ASKED_S[SHORT] - max(shorts):.2f} s; longer calls took their "
+        "time",
         IN_TIME,
         "A short time is treated in another way, or the time is counted in whole steps and rounded down.",
         "Store time.monotonic() + seconds at the start, and continue until that time.",
@@ -642,6 +701,15 @@ def nothing_handled(recording: Recording) -> Verdict | None:
         return None
     if not done_in(recording, HEARTBEAT.name, AGAIN):
         return None
+    if any("timer reset" in one for one in see.driver_reports(recording, CHANGED)):
+        return see.failed(
+            "again.timers-reset",
+            f"no callback ran in {len(SHORT_CALLS)} calls of {ASKED_S[SHORTEST]:g} to {ASKED_S[SHORT]:g} s, and timers "
+            "were reset",
+            "every callback that is ready runs, in a short call, too",
+            "Each call starts the timers anew. Then none of them is due before a short call is over.",
+            "Do not reset the timers of the node. They keep their plan between two calls.",
+        )
     return see.failed(
         "again.short-calls-do-nothing",
         f"no callback ran in {len(SHORT_CALLS)} calls of {ASKED_S[SHORTEST]:g} to {ASKED_S[SHORT]:g} s, though a "
@@ -799,7 +867,8 @@ def too_late(number: int, took: float) -> Verdict:
             "in-time.wait-begins-anew",
             saw,
             expected,
-            "After each callback, the wait started again with its full length.",
+            "A wait went on beyond the end. It started again with its full length after a callback, your function "
+            "sleeps, or it moves the end.",
             TIME_THAT_IS_LEFT,
             about_time=True,
         )

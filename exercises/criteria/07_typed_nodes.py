@@ -24,6 +24,7 @@ DROPPED = (
     "The value is dropped without an error: by return, pass, or only a line in the log. The caller believes that it "
     "was sent."
 )
+ZERO_SENT = f"0.0 was sent on {BATTERY.name}"
 ROUNDING = 1e-4  # how near an arrived number is to a rounded one
 ZERO = "send_battery(0.0)"
 WHOLE = "send_battery(42)"
@@ -40,12 +41,20 @@ NUMBER_CALLS = {
     "battery_publisher.publish(Float32(data=66.75))": 66.75,
 }
 GOOD_WORD = "send_status('error')"
+GOOD_MESSAGE = "status_publisher.publish(String(data='error'))"
 READ_AS_NUMBERS = ("send_battery('87.5')", "send_battery(b'87.5')")  # float() accepts both
-WRONG_NUMBERS = ("send_battery('full')", *READ_AS_NUMBERS, "send_battery(None)", "send_battery([50.0])")
+NO_NUMBER = "send_battery(None)"
+WRONG_NUMBERS = (
+    "send_battery('full')",
+    *READ_AS_NUMBERS,
+    NO_NUMBER,
+    "send_battery([50.0])",
+    "send_battery((50.0,))",
+)
+NO_TEXTS = ("send_status(3)", "send_status(None)", "send_status(b'error')", "send_status(Path('error'))")
 WRONG_WORDS = (
     "send_status('operatoinal')",
-    "send_status(3)",
-    "send_status(None)",
+    *NO_TEXTS,
     "send_status('Error')",
     "send_status(' error')",
     "send_status('error\\n')",
@@ -124,6 +133,7 @@ WRONG_VALUE = probe(
         robot.send_status("operatoinal")  # wrong
         robot.send_status(3)  # wrong
         robot.send_status(None)  # wrong
+        robot.send_status(b"error")  # wrong
         robot.send_status("Error")  # wrong
         robot.send_status("charging")  # wrong
         robot.send_status("warning")  # wrong
@@ -149,6 +159,18 @@ WRONG_VALUE = probe(
         robot.send_status("")  # wrong
     """,
 )
+NO_VALUE = probe(
+    "a call without a value",
+    """
+    from answer import RobotReport
+
+    def use(robot: RobotReport) -> None:
+        robot.send_battery(55.25)
+        robot.send_status("error")
+        robot.send_battery()  # wrong
+        robot.send_status()  # wrong
+    """,
+)
 
 
 @criterion(
@@ -158,15 +180,19 @@ WRONG_VALUE = probe(
 )
 def reports_as_before(recording: Recording) -> Verdict:
     own = by_itself(recording)
-    return level_replaced(recording, own) or see.all_of(
-        see.publishes(own, BATTERY),
-        see.publishes(own, STATUS),
-        see.rate(own, BATTERY),
-        see.rate(own, STATUS),
-        see.within(own, BATTERY, 0.0, 100.0, "%"),
-        see.one_of(own, STATUS, {"operational", "error"}),
-        see.drains(own, BATTERY),
-        see.word_fits_charge(own, STATUS, BATTERY),
+    return (
+        level_replaced(recording, own)
+        or error_kept(recording, own)
+        or see.all_of(
+            see.publishes(own, BATTERY),
+            see.publishes(own, STATUS),
+            see.rate(own, BATTERY),
+            see.rate(own, STATUS),
+            see.within(own, BATTERY, 0.0, 100.0, "%"),
+            see.one_of(own, STATUS, {"operational", "error"}),
+            see.drains(own, BATTERY),
+            see.word_fits_charge(own, STATUS, BATTERY),
+        )
     )
 
 
@@ -193,6 +219,25 @@ def level_replaced(recording: Recording, own: Recording) -> Verdict | None:
         "the charge of the node itself, as if nothing had been sent",
         "send_battery changes the charge that the node itself drains and reports.",
         "Publish the level that is given, and leave self.level as it is.",
+    )
+
+
+def error_kept(recording: Recording, own: Recording) -> Verdict | None:
+    """Whether the node itself says "error" from the driver's first calls on, although its battery has charge."""
+    first = min((order.wall for order in see.said(recording, "/driver/go")), default=None)
+    words = [(one.published, one.value["data"]) for one in own.topic(STATUS.name).arrivals]
+    if first is None or 0.0 in see.values(own, BATTERY):
+        return None
+    before = {word for at, word in words if at < first}
+    after = {word for at, word in words if at >= first}
+    if before != {"operational"} or after != {"error"}:
+        return None
+    return see.failed(
+        "reports-as-before.error-kept",
+        f'"operational" before others sent a word, and only "error" after {GOOD_WORD}',
+        "the word that fits the charge of the node itself, as if nothing had been sent",
+        "send_status changes the word that the node itself reports.",
+        "Publish the word that is given, and choose your own word by self.level alone.",
     )
 
 
@@ -223,12 +268,21 @@ def wrong_message_found(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="mypy objects to a wrong value and to a misspelled word", needs=[right_use])
 def wrong_value_found(recording: Recording) -> Verdict:
-    return see.mypy_objects(
-        recording,
-        WRONG_VALUE,
-        cause="wrong-value-found.hint-too-wide",
-        because="The hint of this argument allows more than the robot can use, or there is no hint.",
-        try_this='Write float for the level, and Literal["operational", "error"] for the word.',
+    return see.all_of(
+        see.mypy_objects(
+            recording,
+            WRONG_VALUE,
+            cause="wrong-value-found.hint-too-wide",
+            because="The hint of this argument allows more than the robot can use, or there is no hint.",
+            try_this='Write float for the level, and Literal["operational", "error"] for the word.',
+        ),
+        see.mypy_objects(
+            recording,
+            NO_VALUE,
+            cause="wrong-value-found.default",
+            because="The argument has a default. A caller who forgets the value sends that one without noticing.",
+            try_this="Remove the default value: each call must say what it sends.",
+        ),
     )
 
 
@@ -281,14 +335,14 @@ def other_words_refused(recording: Recording) -> Verdict:
     if accepted is None:
         return refused(recording, WRONG_WORDS, sent or error_sent_for_others(recording))
     saw, expected = raised_nothing(accepted, sent), errors_expected(WRONG_WORDS)
-    found = outcomes(recording)
-    if any(found.get(call, "returned") != "returned" for call in WRONG_WORDS):
+    texts = set(WRONG_WORDS) - set(NO_TEXTS)
+    if any(call in texts and what != "returned" for call, what in calls_made(recording)):
         return see.failed(
             "refuses-wrong-words.check-too-loose",
             saw,
             expected,
-            "Your check refuses some words, but not this one. It is too loose (lower(), strip(), startswith(), or "
-            "`in` with a text), or it is skipped for some calls.",
+            "Your check refuses some words, but not this one. It is too loose (str(), lower(), strip(), startswith(), "
+            "or `in` with a text), or it is skipped for some calls.",
             "In every call, before publishing: if word not in get_args(Status): raise ValueError(...)",
         )
     if not wrong:
@@ -309,12 +363,9 @@ def error_sent_for_others(recording: Recording) -> str:
     """In words, that "error" went out more often than it was asked for; empty if it did not, or twice each time."""
     if "error" in see.values(by_itself(recording), STATUS):
         return ""
-    asked = len(see.said(recording, "/driver/go"))
-    return (
-        '"error" was sent on /robot/status'
-        if see.values(recording, STATUS).count("error") > 2 * asked
-        else ""
-    )
+    asked = times_done(recording, GOOD_WORD) + times_done(recording, GOOD_MESSAGE)
+    sent = see.values(recording, STATUS).count("error")
+    return '"error" was sent on /robot/status' if sent > asked and sent != 2 * asked else ""
 
 
 def good_word_sent(recording: Recording) -> Verdict:
@@ -336,7 +387,35 @@ def good_word_sent(recording: Recording) -> Verdict:
             "The word is dropped or replaced, or sent on another topic.",
             "Publish the word that was given, on the topic of the status.",
         )
-    return see.passed(f"{GOOD_WORD} sends it")
+    return good_message_lost(recording) or see.passed(f"{GOOD_WORD} sends it")
+
+
+def good_message_lost(recording: Recording) -> Verdict | None:
+    """A failed verdict if the publisher of the status refuses a right message, or does not send it."""
+    what = outcomes(recording).get(GOOD_MESSAGE, "returned")
+    expected = f'"error" on {STATUS.name} after {GOOD_MESSAGE}'
+    if what.startswith("AttributeError"):
+        return None  # a name that is missing costs another criterion
+    if what != "returned":
+        return see.failed(
+            "refuses-wrong-words.message-refused",
+            f"{GOOD_MESSAGE} raised {what}",
+            expected,
+            "Your publisher refuses a message of the right type.",
+            "Refuse only what is not a String.",
+        )
+    asked = times_done(recording, GOOD_WORD) + times_done(recording, GOOD_MESSAGE)
+    sent = see.values(recording, STATUS).count("error")
+    if sent >= asked:
+        return None
+    return see.failed(
+        "refuses-wrong-words.message-lost",
+        f'"error" arrived {see.count(sent, "time")} in {asked} calls of send_status and status_publisher.publish',
+        expected,
+        "Some of these calls send nothing, and raise no error. status_publisher may not be the publisher that sends on "
+        "the topic, or a word is dropped when it comes again.",
+        "Send each message that is given, in send_status and in status_publisher.publish.",
+    )
 
 
 # --- whether numbers arrive ---------------------------------------------------------------------------------
@@ -396,15 +475,41 @@ def why_not_arrived(recording: Recording, call: str, number: float) -> Verdict |
             "Something publishes this number once more: a second publish(), or a timer.",
             "Publish once in each call.",
         )
-    if call == TWICE and arrived.count(number) <= orders:
-        return fail(
+    return why_not_each_time(recording, call, number)
+
+
+def why_not_each_time(recording: Recording, call: str, number: float) -> Verdict | None:
+    """A failed verdict if a number arrived in some calls, and in others not."""
+    arrived, done = see.values(recording, BATTERY).count(number), times_done(recording, call)
+    if arrived >= done:
+        return None
+    saw = f"{call} sent {number} {see.count(arrived, 'time')} in {see.count(done, 'call')}"
+    hint = "Publish in each call, whatever was sent before."
+    if call == TWICE and arrived <= len(see.said(recording, "/driver/go")):
+        return see.failed(
             "numbers-arrive.repeat-dropped",
-            f"{number} {see.count(arrived.count(number), 'time')} in {see.count(asked, 'call')}",
+            saw,
+            numbers_expected(call),
             "A number that equals the one before is not sent again. A listener then cannot tell a charge that stays "
             "the same from a robot that is silent.",
-            "Publish in each call, whatever was sent before.",
+            hint,
         )
-    return None
+    return see.failed(
+        "numbers-arrive.not-each-time",
+        saw,
+        numbers_expected(call),
+        "A condition or a counter skips the publish() in some calls, and no error is raised.",
+        hint,
+    )
+
+
+ZERO_DROPPED = (
+    "numbers-arrive.zero-dropped",
+    "nothing that arrived as 0.0",
+    "0.0 counts as false in a condition: `if level:` treats it like a missing number. Or the level is limited to a "
+    "smallest value above 0.",
+    "Publish 0.0 like any other number.",
+)
 
 
 def why_changed(recording: Recording, call: str, number: float) -> tuple[str, str, str, str]:
@@ -417,6 +522,8 @@ def why_changed(recording: Recording, call: str, number: float) -> tuple[str, st
             "it, and reports no error. The Ubuntu packages may abort the program instead.",
             "Pass float(level) to the message.",
         )
+    if call == ZERO:
+        return ZERO_DROPPED
     if number < 1.0 and 100.0 * number in see.values(recording, BATTERY):
         return (
             "numbers-arrive.share",
@@ -495,7 +602,7 @@ def outcomes(recording: Recording) -> dict[str, str]:
     """
     found: dict[str, str] = {}
     for call, what in calls_made(recording):
-        right = call == GOOD_WORD or call in NUMBER_CALLS
+        right = call in (GOOD_WORD, GOOD_MESSAGE) or call in NUMBER_CALLS
         if call not in found or (what == "returned") != right:
             found[call] = what
     return found
@@ -505,6 +612,11 @@ def calls_made(recording: Recording) -> list[tuple[str, str]]:
     """Each call that the driver made, in their order, and what became of it."""
     lines = [line for text in see.driver_reports(recording, REPORT) for line in text.splitlines()]
     return [(call, what) for call, mark, what in (line.partition("\t") for line in lines) if mark]
+
+
+def times_done(recording: Recording, call: str) -> int:
+    """How often the driver made a call that raised nothing."""
+    return calls_made(recording).count((call, "returned"))
 
 
 def now_and_then(recording: Recording, calls: tuple[str, ...]) -> str | None:
@@ -565,6 +677,8 @@ def refuses_wrong_numbers(recording: Recording) -> Verdict:
             "A caller's mistake should not be accepted by chance.",
             hint,
         )
+    if accepted == NO_NUMBER and sent == ZERO_SENT:
+        return none_becomes_zero(saw, expected)
     if not sent:
         return see.failed(
             "refuses-wrong-types.value-dropped",
@@ -580,6 +694,18 @@ def refuses_wrong_numbers(recording: Recording) -> Verdict:
         "Hints are for readers; Python ignores them at run time. This build of ROS does not check either: it "
         "sends anything that is not a float as 0.0.",
         hint,
+    )
+
+
+def none_becomes_zero(saw: str, expected: str) -> Verdict:
+    """None was sent as 0.0, though texts are refused."""
+    return see.failed(
+        "refuses-wrong-types.none-becomes-zero",
+        saw,
+        expected,
+        "Your check refuses other wrong values, but turns None into 0.0, as `level or 0.0` does. The battery then "
+        "looks empty.",
+        "Check the level as it was given: if not isinstance(level, (int, float)): raise TypeError(...)",
     )
 
 
@@ -602,7 +728,7 @@ def number_sent(recording: Recording) -> str:
     # An int that became 0.0 is the business of numbers_arrive.
     if found.get("send_battery(42)") == "returned" and 42.0 not in see.values(recording, BATTERY):
         wrong = [value for value in wrong if value != 0.0 or "returned" in map(found.get, WRONG_NUMBERS)]
-    return f"{wrong[0]} was sent on /robot/battery" if wrong else ""
+    return f"{wrong[0]} was sent on {BATTERY.name}" if wrong else ""
 
 
 def refuses_wrong_messages(recording: Recording) -> Verdict:

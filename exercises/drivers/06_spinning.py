@@ -12,6 +12,7 @@ matter when a message arrives on a busy machine. The driver speaks from a contex
 happened when an answer shuts ROS down.
 """
 
+import concurrent.futures.thread
 import functools
 import os
 import sys
@@ -52,6 +53,7 @@ class Watched:
         self.noted: list[str] = []
         self.watches = False
         self.before: dict[str, list[object]] = {}
+        self.periods: dict[Timer, int] = {}
         self.threads: list[threading.Thread] = []
 
     def note(self, what: str) -> None:
@@ -73,6 +75,7 @@ class Watched:
         """A call of pump begins, with this node."""
         self.noted = []
         self.before = entities(node)
+        self.periods = periods(node)
         self.threads = threading.enumerate()
         self.watches = True
 
@@ -91,11 +94,16 @@ class Watched:
         canceled = sum(is_canceled(timer) for timer in node.timers)
         if canceled:
             self.noted.append(f"{canceled} timer{'s' if canceled > 1 else ''} canceled")
+        if any(self.periods.get(timer, period) != period for timer, period in periods(node).items()):
+            self.noted.append("period of a timer changed")
         return self.noted
 
-    def left_a_thread(self) -> bool:
-        """Whether the call has left a thread behind that spins. This may take a moment."""
-        return any(still_spins(one) for one in threading.enumerate() if one not in self.threads)
+    def left_a_thread(self) -> str:
+        """What a thread does that the call has left behind, in words; empty if there is none. It may take a moment."""
+        new = [one for one in threading.enumerate() if one not in self.threads]
+        if any(still_spins(one) for one in new):
+            return "a thread still spins"
+        return "a thread still runs" if any(still_runs(one) for one in new) else ""
 
 
 def entities(node: Node) -> dict[str, list[object]]:
@@ -106,7 +114,14 @@ def entities(node: Node) -> dict[str, list[object]]:
         "publisher": [*node.publishers],
         "service": [*node.services],
         "client": [*node.clients],
+        "guard condition": [*node.guards],
+        "parameter": [*node.get_parameters_by_prefix("")],
     }
+
+
+def periods(node: Node) -> dict[Timer, int]:
+    """The period (ns) of each timer that still has one."""
+    return {timer: timer.timer_period_ns for timer in node.timers if not is_canceled(timer)}
 
 
 def is_canceled(timer: Timer) -> bool:
@@ -134,6 +149,24 @@ def spins(thread: threading.Thread) -> bool:
             return True
         frame = frame.f_back
     return False
+
+
+def still_runs(thread: threading.Thread) -> bool:
+    """Whether a thread goes on with anything: one that was told to end has a moment to do so."""
+    if waits_for_work(thread):
+        return False
+    thread.join(GRACE_S)
+    return thread.is_alive() and not waits_for_work(thread)
+
+
+def waits_for_work(thread: threading.Thread) -> bool:
+    """Whether this is a pool's thread that has nothing to do."""
+    frame = sys._current_frames().get(thread.ident or 0)
+    code = frame.f_code if frame is not None else None
+    return code is not None and (code.co_filename, code.co_name) == (
+        concurrent.futures.thread.__file__,
+        "_worker",
+    )
 
 
 watched = Watched()
@@ -303,8 +336,9 @@ class Driver(Node):
         for change in watched.end(node):
             self.changes.publish(String(data=f"{call} {change}"))
         self.say(news)
-        if watched.left_a_thread():
-            self.changes.publish(String(data=f"{call} a thread still spins"))
+        left = watched.left_a_thread()
+        if left:
+            self.changes.publish(String(data=f"{call} {left}"))
 
 
 def in_line_s() -> float:

@@ -7,6 +7,7 @@ Topics:
 """
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import answer  # type: ignore[import-not-found]  # the student's file
@@ -38,10 +39,13 @@ def calls(robot: Any) -> list[tuple[str, Callable[[], object]]]:
         ("send_battery(b'87.5')", lambda: robot.send_battery(b"87.5")),
         ("send_battery(None)", lambda: robot.send_battery(None)),
         ("send_battery([50.0])", lambda: robot.send_battery([50.0])),
+        ("send_battery((50.0,))", lambda: robot.send_battery((50.0,))),
         ("send_status('error')", lambda: robot.send_status("error")),
         ("send_status('operatoinal')", lambda: robot.send_status("operatoinal")),
         ("send_status(3)", lambda: robot.send_status(3)),
         ("send_status(None)", lambda: robot.send_status(None)),
+        ("send_status(b'error')", lambda: robot.send_status(b"error")),
+        ("send_status(Path('error'))", lambda: robot.send_status(Path("error"))),
         ("send_status('Error')", lambda: robot.send_status("Error")),
         ("send_status(' error')", lambda: robot.send_status(" error")),
         ("send_status('error\\n')", lambda: robot.send_status("error\n")),
@@ -49,6 +53,10 @@ def calls(robot: Any) -> list[tuple[str, Callable[[], object]]]:
         ("send_status('error: arm')", lambda: robot.send_status("error: arm")),
         ("send_status('charging')", lambda: robot.send_status("charging")),
         ("send_status('')", lambda: robot.send_status("")),
+        (
+            "status_publisher.publish(String(data='error'))",
+            lambda: robot.status_publisher.publish(String(data="error")),
+        ),
         ("battery_publisher.publish(String())", lambda: robot.battery_publisher.publish(String())),
         (
             "battery_publisher.publish(Float64(data=12.5))",

@@ -55,6 +55,7 @@ def test_06_tells_how_the_timers_must_tick_and_what_waiting_may_cost() -> None:
     share, silence = applied["LEAST_SHARE"], applied["LONGEST_SILENCE_S"]
     assert f"{share:.0%}".replace("%", " %") in told and f"no silence over {silence:g} s" in told
     assert f"less than {applied['PROCESSOR_SHARE']:.0%}".replace("%", " %") in told
+    assert f"less than {applied['SHARE_WITH_TIMERS']:.0%}".replace("%", " %") in told
 
 
 def share(value: float) -> str:

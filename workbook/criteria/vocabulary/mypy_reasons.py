@@ -104,9 +104,16 @@ REASONS = (
     Reason(
         "mypy.unknown-elements",
         "var-annotated",
-        "",
+        "(hint:",
         "An empty list or dict does not show what it will contain.",
         "Declare it: readings: list[float] = [].",
+    ),
+    Reason(
+        "mypy.unknown-type",
+        "var-annotated",
+        "",
+        "mypy cannot tell the type of this name from the value that it is given.",
+        "Write the type as a hint: name: type = value.",
     ),
     Reason(
         "mypy.import-not-found",
