@@ -78,7 +78,9 @@ TILTS = (
     (5.0, 5.11, 100.0, 180.0),
     (7.6, 8.9, 65.0, 45.0),
     (0.0, 0.11, 70.0, 0.0),  # also the very first samples
+    (2.59, 2.77, 75.0, -90.0),  # a second jolt of nine samples, six upright ones after the first
 )
+FIRST_JOLT, SECOND_JOLT, LEANING = TILTS[1], TILTS[5], TILTS[2]
 FALL_S, UPRIGHT_S, FALLEN_DEG = 7.6, 8.9, 65.0
 IMU_SECONDS = PICTURES / CAMERA_HZ
 
@@ -296,7 +298,8 @@ def fresh(recording: Recording) -> Verdict:
     stopped = stops_early(recording, seen, saw)
     if stopped is not None:
         return stopped
-    if hertz < LEAST_HZ:
+    rests_after_glare = pauses(recording, saw, [one for one in answers(recording) if one.things]) is not None
+    if hertz < LEAST_HZ and not rests_after_glare:  # a rest after glare is judged by `survives`
         return why_few(recording, saw)
     return rarely_after_the_fall(recording, seen, saw) or see.passed(saw)
 
@@ -502,6 +505,17 @@ def why_no_heartbeat(recording: Recording, beats: see.Beats, saw: str) -> Verdic
         )
     if beats.silence.kind == "after" and beats.silence.seconds > LONGEST_SILENCE_S:
         saw = f"no heartbeat after {beats.silence.start:.1f} s"
+        words = [one.value["data"] for one in recording.topic(STATUS.name).arrivals]
+        if ERROR in words[-3:] and words.count(ERROR) <= 3 and recording.process.ended_by != "itself":
+            return see.failed(
+                "heartbeat-kept.ends-with-the-fall",
+                f'{saw}, when "{ERROR}" had come {see.count(words.count(ERROR), "time")}',
+                HEARTBEAT_EXPECTED,
+                "The status is published until the fall, and then no more. A listener cannot tell a robot that lies on "
+                "the floor from one that has lost its connection.",
+                f'Publish "{ERROR}" ten times a second from then on.',
+                about_time=True,
+            )
         return see.ended_by_error(recording, saw, HEARTBEAT_EXPECTED) or see.failed(
             "heartbeat-kept.stops",
             saw,
@@ -836,6 +850,11 @@ def some_extra(place: int, answer: Answered) -> bool:
     return not unmatched(whole(place), answer.things)
 
 
+def other_labels(place: int, answer: Answered) -> bool:
+    """Whether all toys are there, and markers with other labels."""
+    return some_extra(place, answer) and any(toy.label not in LABELS for toy in answer.things)
+
+
 def some_missing(place: int, answer: Answered) -> bool:
     """Whether what is there is right, and something is missing."""
     return not unmatched(answer.things, [toy for toy, _ in toys(place)])
@@ -872,6 +891,13 @@ REASONS = (
         "The places are right, but labels are not those of the toys at these places.",
         "Each detection has its own label: ns=one.label. Leave to_markers as it is.",
         wrong_labels,
+    ),
+    Reason(
+        "right.no-toy",
+        "All toys are there, and also a marker whose label is no toy. A marker with the action DELETEALL is a marker, "
+        "too.",
+        "Publish a marker for each detection that the model returned for this picture, and no other.",
+        other_labels,
     ),
     Reason(
         "right.some-extra",
@@ -1070,6 +1096,17 @@ def silent_since_glare(recording: Recording, saw: str, given: Sequence[Answered]
             "In the except branch, log, and go on with the next picture.",
             about_time=True,
         )
+    if lines and "Traceback" not in recording.process.log:
+        return see.failed(
+            "survives.gave-up",
+            f"{saw}. The log has the text of the exception, and no traceback",
+            SURVIVES_EXPECTED,
+            "The exception was caught and logged. Then the node ended its thread or itself, or it no longer hands "
+            "pictures to the model.",
+            "In the except branch, log, and go on with the next picture. However often the model raises, the next "
+            "picture may be fine.",
+            about_time=True,
+        )
     return see.failed(
         "survives.ended",
         saw,
@@ -1205,6 +1242,9 @@ def never_fell(recording: Recording) -> Verdict:
 def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verdict:
     """Why "error" was said before the fall."""
     sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    second = counted_on(at, moments)
+    if second is not None:
+        return second
     for begin, end, tilt, _ in TILTS:
         start, stop = (moments[round(one * IMU_HZ)] for one in (begin, end))
         if tilt > TILT_DEG and start <= at <= stop + 0.25:
@@ -1216,7 +1256,7 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
                 "count does not begin again at an upright one.",
                 "Count the tilted samples in a row, and set the count to 0 at each upright one. Ten are a fall.",
             )
-    begin, end, tilt, _ = TILTS[2]
+    begin, end, tilt, _ = LEANING
     if moments[round(begin * IMU_HZ)] <= at <= moments[round(end * IMU_HZ)] + 0.25:
         return see.failed(
             "fall-reported.on-leaning",
@@ -1240,6 +1280,23 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
         FALL_EXPECTED,
         "Nothing had happened to the robot yet.",
         "Say which condition sets the status, and log the tilt when it is met.",
+    )
+
+
+def counted_on(at: float, moments: Sequence[float]) -> Verdict | None:
+    """Whether "error" came with a second jolt, soon after one of the same length that was no fall; None if not."""
+    begin, end, _, _ = SECOND_JOLT
+    if not moments[round(begin * IMU_HZ) + 1] <= at <= moments[round(end * IMU_HZ)] + 0.25:
+        return None
+    upright = samples_within(FIRST_JOLT[1], begin)
+    return see.failed(
+        "fall-reported.counts-on",
+        f'"{ERROR}" at the second of two jolts of {samples_within(begin, end)} samples, with {upright} upright samples '
+        "between them",
+        FALL_EXPECTED,
+        "The first jolt alone was no fall for this node. So the upright samples take only a part of the count away, or "
+        "tilted samples are counted within a span of time.",
+        "Count the tilted samples in a row: set the count to 0 at each upright one. Ten are a fall.",
     )
 
 
