@@ -636,7 +636,8 @@ def at_an_edge(pairs: "list[tuple[int, Pixels, Pixels]]") -> "Reason | None":
     """Whether they are at the same edge of the ball, however large it is; None if not."""
     for side, name in EDGES.items():
         beside = share(
-            math.dist(at, (ball[0] + side[0] * width_of(place) / 2, ball[1] + side[1] * width_of(place) / 2)) <= 1.5
+            math.dist(at, (ball[0] + side[0] * width_of(place) / 2, ball[1] + side[1] * width_of(place) / 2))
+            <= 1.5
             for place, ball, at in pairs
         )
         if beside >= SURE:
