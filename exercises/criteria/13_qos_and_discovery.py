@@ -636,8 +636,8 @@ def why_nothing_noticed(nothing: str, expected: str, said_after: float | None) -
             "alarm-raised.false-instead",
             f"{nothing}; False was published {said_after:.1f} s after the last beat",
             expected,
-            "The program publishes False during the silence: the limit is too long, the clock is checked too rarely, or "
-            "data is not a bool. The Ubuntu packages send Bool(data=1) as False.",
+            "The program publishes False during the silence: the limit is too long, the clock is checked too rarely, "
+            "or data is not a bool. The Ubuntu packages send Bool(data=1) as False.",
             "Send a comparison, which is True or False: Bool(data=silent_for > LIMIT), with a limit of 2 s. Check the "
             "clock at least twice a second.",
         )

@@ -351,15 +351,9 @@ def why_not_noticed(recording: Recording, verdict: Verdict, number: int) -> Verd
             "joint may also be turned a little.",
             "Tell the restart by the stamp alone, and begin anew with all joints.",
         )
-    if verdict.cause == REMEMBERS[0] and only_the_first_is_old(recording, STARTS[1 + number][0]):
-        return see.failed(
-            "restart-noticed.one-late",
-            f"{verdict.saw}. The answers after that are where the joints are",
-            verdict.expected,
-            "The filter begins anew one message too late. The first answer after the restart is made of the old memory, "
-            "or it is the result of the message before.",
-            "Compare the stamps first, fill the memory again with this message, and then filter and publish.",
-        )
+    late = why_one_late_start(recording, verdict) if number == 0 else None
+    if late is not None:
+        return late
     if number > 0 and verdict.cause == REMEMBERS[0]:
         return see.failed(
             "restart-noticed.first-only",
@@ -382,11 +376,20 @@ def why_not_noticed(recording: Recording, verdict: Verdict, number: int) -> Verd
     )
 
 
-def only_the_first_is_old(recording: Recording, start: int) -> bool:
-    """Whether of the answers after a restart only the first is far from the joints."""
+def why_one_late_start(recording: Recording, verdict: Verdict) -> Verdict | None:
+    """A failed verdict if of the answers after the first restart only one is far from the joints; None if not."""
     by_place = first_answers(recording)
-    known = [place for place in range(start, start + STARTING) if place in by_place]
-    return len(known) == STARTING and first_far(by_place, known[1:]) is None
+    known = [place for place in range(RESTART, RESTART + STARTING) if place in by_place]
+    if len(known) < STARTING or verdict.cause != REMEMBERS[0] or first_far(by_place, known[1:]) is not None:
+        return None
+    return see.failed(
+        "restart-noticed.one-late",
+        f"{verdict.saw}. The answers after that are where the joints are",
+        verdict.expected,
+        "The filter begins anew one message too late. The first answer after the restart is made of the old memory, or "
+        "it is the result of the message before.",
+        "Compare the stamps first, fill the memory again with this message, and then filter and publish.",
+    )
 
 
 NAN_OUT = (
@@ -403,17 +406,20 @@ def survives_nan(recording: Recording) -> Verdict:
         for place in range(min(NAN_AT), RESTART)
         if place in by_place and not all(math.isfinite(angle) for angle in by_place[place].angles)
     ]
+    nan_out = why_nan_out(bad, max((place for place in by_place if place < RESTART), default=0))
+    if nan_out is not None:
+        return nan_out
+    lost = lost_after_nan(recording)
+    if lost is not None:
+        return lost
+    return near(recording, WITH_NAN, OTHER_THAN_NAN)
+
+
+def why_nan_out(bad: Sequence[int], last: int) -> Verdict | None:
+    """Why the answers to these messages have a NaN; None if none has. `last`: the last one before a restart."""
     if bad and bad[0] == SECOND_IN_A_ROW:
-        return see.failed(
-            "survives-nan.second-in-a-row",
-            f"{see.count(len(bad), 'answer')} with NaN, the first of them for {shown(bad[0])}: the second message with "
-            "NaN in a row from the same joint. A single NaN did no harm",
-            FINITE,
-            "NaN is replaced by what the encoder gave in the message before, which may be NaN itself. Or only one NaN "
-            "in a row is replaced.",
-            "Remember the last good angle of each joint, after NaN has been replaced: a NaN never gets there.",
-        )
-    if bad and bad[-1] == max(place for place in by_place if place < RESTART):
+        return why_second_nan(bad)
+    if bad and bad[-1] == last:
         return see.failed(
             "survives-nan.never-leaves",
             f"a NaN came in with {shown(min(NAN_AT))}; {see.count(len(bad), 'answer')} since then say NaN, the last "
@@ -440,10 +446,20 @@ def survives_nan(recording: Recording) -> Verdict:
             "NaN goes through to the answer.",
             NAN_OUT,
         )
-    lost = lost_after_nan(recording)
-    if lost is not None:
-        return lost
-    return near(recording, WITH_NAN, OTHER_THAN_NAN)
+    return None
+
+
+def why_second_nan(bad: Sequence[int]) -> Verdict:
+    """A failed verdict for NaN that gets in only where the same joint has given NaN in the message before."""
+    return see.failed(
+        "survives-nan.second-in-a-row",
+        f"{see.count(len(bad), 'answer')} with NaN, the first of them for {shown(bad[0])}: the second message with NaN "
+        "in a row from the same joint. A single NaN did no harm",
+        FINITE,
+        "NaN is replaced by what the encoder gave in the message before, which may be NaN itself. Or only one NaN in a "
+        "row is replaced.",
+        "Remember the last good angle of each joint, after NaN has been replaced: a NaN never gets there.",
+    )
 
 
 # --- what came back -----------------------------------------------------------------------------------------

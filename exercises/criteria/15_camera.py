@@ -5,7 +5,7 @@ import random
 import statistics
 from collections import Counter
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
@@ -512,6 +512,9 @@ def is_right(place: int, answer: Answered) -> bool:
 
 
 Wrong = list[tuple[int, Answered]]
+Pixels = tuple[float, float]
+Pairs = list[tuple[int, Pixels, Pixels]]
+"""For each picture, by its place: where the ball is seen, and where a direction says that it is."""
 
 
 @dataclass(frozen=True)
@@ -620,10 +623,7 @@ def why_beside(wrong: Wrong) -> Reason:
     return BESIDE
 
 
-Pixels = tuple[float, float]
-
-
-def factors_of(pairs: "list[tuple[int, Pixels, Pixels]]") -> tuple[float, float]:
+def factors_of(pairs: Pairs) -> tuple[float, float]:
     """By which factor directions are too far from the middle: to the side, and up or down."""
     return tuple(  # type: ignore[return-value]
         sum(ball[axis] * at[axis] for _, ball, at in pairs)
@@ -632,7 +632,7 @@ def factors_of(pairs: "list[tuple[int, Pixels, Pixels]]") -> tuple[float, float]
     )
 
 
-def at_an_edge(pairs: "list[tuple[int, Pixels, Pixels]]") -> "Reason | None":
+def at_an_edge(pairs: Pairs) -> Reason | None:
     """Whether they are at the same edge of the ball, however large it is; None if not."""
     for side, name in EDGES.items():
         beside = share(
@@ -641,7 +641,13 @@ def at_an_edge(pairs: "list[tuple[int, Pixels, Pixels]]") -> "Reason | None":
             for place, ball, at in pairs
         )
         if beside >= SURE:
-            return replace(EDGE, because=EDGE.because.format(edge=name))
+            return Reason(
+                "direction.edge",
+                f"All these directions are those of the {name} of the ball, or of the box around it. They are not "
+                "those of its middle.",
+                "Take the mean of all pixels of the ball, or the middle of the box.",
+                always,
+            )
     return None
 
 
@@ -797,13 +803,6 @@ EDGES = {
     (1, 1): "lower right corner",
 }
 """Where a part of the outline lies, seen from the middle of the ball: to the right, and down."""
-EDGE = Reason(
-    "direction.edge",
-    "All these directions are those of the {edge} of the ball, or of the box around it. They are not those of its "
-    "middle.",
-    "Take the mean of all pixels of the ball, or the middle of the box.",
-    always,
-)
 BEHIND = Reason(
     "direction.behind",
     "The directions lie where the ball was in the pictures before: they are averaged over several pictures, or limited "

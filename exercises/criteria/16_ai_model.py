@@ -505,17 +505,9 @@ def why_no_heartbeat(recording: Recording, beats: see.Beats, saw: str) -> Verdic
         )
     if beats.silence.kind == "after" and beats.silence.seconds > LONGEST_SILENCE_S:
         saw = f"no heartbeat after {beats.silence.start:.1f} s"
-        words = [one.value["data"] for one in recording.topic(STATUS.name).arrivals]
-        if ERROR in words[-3:] and words.count(ERROR) <= 3 and recording.process.ended_by != "itself":
-            return see.failed(
-                "heartbeat-kept.ends-with-the-fall",
-                f'{saw}, when "{ERROR}" had come {see.count(words.count(ERROR), "time")}',
-                HEARTBEAT_EXPECTED,
-                "The status is published until the fall, and then no more. A listener cannot tell a robot that lies on "
-                "the floor from one that has lost its connection.",
-                f'Publish "{ERROR}" ten times a second from then on.',
-                about_time=True,
-            )
+        ends = ends_with_the_fall(recording, saw)
+        if ends is not None:
+            return ends
         return see.ended_by_error(recording, saw, HEARTBEAT_EXPECTED) or see.failed(
             "heartbeat-kept.stops",
             saw,
@@ -535,6 +527,23 @@ def why_no_heartbeat(recording: Recording, beats: see.Beats, saw: str) -> Verdic
             about_time=True,
         )
     return why_few_beats(beats, saw)
+
+
+def ends_with_the_fall(recording: Recording, saw: str) -> Verdict | None:
+    """Whether the last heartbeats are the first ones after the fall, from a program that goes on; None if not."""
+    words = [one.value["data"] for one in recording.topic(STATUS.name).arrivals]
+    times = words.count(ERROR)
+    if ERROR not in words[-1:] or times > HARDLY_ANY or recording.process.ended_by == "itself":
+        return None
+    return see.failed(
+        "heartbeat-kept.ends-with-the-fall",
+        f'{saw}, when "{ERROR}" had come {see.count(times, "time")}',
+        HEARTBEAT_EXPECTED,
+        "The status is published until the fall, and then no more. A listener cannot tell a robot that lies on the "
+        "floor from one that has lost its connection.",
+        f'Publish "{ERROR}" ten times a second from then on.',
+        about_time=True,
+    )
 
 
 def why_few_beats(beats: see.Beats, saw: str) -> Verdict:
@@ -1096,7 +1105,12 @@ def silent_since_glare(recording: Recording, saw: str, given: Sequence[Answered]
             "In the except branch, log, and go on with the next picture.",
             about_time=True,
         )
-    if lines and "Traceback" not in recording.process.log:
+    return why_ended(saw, bool(lines) and "Traceback" not in recording.process.log)
+
+
+def why_ended(saw: str, caught: bool) -> Verdict:
+    """Why nothing is answered after glare, where the exception was caught and logged, or where it was not."""
+    if caught:
         return see.failed(
             "survives.gave-up",
             f"{saw}. The log has the text of the exception, and no traceback",
@@ -1241,7 +1255,6 @@ def never_fell(recording: Recording) -> Verdict:
 
 def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verdict:
     """Why "error" was said before the fall."""
-    sent = [word.wall for word in see.said(recording, IMAGE.name)]
     second = counted_on(at, moments)
     if second is not None:
         return second
@@ -1256,6 +1269,12 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
                 "count does not begin again at an upright one.",
                 "Count the tilted samples in a row, and set the count to 0 at each upright one. Ten are a fall.",
             )
+    return why_calm_but_early(recording, at, moments)
+
+
+def why_calm_but_early(recording: Recording, at: float, moments: Sequence[float]) -> Verdict:
+    """Why "error" was said before the fall, and not after a jolt."""
+    sent = [word.wall for word in see.said(recording, IMAGE.name)]
     begin, end, tilt, _ = LEANING
     if moments[round(begin * IMU_HZ)] <= at <= moments[round(end * IMU_HZ)] + 0.25:
         return see.failed(
