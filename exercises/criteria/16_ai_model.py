@@ -1305,7 +1305,7 @@ def why_calm_but_early(recording: Recording, at: float, moments: Sequence[float]
 def counted_on(at: float, moments: Sequence[float]) -> Verdict | None:
     """Whether "error" came with a second jolt, soon after one of the same length that was no fall; None if not."""
     begin, end, _, _ = SECOND_JOLT
-    if not moments[round(begin * IMU_HZ) + 1] <= at <= moments[round(end * IMU_HZ)] + 0.25:
+    if not moments[round(begin * IMU_HZ) + 3] <= at <= moments[round(end * IMU_HZ)] + 0.25:
         return None
     upright = samples_within(FIRST_JOLT[1], begin)
     return see.failed(
