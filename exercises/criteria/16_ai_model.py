@@ -255,7 +255,8 @@ def detections_come(recording: Recording) -> Verdict:
         "detections-come.nothing",
         nothing,
         expected,
-        "Nobody hands pictures to the model, its result is not published, or an exception was lost in a thread.",
+        "Nobody hands pictures to the model, its result is not published, or an exception was lost in a thread. Or all "
+        "pictures are taken for old ones: their stamps come from another clock than that of the program.",
         "Log a line before and after the model is called: which is missing?",
         about_time=True,
     )
@@ -561,8 +562,9 @@ def why_few_beats(beats: see.Beats, saw: str) -> Verdict:
         "heartbeat-kept.too-few",
         f"{saw}; typically {beats.typical_s:.2f} s from one to the next",
         HEARTBEAT_EXPECTED,
-        "The period of the timer is too long, or the status is published in a callback that runs less often.",
-        "Publish the status in the callback of create_timer(0.1, ...).",
+        "The period of the timer is too long, or the status is published in a callback that runs less often. Or a loop "
+        "sleeps between two calls of spin_once.",
+        "Publish the status in the callback of create_timer(0.1, ...), and let rclpy.spin or an executor wait for it.",
         about_time=True,
     )
 
@@ -722,8 +724,8 @@ def later_stamps(given: Sequence[Answered]) -> Verdict | None:
         "stamps-kept.later-picture",
         saw,
         PICTURE_STAMPS,
-        "A detection gets the stamp of a picture that came while the model was busy. The header was read from an "
-        "attribute that the next picture overwrites.",
+        "A detection gets the stamp of a picture that came later. The header was read from an attribute that the next "
+        "picture overwrites. Or the result for one picture is published for the next one.",
         "Keep pixels and header of a picture together, and hand both to the thread that calls the model.",
     )
 
