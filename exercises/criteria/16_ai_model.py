@@ -80,7 +80,7 @@ TILTS = (
     (0.0, 0.11, 70.0, 0.0),  # also the very first samples
     (2.59, 2.77, 75.0, -90.0),  # a second jolt of nine samples, six upright ones after the first
 )
-FIRST_JOLT, SECOND_JOLT, LEANING = TILTS[1], TILTS[5], TILTS[2]
+FIRST_JOLT, SECOND_JOLT, LEANING = TILTS[1], TILTS[-1], TILTS[2]
 FALL_S, UPRIGHT_S, FALLEN_DEG = 7.6, 8.9, 65.0
 IMU_SECONDS = PICTURES / CAMERA_HZ
 
@@ -299,8 +299,9 @@ def fresh(recording: Recording) -> Verdict:
     stopped = stops_early(recording, seen, saw)
     if stopped is not None:
         return stopped
-    rests_after_glare = pauses(recording, saw, [one for one in answers(recording) if one.things]) is not None
-    if hertz < LEAST_HZ and not rests_after_glare:  # a rest after glare is judged by `survives`
+    if pauses(recording, saw, [one for one in answers(recording) if one.things]) is not None:
+        return see.passed(saw)  # a rest after glare is judged by `survives`
+    if hertz < LEAST_HZ:
         return why_few(recording, saw)
     return rarely_after_the_fall(recording, seen, saw) or see.passed(saw)
 
