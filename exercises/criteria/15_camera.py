@@ -787,8 +787,8 @@ MIDDLE = Reason(
 )
 ONE_AXIS = Reason(
     "direction.one-axis",
-    "All these directions are too far from the middle, or too near to it: by one factor to the side, and by another "
-    "one up and down. The ball was found, and the two axes are computed in different ways.",
+    "All these directions are too far from the middle, or too near to it. The factor up and down is another one than "
+    "to the side. The ball was found, and the two axes are computed in different ways.",
     "Both axes have the focal length of 140 pixels: x = (column - 79.5) / 140, y = (row - 59.5) / 140.",
     always,
 )
