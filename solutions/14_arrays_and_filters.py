@@ -53,7 +53,8 @@
 #
 # **The restart.** The stamp says how long the board of the encoders had been switched on when it measured. When an
 # engineer switches it off and on again, its stamps begin again near zero, so a stamp is *earlier* than the previous
-# one. Meanwhile the joints were turned by hand, some far and some only a little. What your filter remembers is then worth nothing.
+# one. Meanwhile the joints were turned by hand: once some far and some only a little, once all of them only a little.
+# What your filter remembers is then worth nothing.
 #
 # ## What is judged
 #

@@ -16,13 +16,14 @@ WATCH_S = 12.7
 # It was "error" before the start, and changes more often than a program that counts its messages will follow. In the
 # second silence it changes often: a watchdog that takes a status for a beat raises no alarm. The last three last so
 # long that a line must show each of them. When the alarm is due, it is "operational" in the first silence and "error"
-# in the second, and stays so until the alarm is late.
+# in the second, and stays so until the alarm is late. When the alarm has to end, it is "error" the first time and
+# "operational" the second time.
 FIRST = "error"
 CHANGES = [
     (2.0, "operational"),
     (4.5, "error"),
-    (6.0, "operational"),
-    (6.65, "error"),
+    (6.6, "operational"),
+    (6.8, "error"),
     (7.25, "operational"),
     (8.6, "error"),
     (10.4, "operational"),
@@ -78,7 +79,7 @@ def line_rate(recording: Recording) -> Verdict:
     even = SHORTEST_S <= typical <= LONGEST_S and seen.gap.seconds <= LONGEST_GAP_S
     if seen.hz is not None and SLOWEST_HZ <= seen.hz <= FASTEST_HZ and even:
         return see.passed(f"{seen.hz:.1f} Hz over {seen.count} lines")
-    silent = why_silent(recording)
+    silent = why_silent(recording) or also_with_each_beat(recording)
     if silent is not None:
         return silent
     usual = see.rate(recording, LINE)
@@ -205,6 +206,8 @@ def alarm_falls(recording: Recording) -> Verdict:
             continue
         fell = next((t for t, on in alarms(recording, ended, recording.robot_s) if not on), None)
         if fell is None or fell - ended > FALLS_WITHIN_S + SLACK_S:
+            if fell is not None and just_after_a_status(recording, fell):
+                return why_waits_for_a_status(fell - ended)
             return why_not_taken_back(number, None if fell is None else fell - ended)
     return see.passed("ended when the heart beat again")
 
@@ -367,6 +370,24 @@ def why_silent(recording: Recording) -> Verdict | None:
             "Publish the line from its own timer: create_timer(0.5, self.publish_line).",
         )
     return None
+
+
+def also_with_each_beat(recording: Recording) -> Verdict | None:
+    """Whether a line comes with nearly every beat, beside those that come without one; None if not."""
+    beats = beat_times(recording)
+    lines = [one.t for one in recording.topic(LINE.name).arrivals]
+    with_a_beat = [beat for beat in beats if any(0.0 <= t - beat <= 2 * EARLY_S for t in lines)]
+    others = [t for t in lines if not any(0.0 <= t - beat <= 2 * EARLY_S for beat in beats)]
+    if len(with_a_beat) < 0.8 * len(beats) or len(others) < SLOWEST_HZ * recording.robot_s / 2:
+        return None
+    return see.failed(
+        "line-rate.also-with-each-beat",
+        f"{len(lines)} lines in {recording.robot_s:.1f} s. A line came with {len(with_a_beat)} of {len(beats)} beats, "
+        f"and {len(others)} lines came at other times",
+        TWO_HERTZ,
+        "Two places publish the line: a timer, and the callback of the heartbeat.",
+        "Let the timer alone publish the line. In the callback, only store what you need.",
+    )
 
 
 def two_words(cause: str, seen: str, expected: str) -> Verdict:
@@ -615,9 +636,10 @@ def why_nothing_noticed(nothing: str, expected: str, said_after: float | None) -
             "alarm-raised.false-instead",
             f"{nothing}; False was published {said_after:.1f} s after the last beat",
             expected,
-            "The program publishes False during the silence: the limit is too long, or data is not a bool. The "
-            "Ubuntu packages send Bool(data=1) as False.",
-            "Send a comparison, which is True or False: Bool(data=silent_for > LIMIT), with a limit of 2 s.",
+            "The program publishes False during the silence: the limit is too long, the clock is checked too rarely, "
+            "or data is not a bool. The Ubuntu packages send Bool(data=1) as False.",
+            "Send a comparison, which is True or False: Bool(data=silent_for > LIMIT), with a limit of 2 s. Check the "
+            "clock at least twice a second.",
         )
     return see.failed(
         "alarm-raised.never",
@@ -684,6 +706,17 @@ def why_fell_in_silence(after: float, with_a_status: bool) -> Verdict:
         "Something other than a beat ends the alarm: it ends by itself after a while, or it depends on something "
         "other than the beats.",
         "End the alarm in the callback of the heartbeat, and only there.",
+    )
+
+
+def why_waits_for_a_status(after: float) -> Verdict:
+    """The alarm went on for so long (s) after the heart beat again, until the status changed."""
+    return see.failed(
+        "alarm-falls.waits-for-a-status",
+        f"False only {after:.1f} s after the heart beat again, just when the status had changed",
+        f"False on {ALARM.name} within {FALLS_WITHIN_S:g} s after the heart beats again",
+        "The end of the alarm depends on the status, too: while the robot says one of the two words, it goes on.",
+        "A beat alone ends the alarm, whatever the status is.",
     )
 
 

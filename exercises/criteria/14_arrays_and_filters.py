@@ -45,13 +45,13 @@ STARTING = 8  # messages after a start that must be near
 SETTLED = 20  # messages after a start or a movement until noise and delay are measured
 
 # Where the joints stand first, how fast they move then (rad/s), and how far they are turned while the board is off,
-# twice. Each time one joint is turned only a little: a restart is told by the stamp, not by a jump. Most joints stand
-# between two multiples of 0.1 rad: on one of them, rounding would take out all the noise.
+# twice. The first time one joint is turned only a little, the second time all are: a restart is told by the stamp, not
+# by a jump. Most joints stand between two multiples of 0.1 rad: on one of them, rounding would take out all the noise.
 FIRST_POSE = (0.54, -0.65, 1.23, 0.94, -1.15, 0.86, -0.73, 1.05, -0.46, 0.64, -0.95, 0.77)
 SPEEDS = (0.5, -0.4, 0.5, 0.4, -0.5, 0.5, -0.4, 0.4, -0.5, 0.5, -0.4, 0.5)
 TURNED = (
     (-0.6, 0.5, -0.7, -0.8, 0.6, -0.2, 0.7, -0.6, 0.5, -0.8, 0.6, -0.5),
-    (0.5, -0.6, 0.4, 0.7, -0.2, 0.6, -0.5, 0.5, -0.6, 0.7, -0.5, 0.6),
+    (0.23, -0.24, 0.22, 0.24, -0.23, 0.24, -0.23, 0.22, -0.24, 0.24, -0.22, 0.23),
 )
 STANDS, MOVES, STANDS_AGAIN, MOVES_BACK, AFTER_RESTART, AFTER_SECOND = 46, 34, 44, 30, 36, 9  # messages
 STILL_UNTIL = STANDS + MOVES + STANDS_AGAIN
@@ -69,6 +69,9 @@ NAN_AT: Mapping[int, tuple[int, ...]] = {
     STANDS + MOVES + 32: (7,),
     STANDS + MOVES + 36: tuple(range(len(JOINTS))),
 }
+
+
+SECOND_IN_A_ROW = STANDS + MOVES + 31
 
 
 @dataclass(frozen=True)
@@ -202,7 +205,7 @@ def every_one_answered(recording: Recording) -> Verdict:
     times = Counter(places)
     twice = [place for place, number in times.items() if number > 1]
     if twice:
-        return see.failed(
+        return why_repeated(twice, times) or see.failed(
             "every-one-answered.repeated",
             f"{see.count(len(twice), 'message')} answered more than once, {shown(twice[0])} {times[twice[0]]} times",
             ONE_EACH,
@@ -222,6 +225,28 @@ def every_one_answered(recording: Recording) -> Verdict:
             "Publish inside the callback: it is called in the right order.",
         )
     return at_once(recording)
+
+
+def why_repeated(twice: Sequence[int], times: Mapping[int, int]) -> Verdict | None:
+    """Why just these messages were answered more than once; None if they have nothing in common."""
+    saw = f"{see.count(len(twice), 'message')} answered more than once, {shown(twice[0])} {times[twice[0]]} times"
+    if set(twice) <= {start[0] for start in STARTS[1:]}:
+        return see.failed(
+            "every-one-answered.repeated-at-restart",
+            f"{saw}: the first message after a restart",
+            ONE_EACH,
+            "At a restart two lines publish: the one that begins anew, and the one that publishes every answer.",
+            "Only fill the memory when you begin anew, and let one line publish all answers.",
+        )
+    if all(place + 1 in NAN_AT and place + 1 not in times for place in twice):
+        return see.failed(
+            "every-one-answered.repeated-for-nan",
+            f"{saw}. After each of them comes a message with a NaN, and that one has no answer",
+            ONE_EACH,
+            "For a message with a NaN, the answer before is published again, with its old stamp.",
+            "Replace the NaN in the angles alone. The answer has the stamp of its own message.",
+        )
+    return None
 
 
 @criterion(points=0, title="It filters", needs=[labels_kept])
@@ -289,7 +314,7 @@ def delay_bounded(recording: Recording) -> Verdict:
             f"while the joints move, the angles are {whole_s:.3f} s behind",
             f"at most {LONGEST_DELAY_S} s, where a message comes every {PERIOD_S} s",
             "The filter looks back too far: its window is too long, or its cutoff frequency too low. Or it limits how "
-            "far an angle may go with each message.",
+            "far an angle may go with each message, or an answer is the result of an earlier message.",
             "A moving average of N messages is (N - 1) / 2 messages behind. Let it look back less, and look at the "
             "noise again.",
         )
@@ -326,12 +351,16 @@ def why_not_noticed(recording: Recording, verdict: Verdict, number: int) -> Verd
             "joint may also be turned a little.",
             "Tell the restart by the stamp alone, and begin anew with all joints.",
         )
+    late = why_one_late_start(recording, verdict) if number == 0 else None
+    if late is not None:
+        return late
     if number > 0 and verdict.cause == REMEMBERS[0]:
         return see.failed(
             "restart-noticed.first-only",
             f"{verdict.saw}. After the first restart, the filter had begun anew",
             verdict.expected,
-            "The second restart goes unnoticed: a flag is never cleared, or the step back must be large. The stamp "
+            "The second restart goes unnoticed: a flag is never cleared, the step back must be large, or the joints "
+            "must have jumped far. This time they were turned only a little. The stamp "
             f"went back from {stamp_of(RESTART_AGAIN - 1):.2f} s to {stamp_of(RESTART_AGAIN):.2f} s.",
             "Compare each stamp with the one before it, and begin anew whenever it is smaller.",
         )
@@ -344,6 +373,22 @@ def why_not_noticed(recording: Recording, verdict: Verdict, number: int) -> Verd
         "The stamps are compared by their nanosec alone, which begins again with each second. The restart went "
         "unnoticed, because nanosec happened to increase at that moment.",
         "Compare both parts together: (sec, nanosec) as a pair, or sec * 10**9 + nanosec.",
+    )
+
+
+def why_one_late_start(recording: Recording, verdict: Verdict) -> Verdict | None:
+    """A failed verdict if of the answers after the first restart only one is far from the joints; None if not."""
+    by_place = first_answers(recording)
+    known = [place for place in range(RESTART, RESTART + STARTING) if place in by_place]
+    if len(known) < STARTING or verdict.cause != REMEMBERS[0] or first_far(by_place, known[1:]) is not None:
+        return None
+    return see.failed(
+        "restart-noticed.one-late",
+        f"{verdict.saw}. The answers after that are where the joints are",
+        verdict.expected,
+        "The filter begins anew one message too late. The first answer after the restart is made of the old memory, or "
+        "it is the result of the message before.",
+        "Compare the stamps first, fill the memory again with this message, and then filter and publish.",
     )
 
 
@@ -361,7 +406,20 @@ def survives_nan(recording: Recording) -> Verdict:
         for place in range(min(NAN_AT), RESTART)
         if place in by_place and not all(math.isfinite(angle) for angle in by_place[place].angles)
     ]
-    if bad and bad[-1] == max(place for place in by_place if place < RESTART):
+    nan_out = why_nan_out(bad, max((place for place in by_place if place < RESTART), default=0))
+    if nan_out is not None:
+        return nan_out
+    lost = lost_after_nan(recording)
+    if lost is not None:
+        return lost
+    return near(recording, WITH_NAN, OTHER_THAN_NAN)
+
+
+def why_nan_out(bad: Sequence[int], last: int) -> Verdict | None:
+    """Why the answers to these messages have a NaN; None if none has. `last`: the last one before a restart."""
+    if bad and bad[0] == SECOND_IN_A_ROW:
+        return why_second_nan(bad)
+    if bad and bad[-1] == last:
         return see.failed(
             "survives-nan.never-leaves",
             f"a NaN came in with {shown(min(NAN_AT))}; {see.count(len(bad), 'answer')} since then say NaN, the last "
@@ -388,10 +446,20 @@ def survives_nan(recording: Recording) -> Verdict:
             "NaN goes through to the answer.",
             NAN_OUT,
         )
-    lost = lost_after_nan(recording)
-    if lost is not None:
-        return lost
-    return near(recording, WITH_NAN, OTHER_THAN_NAN)
+    return None
+
+
+def why_second_nan(bad: Sequence[int]) -> Verdict:
+    """A failed verdict for NaN that gets in only where the same joint has given NaN in the message before."""
+    return see.failed(
+        "survives-nan.second-in-a-row",
+        f"{see.count(len(bad), 'answer')} with NaN, the first of them for {shown(bad[0])}: the second message with NaN "
+        "in a row from the same joint. A single NaN did no harm",
+        FINITE,
+        "NaN is replaced by what the encoder gave in the message before, which may be NaN itself. Or only one NaN in a "
+        "row is replaced.",
+        "Remember the last good angle of each joint, after NaN has been replaced: a NaN never gets there.",
+    )
 
 
 # --- what came back -----------------------------------------------------------------------------------------
@@ -946,7 +1014,9 @@ def why_beside(recording: Recording) -> Verdict | None:
     means = [statistics.fmean(column) for column in zip(*rows, strict=True)]
     saw = f"{JOINTS[joint]} stands at {FIRST_POSE[joint]:.2f} rad, and the answers say {means[joint]:.2f} on average"
     expected = f"the angle of each joint, without its noise: at most {MOST_NOISE:.0%} of that is left"
-    if all(float(angle).is_integer() for row in rows for angle in row):
+    if rounded(rows) and not whole_numbers(rows):
+        return why_rounded(saw, expected)
+    if whole_numbers(rows):
         return see.failed(
             "filters.whole-numbers",
             f"{saw}; every angle is a whole number",
@@ -1089,14 +1159,8 @@ def why_no_filter(recording: Recording, saw: str) -> Verdict | None:
     """A failed verdict for what makes an angle calm, and is no filter: rounding, a dead band; None if it is neither."""
     by_place = first_answers(recording)
     rows = [by_place[place].angles for place in STEADY if place in by_place]
-    if all(abs(10.0 * angle - round(10.0 * angle)) < 10.0 * SAME_RAD for row in rows for angle in row):
-        return see.failed(
-            "noise-reduced.rounded",
-            f"{saw}; every angle is a multiple of 0.1 rad",
-            LITTLE_LEFT,
-            "The angles are rounded. They look calm, but each of them may be off by up to 0.05 rad.",
-            "Publish the result of the filter as it is.",
-        )
+    if rounded(rows):
+        return why_rounded(saw, LITTLE_LEFT)
     if not stands_still(recording):
         return None
     return see.failed(
@@ -1106,6 +1170,33 @@ def why_no_filter(recording: Recording, saw: str) -> Verdict | None:
         "The answer keeps an old value until a new one is far from it (a dead band). It is calm, but as wrong "
         "as that old value was.",
         "Let each measurement count a little: take a mean of the last ones, or go a part of the way to each.",
+    )
+
+
+Rows = Sequence[Sequence[float]]
+
+
+def rounded(rows: Rows) -> bool:
+    """Whether every angle is a multiple of 0.1 rad."""
+    return all(
+        math.isfinite(angle) and abs(10.0 * angle - round(10.0 * angle)) < 10.0 * SAME_RAD
+        for row in rows
+        for angle in row
+    )
+
+
+def whole_numbers(rows: Rows) -> bool:
+    return all(float(angle).is_integer() for row in rows for angle in row)
+
+
+def why_rounded(saw: str, expected: str) -> Verdict:
+    """A failed verdict for angles that are rounded to tenths."""
+    return see.failed(
+        "noise-reduced.rounded",
+        f"{saw}; every angle is a multiple of 0.1 rad",
+        expected,
+        "The angles are rounded. They look calm, but each of them may be off by up to 0.05 rad.",
+        "Publish the result of the filter as it is.",
     )
 
 

@@ -106,7 +106,7 @@ def views() -> tuple[CameraView, ...]:
 def where_to(ball: str, seconds: float, turn: float, part: float) -> tuple[float, float] | None:
     """Where the ball lies at a moment (m: forward, left); None where none is. `part`: 0 to 1, from edge to edge."""
     if ball == ACROSS:
-        return 0.69 + 0.21 * math.cos(2 * math.pi * part - 2.24), -0.27 * math.cos(math.pi * part)
+        return 0.66 + 0.24 * math.cos(2 * math.pi * part - 2.24), -0.27 * math.cos(math.pi * part)
     return (
         (0.82 + 0.06 * math.cos(1.3 * seconds), 0.1 + 0.16 * math.sin(2.2 * seconds + turn)) if ball else None
     )
@@ -512,6 +512,9 @@ def is_right(place: int, answer: Answered) -> bool:
 
 
 Wrong = list[tuple[int, Answered]]
+Pixels = tuple[float, float]
+Pairs = list[tuple[int, Pixels, Pixels]]
+"""For each picture, by its place: where the ball is seen, and where a direction says that it is."""
 
 
 @dataclass(frozen=True)
@@ -528,7 +531,7 @@ UNCLEAR = ("direction.no-ball", "direction.too-dark", "direction.too-small", "di
 PADDING_TAKEN_FOR_PIXELS = Reason(
     "direction.padding-taken-for-pixels",
     "The ball is found where rows have no padding. Here the unused bytes at the end of a row are taken for pixels, "
-    "and each row is shifted a little more.",
+    "so pixels are not where they belong.",
     "Reshape to (image.height, image.step) first, then keep the first 3 * image.width bytes of each row.",
     lambda place, answer: True,
 )
@@ -572,9 +575,11 @@ def why_not_found(wrong: Wrong, by_place: dict[int, Answered]) -> Reason | None:
     ]
     if min(len(lost), len(found)) < 3:
         return None
+    everywhere = [place for place in WITH_BALL if place in by_place and is_right(place, by_place[place])]
     for measure, reason in ((light_of, TOO_DARK), (width_of, TOO_SMALL)):
         smaller = sum(measure(one) < measure(other) for one in lost for other in found)
-        if smaller >= SURE * len(lost) * len(found):
+        middle = statistics.median(map(measure, lost))
+        if smaller >= SURE * len(lost) * len(found) and min(map(measure, everywhere)) >= middle:
             return reason
     return None
 
@@ -606,9 +611,44 @@ def why_beside(wrong: Wrong) -> Reason:
         return FOCAL_LENGTH
     if moved >= SURE:
         return MIDDLE
+    edge = at_an_edge(pairs)
+    if edge is not None:
+        return edge
+    if min(factors := factors_of(pairs)) > 0.2 and max(factors) < 5.0:
+        across, along = factors
+        if share(math.dist(at, (across * ball[0], along * ball[1])) <= 1.0 for _, ball, at in pairs) >= SURE:
+            return ONE_AXIS
     if share(lags(place, at) for place, _, at in pairs) >= 0.8:
         return BEHIND
     return BESIDE
+
+
+def factors_of(pairs: Pairs) -> tuple[float, float]:
+    """By which factor directions are too far from the middle: to the side, and up or down."""
+    return tuple(  # type: ignore[return-value]
+        sum(ball[axis] * at[axis] for _, ball, at in pairs)
+        / max(sum(ball[axis] ** 2 for _, ball, _ in pairs), 1e-9)
+        for axis in (0, 1)
+    )
+
+
+def at_an_edge(pairs: Pairs) -> Reason | None:
+    """Whether they are at the same edge of the ball, however large it is; None if not."""
+    for side, name in EDGES.items():
+        beside = share(
+            math.dist(at, (ball[0] + side[0] * width_of(place) / 2, ball[1] + side[1] * width_of(place) / 2))
+            <= 1.5
+            for place, ball, at in pairs
+        )
+        if beside >= SURE:
+            return Reason(
+                "direction.edge",
+                f"All these directions are those of the {name} of the ball, or of the box around it. They are not "
+                "those of its middle.",
+                "Take the mean of all pixels of the ball, or the middle of the box.",
+                always,
+            )
+    return None
 
 
 def seen_at(vector: Vector) -> tuple[float, float]:
@@ -685,10 +725,28 @@ def from_the_corner(place: int, answer: Answered) -> bool:
     return off_deg(answer.vector, ray) <= NEAR_DEG
 
 
-def of_an_earlier_picture(place: int, answer: Answered) -> bool:
-    """Whether it is just where the ball was one to three pictures before."""
-    before = [one for one in range(place - 3, place) if one in WITH_BALL]
-    return any(off_deg(answer.vector, ball_of(one)) <= 0.4 for one in before)
+def of_an_earlier_picture(back: int) -> Callable[[int, Answered], bool]:
+    """Whether it is just where the ball was so many pictures before."""
+    return lambda place, answer: (
+        place - back in WITH_BALL and off_deg(answer.vector, ball_of(place - back)) <= 0.4
+    )
+
+
+def by_the_row_alone(place: int, answer: Answered) -> bool:
+    """Whether the elevation is the arc tangent of the row, and the side that of the column."""
+    x, y = (one / FOCAL_PIXELS for one in seen_at(ball_of(place)))
+    yaw, pitch = math.atan(x), math.atan(y)
+    lower = (math.sin(yaw) * math.cos(pitch), math.sin(pitch), math.cos(yaw) * math.cos(pitch))
+    return off_deg(answer.vector, lower) <= 0.35
+
+
+def in_a_squeezed_row(place: int, answer: Answered) -> bool:
+    """Whether it is where the ball is if the padding is taken for more columns, and these are squeezed to 160."""
+    view = VIEWS[place]
+    right, down = seen_at(ball_of(place))
+    squeezed = view.width / ((3 * view.width + view.padding) // 3)
+    column = (CENTER[0] + right + 0.5) * squeezed - 0.5
+    return view.padding > 0 and math.dist(seen_at(answer.vector), (column - CENTER[0], down)) <= 1.0
 
 
 SURE = 0.9
@@ -727,6 +785,24 @@ MIDDLE = Reason(
     "Straight ahead is column 79.5, row 59.5. Subtract these from the middle of the ball.",
     always,
 )
+ONE_AXIS = Reason(
+    "direction.one-axis",
+    "All these directions are too far from the middle, or too near to it. The factor up and down is another one than "
+    "to the side. The ball was found, and the two axes are computed in different ways.",
+    "Both axes have the focal length of 140 pixels: x = (column - 79.5) / 140, y = (row - 59.5) / 140.",
+    always,
+)
+EDGES = {
+    (-1, 0): "left edge",
+    (1, 0): "right edge",
+    (0, -1): "upper edge",
+    (0, 1): "lower edge",
+    (-1, -1): "upper left corner",
+    (1, -1): "upper right corner",
+    (-1, 1): "lower left corner",
+    (1, 1): "lower right corner",
+}
+"""Where a part of the outline lies, seen from the middle of the ball: to the right, and down."""
 BEHIND = Reason(
     "direction.behind",
     "The directions lie where the ball was in the pictures before: they are averaged over several pictures, or limited "
@@ -823,10 +899,27 @@ REASONS = (
         from_the_corner,
     ),
     Reason(
-        "direction.earlier-picture",
-        "The direction is that of an earlier picture: the ball was there a moment before.",
-        "Compute the direction from the picture that the callback was called with, and publish it with its header.",
-        of_an_earlier_picture,
+        "direction.elevation",
+        "The angle up or down was computed from the row alone: atan(y). That is right in the middle column only. "
+        "Elsewhere the ball is farther away than its z.",
+        "Divide (x, y, 1) by its length. If you need the elevation: atan2(y, hypot(x, 1)).",
+        by_the_row_alone,
+    ),
+    Reason(
+        "direction.squeezed",
+        "The unused bytes at the end of a row are taken for more columns, and these are squeezed to 160. So the ball "
+        "is found too far to the left.",
+        "Keep the first 3 * image.width bytes of each row, and do not change the size of the picture.",
+        in_a_squeezed_row,
+    ),
+    *(
+        Reason(
+            "direction.earlier-picture",
+            "The direction is that of an earlier picture: the ball was there a moment before.",
+            "Compute the direction from the picture that the callback was called with, and publish it with its header.",
+            of_an_earlier_picture(back),
+        )
+        for back in (1, 2, 3)
     ),
 )
 
@@ -1035,6 +1128,9 @@ def why_missing(recording: Recording, saw: str) -> Verdict:
         return see.failed(
             error.cause, f"{saw}. {error.where}{error.error}", expected, error.because, error.try_this
         )
+    pattern = why_not_answered(first_answers(recording), saw, expected)
+    if pattern is not None:
+        return pattern
     return see.failed(
         "keeps-up.missing",
         saw,
@@ -1043,6 +1139,33 @@ def why_missing(recording: Recording, saw: str) -> Verdict:
         "Publish in every call of the callback, and keep it short: functions of OpenCV or NumPy, no loops over pixels.",
         about_time=True,
     )
+
+
+def why_not_answered(by_place: dict[int, Answered], saw: str, expected: str) -> Verdict | None:
+    """What the pictures that were not answered have in common; None if nothing."""
+    last = max(by_place)
+    if last < FIRST_OTHER and not set(READABLE) & set(range(FIRST_OTHER)) - set(by_place):
+        return see.failed(
+            "keeps-up.silent-since",
+            f"{saw}. Nothing came after picture {FIRST_OTHER + 1}, the first one in another encoding: "
+            f"{VIEWS[FIRST_OTHER].encoding}",
+            expected,
+            "Since the node met an encoding that it cannot read, it has not answered any more.",
+            "Return from the callback for that picture only. The next one may be readable again.",
+        )
+    for encoding in KNOWN:
+        of_it = [place for place in READABLE if VIEWS[place].encoding == encoding]
+        others = [place for place in READABLE if VIEWS[place].encoding != encoding]
+        if not set(of_it) & set(by_place) and share(place in by_place for place in others) >= SURE:
+            return see.failed(
+                "keeps-up.one-encoding",
+                f"{saw}. Not one of the {len(of_it)} pictures in {encoding} was answered",
+                expected,
+                f"The node answers pictures in the other encoding only, and takes {encoding} for one that it cannot "
+                "read.",
+                f"Both rgb8 and bgr8 can be read: convert {encoding}, too, and answer it.",
+            )
+    return None
 
 
 def too_few(cause: str) -> Verdict:

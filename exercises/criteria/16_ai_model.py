@@ -78,7 +78,9 @@ TILTS = (
     (5.0, 5.11, 100.0, 180.0),
     (7.6, 8.9, 65.0, 45.0),
     (0.0, 0.11, 70.0, 0.0),  # also the very first samples
+    (2.59, 2.77, 75.0, -90.0),  # a second jolt of nine samples, six upright ones after the first
 )
+FIRST_JOLT, SECOND_JOLT, LEANING = TILTS[1], TILTS[-1], TILTS[2]
 FALL_S, UPRIGHT_S, FALLEN_DEG = 7.6, 8.9, 65.0
 IMU_SECONDS = PICTURES / CAMERA_HZ
 
@@ -253,7 +255,8 @@ def detections_come(recording: Recording) -> Verdict:
         "detections-come.nothing",
         nothing,
         expected,
-        "Nobody hands pictures to the model, its result is not published, or an exception was lost in a thread.",
+        "Nobody hands pictures to the model, its result is not published, or an exception was lost in a thread. Or all "
+        "pictures are taken for old ones: their stamps come from another clock than that of the program.",
         "Log a line before and after the model is called: which is missing?",
         about_time=True,
     )
@@ -296,6 +299,8 @@ def fresh(recording: Recording) -> Verdict:
     stopped = stops_early(recording, seen, saw)
     if stopped is not None:
         return stopped
+    if pauses(recording, saw, [one for one in answers(recording) if one.things]) is not None:
+        return see.passed(saw)  # a rest after glare is judged by `survives`
     if hertz < LEAST_HZ:
         return why_few(recording, saw)
     return rarely_after_the_fall(recording, seen, saw) or see.passed(saw)
@@ -502,6 +507,9 @@ def why_no_heartbeat(recording: Recording, beats: see.Beats, saw: str) -> Verdic
         )
     if beats.silence.kind == "after" and beats.silence.seconds > LONGEST_SILENCE_S:
         saw = f"no heartbeat after {beats.silence.start:.1f} s"
+        ends = ends_with_the_fall(recording, saw)
+        if ends is not None:
+            return ends
         return see.ended_by_error(recording, saw, HEARTBEAT_EXPECTED) or see.failed(
             "heartbeat-kept.stops",
             saw,
@@ -523,6 +531,23 @@ def why_no_heartbeat(recording: Recording, beats: see.Beats, saw: str) -> Verdic
     return why_few_beats(beats, saw)
 
 
+def ends_with_the_fall(recording: Recording, saw: str) -> Verdict | None:
+    """Whether the last heartbeats are the first ones after the fall, from a program that goes on; None if not."""
+    words = [one.value["data"] for one in recording.topic(STATUS.name).arrivals]
+    times = words.count(ERROR)
+    if ERROR not in words[-1:] or times > HARDLY_ANY or recording.process.ended_by == "itself":
+        return None
+    return see.failed(
+        "heartbeat-kept.ends-with-the-fall",
+        f'{saw}, when "{ERROR}" had come {see.count(times, "time")}',
+        HEARTBEAT_EXPECTED,
+        "The status is published until the fall, and then no more. A listener cannot tell a robot that lies on the "
+        "floor from one that has lost its connection.",
+        f'Publish "{ERROR}" ten times a second from then on.',
+        about_time=True,
+    )
+
+
 def why_few_beats(beats: see.Beats, saw: str) -> Verdict:
     """Why beats are missing that the model does not hold up."""
     if beats.silence.seconds > LONGEST_SILENCE_S:
@@ -538,8 +563,9 @@ def why_few_beats(beats: see.Beats, saw: str) -> Verdict:
         "heartbeat-kept.too-few",
         f"{saw}; typically {beats.typical_s:.2f} s from one to the next",
         HEARTBEAT_EXPECTED,
-        "The period of the timer is too long, or the status is published in a callback that runs less often.",
-        "Publish the status in the callback of create_timer(0.1, ...).",
+        "The period of the timer is too long, or the status is published in a callback that runs less often. Or a loop "
+        "sleeps between two calls of spin_once.",
+        "Publish the status in the callback of create_timer(0.1, ...), and let rclpy.spin or an executor wait for it.",
         about_time=True,
     )
 
@@ -699,8 +725,8 @@ def later_stamps(given: Sequence[Answered]) -> Verdict | None:
         "stamps-kept.later-picture",
         saw,
         PICTURE_STAMPS,
-        "A detection gets the stamp of a picture that came while the model was busy. The header was read from an "
-        "attribute that the next picture overwrites.",
+        "A detection gets the stamp of a picture that came later. The header was read from an attribute that the next "
+        "picture overwrites. Or the result for one picture is published for the next one.",
         "Keep pixels and header of a picture together, and hand both to the thread that calls the model.",
     )
 
@@ -836,6 +862,11 @@ def some_extra(place: int, answer: Answered) -> bool:
     return not unmatched(whole(place), answer.things)
 
 
+def other_labels(place: int, answer: Answered) -> bool:
+    """Whether all toys are there, and markers with other labels."""
+    return some_extra(place, answer) and any(toy.label not in LABELS for toy in answer.things)
+
+
 def some_missing(place: int, answer: Answered) -> bool:
     """Whether what is there is right, and something is missing."""
     return not unmatched(answer.things, [toy for toy, _ in toys(place)])
@@ -872,6 +903,13 @@ REASONS = (
         "The places are right, but labels are not those of the toys at these places.",
         "Each detection has its own label: ns=one.label. Leave to_markers as it is.",
         wrong_labels,
+    ),
+    Reason(
+        "right.no-toy",
+        "All toys are there, and also a marker whose label is no toy. A marker with the action DELETEALL is a marker, "
+        "too.",
+        "Publish a marker for each detection that the model returned for this picture, and no other.",
+        other_labels,
     ),
     Reason(
         "right.some-extra",
@@ -1070,6 +1108,22 @@ def silent_since_glare(recording: Recording, saw: str, given: Sequence[Answered]
             "In the except branch, log, and go on with the next picture.",
             about_time=True,
         )
+    return why_ended(saw, bool(lines) and "Traceback" not in recording.process.log)
+
+
+def why_ended(saw: str, caught: bool) -> Verdict:
+    """Why nothing is answered after glare, where the exception was caught and logged, or where it was not."""
+    if caught:
+        return see.failed(
+            "survives.gave-up",
+            f"{saw}. The log has the text of the exception, and no traceback",
+            SURVIVES_EXPECTED,
+            "The exception was caught and logged. Then the node ended its thread or itself, or it no longer hands "
+            "pictures to the model.",
+            "In the except branch, log, and go on with the next picture. However often the model raises, the next "
+            "picture may be fine.",
+            about_time=True,
+        )
     return see.failed(
         "survives.ended",
         saw,
@@ -1204,7 +1258,9 @@ def never_fell(recording: Recording) -> Verdict:
 
 def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verdict:
     """Why "error" was said before the fall."""
-    sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    second = counted_on(at, moments)
+    if second is not None:
+        return second
     for begin, end, tilt, _ in TILTS:
         start, stop = (moments[round(one * IMU_HZ)] for one in (begin, end))
         if tilt > TILT_DEG and start <= at <= stop + 0.25:
@@ -1216,7 +1272,13 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
                 "count does not begin again at an upright one.",
                 "Count the tilted samples in a row, and set the count to 0 at each upright one. Ten are a fall.",
             )
-    begin, end, tilt, _ = TILTS[2]
+    return why_calm_but_early(recording, at, moments)
+
+
+def why_calm_but_early(recording: Recording, at: float, moments: Sequence[float]) -> Verdict:
+    """Why "error" was said before the fall, and not after a jolt."""
+    sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    begin, end, tilt, _ = LEANING
     if moments[round(begin * IMU_HZ)] <= at <= moments[round(end * IMU_HZ)] + 0.25:
         return see.failed(
             "fall-reported.on-leaning",
@@ -1240,6 +1302,23 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
         FALL_EXPECTED,
         "Nothing had happened to the robot yet.",
         "Say which condition sets the status, and log the tilt when it is met.",
+    )
+
+
+def counted_on(at: float, moments: Sequence[float]) -> Verdict | None:
+    """Whether "error" came with a second jolt, soon after one of the same length that was no fall; None if not."""
+    begin, end, _, _ = SECOND_JOLT
+    if not moments[round(begin * IMU_HZ) + 3] <= at <= moments[round(end * IMU_HZ)] + 0.25:
+        return None
+    upright = samples_within(FIRST_JOLT[1], begin)
+    return see.failed(
+        "fall-reported.counts-on",
+        f'"{ERROR}" at the second of two jolts of {samples_within(begin, end)} samples, with {upright} upright samples '
+        "between them",
+        FALL_EXPECTED,
+        "The first jolt alone was no fall for this node. So the upright samples take only a part of the count away, or "
+        "tilted samples are counted within a span of time.",
+        "Count the tilted samples in a row: set the count to 0 at each upright one. Ten are a fall.",
     )
 
 
