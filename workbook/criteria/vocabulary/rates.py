@@ -153,9 +153,9 @@ def _skips(recording: Recording, topic: Topic, seen: Pace) -> Verdict | None:
             "rate.begins-late",
             f"the first message came after {seconds(seen.gap.seconds)}; {listing(going_on)} had begun before that",
             _rate_expected(topic),
-            "The node was not blocked. The timer of this topic is created late, or its callback does not publish at "
-            "first.",
-            "Create the timer in __init__, and publish in each call of its callback.",
+            "The timer of this topic is created late, or its callback does not publish at first: it skips calls, or "
+            "waits before it publishes.",
+            "Create the timer in __init__, and publish at once in each call of its callback.",
             about_time=True,
         )
     return _uneven(recording, topic) or failed(
