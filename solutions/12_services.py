@@ -66,7 +66,8 @@
 # The program may have any form: callbacks, `await`, threads, several nodes.
 #
 # **Not part of it:** offering a service, waiting for the service to appear, and what the text of a heartbeat says.
-# How your program ends on Ctrl-C is not judged either.
+# How your program ends on Ctrl-C is not judged either. Nor is a `no answer` in the first 2.5 s: it may belong to a call
+# that was sent before the judge was connected.
 # %% [answer]
 """Calls the self-test of the robot once a second, and reports the result to the control room."""
 

@@ -93,6 +93,9 @@ def heartbeat_gap(recording: Recording) -> Verdict:
             about_time=True,
         )
     where = f"a silence of {silence.seconds:.2f} s, from {silence.start:.1f} s on"
+    if silence.kind == "before":
+        where = f"no heartbeat until {silence.end:.2f} s"
+        return begins_late("heartbeat-gap.begins-late", where, expected)
     if silence.seconds < PLANNING_S and beats_during_most_plans(recording):
         return held_up_once(where, expected)
     if not during_plans(recording, silence.start, silence.end):
@@ -112,6 +115,35 @@ def heartbeat_gap(recording: Recording) -> Verdict:
         "help, and neither does a separate callback group alone.",
         "You need both: callback_group=MutuallyExclusiveCallbackGroup() for the slow callback, and a "
         "MultiThreadedExecutor(num_threads=2).",
+        about_time=True,
+    )
+
+
+def in_groups(recording: Recording) -> Verdict | None:
+    """A failed verdict when several heartbeats come at one moment, and then none for a while; None otherwise."""
+    pace = see.topic_pace(recording, HEARTBEAT)
+    if not pace.in_bursts:
+        return None
+    return see.failed(
+        "heartbeat-share.in-groups",
+        f"{pace.count} heartbeats, {pace.burst} at a time",
+        "one heartbeat every 0.1 s",
+        "Several heartbeats are published at once, and then none for a while: one callback publishes them all, or "
+        "makes up for missing ones.",
+        "Publish one heartbeat on every tick of a timer of 0.1 s.",
+        about_time=True,
+    )
+
+
+def begins_late(cause: str, saw: str, expected: str) -> Verdict:
+    """The first heartbeat comes late."""
+    return see.failed(
+        cause,
+        saw,
+        expected,
+        "The heartbeat begins late: its timer is created after something else has happened, or its callback does not "
+        "publish at first.",
+        "Create the timer of the heartbeat in __init__, and publish on every tick.",
         about_time=True,
     )
 
@@ -144,7 +176,7 @@ def plan_topic(recording: Recording) -> Verdict:
 def plans_right(recording: Recording) -> Verdict:
     nothing = see.no_message(recording, PLAN)
     if nothing is not None:
-        return no_plan(nothing)
+        return no_plan(recording, nothing)
     made = plans(recording)
     return (
         not_yet_found(made)
@@ -262,6 +294,8 @@ def uneven(recording: Recording) -> Verdict | None:
             "know whether the robot is well now.",
             "Set the period to 0.1 s, and move the planning to a place where it does not stop the heartbeat.",
         )
+    if together := in_groups(recording):
+        return together
     return slower_while_planning(recording, expected) or each_late(saw, expected, typical)
 
 
@@ -276,6 +310,8 @@ def slower_while_planning(recording: Recording, expected: str) -> Verdict | None
     busy, idle = typically_s(recording, planning=True), typically_s(recording, planning=False)
     if busy is None or idle is None or busy < 1.1 * idle or idle > TYPICALLY_S[1]:
         return None
+    if together := in_groups(recording):
+        return together
     return see.failed(
         "heartbeat-share.slower-while-planning",
         f"typically {busy:.2f} s from one heartbeat to the next while a plan is made, {idle:.2f} s otherwise",
@@ -318,10 +354,14 @@ def why_beats_are_missing(recording: Recording, beats: see.Beats, saw: str) -> V
             "heartbeat-share.stops",
             f"{saw}; none after {beats.silence.start:.1f} s",
             expected,
-            "The heartbeat has stopped.",
+            "The heartbeat has stopped: its callback no longer publishes, its timer or thread has ended, or the "
+            "program has ended.",
             "Read the log: what was the last thing that happened?",
             about_time=True,
         )
+    if beats.silence.kind == "before":
+        saw = f"{saw}; none until {beats.silence.end:.1f} s"
+        return begins_late("heartbeat-share.begins-late", saw, expected)
     if not during_plans(recording, beats.silence.start, beats.silence.end):
         return see.failed(
             "heartbeat-share.held-up",
@@ -418,7 +458,7 @@ def too_many_and_missing(made: Sequence[Plan]) -> tuple[list[float], list[float]
 EACH_RIGHT = "for each request the bend that ElbowPlanner finds for it"
 
 
-def no_plan(nothing: Verdict) -> Verdict:
+def no_plan(recording: Recording, nothing: Verdict) -> Verdict:
     """Not one plan arrived, for the reason of `nothing` where an error is to blame."""
     saw, expected = f"not one plan for {len(ASKED)} requests", "a plan on /robot/plan for each request"
     try_this = (
@@ -426,7 +466,7 @@ def no_plan(nothing: Verdict) -> Verdict:
     )
     if "Error" in nothing.saw:
         return see.failed(nothing.cause, saw, expected, nothing.because, try_this)
-    return see.failed(
+    return see.asks_for_other_qos(recording, REQUESTS, saw, expected) or see.failed(
         "plans-right.none",
         saw,
         expected,
@@ -533,7 +573,23 @@ def fits_no_request(made: Sequence[Plan]) -> Verdict | None:
     if strange is None:
         return None
     saw = f"a bend of {strange.bend:.4f} rad, which fits none of the requests"
-    measure = told_by_another_measure(made)
+    return (
+        in_another_measure(told_by_another_measure(made), saw)
+        or of_its_own(made, strange, saw)
+        or see.failed(
+            "plans-right.fits-no-request",
+            saw,
+            EACH_RIGHT,
+            "The planner was given something other than the requested distance, was interrupted by another search, or "
+            "was stopped long before its last step.",
+            "Give the request's data to the planner, run all steps of one search (plan() does that), then publish the "
+            "result.",
+        )
+    )
+
+
+def in_another_measure(measure: str | None, saw: str) -> Verdict | None:
+    """All plans are right in another measure."""
     if measure == "degrees":
         return see.failed(
             "plans-right.degrees",
@@ -558,15 +614,28 @@ def fits_no_request(made: Sequence[Plan]) -> Verdict | None:
             "That is the distance of a request (m), not a bend.",
             "Publish what the planner returns for it.",
         )
-    return see.failed(
-        "plans-right.fits-no-request",
-        saw,
-        EACH_RIGHT,
-        "The planner was given something other than the requested distance, was interrupted by another search, or "
-        "was stopped long before its last step.",
-        "Give the request's data to the planner, run all steps of one search (plan() does that), then publish the "
-        "result.",
-    )
+    return None
+
+
+def of_its_own(made: Sequence[Plan], strange: Plan, saw: str) -> Verdict | None:
+    """A value that comes from no search: not a number, or one besides the plans of all requests."""
+    if not math.isfinite(strange.bend):
+        return see.failed(
+            "plans-right.not-finite",
+            saw,
+            EACH_RIGHT,
+            "That is no angle: your program computes it or sets it itself, for example for a distance out of reach.",
+            "Give every request to the planner, and publish what plan() returns.",
+        )
+    if not too_many_and_missing(made)[1]:
+        return see.failed(
+            "plans-right.besides",
+            f"{saw}; the plans for all {len(DISTANCES)} requests came, too",
+            EACH_RIGHT,
+            "Besides the plans your program publishes a value of its own: at the start, in a pause, or after a plan.",
+            "Publish only what plan() has returned for a request.",
+        )
+    return None
 
 
 def too_soon(made: Sequence[Plan]) -> Verdict | None:
@@ -694,7 +763,7 @@ def missing_or_twice(recording: Recording, made: Sequence[Plan], expected: str) 
             "all-in-order.twice",
             f"{len(made)} plans; more than were requested for {metres(twice)}",
             expected,
-            "The result is published in two places, or a request is planned twice.",
+            "The result is published in two places, or again later, or a request is planned twice.",
             "Publish a plan once, where it is finished.",
         )
     return None
@@ -714,7 +783,8 @@ def why_missing(recording: Recording, made: Sequence[Plan], missing: list[float]
             "all-in-order.too-slow",
             f"{len(made)} plans in {WATCH_S:g} s, typically {apart:.1f} s apart",
             f"{expected} within {WATCH_S:g} s; a search takes {PLANNING_S} s",
-            "Your program waits between the steps of a search, or between two searches.",
+            "Your program waits between the steps of a search, or between two searches. Or it searches more than once "
+            "for a request.",
             "Begin the next step, or the next search, as soon as the one before is finished.",
             about_time=True,
         )
@@ -739,6 +809,15 @@ def rest_s(recording: Recording) -> float:
 def nothing_more(made: Sequence[Plan], saw: str, expected: str) -> Verdict:
     """The first requests are answered, and the last one or ones are not."""
     saw = f"{saw}. Nothing came after plan number {len(made)}"
+    if len(made) == len(DISTANCES) - 1 and made[0].after > 1.5 * PLANNING_S:
+        return see.failed(
+            "all-in-order.with-the-next",
+            f"{saw}; number 1 had come {made[0].after:.1f} s after its request",
+            expected,
+            "A plan is published when the next one is finished, so the last one stays behind.",
+            "Publish each plan as soon as plan() has returned it.",
+            about_time=True,
+        )
     if len(made) == len(DISTANCES) - 1:
         return see.failed(
             "all-in-order.last-missing",
@@ -763,6 +842,15 @@ def nothing_more(made: Sequence[Plan], saw: str, expected: str) -> Verdict:
 
 def refused(missing: list[float], saw: str, expected: str) -> Verdict | None:
     """Requests of one kind were not answered: those out of reach, or those that were made before."""
+    if missing == DISTANCES[:1]:
+        return see.failed(
+            "all-in-order.first-missing",
+            saw,
+            expected,
+            "The first request was not answered, though nothing else was being planned: it is treated as a test or a "
+            "start value.",
+            "Answer each request, also the first one.",
+        )
     if missing == [max(DISTANCES)]:
         return see.failed(
             "all-in-order.out-of-reach",

@@ -70,7 +70,7 @@ def topics(recording: Recording) -> Verdict:
 def none_missed(recording: Recording) -> Verdict:
     nothing = see.no_message(recording, SEEN)
     if nothing is not None:
-        return no_report(nothing)
+        return no_report(recording, nothing)
     came = set(places_of_reports(recording))
     missed = [place for place in range(len(NUMBERS)) if place not in came]
     if not missed:
@@ -101,6 +101,9 @@ def once_in_order(recording: Recording) -> Verdict:
             "touch is reported again later, though nothing is new.",
             "Keep one place that reports: the callback.",
         )
+    if early and {*range(len(NUMBERS))} <= {*places}:
+        saw = f"{early[0]} was reported before there was a touch of this number, besides the reports of all touches"
+        return see.failed("once-in-order.besides-all", saw, expected, *A_NUMBER_OF_ITS_OWN)
     if early:
         return see.failed(
             "once-in-order.ahead",
@@ -173,7 +176,7 @@ def easy_on_processor(recording: Recording) -> Verdict:
             saw,
             expected,
             "The program wakes up many hundred times a second: by a timer with a very short period, or a loop "
-            "with a very short sleep.",
+            "with a very short sleep. Or it computes something now and then, though no touch comes.",
             "Remove that timer or loop, and let rclpy.spin(node) wait for the next touch.",
         )
     return see.failed(
@@ -266,13 +269,13 @@ def some(numbers: list[int]) -> str:
     return ", ".join(words) + (", …" if len(numbers) > 4 else "")
 
 
-def no_report(nothing: Verdict) -> Verdict:
+def no_report(recording: Recording, nothing: Verdict) -> Verdict:
     """Not one report arrived, for the reason of `nothing` where an error is to blame."""
     saw, expected = f"not one report for {len(NUMBERS)} touches", f"all {len(NUMBERS)} of them on {SEEN.name}"
     try_this = "Spin the node, and publish in the callback of the subscription."
     if "Error" in nothing.saw:
         return see.failed(nothing.cause, saw, expected, nothing.because, try_this)
-    return see.failed(
+    return see.asks_for_other_qos(recording, TOUCH, saw, expected) or see.failed(
         "none-missed.no-report",
         saw,
         expected,
@@ -289,6 +292,11 @@ NOT_WHAT_THE_MESSAGE_SAYS = (
     "Your program reports something other than the number in the message: its own counter, a start value, or a number "
     "that it computes.",
     "Report message.data.",
+)
+A_NUMBER_OF_ITS_OWN = (
+    "Besides the touches your program reports a number of its own. It does so at the start, in a pause, after a burst, "
+    "or when the skin begins again.",
+    "Report the touches that came, and nothing else.",
 )
 IN_ONE_BYTE = (
     "The number is stored in one byte: after 255 it starts again at 0.",
@@ -313,9 +321,7 @@ def no_such_touch(strange: list[int], numbers: list[int], expected: str) -> Verd
             "once-in-order.something-else",
             f"{saw}; {see.count(len(strange), 'such report')} in all, besides those of all touches",
             expected,
-            "Besides the touches your program reports a number of its own: at the start, in a pause, or when the skin "
-            "begins again.",
-            "Report the touches that came, and nothing else.",
+            *A_NUMBER_OF_ITS_OWN,
         )
     if cut_off(numbers):
         return see.failed("once-in-order.cut-off", saw, expected, *IN_ONE_BYTE)
@@ -398,8 +404,8 @@ def why_each_late(recording: Recording, alone: Sequence[float], saw: str, expect
             "quick.polls",
             saw,
             expected,
-            "A touch waits until the loop polls: on average for half of the sleep. A queue that is emptied at "
-            "each poll loses nothing, but is just as late.",
+            "A touch waits until a loop or timer polls: on average for half of its period. A queue that is emptied at "
+            "each poll loses nothing, but is just as late. Or something slow runs before publish().",
             REPORT_IN_THE_CALLBACK,
             about_time=True,
         )
@@ -477,7 +483,7 @@ def why_nothing_more(recording: Recording, nothing: str, expected: str) -> Verdi
         nothing,
         expected,
         "Something has stopped: an exception in the callback, a loop or thread that ended (in a pause without "
-        "touches?), or the spin of the node.",
+        "touches?), or the spin of the node. Or a counter allows only so many reports.",
         "Read the log, and let rclpy.spin(node) run until Ctrl-C.",
     )
 
@@ -492,6 +498,14 @@ def first_or_last(missed: list[int], saw: str, expected: str) -> Verdict | None:
             "Only the first touch is missing: it is treated as a test, or as a start value to compare with.",
             "Report every touch, the first one as well.",
         )
+    if missed == [MOMENTS.index(QUIET_UNTIL_S)]:
+        return see.failed(
+            "none-missed.after-the-pause",
+            f"{saw}, the first one after three seconds without touches",
+            expected,
+            "After a pause, the next touch is not reported: it only wakes something up, or is taken for a start value.",
+            "Report every touch, no matter how long none had come.",
+        )
     if missed == [len(NUMBERS) - 1]:
         return see.failed(
             "none-missed.the-last",
@@ -500,6 +514,11 @@ def first_or_last(missed: list[int], saw: str, expected: str) -> Verdict | None:
             "Only the last touch is missing: a touch is reported when the next one comes.",
             "Report each touch in the callback that receives it.",
         )
+    return of_a_kind(missed, saw, expected)
+
+
+def of_a_kind(missed: list[int], saw: str, expected: str) -> Verdict | None:
+    """Only touches with small numbers were missed, or only those with great ones."""
     if missed == [*range(NUMBERS.index(1), len(NUMBERS))]:
         return see.failed(
             "none-missed.smaller-numbers",

@@ -56,8 +56,12 @@ GIVEN_UP_AT_ONCE_S = 1.3  # with the next question, or a moment later
 GIVEN_UP_WITHIN_S = 2.0
 SLACK_S = 0.1  # for a busy machine
 NEARLY_S = 0.03  # the same, where each call is given up too early
+LATE_ONES = 2  # calls given up equally late: of one it cannot be told
 LONG_SLACK_S = 0.3  # the same, where an asking period and a patience add up
 MAY_COME_UNTIL_S = MAY_TAKE_S + 0.05
+MOSTLY = 0.7
+AT_ONCE_S = 0.05  # a call so soon after an answer was sent because of it
+WAITED_IN_VAIN_S = 0.3  # so long after the answer, the callback that reads the result had waited for it
 LEAST_SHARE, MOST_SHARE = 0.9, 1.1  # of the beats that are due
 LEAST_MEANWHILE = 0.6  # of the beats that are due while a call is open: one that waits loses all of them
 LEAST_DUE = 1.0  # of fewer beats nothing can be told
@@ -83,6 +87,11 @@ def alive_at_end(recording: Recording) -> Verdict:
             "time is up.",
             f'Say "{NO_ANSWER}" where the response is None, and read its field success only where it is not.',
         )
+    last = max(asked(recording), key=lambda call: call.t, default=None)
+    if last is not None and last.answered_t is not None:
+        lag = recording.robot_s - last.answered_t
+        if lag > WAITED_IN_VAIN_S:
+            return waited_in_vain(verdict, lag)
     return see.failed(
         "alive-at-end.result-too-early",
         verdict.saw,
@@ -123,14 +132,7 @@ def asks_every_second(recording: Recording) -> Verdict:
         return why_a_pause(recording, *max(long, key=lambda one: one[0]))
     typical = statistics.median(b - a for a, b in pairwise(times)) if len(times) > 1 else recording.robot_s
     if typical < SHORTEST_PERIOD_S:
-        return see.failed(
-            "asks-every-second.too-often",
-            f"{len(asked(recording))} calls in {recording.robot_s:.0f} s, typically {typical:.2g} s apart",
-            ONCE_A_SECOND,
-            "The wrong timer sends the requests, or a waiting call is repeated. A robot that is asked too often "
-            "does nothing else.",
-            "Use one timer of 1.0 s for the requests, and another one for the heartbeat.",
-        )
+        return why_too_often(recording, calls, typical)
     if typical > LONGEST_PERIOD_S or len(long) > PAUSES:
         return why_seldom(recording, typical, long)
     if len(times) - 1 > round((times[-1] - times[0]) / SHORTEST_PERIOD_S):
@@ -203,6 +205,18 @@ def heartbeat_steady(recording: Recording) -> Verdict:
     if not LEAST_SHARE <= beats.share <= MOST_SHARE:
         return why_too_few_or_many(beats)
     return see.passed(f"{beats.count} beats, typically one every {typical:.1f} s")
+
+
+def waited_in_vain(verdict: Verdict, lag: float) -> Verdict:
+    """The program ended because a result was None, `lag` seconds after the answer to its last call had come."""
+    return see.failed(
+        "alive-at-end.waited-in-vain",
+        f"{verdict.saw}; the answer to the last call had come {lag:.1f} s earlier",
+        verdict.expected,
+        "A callback waited for this answer, or spun the node inside, until its time was up. The answer can be handled "
+        "only after the callback has returned. So future.result() was still None.",
+        "Send the request with call_async(), add a done callback, and return. Do not wait or spin in a callback.",
+    )
 
 
 # --- the calls ----------------------------------------------------------------------------------------------
@@ -403,16 +417,77 @@ def why_seldom(recording: Recording, typical: float, long: list[tuple[float, Cal
     )
 
 
+def why_too_often(recording: Recording, calls: list[CallSeen], typical: float) -> Verdict:
+    """Why calls come typically sooner than they should: several at once, after an answer, or by a short period."""
+    how_many = f"{len(asked(recording))} calls in {recording.robot_s:.0f} s"
+    groups = sizes_of_groups(calls)
+    together = statistics.mode(groups)
+    if together > 1 and groups.count(together) > MOSTLY * len(groups):
+        return see.failed(
+            "asks-every-second.several-at-once",
+            f"{how_many}, {together} at a time",
+            ONCE_A_SECOND,
+            "Several requests are sent at the same moment: by two timers, by two clients, or twice in one callback.",
+            "Keep one client, one timer of 1.0 s, and one call_async() in its callback.",
+        )
+    saw = f"{how_many}, typically {typical:.2g} s apart"
+    short = [(a, b) for a, b in pairwise(calls) if b.t - a.t < SHORTEST_PERIOD_S]
+    after_answers = [
+        b for a, b in short if a.answered_t is not None and 0.0 <= b.t - a.answered_t < AT_ONCE_S
+    ]
+    if len(after_answers) > MOSTLY * len(short):
+        return see.failed(
+            "asks-every-second.asks-after-an-answer",
+            f"{saw}; {len(after_answers)} of them came at once after an answer",
+            ONCE_A_SECOND,
+            "An answer leads to the next call: what handles the answer sends a request, too.",
+            "Send requests only from a timer of 1.0 s, whatever an answer says.",
+        )
+    return why_a_short_period(calls, typical, saw)
+
+
+def sizes_of_groups(calls: list[CallSeen]) -> list[int]:
+    """How many calls came together each time."""
+    sizes = [1]
+    for before, after in pairwise(calls):
+        if after.t - before.t < AT_ONCE_S:
+            sizes[-1] += 1
+        else:
+            sizes.append(1)
+    return sizes
+
+
+def why_a_short_period(calls: list[CallSeen], typical: float, saw: str) -> Verdict:
+    """Calls come one by one, not because of an answer, and typically too soon."""
+    alike = [one for one in pairwise(calls) if abs(one[1].t - one[0].t - typical) < 0.1 * typical]
+    if typical > 1.5 * HEARTBEAT.period and len(alike) > MOSTLY * (len(calls) - 1):
+        return see.failed(
+            "asks-every-second.short-period",
+            saw,
+            ONCE_A_SECOND,
+            "Calls come evenly, and too often: the timer that sends the requests has too short a period.",
+            "Give it a period of one second: create_timer(1.0, self.ask).",
+        )
+    return see.failed(
+        "asks-every-second.too-often",
+        saw,
+        ONCE_A_SECOND,
+        "The wrong timer sends the requests, or a waiting call is repeated. A robot that is asked too often "
+        "does nothing else.",
+        "Use one timer of 1.0 s for the requests, and another one for the heartbeat.",
+    )
+
+
 def why_calls_between(calls: list[CallSeen]) -> Verdict:
     """Why there are too many calls, though most of them come a second after the last one."""
-    pause, before, after = min(((b.t - a.t, a, b) for a, b in pairwise(calls)), key=lambda one: one[0])
+    pause, before = min(((b.t - a.t, a) for a, b in pairwise(calls)), key=lambda one: one[0])
     return see.failed(
         "asks-every-second.calls-between",
         f"{len(calls)} calls from {calls[0].t:.1f} s to {calls[-1].t:.1f} s: for example, one at {before.t:.1f} s and "
-        f"the next at {after.t:.1f} s, {pause:.2g} s later",
+        f"the next {1000.0 * pause:.0f} ms later",
         ONCE_A_SECOND,
-        "Besides the call of each second there are others: a call is repeated when it got no answer, or two places "
-        "send requests.",
+        "Besides the call of each second there are others. A call is repeated when it got no answer, several are "
+        "sent at the start, or two places send requests.",
         "Send requests in one place only, from a timer of 1.0 s. After a call without an answer, wait for its next "
         "tick.",
     )
@@ -970,11 +1045,61 @@ def why_not_given_up(recording: Recording, call: CallSeen, later: list[float]) -
     return why_never_given_up(recording, call, saw, try_this)
 
 
+def each_late_s(recording: Recording) -> float | None:
+    """How late (s) each call without an answer was given up, where all are equally late, and too late."""
+    said = [t for t, _ in told(recording, NO_ANSWER) if t > FIRST_SECONDS_S]
+    silent = [call.t for call in asked(recording) if call.response is None]
+    late = [at - t for t, at in zip(silent, said, strict=False)]
+    if len(late) < LATE_ONES or max(late) - min(late) > LONG_SLACK_S:
+        return None
+    return min(late) if min(late) > GIVEN_UP_WITHIN_S else None
+
+
+def why_always_late(recording: Recording, late: float) -> Verdict:
+    """Each call without an answer was given up, and equally late (s)."""
+    first = next(call for call in asked(recording) if call.response is None)
+    return see.failed(
+        "unanswered-told.always-late",
+        f'the call at {first.t:.1f} s got no answer, and your node said "{NO_ANSWER}" {late:.1f} s later; the same '
+        "with the next ones",
+        ONE_NO_ANSWER,
+        "The time limit is too long: a call without an answer is given up, but always too late.",
+        "Give up on a call about one second after it, when the next one is due.",
+        about_time=True,
+    )
+
+
+def why_forgotten(recording: Recording, call: CallSeen, saw: str) -> Verdict | None:
+    """Others were given up, and only while this one waited was another call answered; None otherwise."""
+    silent = [one for one in asked(recording) if one.response is None and one != call]
+    given = [one for one in silent if given_up(recording, one)]
+    patience = min(given_up_after(recording), default=0.0)
+
+    def answered_meanwhile(one: CallSeen, within: float) -> float | None:
+        ends = [other.answered_t for other in asked(recording) if other.answered_t is not None]
+        return next((end for end in ends if one.t < end < one.t + within), None)
+
+    end = answered_meanwhile(call, patience - SLACK_S)  # clearly before it would have been given up
+    if end is None or not given or any(answered_meanwhile(one, patience) for one in given):
+        return None
+    return see.failed(
+        "unanswered-told.forgotten",
+        f"{saw}said nothing about it; another call was answered at {end:.1f} s, while this one waited. Of the call at "
+        f'{given[0].t:.1f} s it had said "{NO_ANSWER}"',
+        ONE_NO_ANSWER,
+        "The answer to another call makes your node forget this one, for example by clearing all open calls.",
+        "When an answer comes, forget only the call that it belongs to.",
+    )
+
+
 def why_never_given_up(recording: Recording, call: CallSeen, saw: str, try_this: str) -> Verdict:
     """A call got no answer, and nothing was said about it."""
-    in_a_row = why_once_in_a_row(recording, call, saw)
-    if in_a_row is not None:
-        return in_a_row
+    late = each_late_s(recording)
+    if late is not None:
+        return why_always_late(recording, late)
+    other = why_once_in_a_row(recording, call, saw) or why_forgotten(recording, call, saw)
+    if other is not None:
+        return other
     first = asked(recording)[UNANSWERED - 1]
     if call is not first and given_up(recording, first):
         return see.failed(
@@ -1033,8 +1158,9 @@ def why_given_up(recording: Recording, in_vain: list[float]) -> Verdict:
             "unanswered-told.twice",
             f'"{NO_ANSWER}" at {at:.1f} s once more, and no other call was without an answer',
             ONE_NO_ANSWER,
-            "The call that was given up is still stored, and is reported again.",
-            "Forget a call when you have reported it.",
+            "The call that was given up is still stored, and is reported again. Or a call that was left out is "
+            "reported, though it was never made.",
+            "Report a call once, and forget it when you have reported it.",
         )
     return why_given_up_though_answered(recording, at)
 
@@ -1093,9 +1219,9 @@ def stops_during_a_call(recording: Recording) -> Verdict | None:
         f"too few after the call at {silent_from - EDGE_S:.1f} s",
         FIVE_HERTZ,
         "The callback that sends the request waits for the answer. While it waits, it holds the thread, or the "
-        "callback group of the heartbeat, and no other callback runs.",
-        "Send the request with call_async() and return. Or give the heartbeat and the waiting callback different "
-        "callback groups and a MultiThreadedExecutor.",
+        "callback group of the heartbeat, and no other callback runs. Or beats are left out while a call is open.",
+        "Publish a beat on every tick of its timer. Send the request with call_async() and return. Or give the "
+        "heartbeat and the waiting callback different callback groups and a MultiThreadedExecutor.",
         about_time=True,
     )
 

@@ -1,6 +1,6 @@
 # The heart begins to beat with the first request.
 # loses: heartbeat_gap
-# cause: heartbeat-gap.held-up
+# cause: heartbeat-gap.begins-late
 # after: self.planner = ElbowPlanner()
 self.asked = False
 

@@ -173,6 +173,7 @@ def alive_at_end(recording: Recording) -> Verdict:
         "alive-at-end.ended",
         f"{ended} (exit code {process.exit})",
         expected,
-        "The cause is often a loop that counts, a spin with a time limit, or a missing rclpy.spin(node).",
-        "Keep the node alive with rclpy.spin(node) until Ctrl-C.",
+        "The cause is often a loop that counts, a spin with a time limit, a callback that shuts rclpy down, or a "
+        "missing rclpy.spin(node).",
+        "Keep the node alive with rclpy.spin(node) until Ctrl-C, and shut rclpy down only after it.",
     )

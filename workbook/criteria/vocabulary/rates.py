@@ -153,8 +153,8 @@ def _skips(recording: Recording, topic: Topic, seen: Pace) -> Verdict | None:
             "rate.begins-late",
             f"the first message came after {seconds(seen.gap.seconds)}; {listing(going_on)} had begun before that",
             _rate_expected(topic),
-            "The node was at work before that. The timer of this topic is created late, its callback does not publish "
-            "at first, or it works or sleeps before it publishes.",
+            "The timer of this topic is created late, or its callback does not publish at first: it skips calls, or "
+            "works or sleeps before it publishes.",
             "Create the timer in __init__, and publish at once in each call of its callback.",
             about_time=True,
         )

@@ -1,11 +1,29 @@
 """Judges what a program subscribes to."""
 
+import re
+
 from workbook.criteria.criterion import Topic
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.known_errors import failed_by_error
 from workbook.criteria.vocabulary.phrasing import listing
 from workbook.criteria.vocabulary.topics import misspelled
 from workbook.recording.recording import Recording
+
+OTHER_QOS = re.compile(r"publisher discovered on topic '([^']+)', offering incompatible QoS.*policy: (\w+)")
+
+
+def asks_for_other_qos(recording: Recording, name: str, saw: str, expected: str) -> Verdict | None:
+    """A failed verdict where rclpy logged incompatible QoS for a subscription to topic `name`; None otherwise."""
+    policy = next((said for topic, said in OTHER_QOS.findall(recording.process.log) if topic == name), None)
+    if policy is None:
+        return None
+    return failed(
+        "listens.other-qos",
+        f"{saw}; rclpy logged incompatible QoS for {name}: {policy}",
+        expected,
+        f"The subscription asks for QoS that the publisher does not offer, so no message of {name} arrives.",
+        "Give create_subscription() a plain queue depth, such as 10, instead of a QoSProfile.",
+    )
 
 
 def listens(recording: Recording, topic: Topic) -> Verdict:
