@@ -153,7 +153,7 @@ def _skips(recording: Recording, topic: Topic, seen: Pace) -> Verdict | None:
             "rate.begins-late",
             f"the first message came after {seconds(seen.gap.seconds)}; {listing(going_on)} had begun before that",
             _rate_expected(topic),
-            "The timer of this topic is created late, or its callback does not publish at first: it skips calls, or "
+            "The timer of this topic is created late, or its callback does not publish at first. It skips calls, or "
             "works or sleeps before it publishes.",
             "Create the timer in __init__, and publish at once in each call of its callback.",
             about_time=True,
