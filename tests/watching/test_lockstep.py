@@ -69,10 +69,12 @@ def test_an_event_loop_that_wakes_by_itself_is_not_at_rest() -> None:
 def test_a_thread_that_sleeps_by_itself_is_not_at_rest(code: str) -> None:
     with talking_program(code) as process, closing(LockStep(process.pid)) as lock:
         wait_until(lambda: lock.state() is State.SLEEPING)
-        for _ in range(SLEEP_WAITS):
-            assert lock.works
-            assert lock.wait() is State.SLEEPING
-        assert not lock.works
+        seen = []
+        while lock.works:
+            seen.append(lock.wait())
+        assert State.AT_REST not in seen
+        # On a busy machine, the main thread may still be on its way to where it waits.
+        assert seen.count(State.SLEEPING) == SLEEP_WAITS or seen.count(State.AT_WORK) == WORK_WAITS
 
 
 def test_a_program_that_never_rests_is_given_up() -> None:
