@@ -115,14 +115,14 @@ for fix, words in FIXES.items():
 #
 # This workbook makes discovery fast, by a few settings for DDS (`workbook/ros/loopback.xml`). They keep all traffic on
 # this machine, and each program repeats its announcement ten times a second. The default on a robot is once every
-# three seconds. We ask six newcomers with these settings, and six without.
+# three seconds. We ask six newcomers with our times, and six with the default ones.
 
 # %%
-from workbook.lesson.qos_trials import found_picture, greet_without_profile
+from workbook.lesson.qos_trials import found_picture, greet_by_default
 
 ears = fresh(Ears, 100)
 here_ms = greet(6, "/ears")
-default_ms = greet_without_profile(6)
+default_ms = greet_by_default(6)
 print("newcomers:", len(here_ms), "and", len(default_ms))
 
 # %%

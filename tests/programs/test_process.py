@@ -20,7 +20,7 @@ from workbook.recording.limits import Limits
 from workbook.recording.plain_text import plain_text
 from workbook.ros import scratch
 from workbook.ros.domains import dds_port_range, lease_domain
-from workbook.ros.environment import library_path
+from workbook.ros.environment import library_path, profile_with_default_times
 
 Start = Callable[..., NodeProcess]
 
@@ -389,6 +389,17 @@ def test_a_node_leaves_nothing_in_shared_memory_and_tells_its_domain(start: Star
     assert not mapped_shared_memory(program.pid)
     program.stop(patience_s=0.1)
     assert program.record().domains_used == (domain,)
+
+
+@pytest.mark.parametrize("write_profile", [None, profile_with_default_times])
+def test_a_node_leaves_no_shared_memory_however_it_ends(
+    tmp_path: Path, domain: int, write_profile: Callable[[Path], Path] | None
+) -> None:
+    """What it does not use it cannot leave behind when it is killed."""
+    program = write(tmp_path, "import rclpy\nrclpy.init()\nrclpy.spin(rclpy.create_node('humanoid'))\n")
+    with NodeProcess(ProgramSpec(program), domain, write_profile=write_profile) as process:
+        wait_until(lambda: process.domains_used() == (domain,))
+        assert not set().union(*map(mapped_shared_memory, process._child.tree()))
 
 
 def test_a_node_on_a_domain_of_its_own_choice_is_found_there(start: Start, domain: int) -> None:

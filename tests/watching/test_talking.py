@@ -19,7 +19,7 @@ from workbook.programs.spec import ProgramSpec
 from workbook.recording.plan import Plan
 from workbook.recording.recording import Clock, Recording
 from workbook.recording.script import BEFORE_START, Part, Script, calls, says, serves
-from workbook.ros.environment import LOOPBACK_PROFILE, profile_with_lease
+from workbook.ros.environment import LOOPBACK_PROFILE, profile_with_default_times, profile_with_lease
 from workbook.watching.observer import Observer
 from workbook.watching.recorder import Recorder
 from workbook.watching.speaker import SERVED_EVERY_S, Speaker
@@ -382,6 +382,12 @@ def test_a_profile_with_another_lease_differs_in_the_lease_alone(tmp_path: Path)
     usual, lingering = LOOPBACK_PROFILE.read_text(), profile_with_lease(tmp_path, 20).read_text()
     assert "<leaseDuration><sec>20</sec></leaseDuration>" in lingering
     assert lingering.replace("<sec>20</sec>", "<sec>2</sec>") == usual
+
+
+def test_a_profile_with_the_default_times_differs_in_the_discovery_alone(tmp_path: Path) -> None:
+    usual, default = (path.read_text() for path in (LOOPBACK_PROFILE, profile_with_default_times(tmp_path)))
+    before, after = usual.split("<discovery_config>")
+    assert default.split() == (before + after.split("</discovery_config>")[1]).split()
 
 
 def test_processor_time_is_sampled_and_everything_survives_storage(

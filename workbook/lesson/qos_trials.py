@@ -1,11 +1,10 @@
 """Trials for the lesson on QoS: all pairs of profiles, newcomers that greet, and two domains."""
 
 import os
-import signal
-import subprocess
-import sys
 from collections.abc import Callable, Mapping
 from itertools import product
+from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import rclpy
@@ -15,16 +14,21 @@ from rclpy.node import Node
 from rclpy.qos import QoSProfile
 from std_msgs.msg import String
 
+from workbook.exercise.course import course_folder
 from workbook.pictures.figures import figure, still
 from workbook.pictures.palette import BLUE, GREEN, RED
 from workbook.pictures.stills import Still
+from workbook.programs.process import NodeProcess
+from workbook.programs.spec import ProgramSpec
 from workbook.ros.domains import lease_domain
+from workbook.ros.environment import profile_with_default_times
 from workbook.ros.fresh_nodes import fresh
 from workbook.ros.session import spin_for
 
 Pair = tuple[str, str]
-PROFILE = "FASTRTPS_DEFAULT_PROFILES_FILE"
-_COMMAND = (sys.executable, "-m")
+POLL_S = 0.02
+NEWCOMER_S = 30.0
+"""Longer than a newcomer needs to start and to give up, on however busy a machine."""
 
 
 def try_pairs(profiles: Mapping[str, QoSProfile], new: int = 5) -> dict[Pair, list[str]]:
@@ -89,41 +93,41 @@ def pairs_picture(heard: Mapping[Pair, list[str]], description: str) -> Still:
 
 def greet(programs: int, listener: str, **parameters: object) -> list[float]:
     """Run newcomers (lesson_nodes.first_words), one after another; how long (ms) each took to find the listener."""
-    return _greet(programs, listener, dict(os.environ), parameters)
+    newcomer = _newcomer(listener, parameters)
+    return [_greeted(newcomer, int(os.environ["ROS_DOMAIN_ID"])) for _ in range(programs)]
 
 
-def greet_without_profile(programs: int) -> list[float]:
-    """Newcomers and a listener with the settings that Fast DDS comes with, on a domain of their own: times (ms)."""
-    plain = {name: value for name, value in os.environ.items() if name != PROFILE}
+def greet_by_default(programs: int) -> list[float]:
+    """Newcomers and a listener with the discovery times of Fast DDS, on a domain of their own: times (ms)."""
+    newcomer = _newcomer("/robot/status")
     with lease_domain() as aside:  # a domain without this notebook, which would answer quickly
-        plain |= {"ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST", "ROS_DOMAIN_ID": str(aside.domain_id)}
-        with subprocess.Popen(
-            [*_COMMAND, "lesson_nodes.status_monitor"],
-            env=plain,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE,
-            text=True,
+        domain_id = aside.domain_id
+        with NodeProcess(
+            _lesson_node("status_monitor"), domain_id, write_profile=profile_with_default_times
         ) as monitor:
-            try:
-                assert monitor.stderr is not None
-                monitor.stderr.readline()  # it says that it has started
-                return _greet(programs, "/robot/status", plain, {})
-            finally:
-                monitor.send_signal(signal.SIGINT)
+            while not monitor.log.text():  # it says that it has started
+                if monitor.wait(POLL_S):
+                    raise RuntimeError("the listener ended at once")
+            return [_greeted(newcomer, domain_id, profile_with_default_times) for _ in range(programs)]
 
 
-def _greet(
-    programs: int, listener: str, environment: Mapping[str, str], parameters: Mapping[str, object]
-) -> list[float]:
-    options = [item for name, value in parameters.items() for item in ("-p", f"{name}:={value}")]
-    command = [*_COMMAND, "lesson_nodes.first_words", "--ros-args", "-r", f"/robot/greeting:={listener}"]
-    found_ms = []
-    for _ in range(programs):
-        newcomer = subprocess.run(
-            [*command, *options], env=dict(environment), capture_output=True, text=True, check=True
-        )
-        found_ms.append(float(newcomer.stdout))
-    return found_ms
+def _newcomer(listener: str, parameters: Mapping[str, object] = MappingProxyType({})) -> ProgramSpec:
+    to = ("--ros-args", "-r", f"/robot/greeting:={listener}")
+    return _lesson_node("first_words", arguments=to, parameters=parameters)
+
+
+def _lesson_node(name: str, **options: Any) -> ProgramSpec:
+    return ProgramSpec(course_folder() / "lesson_nodes" / f"{name}.py", **options)
+
+
+def _greeted(newcomer: ProgramSpec, domain_id: int, profile: Callable[[Path], Path] | None = None) -> float:
+    """Run one newcomer to its end; the time (ms) that it prints. Raises RuntimeError when it does not get that far."""
+    with NodeProcess(newcomer, domain_id, write_profile=profile) as process:
+        process.wait(NEWCOMER_S)
+        ended = process.record()
+    if ended.exit != 0:
+        raise RuntimeError(f"a newcomer came to no good end:\n{ended.log.strip()}")
+    return float(ended.log.splitlines()[-1])
 
 
 def found_picture(here_ms: list[float], plain_ms: list[float], description: str) -> Still:

@@ -7,6 +7,7 @@ import threading
 import time
 from collections.abc import Callable
 from contextlib import suppress
+from pathlib import Path
 
 from workbook.inside import proc
 from workbook.programs.domains_used import domains_of
@@ -17,7 +18,7 @@ from workbook.programs.tier import Confinement, Order, Tier
 from workbook.programs.unconfined import Unconfined
 from workbook.programs.usage import limit_exceeded, limits_in_log, until_next_look_s
 from workbook.recording.recording import ProcessRecord
-from workbook.ros.environment import child_environment, profile_with_lease
+from workbook.ros.environment import child_environment
 from workbook.ros.scratch import remove_scratch, scratch_folder
 
 PROFILE = "FASTRTPS_DEFAULT_PROFILES_FILE"
@@ -28,13 +29,18 @@ SURROUNDINGS_END_S = 2.0
 class NodeProcess:
     """A program that runs as its own process, in its own session, and whose whole tree ends with `stop`.
 
-    It runs in a `tier` of isolation, or in none. `lease_s`: for how long (s) other participants keep it on the graph if
-    it vanishes without a DDS dispose (usually two). Use as a context manager, or call `stop`. Raises FileNotFoundError
-    when there is no such program, and OSError when it cannot be started.
+    It runs in a `tier` of isolation, or in none. `write_profile` writes a DDS profile for it into a folder, in place of
+    the one of all our processes. Use as a context manager, or call `stop`. Raises FileNotFoundError when there is no
+    such program, and OSError when it cannot be started.
     """
 
     def __init__(
-        self, spec: ProgramSpec, domain_id: int, tier: Tier | None = None, *, lease_s: int | None = None
+        self,
+        spec: ProgramSpec,
+        domain_id: int,
+        tier: Tier | None = None,
+        *,
+        write_profile: Callable[[Path], Path] | None = None,
     ) -> None:
         if not spec.file.is_file():
             raise FileNotFoundError(f"there is no program {spec.file}")
@@ -53,7 +59,7 @@ class NodeProcess:
         self._processor: list[tuple[float, float]] = []
         read_fd, write_fd = os.pipe()
         try:
-            started = self._confinement.start(self._order(write_fd, lease_s))
+            started = self._confinement.start(self._order(write_fd, write_profile))
         except OSError:
             os.close(read_fd)
             self._remove_files()
@@ -65,7 +71,7 @@ class NodeProcess:
         if spec.limits.processes is not None:
             threading.Thread(target=self._guard, name="process guard", daemon=True).start()
 
-    def _order(self, output_fd: int, lease_s: int | None) -> Order:
+    def _order(self, output_fd: int, write_profile: Callable[[Path], Path] | None) -> Order:
         """Bring the files of the program, and say how it is to be started."""
         spec, confinement = self.spec, self._confinement
         arguments = confinement.host_options(spec.limits)
@@ -76,8 +82,8 @@ class NodeProcess:
             arguments += ["--driver", confinement.bring(spec.driver, f"driver_of_{spec.driver.name}")]
         environ = child_environment(self.domain_id, check_fields=spec.check_fields, log_folder=self._folder)
         environ[RUN_MARK] = self._mark
-        if lease_s is not None:
-            environ[PROFILE] = confinement.bring(profile_with_lease(self._folder, lease_s), "profile.xml")
+        if write_profile is not None:
+            environ[PROFILE] = confinement.bring(write_profile(self._folder), "profile.xml")
         return Order([*arguments, program, *spec.command_line], environ, spec.limits, output_fd)
 
     def _remove_files(self) -> None:

@@ -3,6 +3,7 @@
 import secrets
 import time
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Protocol
 
 import rclpy
@@ -14,6 +15,7 @@ from workbook.programs.spec import ProgramSpec
 from workbook.programs.tier import Tier
 from workbook.recording.plan import Plan
 from workbook.recording.recording import Clock
+from workbook.ros.environment import profile_with_lease
 from workbook.watching.clock import SimulatedClock
 from workbook.watching.quiescence import Quiescence
 from workbook.watching.recorder import Recorder
@@ -101,9 +103,9 @@ def open_session(
     if process is None:
         if simulated:
             spec = replace(spec, parameters={"use_sim_time": True, **spec.parameters})
-        lease_s = REMEMBERED_S if plan.to_the_end else None
+        profile = partial(profile_with_lease, lease_s=REMEMBERED_S) if plan.to_the_end else None
         try:
-            process = NodeProcess(spec, place.domain_id, place.tier, lease_s=lease_s)
+            process = NodeProcess(spec, place.domain_id, place.tier, write_profile=profile)
         except OSError:
             session.close()
             raise
