@@ -60,7 +60,9 @@ LATE_ONES = 2  # calls given up equally late: of one it cannot be told
 LONG_SLACK_S = 0.3  # the same, where an asking period and a patience add up
 MAY_COME_UNTIL_S = MAY_TAKE_S + 0.05
 MOSTLY = 0.7
-AT_ONCE_S = 0.05  # a call so soon after an answer was sent because of it
+AT_ONCE_S = (
+    0.05  # so soon after another call or an answer, a call was sent together with it, or because of it
+)
 WAITED_IN_VAIN_S = 0.3  # so long after the answer, the callback that reads the result had waited for it
 LEAST_SHARE, MOST_SHARE = 0.9, 1.1  # of the beats that are due
 LEAST_MEANWHILE = 0.6  # of the beats that are due while a call is open: one that waits loses all of them

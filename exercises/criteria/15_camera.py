@@ -614,8 +614,8 @@ def why_beside(wrong: Wrong) -> Reason:
     edge = at_an_edge(pairs)
     if edge is not None:
         return edge
-    if min(factors := factors_of(pairs)) > 0.2 and max(factors) < 5.0:
-        across, along = factors
+    across, along = factor_of(pairs, 0), factor_of(pairs, 1)
+    if min(across, along) > 0.2 and max(across, along) < 5.0:
         if share(math.dist(at, (across * ball[0], along * ball[1])) <= 1.0 for _, ball, at in pairs) >= SURE:
             return ONE_AXIS
     if share(lags(place, at) for place, _, at in pairs) >= 0.8:
@@ -623,13 +623,10 @@ def why_beside(wrong: Wrong) -> Reason:
     return BESIDE
 
 
-def factors_of(pairs: Pairs) -> tuple[float, float]:
-    """By which factor directions are too far from the middle: to the side, and up or down."""
-    return tuple(  # type: ignore[return-value]
-        sum(ball[axis] * at[axis] for _, ball, at in pairs)
-        / max(sum(ball[axis] ** 2 for _, ball, _ in pairs), 1e-9)
-        for axis in (0, 1)
-    )
+def factor_of(pairs: Pairs, axis: int) -> float:
+    """By which factor directions are too far from the middle: to the side (axis 0), or up and down (axis 1)."""
+    squares = sum(ball[axis] ** 2 for _, ball, _ in pairs)
+    return sum(ball[axis] * at[axis] for _, ball, at in pairs) / max(squares, 1e-9)
 
 
 def at_an_edge(pairs: Pairs) -> Reason | None:

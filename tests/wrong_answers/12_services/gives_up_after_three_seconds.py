@@ -1,31 +1,6 @@
 # Each call without an answer is given up, but only after three seconds.
+# on: right/several_calls_open.py
 # loses: unanswered_told
 # cause: unanswered-told.always-late
-# replaces: self.open_call: Future | None = None
-self.open_calls: dict[Future, int] = {}
-self.ticks = 0
-self.create_timer(0.1, self.look)
-
-# replaces: if self.open_call is not None:
-# replaces:     self.self_test.remove_pending_request(self.open_call)
-# replaces:     self.report("no answer")
-# replaces: self.open_call = self.self_test.call_async(Trigger.Request())
-# replaces: self.open_call.add_done_callback(self.on_answer)
-future = self.self_test.call_async(Trigger.Request())
-self.open_calls[future] = self.ticks
-future.add_done_callback(self.on_answer)
-
-# before: def on_answer(self, future: Future) -> None:
-def look(self) -> None:
-    """Give up what has waited for too long."""
-    self.ticks += 1
-    for future in [one for one, since in self.open_calls.items() if self.ticks - since > 30]:
-        del self.open_calls[future]
-        self.self_test.remove_pending_request(future)
-        self.report("no answer")
-
-# replaces: if future is not self.open_call:
-# replaces:     return
-# replaces: self.open_call = None
-if self.open_calls.pop(future, None) is None:
-    return
+# replaces: PATIENCE = Duration(seconds=1.5)
+PATIENCE = Duration(seconds=3.0)

@@ -78,7 +78,7 @@ KNOWN_ERRORS = (
         "error.no-qos",
         r"missing 1 required positional argument: 'qos_profile'",
         "create_publisher and create_subscription need a queue depth (QoS) as their last argument.",
-        "Add a depth, for example 10: create_publisher(String, '/robot/status', 10).",
+        "Add a depth as the last argument, for example 10.",
     ),
     KnownError(
         "error.callback-takes-no-message",
@@ -104,7 +104,7 @@ KNOWN_ERRORS = (
         r"missing 1 required positional argument: '\w+'",
         "A function was called without an argument that it needs. A timer calls its callback without arguments. A "
         "subscription calls its callback with the message. Pass the callback itself; do not call it.",
-        "For a timer: def on_timer(self). For a subscription: create_subscription(Float32, '/robot/battery', "
+        "For a timer: def on_timer(self). For a subscription: create_subscription(Float32, name, "
         "self.on_battery, 10), without parentheses.",
     ),
     KnownError(
@@ -161,21 +161,21 @@ KNOWN_ERRORS = (
         "error.invalid-node-name",
         r"InvalidNodeNameException|Invalid node name",
         "The node name breaks the naming rules (letters, digits and underscores only, no slash).",
-        "Give the node a plain name such as humanoid_status_publisher.",
+        "Give the node a plain name, such as my_robot.",
     ),
     KnownError(
         "error.topic-name-no-text",
         r"rclpy_resolve_name\(\): incompatible function arguments",
         "The name of a topic or service must be a text, and something else stands in its place. In ROS 2 the message "
         "type comes first, then the name. In ROS 1 it was the other way around.",
-        "Write create_publisher(String, '/robot/status', 10): the type, the name, the depth.",
+        "Write the type first, then the name as a text: create_publisher(String, 'name', 10).",
     ),
     KnownError(
         "error.ros-arguments",
         r"RCLInvalidROSArgsError",
         "ROS cannot read one of its arguments, and the error quotes it. A rule of a remapping is one text with := in "
         "it. The new name of a node has letters, digits and underscores only, and no slash.",
-        "Write each rule as two texts: '-r', '__node:=left_arm'. For another namespace, use the argument namespace.",
+        "Write each rule as two texts: '-r', '__node:=new_name'. For another namespace, use the argument namespace.",
     ),
     KnownError(
         "error.context-down",

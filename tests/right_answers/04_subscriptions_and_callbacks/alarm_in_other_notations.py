@@ -1,4 +1,4 @@
-"""Writes the value in groups of three digits, as 1,234.5."""
+"""Writes large values in groups of three digits, as 1,234.5, and others with an exponent, as 1.235e+02."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -17,7 +17,8 @@ class Monitor(Node):
         if 0.0 <= message.data <= 100.0:
             self.good_publisher.publish(message)
         else:
-            self.alarm_publisher.publish(String(data=f"impossible charge: {message.data:,.1f} %"))
+            notation = ",.1f" if abs(message.data) >= 1000.0 else ".3e"
+            self.alarm_publisher.publish(String(data=f"impossible charge: {message.data:{notation}} %"))
 
 
 def main() -> None:
