@@ -16,7 +16,9 @@ from workbook.exercise.judgement import Judgement
 from workbook.grading import pool
 from workbook.grading.judges import Job, Key
 from workbook.grading.pool import Slot
+from workbook.grading.warm_slots import FORKED, SlotServer
 from workbook.inside.proc import available_memory_bytes
+from workbook.isolation.bubblewrap import NoSandbox
 from workbook.isolation.tiers import Isolation, meets_others
 from workbook.typechecking.typecheck import TypeCheckFailed, warm_cache
 
@@ -118,7 +120,7 @@ def judge_all(
         run.forget_the_rest()
         for thread in threads:
             thread.join()
-        run.places.close()
+        run.close()
 
 
 class _Run(Generic[Key]):
@@ -144,6 +146,7 @@ class _Run(Generic[Key]):
         for job in jobs:
             self._waiting.put(job)
         _prepare_for({job.stem for job in jobs})
+        self._server = slot_server(isolation) if len(jobs) > 1 else None
 
     def _has_room(self, present: int) -> bool:
         """To start a slot takes as long as to judge an answer: it must be worth that."""
@@ -173,12 +176,34 @@ class _Run(Generic[Key]):
             job = None if self._stop() else self._next()
             if job is not None:
                 slot, judgement = pool.judge_with_retry(
-                    slot, job, self._thorough, self._isolation, report=place.leave_to_wait
+                    slot,
+                    job,
+                    self._thorough,
+                    self._isolation,
+                    report=place.leave_to_wait,
+                    server=self._server,
                 )
                 self.done.put((job, judgement))
         finally:
             self.places.give_back(slot)
             place.leave()
+
+
+    def close(self) -> None:
+        """End all slots, and what they were forked from."""
+        self.places.close()
+        if self._server is not None:
+            self._server.close()
+
+
+def slot_server(isolation: Isolation) -> SlotServer | None:
+    """What slots are forked from; None in a tier where that is not worth its start, or not possible."""
+    if isolation not in FORKED:
+        return None
+    try:
+        return SlotServer(isolation, pool.slot_environment(None))
+    except (OSError, NoSandbox):
+        return None
 
 
 class _Place:

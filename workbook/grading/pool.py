@@ -19,11 +19,13 @@ from workbook.exercise.serialization import judgement_from_json
 from workbook.grading.judges import Job, Key
 from workbook.grading.slot_health import SlotHealth
 from workbook.grading.turns import turn
+from workbook.grading.warm_slots import ForkedSlot, SlotServer
 from workbook.inside.orphans import StillThere
 from workbook.isolation.memory_groups import lease_groups
 from workbook.isolation.tiers import Isolation, lease_for, slot_command
 from workbook.isolation.user_ids import NoIds
 from workbook.programs.ending import kill_programs_of
+from workbook.programs.warm_start import NoWarmStart
 from workbook.ros.environment import child_environment
 
 ANSWER_DEADLINE_S = 120.0
@@ -43,7 +45,7 @@ class NotBegun(SlotBroken):
     """The slot could not begin: no answer is to blame. The message says why."""
 
 
-def _environment(own_criteria: Path | None) -> dict[str, str]:
+def slot_environment(own_criteria: Path | None) -> dict[str, str]:
     """What a slot is started with."""
     # A slot makes its own log folder. One of ours would stay behind if we were killed.
     environ = child_environment(0, log_folder=Path(os.devnull))
@@ -62,39 +64,58 @@ class Slot:
 
     `isolation`: one of `workbook.isolation.tiers`. `own_criteria`: the folder with an instructor's own criteria, where
     it is not the one that this process was told of. `port`: of a listener on this machine; the slot then tries first
-    whether the tier isolates (see `problem`). Raises SlotBroken when "uid" finds no free user id.
+    whether the tier isolates (see `problem`). `server`: of the same tier and environment, to fork it from if it can.
+    Raises SlotBroken when "uid" finds no free user id.
     """
 
     def __init__(
-        self, isolation: Isolation = "limits", own_criteria: Path | None = None, *, port: int | None = None
+        self,
+        isolation: Isolation = "limits",
+        own_criteria: Path | None = None,
+        *,
+        port: int | None = None,
+        server: SlotServer | None = None,
     ) -> None:
-        command = [sys.executable, *SLOT_MODULE, isolation]
         try:
             self._ids = lease_for(isolation)
         except NoIds as error:
             raise SlotBroken(str(error)) from error
+        self._groups = lease_groups()
+        self.environ = slot_environment(own_criteria)
+        try:
+            self._process, self._health = self._forked(server) or self._fresh(isolation, port)
+        except BaseException:
+            self._sweep()
+            raise
+        self._buffer = b""
+
+    def _forked(self, server: SlotServer | None) -> tuple[ForkedSlot, SlotHealth] | None:
+        """A process forked from the server; None if that does not work."""
+        if server is None:
+            return None
+        try:
+            process = server.fork(self._groups)
+        except NoWarmStart:
+            return None
+        return process, SlotHealth(process.pid)
+
+    def _fresh(self, isolation: Isolation, port: int | None) -> tuple[subprocess.Popen[bytes], SlotHealth]:
+        command = [sys.executable, *SLOT_MODULE, isolation]
         if self._ids is not None:
             command += ["--user", str(self._ids.user)]
-        self._groups = lease_groups()
         folder = None if self._groups is None else self._groups.path
         if folder is not None:
             command += ["--groups", str(folder)]
         if port is not None:
             command += ["--try", str(port)]
-        self.environ = _environment(own_criteria)
-        try:
-            self._process = subprocess.Popen(
-                slot_command(isolation, command, folder),
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                env=self.environ,
-                start_new_session=True,
-            )
-        except BaseException:
-            self._sweep()
-            raise
-        self._buffer = b""
-        self._health = SlotHealth(self._process.pid, SLOT_MODULE)
+        process = subprocess.Popen(
+            slot_command(isolation, command, folder),
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            env=self.environ,
+            start_new_session=True,
+        )
+        return process, SlotHealth(process.pid, SLOT_MODULE)
 
     def problem(self, timeout_s: float) -> str | None:
         """Why its tier does not isolate here; None when it does. Only before the first job, of a slot that tries it.
@@ -234,14 +255,16 @@ class _StandbySlots:
             before.close()
         self._slots[isolation] = slot
 
-    def take(self, isolation: Isolation, own_criteria: Path | None = None) -> Slot:
+    def take(
+        self, isolation: Isolation, own_criteria: Path | None = None, server: SlotServer | None = None
+    ) -> Slot:
         """The slot that was kept, if it is as good as a new one, or a new one. See `Slot`."""
         slot = self._slots.pop(isolation, None)
         if slot is not None:
-            if slot.is_running and slot.environ == _environment(own_criteria):
+            if slot.is_running and slot.environ == slot_environment(own_criteria):
                 return slot
             slot.close()
-        return Slot(isolation, own_criteria)
+        return Slot(isolation, own_criteria, server=server)
 
     def close(self) -> None:
         """End those that nobody took."""
@@ -259,14 +282,15 @@ def judge_with_retry(
     isolation: Isolation = "limits",
     own_criteria: Path | None = None,
     report: Report | None = None,
+    server: SlotServer | None = None,
 ) -> tuple[Slot | None, Judgement]:
-    """Judge a job, replacing a slot that breaks, at most twice.
+    """Judge a job, replacing a slot that breaks, at most twice. `server`: what new slots are forked from.
 
     If both slots break at this answer, and a new one judges a right answer, the answer is to blame: it is `ungradable`,
     for the reason `STOPPED_JUDGE`. Else the fault is ours: `infra_error` and no slot.
     """
     with turn(isolation):
-        return _judge_with_retry(slot, job, thorough, isolation, own_criteria, report)
+        return _judge_with_retry(slot, job, thorough, isolation, own_criteria, report, server)
 
 
 def _judge_with_retry(
@@ -276,6 +300,7 @@ def _judge_with_retry(
     isolation: Isolation,
     own_criteria: Path | None,
     report: Report | None,
+    server: SlotServer | None,
 ) -> tuple[Slot | None, Judgement]:
     reason = ""
     stopped = 0
@@ -285,7 +310,7 @@ def _judge_with_retry(
             if slot is not None and not slot.is_running:
                 slot.close()
                 slot = None
-            slot = slot or standby.take(isolation, own_criteria)
+            slot = slot or standby.take(isolation, own_criteria, server)
             at_work = True
             judgement = slot.judge(
                 job.stem, job.answer, thorough=thorough, second_start=job.second_start, report=report

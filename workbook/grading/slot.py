@@ -34,7 +34,7 @@ from workbook.inside.orphans import StillThere, adopt_orphans, sweep_orphans
 from workbook.isolation.sandbox import sandbox_environment
 from workbook.isolation.tiers import Isolation, make_tier, named_tier
 from workbook.isolation.user_ids import Ids
-from workbook.programs.warm_start import ForkServer, own_server
+from workbook.programs.warm_start import ForkServer, Trunk, own_server
 from workbook.recording.limits import ANSWER_LIMITS
 from workbook.ros.domains import NoDomainFree
 from workbook.ros.environment import child_environment
@@ -80,12 +80,16 @@ def _exercise(stem: str) -> Exercise:
 
 
 def serve(
-    isolation: Isolation, ids: Ids | None = None, port: int | None = None, groups: Path | None = None
+    isolation: Isolation,
+    ids: Ids | None = None,
+    port: int | None = None,
+    groups: Path | None = None,
+    trunk: Trunk | None = None,
 ) -> None:
     """Answer jobs until standard input is closed. With "uid" the programs run under `ids`, which the caller leased.
 
     `port`: of a listener on this machine, for trying out the tier first. `groups`: the folder for memory cgroups, which
-    the caller leased.
+    the caller leased. `trunk`: what the fork server of a sandbox is forked from, where there is one.
     """
     channel = _private_output()
     adopt_orphans()
@@ -101,7 +105,7 @@ def serve(
     def report(judgement: Judgement) -> None:
         send({"final": False, "judgement": judgement_to_json(judgement)})
 
-    server = ForkServer()
+    server = ForkServer(trunk)
     tier = make_tier(isolation, ids=ids, server=server, groups=groups)
     warm_up(isolation, server)
     with contextlib.closing(server), contextlib.ExitStack() as stack:

@@ -23,15 +23,15 @@ MOST_SLOWED = 3.0
 
 
 class SlotHealth:
-    """Watches the process that judges, from outside. `command`: how its command line begins.
+    """Watches the process that judges, from outside: `pid`, or one below it whose command line begins with `command`.
 
-    The tier may have put it into a sandbox of its own: it is looked for below the process `pid`.
+    A tier may have put it into a sandbox of its own.
     """
 
-    def __init__(self, pid: int, command: Sequence[str]) -> None:
+    def __init__(self, pid: int, command: Sequence[str] | None = None) -> None:
         self._pid = pid
-        self._begins = b"\0".join(map(os.fsencode, (sys.executable, *command)))
-        self._judge_pid: int | None = None
+        self._begins = b"\0".join(map(os.fsencode, (sys.executable, *(command or ()))))
+        self._judge_pid: int | None = None if command is not None else pid
         self._ran: int | None = None
         self._used_then = 0.0
         self._before = (0.0, 0.0)

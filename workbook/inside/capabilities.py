@@ -24,6 +24,11 @@ def drop_capabilities() -> None:
     libc.prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_CLEAR_ALL, 0, 0, 0)
     header = (ctypes.c_uint32 * 2)(CAPABILITY_VERSION_3, 0)
     checked("capset", libc.capset(header, (ctypes.c_uint32 * 6)()))
+    forbid_new_rights()
+
+
+def forbid_new_rights() -> None:
+    """Set-user-id programs will not help this process. Raises OSError."""
     checked("no_new_privs", libc.prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0))
 
 

@@ -8,6 +8,8 @@ forks the program, after joining the name spaces that were made for it, if there
 before a line of the answer is read: in these name spaces, without capabilities, with nothing open but its output. A
 program without name spaces of its own dies with its supervisor, and that with this process.
 
+A request may also be for a branch (see `Branch`): another such server, forked into the sandbox of a slot.
+
 A program must not notice that something was imported before it. So the modules are kept in an `ImportCache`.
 """
 
@@ -25,17 +27,17 @@ from dataclasses import dataclass
 
 from workbook.inside import capabilities, host, memory_cgroup, syscall_filter
 from workbook.inside.import_cache import ImportCache, import_what_answers_need
-from workbook.inside.libc import checked, die_with_parent, libc, set_parent_death_signal
+from workbook.inside.libc import die_with_parent, set_parent_death_signal
 from workbook.inside.lttng import LttngForkHooks
+from workbook.inside.namespaces import OF_A_PROGRAM, join_namespaces, settle_in_slot
 from workbook.inside.proc import own_environment_range
 
 REQUEST_BYTES = 100_000
 MARK = b"WORKBOOK_RUN="
 MARK_BYTES = 80
 """Room for the mark of a program (see `RunMark`): blanks that whoever starts this process leaves in its environment."""
+READY = b"ready"
 FAILED = 126
-NAMESPACES = 0x10000000 | 0x00020000 | 0x20000000 | 0x08000000 | 0x04000000 | 0x02000000
-"""CLONE_NEWUSER, NEWNS, NEWPID, NEWIPC, NEWUTS, NEWCGROUP. The network is that of the observer, as for any answer."""
 
 
 @dataclass(frozen=True)
@@ -51,6 +53,16 @@ class Request:
     environ: dict[str, str]
     folder: str
     joins: str | None = None
+
+
+@dataclass(frozen=True)
+class Branch:
+    """Another server to fork, for one slot. It ends when the other end of its channel is closed.
+
+    `branch_in`: the first process of the sandbox that the slot is in.
+    """
+
+    branch_in: int
 
 
 class RunMark:
@@ -79,18 +91,6 @@ class Hooks:
 
     lttng: LttngForkHooks
     mark: RunMark
-
-
-def join_namespaces(first: int) -> None:
-    """Enter the name spaces of the process `first`; the process space takes effect for children.
-
-    All at once: a process may enter name spaces that its own user has made, and has no rights outside afterwards.
-    """
-    descriptor = os.pidfd_open(first)
-    try:
-        checked("setns", libc.setns(descriptor, NAMESPACES))
-    finally:
-        os.close(descriptor)
 
 
 def become_program(request: Request, parent: int, output: int, group: int | None, hooks: Hooks) -> None:
@@ -143,7 +143,7 @@ def supervise(request: Request, output: int, status: int, hooks: Hooks) -> None:
         set_parent_death_signal()
         group = None if request.joins is None else memory_cgroup.open_group(request.joins)
         if request.namespaces_of:
-            join_namespaces(request.namespaces_of)
+            join_namespaces(request.namespaces_of, OF_A_PROGRAM)
         parent = os.getpid()
         program = os.fork()
         if program == 0:
@@ -173,6 +173,21 @@ def _reap() -> None:
         pass
 
 
+def become_branch(branch: Branch, descriptor: int, hooks: Hooks) -> socket.socket:
+    """Turn this forked process into a server for one slot. Returns its channel."""
+    channel = socket.socket(fileno=descriptor)
+    try:
+        set_parent_death_signal()
+        settle_in_slot(branch.branch_in)
+    except OSError as error:
+        channel.send(f"no branch: {error}".encode())
+        os._exit(FAILED)
+    hooks.lttng.after_fork_in_program()
+    os.setsid()
+    channel.send(READY)
+    return channel
+
+
 def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
     """Fork a program for each request. Returns its arguments in the program, None when the channel is closed."""
     while True:
@@ -182,8 +197,19 @@ def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
             return None
         if not data:
             return None
+        asked = json.loads(data)
+        if "branch_in" in asked:
+            hooks.lttng.before_fork()
+            if os.fork() == 0:
+                channel.close()
+                channel = become_branch(Branch(**asked), descriptors[0], hooks)
+                continue
+            hooks.lttng.after_fork_in_parent()
+            os.close(descriptors[0])
+            _reap()
+            continue
         output, status = descriptors
-        request = Request(**json.loads(data))
+        request = Request(**asked)
         hooks.lttng.before_fork()
         if os.fork() == 0:
             channel.detach()
@@ -202,7 +228,7 @@ def main(arguments: Sequence[str]) -> None:
     cache.fill(import_what_answers_need)
     sys.meta_path.insert(0, cache)
     channel = socket.socket(fileno=int(arguments[0]))
-    channel.send(b"ready")
+    channel.send(READY)
     gc.collect()
     gc.freeze()
     of_program = serve(channel, Hooks(LttngForkHooks(), RunMark()))

@@ -35,6 +35,11 @@ def forget(pid: int) -> None:
     _exempt.discard(pid)
 
 
+def forget_all() -> None:
+    """In a fork of this process: its children are none of ours."""
+    _exempt.clear()
+
+
 def sweep_orphans() -> int:
     """Kill and reap every process that is left below this one and is not exempt. Returns how many there were.
 

@@ -19,6 +19,9 @@ WRITABLE_BYTES = WRITABLE_MIB * 1024 * 1024
 READ_ONLY = ("/", "/dev", "/proc")
 """Mounts of the sandbox itself. Two of them have no limit on their size, and files below /proc/sys obey whoever has the
 user number of root, without any capability: an answer has it when the grader is root."""
+OUTER_ENVIRONMENT = {"TMPDIR": "/dev/shm", "XDG_CACHE_HOME": "/dev/shm/cache"}
+WAITS = ("/bin/sh", "-c", "echo ready && exec sleep infinity >&-")
+"""If nobody can hear that, it ends: who wanted it was killed before the sandbox was tied to it."""
 _SELF_TEST_S = 10.0
 
 
@@ -31,18 +34,33 @@ def outer_command(command: Sequence[str], groups: Path | None = None) -> list[st
 
     For children of this process: all ends with it, and with the thread that starts it. `groups`: the folder for memory
     cgroups, the one place of the machine that it may write to. Raises NoSandbox.
-
-    /proc must stay that of the machine: the kernel refuses a fresh one in the inner sandbox otherwise.
     """
-    writable = [] if groups is None else ["--bind", str(groups), str(groups)]
     return [
         *(sys.executable, "-I", "-S", str(RUN), "subreaper", str(os.getpid())),
+        *_outer(command, groups),
+    ]
+
+
+def empty_outer_command(info_fd: int, groups: Path | None = None) -> list[str]:
+    """An outer sandbox for a process to enter: it says "ready", and stays until its first process is killed.
+
+    `info_fd`: where bubblewrap tells which process that is. Within another outer sandbox, which see. Raises NoSandbox.
+    """
+    return _outer(WAITS, groups, ("--info-fd", str(info_fd)))
+
+
+def _outer(command: Sequence[str], groups: Path | None, options: Sequence[str] = ()) -> list[str]:
+    """/proc must stay that of the machine: the kernel refuses a fresh one in the inner sandbox otherwise."""
+    writable = [] if groups is None else ["--bind", str(groups), str(groups)]
+    setting = [word for name, value in OUTER_ENVIRONMENT.items() for word in ("--setenv", name, value)]
+    return [
         _bwrap(),
         *("--unshare-user", "--unshare-net", "--unshare-ipc", "--die-with-parent"),
+        *options,
         *("--ro-bind", "/", "/", "--bind", "/proc", "/proc", "--dev-bind", "/dev", "/dev"),
         *writable,
-        *("--tmpfs", "/dev/shm", "--tmpfs", "/run", "--setenv", "TMPDIR", "/dev/shm"),
-        *("--setenv", "XDG_CACHE_HOME", "/dev/shm/cache"),
+        *("--tmpfs", "/dev/shm", "--tmpfs", "/run"),
+        *setting,
         "--",
         *command,
     ]

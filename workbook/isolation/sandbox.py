@@ -17,15 +17,19 @@ from pathlib import Path
 
 from workbook.inside import proc
 from workbook.inside.syscall_filter import FILTER_SYSCALLS
-from workbook.isolation.bubblewrap import ANSWER_FOLDER, HOME, WRITABLE, WRITABLE_BYTES, inner_command
+from workbook.isolation.bubblewrap import (
+    ANSWER_FOLDER,
+    HOME,
+    WAITS,
+    WRITABLE,
+    WRITABLE_BYTES,
+    inner_command,
+)
 from workbook.isolation.host_files import NOT_FOR_ANSWERS, PATH_OF_PROGRAMS, interpreter_folders
 from workbook.programs.tier import Child, Confinement, Order, Started, limit_options
 from workbook.programs.unconfined import KERNEL_LIMITS, FreshProgram, host_command, joining
 from workbook.programs.warm_start import ForkServer, NoWarmStart, WarmProgram
 from workbook.recording.limits import Limits
-
-WAITS = ("/bin/sh", "-c", "echo ready && exec sleep infinity >&-")
-"""If nobody can hear that, it ends: who wanted it was killed before the sandbox was tied to it."""
 
 
 class SandboxedProgram(FreshProgram):

@@ -11,6 +11,7 @@ import subprocess
 import threading
 import time
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from workbook.inside.orphans import forget
@@ -89,30 +90,55 @@ class WarmProgram:
         """Return at once: nothing is around this program."""
 
 
-class ForkServer:
-    """The process from which programs are forked. It starts with the first of them and ends with its owner."""
+def started_program(status_fd: int, timeout_s: float, server: str) -> WarmProgram:
+    """The program that a server was asked to fork, by its first report. Raises NoWarmStart, after `timeout_s` at last.
 
-    def __init__(self) -> None:
+    `status_fd`: where it reports, which is closed when it has forked none; `server`: its name in words.
+    """
+    told = b""
+    while b"\n" not in told:
+        chunk = os.read(status_fd, 100) if select.select([status_fd], [], [], timeout_s)[0] else b""
+        if not chunk:
+            break
+        told += chunk
+    first, _, more = told.partition(b"\n")
+    if not first.isdigit():
+        os.close(status_fd)
+        raise NoWarmStart(first.decode(errors="replace") or f"{server} does not answer")
+    return WarmProgram(int(first), status_fd, more)
+
+
+class ForkServer:
+    """The process from which programs are forked. It starts with the first of them and ends with its owner.
+
+    `trunk`: a server that runs already, outside of this slot's sandbox, to have it forked from where that is possible.
+    """
+
+    def __init__(self, trunk: "Trunk | None" = None) -> None:
         self._turn = threading.RLock()
+        self._trunk = trunk
         self._process: subprocess.Popen[bytes] | None = None
         self._channel: socket.socket | None = None
         self._ready = False
 
     @property
     def pid(self) -> int | None:
-        """Its process number; None while there is none."""
+        """Its process number; None while there is none, and for one that was forked from a trunk."""
         return None if self._process is None else self._process.pid
 
     def start(self, environ: Mapping[str, str]) -> None:
         """Start the server, if it does not run, without waiting for it.
 
-        `environ` must hold nothing that programs must not see.
+        `environ` must hold nothing that programs must not see. One from a trunk has the environment of that.
         """
         with self._turn:
-            if self._process is not None and self._process.poll() is None:
+            if self._channel is not None and not _has_hung_up(self._channel):
                 return
             self.close()
-            self._process, self._channel = start_helper(SERVER, environ)
+            trunk, self._trunk = self._trunk, None  # once: if it breaks, the next one is started afresh
+            self._channel = None if trunk is None else trunk.branch()
+            if self._channel is None:
+                self._process, self._channel = start_helper(SERVER, environ)
 
     def spawn(
         self,
@@ -146,17 +172,7 @@ class ForkServer:
             raise NoWarmStart(f"the fork server is gone ({error})") from error
         finally:
             os.close(write_fd)
-        told = b""
-        while b"\n" not in told:
-            chunk = os.read(read_fd, 100) if select.select([read_fd], [], [], ANSWER_S)[0] else b""
-            if not chunk:
-                break
-            told += chunk
-        first, _, more = told.partition(b"\n")
-        if not first.isdigit():
-            os.close(read_fd)
-            raise NoWarmStart(first.decode(errors="replace") or "the fork server does not answer")
-        return WarmProgram(int(first), read_fd, more)
+        return started_program(read_fd, ANSWER_S, "the fork server")
 
     def wait_until_ready(self) -> None:
         """Wait until it can fork programs. Raises OSError when it was never started, or does not get that far."""
@@ -165,8 +181,9 @@ class ForkServer:
                 raise OSError("it was never started")
             if not self._ready:
                 self._channel.settimeout(START_S)
-                if self._channel.recv(100) != b"ready":
-                    raise OSError("it ended at once")
+                said = self._channel.recv(100)
+                if said != b"ready":
+                    raise OSError(said.decode(errors="replace") or "it ended at once")
                 self._ready = True
 
     def close(self) -> None:
@@ -181,6 +198,32 @@ class ForkServer:
                 self._process.wait()
                 forget(self._process.pid)
                 self._process = None
+
+
+@dataclass(frozen=True)
+class Trunk:
+    """A fork server from which others are forked into the sandboxes of slots. `slot`: the first process of one."""
+
+    channel: socket.socket
+    slot: int
+
+    def branch(self) -> socket.socket | None:
+        """Have a server forked into the sandbox of the slot. Returns our end of its channel; None if that fails."""
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with theirs:
+            try:
+                socket.send_fds(self.channel, [json.dumps({"branch_in": self.slot}).encode()], [theirs.fileno()])
+            except OSError:
+                ours.close()
+                return None
+        return ours
+
+
+def _has_hung_up(channel: socket.socket) -> bool:
+    """Whether the other end of a channel is closed, because its process has ended."""
+    waiting = select.poll()
+    waiting.register(channel, 0)
+    return any(event & (select.POLLHUP | select.POLLERR) for _, event in waiting.poll(0))
 
 
 class OwnServer:

@@ -1,0 +1,250 @@
+"""Forks slots: Python, the judge and rclpy are imported once, and not again for every slot.
+
+    python -m workbook.grading.slot_server CHANNEL TIER
+
+CHANNEL is the number of an inherited socket. On it comes one request after another (see `Request`), each with three
+descriptors: the standard input and output of the slot, and where to report its status: its process number, and how it
+ended (as `os.waitpid` has it) when it has and nothing of it is left.
+
+With the tier "sandbox" this process is in an outer sandbox of its own, and each slot gets another one: an empty one is
+made, and the forked process enters it.
+"""
+
+import json
+import os
+import random
+import select
+import signal
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from workbook.grading.slot import serve
+from workbook.inside.import_cache import import_what_answers_need
+from workbook.inside.libc import set_parent_death_signal
+from workbook.inside.lttng import LttngForkHooks
+from workbook.inside.namespaces import settle_in_slot
+from workbook.inside.orphans import StillThere, adopt_orphans, exempt, forget, forget_all, sweep_orphans
+from workbook.isolation.bubblewrap import empty_outer_command
+from workbook.isolation.sandbox import first_pid, read_info, sandbox_environment
+from workbook.isolation.tiers import Isolation, named_tier
+from workbook.programs.helpers import start_helper
+from workbook.programs.warm_start import SERVER, Trunk
+from workbook.ros.environment import child_environment
+
+REQUEST_BYTES = 100_000
+DESCRIPTORS = 3
+LAST_WORDS_S = 2.0
+"""So long slots may take to end in order when this process is told to end."""
+POLL_S = 0.01
+FAILED = 125
+"""Exit code of a slot that could not enter its sandbox."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """One slot. `groups`: its folder for memory cgroups, None without them; `folder`: where it works."""
+
+    groups: str | None
+    folder: str
+
+
+class EmptySandbox:
+    """An outer sandbox that waits for a slot to enter it. Raises OSError when there is none."""
+
+    def __init__(self, groups: str | None) -> None:
+        info_fd = os.memfd_create("what bubblewrap says about itself")
+        try:
+            self._process = subprocess.Popen(
+                empty_outer_command(info_fd, None if groups is None else Path(groups)),
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE,
+                start_new_session=True,
+                pass_fds=[info_fd],
+            )
+            exempt(self._process.pid)
+            assert self._process.stdout is not None
+            with self._process.stdout as said:
+                said.readline()
+            first = first_pid(read_info(info_fd))
+        finally:
+            os.close(info_fd)
+        if first is None:
+            self.close()
+            raise OSError("there is no sandbox for the slot")
+        self.first = first
+
+    def close(self) -> None:
+        """End it, and what is in it with it."""
+        self._process.kill()
+        self._process.wait()
+        forget(self._process.pid)
+
+
+@dataclass(frozen=True)
+class RunningSlot:
+    """A slot that was forked, what it is in, and where its end is reported."""
+
+    pid: int
+    status_fd: int
+    sandbox: EmptySandbox | None
+
+
+@dataclass
+class SlotServer:
+    """Forks slots of one tier, and reports how they end.
+
+    `trunk`: the channel of a fork server for their programs; `ended`: can be read when a child has ended.
+    """
+
+    isolation: Isolation
+    channel: socket.socket
+    trunk: socket.socket | None
+    ended: int
+    _running: dict[int, RunningSlot] = field(default_factory=dict)
+    _lttng: LttngForkHooks = field(default_factory=LttngForkHooks)
+
+    def work(self) -> None:
+        """Follow requests until the channel is closed. Returns in a slot as well, when that has ended."""
+        while True:
+            ready, _, _ = select.select([self.channel, self.ended], [], [])
+            if self.ended in ready:
+                os.read(self.ended, 1000)
+                self._report_ended()
+            if self.channel in ready:
+                data, descriptors, _, _ = socket.recv_fds(self.channel, REQUEST_BYTES, DESCRIPTORS)
+                if not data:
+                    return
+                if self._fork(Request(**json.loads(data)), descriptors):
+                    return
+
+    def _fork(self, request: Request, descriptors: Sequence[int]) -> bool:
+        """Fork a slot. Returns whether this is it, and it has ended."""
+        stdin, stdout, status = descriptors
+        sandbox = None
+        try:
+            if self.isolation == "sandbox":
+                sandbox = EmptySandbox(request.groups)
+            self._lttng.before_fork()
+            pid = os.fork()
+        except OSError as error:
+            os.write(status, f"failed: {error}\n".encode())
+            for descriptor in descriptors:
+                os.close(descriptor)
+            return False
+        if pid == 0:
+            os.close(status)
+            self._become_slot(request, (stdin, stdout), sandbox)
+            return True
+        self._lttng.after_fork_in_parent()
+        exempt(pid)
+        os.setpgid(pid, pid)  # as it does itself: whoever comes first
+        os.close(stdin)
+        os.close(stdout)
+        self._running[pid] = RunningSlot(pid, status, sandbox)
+        with suppress(OSError):  # whoever wanted it is gone, and closes its standard input
+            os.write(status, f"{pid}\n".encode())
+        return False
+
+    def _become_slot(self, request: Request, pipes: tuple[int, int], sandbox: EmptySandbox | None) -> None:
+        """Be a slot, until it ends. Enters the sandbox before anything else, or ends."""
+        os.close(signal.set_wakeup_fd(-1))
+        os.close(self.ended)
+        signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+        try:
+            if sandbox is not None:
+                settle_in_slot(sandbox.first)
+            os.chdir(request.folder)
+        except OSError as error:
+            os.write(2, f"a slot could not enter its sandbox: {error}\n".encode())
+            os._exit(FAILED)
+        self._lttng.after_fork_in_program()
+        os.setpgid(0, 0)
+        for ours, number in zip(pipes, (0, 1), strict=True):
+            os.dup2(ours, number)
+            os.close(ours)
+        self.channel.close()
+        for running in self._running.values():
+            os.close(running.status_fd)
+        forget_all()
+        random.seed()
+        trunk = None if self.trunk is None or sandbox is None else Trunk(self.trunk, sandbox.first)
+        serve(self.isolation, groups=None if request.groups is None else Path(request.groups), trunk=trunk)
+
+    def _report_ended(self) -> None:
+        """Reap slots that have ended, end what they have left, and report them."""
+        for slot in [*self._running.values()]:
+            with suppress(ChildProcessError):
+                pid, code = os.waitpid(slot.pid, os.WNOHANG)
+                if pid:
+                    self._forget(slot)
+                    with suppress(OSError):
+                        os.write(slot.status_fd, f"{code}\n".encode())
+                    os.close(slot.status_fd)
+
+    def _forget(self, slot: RunningSlot) -> None:
+        del self._running[slot.pid]
+        forget(slot.pid)
+        if slot.sandbox is not None:
+            slot.sandbox.close()
+        try:
+            sweep_orphans()
+        except StillThere as error:
+            print(error, file=sys.stderr, flush=True)
+
+    def close(self) -> None:
+        """End all slots: in order if they do so at once."""
+        for pid in self._running:
+            with suppress(ProcessLookupError):
+                os.kill(pid, signal.SIGTERM)
+        deadline = time.monotonic() + LAST_WORDS_S
+        while self._running and time.monotonic() < deadline:
+            self._report_ended()
+            time.sleep(POLL_S)
+        for slot in [*self._running.values()]:
+            with suppress(ProcessLookupError):
+                os.killpg(slot.pid, signal.SIGKILL)
+            os.waitpid(slot.pid, 0)
+            self._forget(slot)
+
+
+def _end(*_: object) -> None:
+    """End in order, and only once."""
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    raise SystemExit(0)
+
+
+def main() -> None:
+    """Import what slots need, then fork a slot for each request until the channel is closed."""
+    channel, isolation = socket.socket(fileno=int(sys.argv[1])), named_tier(sys.argv[2])
+    adopt_orphans()
+    set_parent_death_signal(signal.SIGTERM)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, _end)
+    trunk = None
+    if isolation == "sandbox":
+        environ = sandbox_environment(child_environment(0, log_folder=Path(os.devnull)))
+        helper, trunk = start_helper(SERVER, environ)
+    import_what_answers_need()
+    ended, wakes = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
+    signal.signal(signal.SIGCHLD, lambda *_: None)
+    signal.set_wakeup_fd(wakes, warn_on_full_buffer=False)
+    server = SlotServer(isolation, channel, trunk, ended)
+    owner = os.getpid()
+    try:
+        server.work()
+    finally:
+        if os.getpid() == owner:
+            server.close()
+            if trunk is not None:
+                helper.kill()
+                helper.wait()
+
+
+if __name__ == "__main__":
+    main()
