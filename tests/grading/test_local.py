@@ -12,6 +12,7 @@ from workbook.grading import local, pool
 from workbook.grading.judges import Job
 from workbook.grading.local import Places, judge_all
 from workbook.grading.pool import Slot
+from workbook.grading.warm_slots import SlotServer
 from workbook.isolation.tiers import Isolation
 
 STEM = "09_joint_positions"
@@ -51,6 +52,7 @@ class FakeJudge:
         job: Job[Any],
         *_: object,
         report: Callable[[Judgement], None],
+        server: SlotServer | None,
     ) -> tuple[FakeSlot, Judgement]:
         slot = slot or FakeSlot()
         with self._changed:

@@ -243,10 +243,9 @@ def test_a_program_that_nobody_waits_for_ends_and_nobody_hears_of_it(
     os.close(reading)
     socket.send_fds(warm._channel, [json.dumps(request).encode()], [output, status])
     os.close(status)
-
-    def supervisors() -> set[int]:
-        return set(children(server.pid or 0)) - before
-
-    wait_until(lambda: supervisors() and all(map(is_gone, supervisors())) and not processes_marked("nobody."))
+    next_one = warm.spawn(0, [str(write(tmp_path, "", "next.py"))], environ, str(tmp_path), output)
+    assert next_one.wait() == 0, "the one before it was started then"
+    next_one.close()
+    wait_until(lambda: not set(children(server.pid or 0)) - before and not processes_marked("nobody."))
     os.close(output)
     assert capfd.readouterr().err == ""

@@ -188,7 +188,6 @@ class _Run(Generic[Key]):
             self.places.give_back(slot)
             place.leave()
 
-
     def close(self) -> None:
         """End all slots, and what they were forked from."""
         self.places.close()

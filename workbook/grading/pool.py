@@ -82,6 +82,7 @@ class Slot:
             raise SlotBroken(str(error)) from error
         self._groups = lease_groups()
         self.environ = slot_environment(own_criteria)
+        self._process: subprocess.Popen[bytes] | ForkedSlot
         try:
             self._process, self._health = self._forked(server) or self._fresh(isolation, port)
         except BaseException:

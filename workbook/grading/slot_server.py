@@ -2,9 +2,9 @@
 
     python -m workbook.grading.slot_server CHANNEL TIER
 
-CHANNEL is the number of an inherited socket. On it comes one request after another (see `Request`), each with three
-descriptors: the standard input and output of the slot, and where to report its status: its process number, and how it
-ended (as `os.waitpid` has it) when it has and nothing of it is left.
+CHANNEL is the number of an inherited socket. On it comes one request after another (see `SlotRequest`), each with three
+descriptors: the standard input and output of the slot, and where to report its status. That is its process number, as
+soon as it is in its sandbox; and how it ended (as `os.waitpid` has it), when it has and nothing of it is left.
 
 With the tier "sandbox" this process is in an outer sandbox of its own, and each slot gets another one: an empty one is
 made, and the forked process enters it.
@@ -47,11 +47,15 @@ FAILED = 125
 
 
 @dataclass(frozen=True)
-class Request:
-    """One slot. `groups`: its folder for memory cgroups, None without them; `folder`: where it works."""
+class SlotRequest:
+    """One slot. `groups`: its folder for memory cgroups, None without them; `folder`: where it works.
+
+    `port`: of a listener on this machine, for a slot that tries out its tier first; None for the others.
+    """
 
     groups: str | None
     folder: str
+    port: int | None
 
 
 class EmptySandbox:
@@ -96,7 +100,7 @@ class RunningSlot:
 
 
 @dataclass
-class SlotServer:
+class SlotForker:
     """Forks slots of one tier, and reports how they end.
 
     `trunk`: the channel of a fork server for their programs; `ended`: can be read when a child has ended.
@@ -112,18 +116,19 @@ class SlotServer:
     def work(self) -> None:
         """Follow requests until the channel is closed. Returns in a slot as well, when that has ended."""
         while True:
-            ready, _, _ = select.select([self.channel, self.ended], [], [])
+            channel = self.channel.fileno()
+            ready, _, _ = select.select([channel, self.ended], [], [])
             if self.ended in ready:
                 os.read(self.ended, 1000)
                 self._report_ended()
-            if self.channel in ready:
+            if channel in ready:
                 data, descriptors, _, _ = socket.recv_fds(self.channel, REQUEST_BYTES, DESCRIPTORS)
                 if not data:
                     return
-                if self._fork(Request(**json.loads(data)), descriptors):
+                if self._fork(SlotRequest(**json.loads(data)), descriptors):
                     return
 
-    def _fork(self, request: Request, descriptors: Sequence[int]) -> bool:
+    def _fork(self, request: SlotRequest, descriptors: Sequence[int]) -> bool:
         """Fork a slot. Returns whether this is it, and it has ended."""
         stdin, stdout, status = descriptors
         sandbox = None
@@ -133,13 +138,12 @@ class SlotServer:
             self._lttng.before_fork()
             pid = os.fork()
         except OSError as error:
-            os.write(status, f"failed: {error}\n".encode())
+            report(status, f"failed: {error}\n")
             for descriptor in descriptors:
                 os.close(descriptor)
             return False
         if pid == 0:
-            os.close(status)
-            self._become_slot(request, (stdin, stdout), sandbox)
+            self._become_slot(request, descriptors, sandbox)
             return True
         self._lttng.after_fork_in_parent()
         exempt(pid)
@@ -147,12 +151,13 @@ class SlotServer:
         os.close(stdin)
         os.close(stdout)
         self._running[pid] = RunningSlot(pid, status, sandbox)
-        with suppress(OSError):  # whoever wanted it is gone, and closes its standard input
-            os.write(status, f"{pid}\n".encode())
         return False
 
-    def _become_slot(self, request: Request, pipes: tuple[int, int], sandbox: EmptySandbox | None) -> None:
+    def _become_slot(
+        self, request: SlotRequest, descriptors: Sequence[int], sandbox: EmptySandbox | None
+    ) -> None:
         """Be a slot, until it ends. Enters the sandbox before anything else, or ends."""
+        *pipes, status = descriptors
         os.close(signal.set_wakeup_fd(-1))
         os.close(self.ended)
         signal.signal(signal.SIGCHLD, signal.SIG_DFL)
@@ -161,10 +166,12 @@ class SlotServer:
                 settle_in_slot(sandbox.first)
             os.chdir(request.folder)
         except OSError as error:
-            os.write(2, f"a slot could not enter its sandbox: {error}\n".encode())
+            report(status, f"a slot could not enter its sandbox: {error}\n")
             os._exit(FAILED)
         self._lttng.after_fork_in_program()
         os.setpgid(0, 0)
+        report(status, f"{os.getpid()}\n")
+        os.close(status)
         for ours, number in zip(pipes, (0, 1), strict=True):
             os.dup2(ours, number)
             os.close(ours)
@@ -174,7 +181,8 @@ class SlotServer:
         forget_all()
         random.seed()
         trunk = None if self.trunk is None or sandbox is None else Trunk(self.trunk, sandbox.first)
-        serve(self.isolation, groups=None if request.groups is None else Path(request.groups), trunk=trunk)
+        groups = None if request.groups is None else Path(request.groups)
+        serve(self.isolation, port=request.port, groups=groups, trunk=trunk)
 
     def _report_ended(self) -> None:
         """Reap slots that have ended, end what they have left, and report them."""
@@ -183,8 +191,7 @@ class SlotServer:
                 pid, code = os.waitpid(slot.pid, os.WNOHANG)
                 if pid:
                     self._forget(slot)
-                    with suppress(OSError):
-                        os.write(slot.status_fd, f"{code}\n".encode())
+                    report(slot.status_fd, f"{code}\n")
                     os.close(slot.status_fd)
 
     def _forget(self, slot: RunningSlot) -> None:
@@ -213,6 +220,12 @@ class SlotServer:
             self._forget(slot)
 
 
+def report(status: int, text: str) -> None:
+    """Write `text` to the process that wanted the slot, if it is still there."""
+    with suppress(OSError):
+        os.write(status, text.encode())
+
+
 def _end(*_: object) -> None:
     """End in order, and only once."""
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
@@ -234,7 +247,7 @@ def main() -> None:
     ended, wakes = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
     signal.signal(signal.SIGCHLD, lambda *_: None)
     signal.set_wakeup_fd(wakes, warn_on_full_buffer=False)
-    server = SlotServer(isolation, channel, trunk, ended)
+    server = SlotForker(isolation, channel, trunk, ended)
     owner = os.getpid()
     try:
         server.work()

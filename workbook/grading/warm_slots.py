@@ -2,6 +2,7 @@
 
 import json
 import os
+import select
 import signal
 import socket
 import subprocess
@@ -19,6 +20,8 @@ from workbook.programs.warm_start import NoWarmStart, WarmProgram, started_progr
 SERVER_MODULE = ("-m", "workbook.grading.slot_server")
 FORKED: tuple[Isolation, ...] = ("sandbox", "limits")
 """The tiers with many slots at once. In the others there is one, for which a server is not worth its start."""
+UNTRIED = "no slot has tried it yet"
+TRIAL_S = 60.0
 ANSWER_S = 30.0
 """The first slot waits for the server's start."""
 
@@ -30,6 +33,11 @@ class ForkedSlot:
         self._child = child
         self.pid = child.pid
         self.stdin, self.stdout = stdin, stdout
+
+    def close(self) -> None:
+        """Close its pipes; call it when it has ended."""
+        self.stdin.close()
+        self.stdout.close()
 
     def poll(self) -> int | None:
         """The exit code (negative: the signal that ended it), or None while it, or what it left, is there."""
@@ -50,7 +58,8 @@ class SlotServer:
 
     def __init__(self, isolation: Isolation, environ: Mapping[str, str]) -> None:
         self.environ = dict(environ)
-        self._turn = threading.Lock()
+        self._turn, self._trial = threading.Lock(), threading.Lock()
+        self._problem: str | None = UNTRIED
         self._groups = lease_groups()
         self._channel, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
@@ -70,12 +79,54 @@ class SlotServer:
                 self._give_back()
                 raise
 
+    @property
+    def pid(self) -> int:
+        """The process that stands for it here: its tree holds the slots."""
+        return self._process.pid
+
     def fork(self, groups: LeasedGroups | None) -> ForkedSlot:
-        """Fork a slot. `groups`: leased for it by the caller. Raises NoWarmStart."""
+        """Fork a slot. `groups`: leased for it by the caller. Raises NoWarmStart.
+
+        The first one tries out its tier, while others wait: a slot that was forked is in a sandbox in a sandbox.
+        """
+        with self._trial:
+            if self._problem == UNTRIED:
+                try:
+                    slot, self._problem = self._tried(groups)
+                except NoWarmStart as error:
+                    self._problem = str(error)
+                    raise
+                if self._problem is None:
+                    return slot
+                with suppress(ProcessLookupError):
+                    os.killpg(slot.pid, signal.SIGKILL)
+                slot.wait()
+                slot.close()
+        if self._problem is not None:
+            raise NoWarmStart(self._problem)
+        return self._fork(groups)
+
+    def _tried(self, groups: LeasedGroups | None) -> tuple[ForkedSlot, str | None]:
+        """A slot, and what is wrong with its tier."""
+        with socket.create_server(("127.0.0.1", 0)) as listener:
+            slot = self._fork(groups, listener.getsockname()[1])
+            ready = select.select([slot.stdout], [], [], TRIAL_S)[0]
+            said = os.read(slot.stdout.fileno(), 10_000) if ready else b""
+        try:
+            problem = json.loads(said)["problem"]
+        except (ValueError, KeyError):
+            return slot, "the self-test of the slot broke"
+        return slot, None if problem is None else str(problem)
+
+    def _fork(self, groups: LeasedGroups | None, port: int | None = None) -> ForkedSlot:
         pipes = [os.pipe() for _ in range(3)]
         (their_stdin, stdin), (stdout, their_stdout), (status, their_status) = pipes
         theirs = (their_stdin, their_stdout, their_status)
-        request = {"groups": None if groups is None else str(groups.path), "folder": str(Path.cwd())}
+        request: dict[str, str | int | None] = {
+            "groups": None if groups is None else str(groups.path),
+            "folder": str(Path.cwd()),
+            "port": port,
+        }
         try:
             with self._turn:
                 socket.send_fds(self._channel, [json.dumps(request).encode()], theirs)

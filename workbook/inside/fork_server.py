@@ -139,6 +139,7 @@ def supervise(request: Request, output: int, status: int, hooks: Hooks) -> None:
     With a program in a sandbox all that it has started ends: the sandbox goes.
     """
     code = 1
+    signal.signal(signal.SIGCHLD, signal.SIG_DFL)
     try:
         set_parent_death_signal()
         group = None if request.joins is None else memory_cgroup.open_group(request.joins)
@@ -164,8 +165,8 @@ def supervise(request: Request, output: int, status: int, hooks: Hooks) -> None:
     os._exit(code)
 
 
-def _reap() -> None:
-    """Take note of supervisors that have ended."""
+def _reap(*_: object) -> None:
+    """Take note of supervisors and branches that have ended."""
     try:
         while os.waitpid(-1, os.WNOHANG)[0]:
             pass
@@ -206,7 +207,6 @@ def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
                 continue
             hooks.lttng.after_fork_in_parent()
             os.close(descriptors[0])
-            _reap()
             continue
         output, status = descriptors
         request = Request(**asked)
@@ -218,7 +218,6 @@ def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
         hooks.lttng.after_fork_in_parent()
         os.close(output)
         os.close(status)
-        _reap()
 
 
 def main(arguments: Sequence[str]) -> None:
@@ -228,6 +227,7 @@ def main(arguments: Sequence[str]) -> None:
     cache.fill(import_what_answers_need)
     sys.meta_path.insert(0, cache)
     channel = socket.socket(fileno=int(arguments[0]))
+    signal.signal(signal.SIGCHLD, _reap)
     channel.send(READY)
     gc.collect()
     gc.freeze()

@@ -2,7 +2,7 @@
 
 import os
 
-from workbook.inside.capabilities import drop_capabilities, forbid_new_rights, set_dumpable
+from workbook.inside.capabilities import bounding_set, drop_capabilities, hold_within, set_dumpable
 from workbook.inside.libc import checked, libc
 
 NEWNS, NEWCGROUP, NEWUTS = 0x00020000, 0x02000000, 0x04000000
@@ -31,9 +31,10 @@ def settle_in_slot(first: int) -> None:
 
     Those of root remain, within the sandbox: without them it could not make a sandbox in it. Raises OSError.
     """
+    bounds = bounding_set()
     join_namespaces(first, OF_A_SLOT)
     if os.geteuid() == 0:
-        forbid_new_rights()
+        hold_within(bounds)
     else:
         drop_capabilities()
     set_dumpable()

@@ -212,7 +212,9 @@ class Trunk:
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
             try:
-                socket.send_fds(self.channel, [json.dumps({"branch_in": self.slot}).encode()], [theirs.fileno()])
+                socket.send_fds(
+                    self.channel, [json.dumps({"branch_in": self.slot}).encode()], [theirs.fileno()]
+                )
             except OSError:
                 ours.close()
                 return None
