@@ -67,7 +67,11 @@ def spaces(pid: int) -> dict[str, str]:
 
 def rights(pid: int) -> list[str]:
     lines = Path(f"/proc/{pid}/status").read_text().splitlines()
-    return [line for line in lines if line.startswith(("Cap", "NoNewPrivs", "Uid", "Gid", "Seccomp:", "Sig"))]
+    return [
+        line
+        for line in lines
+        if line.startswith(("Cap", "NoNewPrivs", "Uid", "Gid", "Seccomp:", "SigBlk", "SigIgn", "SigCgt"))
+    ]
 
 
 def judge_pid(slot: Slot) -> int:

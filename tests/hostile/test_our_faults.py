@@ -223,7 +223,7 @@ def test_an_answer_that_stopped_the_judge_is_judged_again_when_asked_and_no_othe
 
 
 def test_a_slot_that_cannot_be_started_is_no_zero_and_ends_the_run(monkeypatch: pytest.MonkeyPatch) -> None:
-    def fails(*_: object) -> Slot:
+    def fails(*_: object, **__: object) -> Slot:
         raise NoSandbox("bubblewrap is not installed (apt install bubblewrap)")
 
     monkeypatch.setattr(pool, "Slot", fails)
@@ -238,8 +238,8 @@ def test_a_slot_that_is_killed_in_the_sandbox_is_replaced(monkeypatch: pytest.Mo
     started: list[Slot] = []
 
     class KilledAtWork(Slot):
-        def __init__(self, *arguments: Any) -> None:
-            super().__init__(*arguments)
+        def __init__(self, *arguments: Any, **more: Any) -> None:
+            super().__init__(*arguments, **more)
             started.append(self)
 
         def _read_line(self, began: float, timeout_s: float) -> dict[str, Any]:
