@@ -142,6 +142,67 @@ def test_a_broken_slot_makes_room_for_a_new_one() -> None:
     assert places.take() is kept
 
 
+@pytest.mark.usefixtures("plenty")
+def test_more_are_at_work_while_the_processors_are_idle(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Up to three in each place, with a report that frees none; and with a number that was asked for, no more."""
+    monkeypatch.setattr(local, "IdleProcessors", lambda: lambda: True)
+    monkeypatch.setattr(local, "LOOK_S", 0.01)
+    for fills, most in ((True, 6), (False, 2)):
+        judge = FakeJudge(most=most, provisional=True)
+        monkeypatch.setattr(pool, "judge_with_retry", judge)
+        assert len(list(judge_all(jobs(20), 2, thorough=False, fills=fills))) == 20
+        assert judge.most_under_way == len(judge.slots) == most
+
+
+@pytest.mark.usefixtures("plenty")
+def test_on_busy_processors_no_more_are_at_work_than_there_are_places(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(local, "IdleProcessors", lambda: lambda: False)
+    monkeypatch.setattr(local, "LOOK_S", 0.01)
+    judge = FakeJudge(most=2, provisional=True)
+    monkeypatch.setattr(pool, "judge_with_retry", judge)
+    assert len(list(judge_all(jobs(20), 2, thorough=False, fills=True))) == 20
+    assert judge.most_under_way == 2
+
+
+def test_one_that_waits_begins_as_soon_as_processors_are_idle(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(local, "LOOK_S", 0.01)
+    idle = threading.Event()
+    places = Places(1, room=lambda _: True, spare=idle.is_set)
+    assert places.take() is None
+    began = threading.Event()
+
+    def waits() -> None:
+        places.take()
+        began.set()
+
+    waiting = threading.Thread(target=waits)
+    waiting.start()
+    assert not began.wait(0.1)
+    idle.set()
+    assert began.wait(LONG_S), "nobody has left a place"
+    waiting.join()
+
+
+def test_processors_are_looked_at_from_one_look_to_the_next(monkeypatch: pytest.MonkeyPatch) -> None:
+    now, seconds = 0.0, (0.0, 0.0)
+    monkeypatch.setattr(local.time, "monotonic", lambda: now)
+    monkeypatch.setattr(local, "idle_and_all_s", lambda: seconds)
+    has_spare = local.IdleProcessors()
+    seen = []
+    for later, idle, passed in (
+        (0.1, 0.2, 0.2),  # too soon
+        (0.6, 0.3, 1.2),  # a quarter
+        (1.2, 0.5, 2.4),  # a sixth
+        (1.8, 1.5, 3.6),  # nearly all of the time
+        (2.4, 1.5, 3.6),  # nobody tells
+    ):
+        now, seconds = later, (idle, passed)
+        seen.append(has_spare())
+    assert seen == [False, True, False, True, False]
+
+
 def test_stopped_it_judges_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
     stopped = threading.Event()
 

@@ -146,9 +146,10 @@ def _judges(
     if slots < 1:
         raise BadOption("--slots must be at least 1")
     isolation = _isolation(options.isolation)
-    at_once = "one answer after another" if meets_others(isolation) else f"{slots} answers at a time"
+    more = ", and more while processors are idle" if options.slots is None else ""
+    at_once = "one answer after another" if meets_others(isolation) else f"{slots} answers at a time{more}"
     screen.say(f"Grading {exercise.stem}, {at_once}. Isolation: {isolation}{_warning(isolation)}.")
-    return nullcontext(LocalSlots(slots, isolation))
+    return nullcontext(LocalSlots(slots, isolation, fills=options.slots is None))
 
 
 def _farm(options: argparse.Namespace, stem: str, screen: GradeScreen) -> "AbstractContextManager[Judges]":

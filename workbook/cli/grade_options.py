@@ -52,8 +52,8 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         type=int,
         help=f"answers judged at once (default: {SLOTS_PER_CORE['simulated']} per core on robot time, "
-        f"{SLOTS_PER_CORE['wall']} per core on the wall clock). Answers that are only kept running do not "
-        "count. With uid and landlock it is always one",
+        f"{SLOTS_PER_CORE['wall']} per core on the wall clock, and more while processors are idle). Answers that "
+        "are only kept running do not count. With uid and landlock it is always one",
     )
     parser.add_argument(
         "--farm",

@@ -1,12 +1,14 @@
 """Judging many answers on this machine: some at work at once, and beside them those that only have to stay alive.
 
 A program that has passed on robot time is kept alive for some real seconds. That is no work: meanwhile its place is
-given to the next answer, which is judged by another slot. How many slots there are follows from that and from memory.
+given to the next answer, which is judged by another slot. And where that is wanted, more answers than there are places
+are at work while the processors would be idle otherwise. How many slots there are follows from that and from memory.
 """
 
 import contextlib
 import queue
 import threading
+import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Generic
@@ -17,13 +19,20 @@ from workbook.grading import pool
 from workbook.grading.judges import Job, Key
 from workbook.grading.pool import Slot
 from workbook.grading.warm_slots import FORKED, SlotServer
-from workbook.inside.proc import available_memory_bytes
+from workbook.inside.proc import available_memory_bytes, idle_and_all_s
 from workbook.isolation.bubblewrap import NoSandbox
 from workbook.isolation.tiers import Isolation, meets_others
 from workbook.typechecking.typecheck import TypeCheckFailed, warm_cache
 
 WAITING_PER_PLACE = 8
 """Slots beside each place whose answers only wait. They wait for 8 s, and are at work for about one."""
+MORE_PER_PLACE = 2
+"""Answers beside each place that are at work only because processors were idle: no more, however idle they are. Who has
+only a part of the processors, in a container, sees all of them."""
+SPARE_SHARE = 0.25
+"""Where the processors were idle for a smaller share of the time, one more answer would make the others wait."""
+LOOK_S = 0.5
+"""One more answer at a time: so long it is watched how busy they are with it."""
 SLOT_BYTES = 150_000_000
 """A slot with a program: the slot holds some 70 MB of its own, a program about as much."""
 KEPT_FREE_BYTES = 1_000_000_000
@@ -32,27 +41,51 @@ KEPT_FREE_BYTES = 1_000_000_000
 
 @dataclass(frozen=True)
 class LocalSlots:
-    """Judges on this machine, `slots` answers at work at once."""
+    """Judges on this machine, `slots` answers at work at once; where `fills`, more while processors are idle."""
 
     slots: int
     isolation: Isolation = "limits"
+    fills: bool = False
 
     def judge_all(
         self, jobs: Iterable[Job[Key]], *, thorough: bool = True, stop: Callable[[], bool] = lambda: False
     ) -> Iterator[tuple[Job[Key], Judgement]]:
         """See `Judges`."""
-        return judge_all(jobs, self.slots, thorough=thorough, isolation=self.isolation, stop=stop)
+        return judge_all(
+            jobs, self.slots, thorough=thorough, isolation=self.isolation, stop=stop, fills=self.fills
+        )
+
+
+class IdleProcessors:
+    """Tells now and then whether the processors of this machine have nothing to do for a part of the time."""
+
+    def __init__(self) -> None:
+        self._looked_at = time.monotonic()
+        self._before = idle_and_all_s()
+
+    def __call__(self) -> bool:
+        """Whether they were idle for SPARE_SHARE of the time since the last look; at most every LOOK_S seconds."""
+        if time.monotonic() - self._looked_at < LOOK_S:
+            return False
+        now = idle_and_all_s()
+        idle, passed = (later - before for later, before in zip(now, self._before, strict=True))
+        self._looked_at, self._before = time.monotonic(), now
+        return idle >= SPARE_SHARE * passed > 0
 
 
 class Places:
     """Who may be at work: `at_work` answers at once, each with a slot. For use by several threads.
 
-    `room`: whether one more slot may be started beside the first `at_work`, of which there are so many now.
+    `room`: whether one more slot may be started beside the first `at_work`, of which there are so many now. `spare`:
+    asked again and again whether one more answer may be at work beside them.
     """
 
-    def __init__(self, at_work: int, room: Callable[[int], bool]) -> None:
+    def __init__(
+        self, at_work: int, room: Callable[[int], bool], spare: Callable[[], bool] | None = None
+    ) -> None:
         self._free = self._at_work = at_work
         self._room = room
+        self._spare = spare
         self._slots = 0
         self._idle: list[Slot] = []
         self._changed = threading.Condition()
@@ -60,7 +93,8 @@ class Places:
     def take(self) -> Slot | None:
         """Wait for a place. Returns a warm slot, or None where a new one is to be started."""
         with self._changed:
-            self._changed.wait_for(self._can_begin)
+            while not self._can_begin():
+                self._changed.wait(None if self._spare is None else LOOK_S)
             self._free -= 1
             if self._idle:
                 return self._idle.pop()
@@ -68,7 +102,11 @@ class Places:
             return None
 
     def _can_begin(self) -> bool:
-        return self._free > 0 and (bool(self._idle) or self._slots < self._at_work or self._room(self._slots))
+        if self._free <= -MORE_PER_PLACE * self._at_work:
+            return False
+        if not self._idle and self._slots >= self._at_work and not self._room(self._slots):
+            return False
+        return self._free > 0 or (self._spare is not None and self._spare())
 
     def leave(self) -> None:
         """The answer in this place only waits from now on, or is done: somebody else may work."""
@@ -101,13 +139,15 @@ def judge_all(
     thorough: bool = True,
     isolation: Isolation = "limits",
     stop: Callable[[], bool] = lambda: False,
+    fills: bool = False,
 ) -> Iterator[tuple[Job[Key], Judgement]]:
     """Judge many answers, `slots` of them at work at once; yields each judgement as it is ready.
 
+    With `fills` more of them are at work while the processors are idle otherwise.
     In a tier in which answers meet each other they are judged one after another, whatever `slots` says.
     `stop` is asked before each new answer, so that an interrupted run ends after those under way.
     """
-    run = _Run(list(jobs), max(1, slots), thorough, isolation, stop)
+    run = _Run(list(jobs), max(1, slots), thorough, isolation, stop, fills)
     threads = [
         threading.Thread(target=run.work, name=f"answer {number}") for number in range(run.most_at_once)
     ]
@@ -133,14 +173,16 @@ class _Run(Generic[Key]):
         thorough: bool,
         isolation: Isolation,
         stop: Callable[[], bool],
+        fills: bool,
     ) -> None:
         self._waiting: queue.SimpleQueue[Job[Key]] = queue.SimpleQueue()
         self._thorough = thorough
         self._isolation = isolation
         self._stop = stop
         self.done: queue.SimpleQueue[tuple[Job[Key], Judgement] | None] = queue.SimpleQueue()
-        self.places = Places(slots, self._has_room)
-        self.most_at_once = min(slots * (1 + (WAITING_PER_PLACE if thorough else 0)), max(1, len(jobs)))
+        self.places = Places(slots, self._has_room, IdleProcessors() if fills else None)
+        for_each = 1 + (WAITING_PER_PLACE if thorough else 0) + (MORE_PER_PLACE if fills else 0)
+        self.most_at_once = min(slots * for_each, max(1, len(jobs)))
         if meets_others(isolation):
             self.most_at_once = 1  # beside it, an answer that only waits could still speak to the others
         for job in jobs:

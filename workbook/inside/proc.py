@@ -9,7 +9,7 @@ from contextlib import suppress
 
 _PAGE_BYTES = os.sysconf("SC_PAGE_SIZE")
 _TICK_S = 1.0 / os.sysconf("SC_CLK_TCK")
-_STEAL_FIELD = 8
+_IDLE, _STEAL = slice(3, 5), 7  # columns of /proc/stat
 READ_BYTES = 65_536
 PROC_STAT = "/proc/stat"
 UDP_TABLES = ("/proc/net/udp", "/proc/net/udp6")
@@ -35,6 +35,18 @@ def read(path: str) -> bytes:
         os.close(descriptor)
 
 
+def _read_if_there(path: str) -> bytes:
+    try:
+        return read(path)
+    except OSError:
+        return b""
+
+
+def _number_after(name: bytes, path: str) -> int:
+    lines = _read_if_there(path).splitlines()
+    return next((int(line.split()[1]) for line in lines if line.startswith(name)), 0)
+
+
 def read_text(path: str) -> str:
     """The content of a file of any size as text. Raises OSError."""
     with open(path, encoding="utf-8", errors="replace") as file:
@@ -51,10 +63,9 @@ def pids() -> list[int]:
 
 def tasks(pid: int) -> list[str]:
     """The threads of a process; none when it has ended."""
-    try:
+    with suppress(OSError):
         return os.listdir(f"/proc/{pid}/task")
-    except OSError:
-        return []
+    return []
 
 
 def children(pid: int) -> list[int]:
@@ -79,18 +90,13 @@ def process_tree(pid: int) -> list[int]:
 
 def command_line(pid: int) -> bytes:
     """What a process was started with, each part ended by a zero byte; empty when it has ended."""
-    try:
-        return read(f"/proc/{pid}/cmdline")
-    except OSError:
-        return b""
+    return _read_if_there(f"/proc/{pid}/cmdline")
 
 
 def environment(pid: int) -> list[bytes]:
     """The variables that a process was started with; none when it has ended, or is not ours to read."""
-    try:
-        return read(f"/proc/{pid}/environ").split(b"\0")
-    except OSError:
-        return []
+    content = _read_if_there(f"/proc/{pid}/environ")
+    return content.split(b"\0") if content else []
 
 
 def status(pid: int | str = "self") -> dict[str, str]:
@@ -107,10 +113,9 @@ def stat_fields(pid: int | str = "self") -> list[bytes]:
 
 def owner(pid: int) -> int | None:
     """The user id of a process; None when it has ended."""
-    try:
+    with suppress(OSError):
         return os.stat(f"/proc/{pid}").st_uid
-    except OSError:
-        return None
+    return None
 
 
 def running_users() -> list[tuple[int, int]]:
@@ -166,20 +171,12 @@ def written_bytes(pid: int) -> int:
 
     Source: proc_pid_io(5), `wchar`.
     """
-    try:
-        lines = read(f"/proc/{pid}/io").splitlines()
-    except OSError:
-        return 0
-    return next((int(line.split()[1]) for line in lines if line.startswith(b"wchar:")), 0)
+    return _number_after(b"wchar:", f"/proc/{pid}/io")
 
 
 def proportional_bytes(pid: int) -> int:
     """Memory of a process, of what it shares with others its part; zero when it has ended. Takes a while."""
-    try:
-        lines = read_text(f"/proc/{pid}/smaps_rollup").splitlines()
-    except OSError:
-        return 0
-    return next((int(line.split()[1]) * 1024 for line in lines if line.startswith("Pss:")), 0)
+    return 1024 * _number_after(b"Pss:", f"/proc/{pid}/smaps_rollup")
 
 
 def memory_bytes(group: Sequence[int], worth_counting: int) -> int:
@@ -193,11 +190,7 @@ def memory_bytes(group: Sequence[int], worth_counting: int) -> int:
 
 def available_memory_bytes() -> int:
     """Memory that programs may still take without swapping; what is unknown counts as none. See proc_meminfo(5)."""
-    try:
-        lines = read_text("/proc/meminfo").splitlines()
-    except OSError:
-        return 0
-    return next((int(line.split()[1]) * 1024 for line in lines if line.startswith("MemAvailable:")), 0)
+    return 1024 * _number_after(b"MemAvailable:", "/proc/meminfo")
 
 
 def own_groups(table: str = OWN_GROUPS) -> list[tuple[str, str, str]]:
@@ -354,17 +347,23 @@ def unix_socket_names(table: str = UNIX_SOCKETS) -> set[str]:
 # --- the machine ----------------------------------------------------------------------------------------------
 
 
+def processor_times_s(stat: str | os.PathLike[str] = PROC_STAT) -> dict[str, list[float]]:
+    """Seconds of each processor, and of all ("cpu"), in the columns of proc_stat(5); {} where nobody tells."""
+    rows = [line.split() for line in _read_if_there(os.fspath(stat)).decode(errors="replace").splitlines()]
+    rows = [words for words in rows if words and words[0].startswith("cpu") and "".join(words[1:]).isdigit()]
+    return {name: [int(ticks) * _TICK_S for ticks in columns] for name, *columns in rows}
+
+
 def stolen_s(stat: str | os.PathLike[str] = PROC_STAT) -> dict[str, float]:
     """Seconds that each processor has been taken away since the machine was started; {} where nobody tells."""
-    try:
-        lines = [line.split() for line in read(os.fspath(stat)).decode("ascii").splitlines()]
-        return {
-            words[0]: int(words[_STEAL_FIELD]) * _TICK_S
-            for words in lines
-            if words and words[0].startswith("cpu") and words[0] != "cpu"
-        }
-    except (OSError, ValueError, IndexError):
-        return {}
+    each = {name: times for name, times in processor_times_s(stat).items() if name != "cpu"}
+    return {name: times[_STEAL] for name, times in each.items() if len(times) > _STEAL}
+
+
+def idle_and_all_s(stat: str | os.PathLike[str] = PROC_STAT) -> tuple[float, float]:
+    """Seconds that the processors have been idle since the machine was started, and all their seconds; else zeros."""
+    times = processor_times_s(stat).get("cpu", [])
+    return sum(times[_IDLE]), sum(times[: _STEAL + 1])
 
 
 def knows_ids(first: int, count: int) -> bool:

@@ -1,0 +1,47 @@
+"""Tables of the kernel, as it writes them and as it might."""
+
+import time
+from pathlib import Path
+
+import pytest
+
+from workbook.inside import proc
+
+TABLE = """\
+cpu  1000 100 300 4000 500 10 20 70 900 0
+cpu0 600 100 200 2000 500 10 20 30 500 0
+cpu1 400 0 100 2000 0 0 0 40 400 0
+intr 12345 0 0
+ctxt 999
+"""
+TICK_S = 0.01
+
+
+@pytest.fixture
+def table(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setattr(proc, "_TICK_S", TICK_S)
+    path = tmp_path / "stat"
+    path.write_text(TABLE)
+    return path
+
+
+def test_idle_is_also_who_waits_for_a_disk_and_guests_do_not_count_twice(table: Path) -> None:
+    assert proc.idle_and_all_s(table) == (pytest.approx(45.0), pytest.approx(60.0))
+
+
+def test_what_was_taken_away_is_told_of_each_processor(table: Path) -> None:
+    assert proc.stolen_s(table) == {"cpu0": pytest.approx(0.3), "cpu1": pytest.approx(0.4)}
+
+
+def test_where_nobody_tells_there_is_nothing(tmp_path: Path) -> None:
+    (tmp_path / "stat").write_text("cpu  many\ncpu0\n")
+    for path in (tmp_path / "stat", tmp_path / "absent"):
+        assert proc.idle_and_all_s(path) == (0, 0)
+        assert proc.stolen_s(path) == {}
+
+
+def test_of_this_machine_the_time_goes_on() -> None:
+    idle, passed = proc.idle_and_all_s()
+    assert 0 <= idle <= passed
+    while proc.idle_and_all_s()[1] <= passed:
+        time.sleep(TICK_S)
