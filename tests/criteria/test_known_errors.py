@@ -378,6 +378,52 @@ def test_a_spin_that_ctrl_c_overtakes_is_an_end_in_order(shutdown: str, tmp_path
     assert shutdown_overtaken(log) and ended_in_order(1, log)
 
 
+TAKE_OVERTAKEN = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Humanoid(Node):
+    def __init__(self):
+        super().__init__("humanoid")
+        self.publisher = self.create_publisher(String, "/robot/status", 10)
+        self.create_subscription(String, "/robot/status", print, 10)
+        self.create_timer(0.05, self.tick)
+
+    def tick(self):
+        self.publisher.publish(String(data="operational"))
+
+
+make = String.__init__
+
+
+def interrupted(self, **fields):
+    if not fields:
+        raise KeyboardInterrupt
+    make(self, **fields)
+
+
+rclpy.init()
+node = Humanoid()
+String.__init__ = interrupted
+try:
+    rclpy.spin(node)
+except KeyboardInterrupt:
+    print("good night")
+"""
+
+
+def test_a_message_in_the_middle_of_which_ctrl_c_comes_is_an_end_in_order(tmp_path: Path) -> None:
+    """Python raises it at the first bytecode after the signal: here in the class of the message."""
+    log = end_of(TAKE_OVERTAKEN, tmp_path)
+    assert "Unable to convert call argument" in log and "good night" not in log
+    assert shutdown_overtaken(log) and ended_in_order(1, log)
+    assert (found := find_error(log, "left.py")) is not None and found.cause == "error.shutdown-overtaken"
+    again = log.replace("_take_subscription", "tick")
+    assert not shutdown_overtaken(again)
+
+
 EXECUTOR_LEFT = """\
 import rclpy
 from rclpy.executors import SingleThreadedExecutor

@@ -167,7 +167,7 @@ class Proofs:
 
     def _judge_share(self, pool: Pool, keys: Sequence[Key]) -> dict[Key, Judgement]:
         def judge(some: Sequence[Job[Key]]) -> Iterator[tuple[Job[Key], Judgement]]:
-            return judge_all(some, pool.slots, thorough=pool.thorough, isolation=self._isolation)
+            return judge_all(some, pool.slots, thorough=pool.thorough, isolation=self._isolation, fills=True)
 
         jobs = [self._jobs[pool][key] for key in keys]
         return {job.key: counting(tries) for job, tries in judge_until_sure(jobs, judge)}

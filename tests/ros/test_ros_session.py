@@ -155,6 +155,41 @@ def test_interrupt_ends_the_cell_and_leaves_the_kernel_usable(open_kernel, cell)
     assert kernel.close() == 0
 
 
+INTERRUPTED = """
+init()
+import signal
+from std_msgs.msg import String
+talker = fresh(Talker, 0.02)
+class Made:
+    original, number = String.__init__, 0
+def made(self, **fields):
+    Made.original(self, **fields)
+    Made.number += not fields
+    if Made.number == 3 and not fields:
+        signal.raise_signal(signal.SIGINT)
+String.__init__ = made
+"""
+"""Interrupt comes while the third message is made for a callback."""
+
+
+@pytest.mark.parametrize(
+    ("cell", "ends_with"),
+    [
+        ("await run(talker, seconds=50)", "Stopped"),
+        ("spin_for(talker, seconds=50)", "StoppedInBetween"),
+        ("rclpy.spin(talker)", "KeyboardInterrupt"),
+    ],
+)
+def test_an_interrupt_while_a_message_is_made_ends_the_cell_and_not_the_node(open_kernel, cell, ends_with):
+    kernel = open_kernel()
+    kernel.good(INTERRUPTED)
+    assert kernel.run(cell).error == ends_with
+    heard = int(kernel.good("print(len(talker.heard))").text)
+    assert heard in (2, 3)
+    kernel.good(f"await run(talker, until=lambda: len(talker.heard) > {heard + 3})")
+    assert kernel.close() == 0
+
+
 def test_other_tasks_and_pictures_go_on_while_nodes_run(kernel):
     kernel.good("init(); talker = fresh(Talker, 0.02)")
     outcome = kernel.good(

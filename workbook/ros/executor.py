@@ -2,7 +2,7 @@
 
 import traceback
 from pathlib import Path
-from types import TracebackType
+from types import FrameType, TracebackType
 
 import rclpy
 from rclpy.context import Context
@@ -14,6 +14,8 @@ from rclpy.executors import (
     TimeoutObject,
 )
 
+TAKING = ("_take_subscription", "_take_client", "_take_service")
+"""Methods of an executor of rclpy that make a message, a response or a request."""
 _INTERNAL = (str(Path(rclpy.__file__).parent), str(Path(__file__).parent))
 
 
@@ -31,8 +33,23 @@ def callback_place(error: BaseException) -> str:
     return f"{frames[0].name}(), line {frames[0].lineno}: {frames[0].line}" if frames else ""
 
 
+def in_code_of_a_node(frame: FrameType | None) -> bool:
+    """Whether this frame of a callback, or one that called it, is neither rclpy's nor the workbook's.
+
+    The class of a message does not count while rclpy takes one: an exception there would be lost in C++, and one in
+    rclpy's own code between two callbacks would leave the callback group locked for good.
+    """
+    found = False
+    while frame is not None and frame.f_code is not SteppingExecutor.step.__code__:
+        if frame.f_code.co_name in TAKING and frame.f_code.co_filename.startswith(_INTERNAL):
+            return False
+        found = found or not frame.f_code.co_filename.startswith(_INTERNAL)
+        frame = frame.f_back
+    return found
+
+
 class SteppingExecutor(SingleThreadedExecutor):
-    """Serves the nodes of one call. `in_callback` is true while code of a node runs."""
+    """Serves the nodes of one call. `in_callback` is true while a callback is taken and run."""
 
     def __init__(self, context: Context) -> None:
         super().__init__(context=context)

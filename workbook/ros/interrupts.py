@@ -3,16 +3,26 @@
 rclpy waits inside C until something happens, and an idle node never wakes it; the kernel has replaced the
 signal handler that would. Waiting in slices gives Python the chance to raise KeyboardInterrupt. And the
 kernel, not rclpy, owns SIGINT: otherwise one Interrupt also shuts down the context of all nodes.
+
+An Interrupt that comes while rclpy's C++ part makes a message would end in a RuntimeError that says nothing of it, and
+leave the callback group of the subscription locked.
 """
 
+import functools
 import time
 from typing import Any
 
 import rclpy
 from rclpy.executors import Executor, TimeoutException, TimeoutObject
 
+from workbook.ros.executor import TAKING
+
 SLICE_S = 0.1
 """How long Interrupt may take at most. Shorter slices would cost an idle node more processor time."""
+
+
+_OF_AN_INTERRUPT = "Unable to convert call argument"
+"""What pybind11 makes of an exception in the class of a message: only an interrupt raises one there."""
 
 
 def install() -> None:
@@ -39,7 +49,30 @@ def install() -> None:
     wait_for_ready_callbacks.waits_in_slices = True  # type: ignore[attr-defined]
     Executor.wait_for_ready_callbacks = wait_for_ready_callbacks  # type: ignore[method-assign]
 
+    for name in TAKING:
+        setattr(Executor, name, _interruptible(getattr(Executor, name)))
+
     def leave_signals_to_the_kernel(*options: Any) -> None:
         return None
 
     setattr(rclpy, "install_signal_handlers", leave_signals_to_the_kernel)  # noqa: B010
+
+
+def _interruptible(take: Any) -> Any:
+    """This method of an executor, which raises KeyboardInterrupt for what pybind11 makes of one.
+
+    Then it gives the callback group free, as rclpy's handler does after a callback.
+    """
+
+    @functools.wraps(take)
+    def taken(self: Any, entity: Any) -> Any:
+        try:
+            return take(self, entity)
+        except RuntimeError as error:
+            if _OF_AN_INTERRUPT not in str(error):
+                raise
+            entity._executor_event = False
+            entity.callback_group.ending_execution(entity)
+            raise KeyboardInterrupt from None
+
+    return taken

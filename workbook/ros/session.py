@@ -21,7 +21,12 @@ from rclpy.utilities import get_default_context, try_shutdown
 
 from workbook.ros import exit_cleanup, fresh_nodes
 from workbook.ros.environment import is_prepared, prepare
-from workbook.ros.executor import SteppingExecutor, callback_place, callback_traceback
+from workbook.ros.executor import (
+    SteppingExecutor,
+    callback_place,
+    callback_traceback,
+    in_code_of_a_node,
+)
 from workbook.ros.fresh_nodes import fresh as fresh
 
 LONGEST_WAIT_S = 0.02
@@ -125,7 +130,7 @@ def serving(*nodes: Node | Iterable[Node]) -> Iterator[SteppingExecutor]:
 
 
 class _Interrupts:
-    """Turns Interrupt into a flag between callbacks and into KeyboardInterrupt inside one."""
+    """Turns Interrupt into a flag, and inside of a callback into KeyboardInterrupt."""
 
     def __init__(self, executor: SteppingExecutor) -> None:
         self._executor = executor
@@ -135,7 +140,7 @@ class _Interrupts:
 
     def _on_signal(self, number: int, frame: FrameType | None) -> None:
         self.requested = True
-        if self._executor.in_callback:
+        if self._executor.in_callback and in_code_of_a_node(frame):
             raise KeyboardInterrupt
 
     def __enter__(self) -> "_Interrupts":

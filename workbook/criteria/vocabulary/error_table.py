@@ -34,7 +34,17 @@ SPIN_OVERTAKEN = (
 )
 """The context was shut down while a spin was about to wait. See `shutdown_overtaken`."""
 
-OVERTAKEN = f"{TRY_SHUTDOWN_OVERTAKEN}|{SPIN_OVERTAKEN}"
+TAKE_OVERTAKEN = (
+    r'rclpy/executors\.py", line \d+, in _take_\w+\n'
+    r"(?: [^\n]*\n)+"
+    r"RuntimeError: Unable to convert call argument '\d' to Python object[^\n]*"
+)
+"""Ctrl-C came while rclpy made the message for a callback. Its C++ part makes this of any error in a message's class.
+
+Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/src/rclpy/subscription.cpp (Subscription::take_message).
+"""
+
+OVERTAKEN = f"{TRY_SHUTDOWN_OVERTAKEN}|{SPIN_OVERTAKEN}|{TAKE_OVERTAKEN}"
 
 KNOWN_ERRORS = (
     KnownError(
@@ -58,8 +68,8 @@ KNOWN_ERRORS = (
     KnownError(
         "error.shutdown-overtaken",
         OVERTAKEN,
-        "rclpy was still handling Ctrl-C when try_shutdown() checked the context. This sometimes happens on a "
-        "busy machine. It is a bug in rclpy, not in your program.",
+        "Ctrl-C came in the middle of rclpy's own work. This happens now and then. It is a bug in rclpy, not in your "
+        "program.",
         "Nothing: run it again.",
     ),
     KnownError(

@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass
 
 from workbook.criteria.verdict import Verdict, failed
-from workbook.criteria.vocabulary.error_table import KNOWN_ERRORS, OVERTAKEN, SPIN_OVERTAKEN
+from workbook.criteria.vocabulary.error_table import KNOWN_ERRORS, OVERTAKEN, SPIN_OVERTAKEN, TAKE_OVERTAKEN
 from workbook.recording.recording import Recording
 
 
@@ -62,9 +62,9 @@ def find_error(log: str, program_name: str = "") -> ProgramError | None:
     error = lines[error_at].strip()
     if error.startswith("KeyboardInterrupt"):
         return None
-    return _explained(
-        error, "\n".join(lines[max(0, error_at - 2) : error_at + 1]), _line_of(lines[:error_at], program_name)
-    )
+    overtaken = re.search(TAKE_OVERTAKEN, log[last:])
+    told = overtaken[0] if overtaken else "\n".join(lines[max(0, error_at - 2) : error_at + 1])
+    return _explained(error, told, _line_of(lines[:error_at], program_name))
 
 
 def _error_of_library(log: str) -> ProgramError | None:
@@ -125,6 +125,7 @@ def shutdown_overtaken(log: str) -> bool:
     `rclpy.try_shutdown()` checks whether the context is up, and then shuts it down. A spin checks whether it is up, and
     then waits. The thread of rclpy that handles Ctrl-C may shut it down in between; then a correct program ends with a
     traceback and exit code 1. Measured: `try_shutdown` 4 of about 550 ends on two processors with work for ten.
+    And a Ctrl-C that comes while rclpy makes a message comes out as another error: see `TAKE_OVERTAKEN`.
     Any program can print this text, so it is a reason to look again (`conclusiveness`), and never one to forgive.
     Sources: https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py (Context.try_shutdown),
     https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/executors.py (Executor._wait_for_ready_callbacks).
