@@ -146,6 +146,7 @@ def test_a_broken_slot_makes_room_for_a_new_one() -> None:
 def test_more_are_at_work_while_the_processors_are_idle(monkeypatch: pytest.MonkeyPatch) -> None:
     """Up to three in each place, with a report that frees none; and with a number that was asked for, no more."""
     monkeypatch.setattr(local, "IdleProcessors", lambda: lambda: True)
+    monkeypatch.setattr(local, "slot_server", lambda _: None)
     monkeypatch.setattr(local, "LOOK_S", 0.01)
     for fills, most in ((True, 6), (False, 2)):
         judge = FakeJudge(most=most, provisional=True)
@@ -159,6 +160,23 @@ def test_on_busy_processors_no_more_are_at_work_than_there_are_places(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(local, "IdleProcessors", lambda: lambda: False)
+    monkeypatch.setattr(local, "LOOK_S", 0.01)
+    judge = FakeJudge(most=2, provisional=True)
+    monkeypatch.setattr(pool, "judge_with_retry", judge)
+    assert len(list(judge_all(jobs(20), 2, thorough=False, fills=True))) == 20
+    assert judge.most_under_way == 2
+
+
+@pytest.mark.usefixtures("plenty")
+def test_while_all_wait_for_the_server_of_the_slots_no_more_begin(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Untried:
+        is_tried = False
+
+        def close(self) -> None:
+            pass
+
+    monkeypatch.setattr(local, "IdleProcessors", lambda: lambda: True)
+    monkeypatch.setattr(local, "slot_server", lambda _: Untried())
     monkeypatch.setattr(local, "LOOK_S", 0.01)
     judge = FakeJudge(most=2, provisional=True)
     monkeypatch.setattr(pool, "judge_with_retry", judge)
@@ -190,6 +208,7 @@ def test_processors_are_looked_at_from_one_look_to_the_next(monkeypatch: pytest.
     monkeypatch.setattr(local.time, "monotonic", lambda: now)
     monkeypatch.setattr(local, "idle_and_all_s", lambda: seconds)
     has_spare = local.IdleProcessors()
+    assert not has_spare(), "it begins with the first look"
     seen = []
     for later, idle, passed in (
         (0.1, 0.2, 0.2),  # too soon

@@ -3,8 +3,10 @@
 import json
 import os
 import signal
+import socket
 import subprocess
 import sys
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -19,13 +21,16 @@ from workbook.exercise.judgement import Judgement
 from workbook.grading import local, pool, warm_slots
 from workbook.grading.judges import Job
 from workbook.grading.local import judge_all, slot_server
-from workbook.grading.pool import Slot
+from workbook.grading.pool import Slot, judge_with_retry
+from workbook.grading.slot_server import SlotForker, SlotRequest
 from workbook.grading.warm_slots import ForkedSlot, SlotServer
-from workbook.inside.proc import environment, process_tree
+from workbook.inside import fork_server
+from workbook.inside.lttng import LttngForkHooks
+from workbook.inside.proc import command_line, environment, process_tree
 from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.isolation.memory_groups import groups_problem
 from workbook.isolation.tiers import Isolation
-from workbook.programs.warm_start import NoWarmStart
+from workbook.programs.warm_start import NoWarmStart, started_program
 
 STEM = "09_joint_positions"
 HOG = """
@@ -170,7 +175,7 @@ def test_where_forked_ones_do_not_isolate_fresh_ones_are_started(monkeypatch: py
     assert server is not None
     with Slot("sandbox", server=server) as slot:
         assert not is_forked(slot)
-        assert is_gone(forked[0].pid)
+        wait_until(lambda: is_gone(forked[0].pid))
         assert judged(slot, right_answer()).full_marks
     with pytest.raises(NoWarmStart, match="reads a file of the grader"):
         server.fork(None)
@@ -193,6 +198,85 @@ def test_without_its_server_a_slot_is_started_afresh() -> None:
         assert not is_forked(after)
         assert judged(after, right_answer()).full_marks
     server.close()
+
+
+@in_sandbox
+def test_an_answer_whose_server_is_killed_is_judged_again(server: SlotServer) -> None:
+    """The first slot is gone then, and what the second one forks its programs from is its own."""
+    slot = Slot("sandbox", server=server)
+    judged(slot, "robot = 1\n")
+    trunk = trunk_of(server)
+    threading.Timer(1.0, os.kill, (trunk, signal.SIGKILL)).start()
+    slot_after, judgement = judge_with_retry(slot, Job("one", STEM, Answer(right_answer())), True, "sandbox")
+    assert judgement.full_marks, judgement.reason
+    assert slot_after is not None and slot_after is not slot
+    slot_after.close()
+    with Slot("sandbox", server=server) as third:
+        assert is_forked(third)
+        assert judged(third, right_answer()).full_marks
+
+
+def trunk_of(server: SlotServer) -> int:
+    """The first fork server below it: those of slots are its children."""
+    return next(pid for pid in process_tree(server.pid) if b"fork_server" in command_line(pid))
+
+
+def test_how_a_slot_ended_is_not_taken_for_its_number() -> None:
+    reading, writing = os.pipe()
+    os.write(writing, b"\n9\n")
+    os.close(writing)
+    with pytest.raises(NoWarmStart, match="the slot server does not answer"):
+        started_program(reading, 1.0, "the slot server")
+    reading, writing = os.pipe()
+    os.write(writing, b"4321\n\n9\n")
+    os.close(writing)
+    program = started_program(reading, 1.0, "the slot server")
+    assert (program.pid, program.wait(), program.is_lost) == (4321, -signal.SIGKILL, False)
+    program.close()
+
+
+@pytest.fixture
+def no_forks(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fork() -> int:
+        raise BlockingIOError(11, "Resource temporarily unavailable")
+
+    monkeypatch.setattr(os, "fork", fork)
+
+
+@pytest.mark.usefixtures("no_forks")
+def test_a_slot_server_that_cannot_fork_says_so_and_goes_on() -> None:
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+    signals = signal.pthread_sigmask(signal.SIG_BLOCK, ())
+    forker = SlotForker("limits", theirs, None, -1)
+    for _ in range(2):
+        reading, writing = os.pipe()
+        pipes = [os.dup(writing) for _ in range(3)]
+        os.close(writing)
+        assert forker._fork(SlotRequest(None, "/", None), pipes) is False
+        with pytest.raises(NoWarmStart, match="Resource temporarily unavailable"):
+            started_program(reading, 1.0, "the slot server")
+    assert signal.pthread_sigmask(signal.SIG_BLOCK, ()) == signals
+    ours.close()
+    theirs.close()
+
+
+@pytest.mark.usefixtures("no_forks")
+def test_a_fork_server_that_cannot_fork_says_so_and_goes_on() -> None:
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+    branch, end_of_branch = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+    reading, writing = os.pipe()
+    socket.send_fds(ours, [b'{"branch_in": 1}'], [end_of_branch.fileno()])
+    socket.send_fds(ours, [b"{}"], [os.open(os.devnull, os.O_WRONLY), writing])
+    end_of_branch.close()
+    os.close(writing)
+    ours.close()
+    assert fork_server.serve(theirs, fork_server.Hooks(LttngForkHooks(), fork_server.RunMark())) is None
+    assert b"Resource temporarily unavailable" in branch.recv(1000)
+    assert branch.recv(1000) == b""
+    with pytest.raises(NoWarmStart, match="Resource temporarily unavailable"):
+        started_program(reading, 1.0, "the fork server")
+    branch.close()
+    theirs.close()
 
 
 GRADER = """

@@ -190,6 +190,49 @@ def test_an_interrupt_while_a_message_is_made_ends_the_cell_and_not_the_node(ope
     assert kernel.close() == 0
 
 
+AT_EACH_CALL = """
+init()
+import inspect, signal, sys, threading
+LIBRARY_CALL = compile('''
+def call(*arguments):
+    if once and sys._getframe(1).f_code.co_name in callers:
+        once.clear()
+        signal.raise_signal(signal.SIGINT)
+    return original(*arguments)
+''', threading.__file__, 'exec')
+ticks = []
+node = fresh(Node, "robot")
+node.create_timer(0.02, lambda: ticks.append(1))
+def interrupt_in(owner, name, caller):
+    place = dict(once=[1], callers=[caller], original=getattr(owner, name), sys=sys, signal=signal)
+    exec(LIBRARY_CALL, place)
+    setattr(owner, name, place["call"])
+"""
+"""Interrupt comes in Python's own library, called by rclpy just before a callback."""
+PLACES = (
+    "inspect, 'iscoroutine', '__call__'",
+    "threading.Condition, '__enter__', '__enter__'",
+    "threading.Condition, '__exit__', '__enter__'",
+)
+
+
+def test_an_interrupt_between_two_callbacks_locks_nothing(kernel):
+    kernel.good(AT_EACH_CALL)
+    for place in PLACES:
+        outcome = kernel.run(f"interrupt_in({place}); spin_for(node, seconds=50)")
+        assert outcome.error == "StoppedInBetween"
+        kernel.good("ticks.clear(); spin_for(node, seconds=20, until=lambda: len(ticks) > 3)")
+
+
+def test_a_callback_that_waits_in_pythons_library_can_be_stopped(kernel):
+    kernel.good("init(); import queue; never = queue.Queue(); node = fresh(Node, 'robot')")
+    waits = "node.create_timer(0.01, lambda: (go(), never.get())); await run(node, seconds=50)"
+    request = kernel.start(waits)
+    kernel.wait_for_text(request, "go")
+    kernel.interrupt()
+    assert kernel.finish(request, limit=10).error == "Stopped"
+
+
 def test_other_tasks_and_pictures_go_on_while_nodes_run(kernel):
     kernel.good("init(); talker = fresh(Talker, 0.02)")
     outcome = kernel.good(

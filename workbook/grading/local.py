@@ -60,15 +60,16 @@ class IdleProcessors:
     """Tells now and then whether the processors of this machine have nothing to do for a part of the time."""
 
     def __init__(self) -> None:
-        self._looked_at = time.monotonic()
-        self._before = idle_and_all_s()
+        self._looked_at = -LOOK_S
+        self._before: tuple[float, float] | None = None
 
     def __call__(self) -> bool:
         """Whether they were idle for SPARE_SHARE of the time since the last look; at most every LOOK_S seconds."""
         if time.monotonic() - self._looked_at < LOOK_S:
             return False
         now = idle_and_all_s()
-        idle, passed = (later - before for later, before in zip(now, self._before, strict=True))
+        since = now if self._before is None else self._before
+        idle, passed = (later - before for later, before in zip(now, since, strict=True))
         self._looked_at, self._before = time.monotonic(), now
         return idle >= SPARE_SHARE * passed > 0
 
@@ -180,7 +181,8 @@ class _Run(Generic[Key]):
         self._isolation = isolation
         self._stop = stop
         self.done: queue.SimpleQueue[tuple[Job[Key], Judgement] | None] = queue.SimpleQueue()
-        self.places = Places(slots, self._has_room, IdleProcessors() if fills else None)
+        self._are_idle = IdleProcessors()
+        self.places = Places(slots, self._has_room, self._has_spare if fills else None)
         for_each = 1 + (WAITING_PER_PLACE if thorough else 0) + (MORE_PER_PLACE if fills else 0)
         self.most_at_once = min(slots * for_each, max(1, len(jobs)))
         if meets_others(isolation):
@@ -193,6 +195,10 @@ class _Run(Generic[Key]):
     def _has_room(self, present: int) -> bool:
         """To start a slot takes as long as to judge an answer: it must be worth that."""
         return self._waiting.qsize() >= present and available_memory_bytes() > KEPT_FREE_BYTES + SLOT_BYTES
+
+    def _has_spare(self) -> bool:
+        """What only waits for the server of the slots leaves the processors idle, and will soon need them."""
+        return (self._server is None or self._server.is_tried) and self._are_idle()
 
     def forget_the_rest(self) -> None:
         """Begin no more answers."""

@@ -31,6 +31,8 @@ from workbook.ros.environment import child_environment
 ANSWER_DEADLINE_S = 120.0
 """On a slot that always gets a processor. One that has to wait for it has longer; see `SlotHealth.slowed_by`."""
 SLOT_MODULE = ("-m", "workbook.grading.slot")
+KILLED_S = 30.0
+"""So long a killed slot may take to go, with what its answer has left."""
 TRIES = 2
 STOPPED_JUDGE = "stopped_judge"
 """How the reason begins why an answer is ungradable that breaks the slots that judge it, where others do not."""
@@ -96,7 +98,7 @@ class Slot:
             return None
         try:
             process = server.fork(self._groups)
-        except NoWarmStart:
+        except (NoWarmStart, OSError):
             return None
         return process, SlotHealth(process.pid)
 
@@ -214,11 +216,10 @@ class Slot:
 
     def kill(self) -> None:
         """End the slot at once, and the program that it watches with all its children."""
-        try:
+        with contextlib.suppress(ProcessLookupError, PermissionError):
             os.killpg(self._process.pid, signal.SIGKILL)
-        except ProcessLookupError:
-            pass
-        self._process.wait()
+        with contextlib.suppress(subprocess.TimeoutExpired):  # then its server is stuck
+            self._process.wait(KILLED_S)
         kill_programs_of(self._process.pid)
         self._sweep()
 

@@ -34,7 +34,7 @@ from workbook.inside.orphans import StillThere, adopt_orphans, sweep_orphans
 from workbook.isolation.sandbox import sandbox_environment
 from workbook.isolation.tiers import Isolation, make_tier, named_tier
 from workbook.isolation.user_ids import Ids
-from workbook.programs.warm_start import ForkServer, Trunk, own_server
+from workbook.programs.warm_start import ForkServer, ServerGone, Trunk, own_server
 from workbook.recording.limits import ANSWER_LIMITS
 from workbook.ros.domains import NoDomainFree
 from workbook.ros.environment import child_environment
@@ -125,7 +125,10 @@ def serve(
 def _follow(
     job: Mapping[str, Any], judge: Judge, report: Report, enough: Callable[[], bool]
 ) -> dict[str, Any]:
-    """Judge one answer and sweep up behind it. Returns the last line on it: its judgement, or what went wrong."""
+    """Judge one answer and sweep up behind it. Returns the last line on it: its judgement, or what went wrong.
+
+    Raises ServerGone: then this slot is to be replaced, and the answer judged in another one.
+    """
     try:
         judgement = judge.judge(
             _exercise(job["exercise"]),
@@ -136,6 +139,8 @@ def _follow(
             enough=enough,
         )
         message = {"final": True, "judgement": judgement_to_json(judgement)}
+    except ServerGone:
+        raise
     except Exception as error:
         message = {"final": True, "error": f"{type(error).__name__}: {error}"}
     try:

@@ -4,7 +4,8 @@
 
 CHANNEL is the number of an inherited socket. On it comes one request after another (see `SlotRequest`), each with three
 descriptors: the standard input and output of the slot, and where to report its status. That is its process number, as
-soon as it is in its sandbox; and how it ended (as `os.waitpid` has it), when it has and nothing of it is left.
+soon as it is in its sandbox; and how it ended (as `os.waitpid` has it), when it has and nothing of it is left. Before
+that comes an empty line: a slot that ends too early has no number, and how it ended must not be taken for one.
 
 With the tier "sandbox" this process is in an outer sandbox of its own, and each slot gets another one: an empty one is
 made, and the forked process enters it.
@@ -125,7 +126,10 @@ class SlotForker:
                 data, descriptors, _, _ = socket.recv_fds(self.channel, REQUEST_BYTES, DESCRIPTORS)
                 if not data:
                     return
-                if self._fork(SlotRequest(**json.loads(data)), descriptors):
+                if len(descriptors) != DESCRIPTORS:  # there is no room for them in this process
+                    for descriptor in descriptors:
+                        os.close(descriptor)
+                elif self._fork(SlotRequest(**json.loads(data)), descriptors):
                     return
 
     def _fork(self, request: SlotRequest, descriptors: Sequence[int]) -> bool:
@@ -135,17 +139,17 @@ class SlotForker:
         try:
             if self.isolation == "sandbox":
                 sandbox = EmptySandbox(request.groups)
-            self._lttng.before_fork()
-            pid = os.fork()
+            pid = self._lttng.fork()
         except OSError as error:
             report(status, f"failed: {error}\n")
             for descriptor in descriptors:
                 os.close(descriptor)
+            if sandbox is not None:
+                sandbox.close()
             return False
         if pid == 0:
             self._become_slot(request, descriptors, sandbox)
             return True
-        self._lttng.after_fork_in_parent()
         exempt(pid)
         os.setpgid(pid, pid)  # as it does itself: whoever comes first
         os.close(stdin)
@@ -191,7 +195,7 @@ class SlotForker:
                 pid, code = os.waitpid(slot.pid, os.WNOHANG)
                 if pid:
                     self._forget(slot)
-                    report(slot.status_fd, f"{code}\n")
+                    report(slot.status_fd, f"\n{code}\n")
                     os.close(slot.status_fd)
 
     def _forget(self, slot: RunningSlot) -> None:

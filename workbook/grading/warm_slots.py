@@ -22,6 +22,7 @@ FORKED: tuple[Isolation, ...] = ("sandbox", "limits")
 """The tiers with many slots at once. In the others there is one, for which a server is not worth its start."""
 UNTRIED = "no slot has tried it yet"
 TRIAL_S = 60.0
+END_S = 5.0
 ANSWER_S = 30.0
 """The first slot waits for the server's start."""
 
@@ -35,7 +36,7 @@ class ForkedSlot:
         self.stdin, self.stdout = stdin, stdout
 
     def close(self) -> None:
-        """Close its pipes; call it when it has ended."""
+        """Close its pipes."""
         self.stdin.close()
         self.stdout.close()
 
@@ -84,8 +85,13 @@ class SlotServer:
         """The process that stands for it here: its tree holds the slots."""
         return self._process.pid
 
+    @property
+    def is_tried(self) -> bool:
+        """Whether it is known if slots can be forked: until then, all wait for that."""
+        return self._problem != UNTRIED
+
     def fork(self, groups: LeasedGroups | None) -> ForkedSlot:
-        """Fork a slot. `groups`: leased for it by the caller. Raises NoWarmStart.
+        """Fork a slot. `groups`: leased for it by the caller. Raises NoWarmStart and OSError.
 
         The first one tries out its tier, while others wait: a slot that was forked is in a sandbox in a sandbox.
         """
@@ -100,7 +106,6 @@ class SlotServer:
                     return slot
                 with suppress(ProcessLookupError):
                     os.killpg(slot.pid, signal.SIGKILL)
-                slot.wait()
                 slot.close()
         if self._problem is not None:
             raise NoWarmStart(self._problem)
@@ -119,14 +124,14 @@ class SlotServer:
         return slot, None if problem is None else str(problem)
 
     def _fork(self, groups: LeasedGroups | None, port: int | None = None) -> ForkedSlot:
-        pipes = [os.pipe() for _ in range(3)]
-        (their_stdin, stdin), (stdout, their_stdout), (status, their_status) = pipes
-        theirs = (their_stdin, their_stdout, their_status)
         request: dict[str, str | int | None] = {
             "groups": None if groups is None else str(groups.path),
             "folder": str(Path.cwd()),
             "port": port,
         }
+        pipes = [os.pipe() for _ in range(3)]
+        (their_stdin, stdin), (stdout, their_stdout), (status, their_status) = pipes
+        theirs = (their_stdin, their_stdout, their_status)
         try:
             with self._turn:
                 socket.send_fds(self._channel, [json.dumps(request).encode()], theirs)
@@ -148,12 +153,12 @@ class SlotServer:
     def close(self) -> None:
         """End the server, and the slots that are left."""
         self._channel.close()
-        try:
-            self._process.wait(5.0)
-        except subprocess.TimeoutExpired:
-            with suppress(ProcessLookupError):
-                os.killpg(self._process.pid, signal.SIGTERM)
-            self._process.wait()
+        for number in (signal.SIGTERM, signal.SIGKILL):
+            with suppress(subprocess.TimeoutExpired):
+                self._process.wait(END_S)
+            if self._process.returncode is None:
+                os.killpg(self._process.pid, number)
+        self._process.wait()
         self._give_back()
 
     def _give_back(self) -> None:

@@ -199,25 +199,22 @@ def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
         if not data:
             return None
         asked = json.loads(data)
-        if "branch_in" in asked:
-            hooks.lttng.before_fork()
-            if os.fork() == 0:
-                channel.close()
-                channel = become_branch(Branch(**asked), descriptors[0], hooks)
-                continue
-            hooks.lttng.after_fork_in_parent()
-            os.close(descriptors[0])
+        try:
+            forked = hooks.lttng.fork()
+        except OSError as error:  # this one must not end all the others
+            report(descriptors[-1], f"failed: {error}\n")
+            forked = -1
+        if forked == 0 and "branch_in" in asked:
+            channel.close()
+            channel = become_branch(Branch(**asked), descriptors[0], hooks)
             continue
-        output, status = descriptors
-        request = Request(**asked)
-        hooks.lttng.before_fork()
-        if os.fork() == 0:
+        if forked == 0:
+            request, (output, status) = Request(**asked), descriptors
             channel.detach()
             supervise(request, output, status, hooks)
             return request.arguments
-        hooks.lttng.after_fork_in_parent()
-        os.close(output)
-        os.close(status)
+        for descriptor in descriptors:
+            os.close(descriptor)
 
 
 def main(arguments: Sequence[str]) -> None:

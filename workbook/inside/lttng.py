@@ -1,6 +1,7 @@
 """LTTng, which rclpy's wheels load, and the forks of this process."""
 
 import ctypes
+import os
 
 from workbook.inside.proc import mapped_libraries
 
@@ -20,15 +21,17 @@ class LttngForkHooks:
         self._library = next((one for one in libraries if hasattr(one, "ust_before_fork")), None)
         self._signals = ctypes.create_string_buffer(SIGSET_BYTES)
 
-    def before_fork(self) -> None:
-        """Prepare LTTng; call right before the fork."""
+    def fork(self) -> int:
+        """As `os.fork`; call `after_fork_in_program` in the forked process. Raises OSError when there is none."""
         if self._library is not None:
-            self._library.ust_before_fork(self._signals)
-
-    def after_fork_in_parent(self) -> None:
-        """Let LTTng go on; call right after the fork in the process that forked."""
-        if self._library is not None:
-            self._library.ust_after_fork_parent(self._signals)
+            self._library.ust_before_fork(self._signals)  # blocks all signals
+        pid = -1
+        try:
+            pid = os.fork()
+        finally:
+            if pid != 0 and self._library is not None:
+                self._library.ust_after_fork_parent(self._signals)
+        return pid
 
     def after_fork_in_program(self) -> None:
         """Start LTTng's threads anew; call right after the fork in the forked process."""

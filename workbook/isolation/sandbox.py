@@ -14,6 +14,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TypeVar
 
 from workbook.inside import proc
 from workbook.inside.syscall_filter import FILTER_SYSCALLS
@@ -28,8 +29,10 @@ from workbook.isolation.bubblewrap import (
 from workbook.isolation.host_files import NOT_FOR_ANSWERS, PATH_OF_PROGRAMS, interpreter_folders
 from workbook.programs.tier import Child, Confinement, Order, Started, limit_options
 from workbook.programs.unconfined import KERNEL_LIMITS, FreshProgram, host_command, joining
-from workbook.programs.warm_start import ForkServer, NoWarmStart, WarmProgram
+from workbook.programs.warm_start import ForkServer, NoWarmStart, ServerGone, WarmProgram
 from workbook.recording.limits import Limits
+
+Code = TypeVar("Code", int, int | None)
 
 
 class SandboxedProgram(FreshProgram):
@@ -64,12 +67,21 @@ class SandboxedFork:
         return self.program.pid
 
     def poll(self) -> int | None:
-        """The program's exit code (negative: the signal that ended it), or None while it runs."""
-        return self.program.poll()
+        """The program's exit code (negative: the signal that ended it), or None while it runs. Raises ServerGone."""
+        return self._unless_lost(self.program.poll())
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for the program to end and return its exit code. Raises subprocess.TimeoutExpired after `timeout` s."""
-        return self.program.wait(timeout)
+        """Wait for the program to end and return its exit code.
+
+        Raises subprocess.TimeoutExpired after `timeout` s, and ServerGone.
+        """
+        return self._unless_lost(self.program.wait(timeout))
+
+    def _unless_lost(self, code: Code) -> Code:
+        """No program in a sandbox can end its supervisor."""
+        if self.program.is_lost:
+            raise ServerGone("the process is gone that this program was forked from")
+        return code
 
     def interrupt(self) -> None:
         """Send SIGINT to the program, not to the sandbox."""

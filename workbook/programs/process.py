@@ -6,7 +6,6 @@ import subprocess
 import threading
 import time
 from collections.abc import Callable
-from contextlib import suppress
 from pathlib import Path
 
 from workbook.inside import proc
@@ -172,9 +171,11 @@ class NodeProcess:
                     self.killed = True
                     break
                 meanwhile()
-        if not self.killed:  # what is around it goes with the program
-            with suppress(subprocess.TimeoutExpired):
+        if not self.killed:  # what is around it goes with the program, unless what should end it was killed
+            try:
                 self._child.wait_for_surroundings(SURROUNDINGS_END_S)
+            except subprocess.TimeoutExpired:
+                self.killed = True
         if self.killed or processes_marked(self._mark):
             self.killed = True
             self._kill_tree()

@@ -32,12 +32,20 @@ class NoWarmStart(RuntimeError):
     """The program was not started. The message says why; start it in a fresh Python."""
 
 
+class ServerGone(RuntimeError):
+    """A program has lost the process that reports how it ends. The program itself is not to blame."""
+
+
 class WarmProgram:
-    """A program that the server has forked. See `workbook.programs.tier.Child`."""
+    """A program that the server has forked. See `workbook.programs.tier.Child`.
+
+    `is_lost`: its supervisor has ended without a report. Where the program cannot reach that, its server is gone.
+    """
 
     def __init__(self, pid: int, status_fd: int, told: bytes) -> None:
         self.pid = pid
         self.returncode: int | None = None
+        self.is_lost = False
         self._status_fd = status_fd
         self._told = told
         self._reading = threading.Lock()
@@ -65,6 +73,7 @@ class WarmProgram:
                 if b"\n" in self._told and self._told.strip().isdigit():
                     self.returncode = os.waitstatus_to_exitcode(int(self._told))
                 elif not chunk:  # its supervisor is gone, and the program with it
+                    self.is_lost = True
                     self.returncode = -signal.SIGKILL
             return self.returncode
 

@@ -1,5 +1,7 @@
 """An executor that runs one callback at a time and says whether there was one."""
 
+import os
+import sysconfig
 import traceback
 from pathlib import Path
 from types import FrameType, TracebackType
@@ -16,7 +18,8 @@ from rclpy.executors import (
 
 TAKING = ("_take_subscription", "_take_client", "_take_service")
 """Methods of an executor of rclpy that make a message, a response or a request."""
-_INTERNAL = (str(Path(rclpy.__file__).parent), str(Path(__file__).parent))
+_INTERNAL = tuple(f"{Path(file).parent}{os.sep}" for file in (rclpy.__file__, __file__))
+_LIBRARY = (f"{sysconfig.get_paths()['stdlib']}{os.sep}", "<frozen ")
 
 
 def callback_traceback(error: BaseException) -> TracebackType | None:
@@ -34,7 +37,7 @@ def callback_place(error: BaseException) -> str:
 
 
 def in_code_of_a_node(frame: FrameType | None) -> bool:
-    """Whether this frame of a callback, or one that called it, is neither rclpy's nor the workbook's.
+    """Whether this frame of a callback, or one that called it, is of a node, and not of a library that serves it.
 
     The class of a message does not count while rclpy takes one: an exception there would be lost in C++, and one in
     rclpy's own code between two callbacks would leave the callback group locked for good.
@@ -43,9 +46,14 @@ def in_code_of_a_node(frame: FrameType | None) -> bool:
     while frame is not None and frame.f_code is not SteppingExecutor.step.__code__:
         if frame.f_code.co_name in TAKING and frame.f_code.co_filename.startswith(_INTERNAL):
             return False
-        found = found or not frame.f_code.co_filename.startswith(_INTERNAL)
+        found = found or not _is_of_library(frame.f_code.co_filename)
         frame = frame.f_back
     return found
+
+
+def _is_of_library(file: str) -> bool:
+    """Whether a file is rclpy's, the workbook's or of Python's standard library, which all of them call."""
+    return file.startswith(_INTERNAL) or (file.startswith(_LIBRARY) and "-packages" not in file)
 
 
 class SteppingExecutor(SingleThreadedExecutor):
