@@ -78,7 +78,10 @@ class Grading:
     def assert_nothing_is_left(self) -> None:
         look = self.traces.look
         wait_until(lambda: not look(), "the processes of the killed grader end", instead=look)
-        assert self.traces.files() == []
+        files = self.traces.files
+        wait_until(
+            lambda: not files(), "what removes the memory cgroup of a killed grader is done", instead=files
+        )
         assert os.listdir(self.folder / "tmp") == []
 
 
