@@ -60,6 +60,7 @@ class Judges:
         thorough: bool = True,
         isolation: str = "limits",
         stop: Callable[[], bool] = lambda: False,
+        fills: bool = False,
     ) -> Iterator[tuple[Job[Any], Judgement]]:
         for job in jobs:
             if stop():
