@@ -37,6 +37,8 @@ card => Math.max(...[card, ...card.querySelectorAll('*')].map(one => {
     return Math.max(right, one.tagName === 'PROGRESS' ? 0 : one.scrollWidth - one.clientWidth * (one.clientWidth > 0));
 }))
 """
+# At once: a card may be replaced at any time, and Playwright's own scrolling first waits until it stands still.
+SCROLL_TO = "card => card.scrollIntoView({block: 'nearest'})"
 
 
 @pytest.fixture(scope="module")
@@ -61,7 +63,7 @@ def check_that_nothing_is_cut(page: LabPage, card: Locator, path: Path) -> None:
     wide = page.page.viewport_size
     assert wide is not None
     page.page.set_viewport_size(NARROW)
-    card.scroll_into_view_if_needed()
+    card.evaluate(SCROLL_TO)
     page.page.screenshot(path=path)
     assert card.evaluate(STANDS_OUT) <= 1
     page.page.set_viewport_size(wide)

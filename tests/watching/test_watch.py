@@ -2,6 +2,7 @@
 
 import threading
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -215,6 +216,28 @@ def test_a_slow_pace_is_slow_beside_what_the_machine_could_do(
     assert not recording.in_lockstep
     assert all(two_paces(recording.phases))
     assert recording.following.get("/battery") is True
+
+
+def robot_seconds_spent_slowly(recording: Recording) -> float:
+    slow, _ = two_paces(recording.phases)
+    return sum(phase.end - phase.start for phase in slow)
+
+
+def test_the_slow_pace_lasts_only_until_all_topics_are_proved_to_follow(watched: Watched) -> None:
+    plan = replace(
+        PLAN, robot_seconds=17.0
+    )  # one pair of blocks of 8.5 s; three intervals are there after 3.5 s
+    recording = watched(TWO_TIMERS, plan=plan)
+    assert recording.following == {"/battery": True, "/status": True}
+    assert recording.robot_s == 17.0
+    assert 3.0 <= robot_seconds_spent_slowly(recording) <= 5.0
+    assert len(recording.topic("/battery").arrivals) == 17
+
+
+def test_the_slow_pace_lasts_as_long_as_a_topic_has_proved_nothing(watched: Watched) -> None:
+    recording = watched(TIMER_AND_SLEEP, plan=replace(PLAN, robot_seconds=17.0))
+    assert recording.following.get("/status") is not True
+    assert robot_seconds_spent_slowly(recording) >= 8.0
 
 
 def test_a_slow_topic_gets_more_robot_time_which_is_not_judged(watched: Watched) -> None:

@@ -1,11 +1,12 @@
 """Driving robot time: in lock-step with the program where it comes to rest, at a fixed pace where it does not.
 
 Fast and slow blocks alternate, so that a program that lives on the wall clock shows it, also when it stops early: see
-`following`.
+`following`. A slow block is cut short once it has shown that every topic follows, and what is left of it is fast.
 """
 
 import math
 import time
+from collections.abc import Sequence
 
 from workbook.recording.plan import PERIODS_PER_BLOCK, SPEEDS
 from workbook.recording.recording import Phase
@@ -42,7 +43,7 @@ class RobotTime:
         """Let the planned robot time pass, as long as the program runs. Returns its end (s of robot time)."""
         plan = self._session.plan
         pairs = max(1, math.floor(plan.robot_s / (2 * PERIODS_PER_BLOCK * plan.longest_period)))
-        self._run(plan.robot_s, 2 * pairs)
+        self._run(plan.robot_s, pairs)
         return self._clock.now
 
     def run_longer(self) -> None:
@@ -50,7 +51,7 @@ class RobotTime:
         unsure = [times for name in self._session.plan.paced if (times := self._unsure(name))]
         if unsure and self._lock.works and self._session.process.is_running():
             interval = max(self._clock.now / len(times) for times in unsure)
-            self._run(min(MOST_EXTRA_S, 2 * PERIODS_PER_BLOCK * interval), 2)
+            self._run(min(MOST_EXTRA_S, 2 * PERIODS_PER_BLOCK * interval), 1)
 
     def _unsure(self, topic: str) -> list[float]:
         """When messages of a topic came of which nothing is proved yet (s of robot time)."""
@@ -75,19 +76,28 @@ class RobotTime:
         """Close the files that tell of threads."""
         self._lock.close()
 
-    def _run(self, robot_s: float, blocks: int) -> None:
+    def _run(self, robot_s: float, pairs: int) -> None:
         begin = self._clock.now
-        for number in range(blocks):
-            end = begin + robot_s * (number + 1) / blocks
-            while self._clock.now < end and self._session.process.is_running():
-                self._run_phase(end, fast=number % 2 == 0)
+        for number in range(pairs):
+            middle, end = (begin + robot_s * (number + half) / pairs for half in (0.5, 1.0))
+            earlier = len(self.phases)
+            self._run_block(middle, fast=True)
+            self._run_block(end, fast=False, earlier=earlier)
+            self._run_block(end, fast=True)
 
-    def _run_phase(self, end: float, *, fast: bool) -> None:
-        """Drive the clock at one pace to `end`, or until the program turns out not to come to rest."""
+    def _run_block(self, end: float, *, fast: bool, earlier: int = 0) -> None:
+        """Drive the clock to `end`; if slowly, only until all is proved together with the phases since `earlier`."""
+        while self._clock.now < end and self._session.process.is_running():
+            self._run_phase(end, fast=fast, earlier=earlier)
+            if not fast and self._is_proved(self.phases[earlier:]):
+                return
+
+    def _run_phase(self, end: float, *, fast: bool, earlier: int) -> None:
+        """Drive the clock at one pace to `end`, until all is proved, or until the program turns out not to rest."""
         session, clock, locked = self._session, self._clock, self._lock.works
-        begin, began, steps = clock.now, time.monotonic(), 0
+        begin, began, steps, proved = clock.now, time.monotonic(), 0, False
         clock.run_at(self._speed(fast=fast, locked=locked))
-        while clock.now < end and session.process.is_running() and locked == self._lock.works:
+        while clock.now < end and session.process.is_running() and locked == self._lock.works and not proved:
             time.sleep(clock.until_due())
             self._wait(locked=locked)
             session.recorder.take()
@@ -95,17 +105,26 @@ class RobotTime:
             clock.advance()
             session.speaker.play(clock.now)
             steps += 1
+            if not fast and steps % session.plan.steps_per_period == 0:
+                proved = self._is_proved([*self.phases[earlier:], _phase(begin, clock.now, began)])
             if time.monotonic() > self._next_look:
                 session.recorder.look()
                 self._next_look = time.monotonic() + LOOK_EVERY_S
         time.sleep(max(0.0 if locked else SETTLE_S, clock.until_due()))
         self._wait(locked=locked)
         session.recorder.take()
-        spent = time.monotonic() - began
         if steps:
-            self.phases.append(Phase(round((clock.now - begin) / spent, 3), begin, clock.now))
+            self.phases.append(_phase(begin, clock.now, began))
         if steps and fast:
+            spent = time.monotonic() - began
             self._slowest_step_s[locked] = max(self._slowest_step_s[locked], spent / steps)
+
+    def _is_proved(self, phases: Sequence[Phase]) -> bool:
+        """Whether these phases alone prove that every topic follows the clock."""
+        recorder, plan = self._session.recorder, self._session.plan
+        return bool(plan.paced) and all(
+            follows(phases, recorder.times(name), plan.step_s) for name in plan.paced
+        )
 
     def _match_late_publishers(self) -> None:
         """Let the clock stand still while a publisher that was made late is connected.
@@ -138,3 +157,8 @@ class RobotTime:
         measured = self._slowest_step_s[locked]
         slow = self._session.plan.step_s / (SLOWER * measured) if measured else math.inf
         return slow if locked else min(SPEEDS[0], slow)
+
+
+def _phase(begin: float, now: float, began: float) -> Phase:
+    """Robot time (s) from `begin` to `now`, driven since the moment `began`."""
+    return Phase(round((now - begin) / (time.monotonic() - began), 3), begin, now)

@@ -24,6 +24,8 @@ NO_PUBLISHER_S = 8.0
 FOLLOW_S = 1.0
 POLL_S = 0.01
 HELD_STEPS = 5
+HELD_STEP_S = 0.003
+"""With the clock, a program that is still busy with what it hears of us is waited for besides."""
 
 
 def wait_for_first_sign(session: Session) -> bool:
@@ -130,5 +132,5 @@ def let_it_match_us(session: Session) -> None:
     for _ in range(HELD_STEPS):
         if session.clock is not None:
             session.clock.publish()
-        time.sleep(POLL_S)
+        time.sleep(POLL_S if session.clock is None else HELD_STEP_S)
         session.quiescence.wait()
