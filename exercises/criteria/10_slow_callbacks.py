@@ -83,12 +83,12 @@ def heartbeat_gap(recording: Recording) -> Verdict:
         return see.passed(f"the longest silence is {silence.seconds:.2f} s")
     expected = f"never more than {LONGEST_SILENCE_S} s without a heartbeat"
     if silence.kind == "after":
-        return see.failed(
+        saw = f"no heartbeat after {silence.start:.1f} s"
+        return see.program_ended(recording, saw, expected) or see.failed(
             "heartbeat-gap.stops",
-            f"no heartbeat after {silence.start:.1f} s",
+            saw,
             expected,
-            "The heartbeat has stopped: its callback no longer publishes, an exception ended its thread, the node "
-            "lost its executor, or the program ended.",
+            "Its callback no longer publishes, an exception ended its thread, or the node lost its executor.",
             "Read the log: what was the last thing that happened?",
             about_time=True,
         )
@@ -350,12 +350,12 @@ def why_beats_are_missing(recording: Recording, beats: see.Beats, saw: str) -> V
     if beats.silence.seconds <= LONGEST_SILENCE_S:
         return slower_while_planning(recording, expected) or each_late(saw, expected, beats.typical_s)
     if beats.silence.kind == "after":
-        return see.failed(
+        saw = f"{saw}; none after {beats.silence.start:.1f} s"
+        return see.program_ended(recording, saw, expected) or see.failed(
             "heartbeat-share.stops",
-            f"{saw}; none after {beats.silence.start:.1f} s",
+            saw,
             expected,
-            "The heartbeat has stopped: its callback no longer publishes, its timer or thread has ended, or the "
-            "program has ended.",
+            "The heartbeat has stopped: its callback no longer publishes, or its timer or thread has ended.",
             "Read the log: what was the last thing that happened?",
             about_time=True,
         )
@@ -789,7 +789,7 @@ def why_missing(recording: Recording, made: Sequence[Plan], missing: list[float]
             about_time=True,
         )
     if len(order) > 1 and order == DISTANCES[: len(order)]:
-        return nothing_more(made, saw, expected)
+        return nothing_more(recording, made, saw, expected)
     return refused(missing, saw, expected) or see.failed(
         "all-in-order.missing",
         saw,
@@ -806,9 +806,12 @@ def rest_s(recording: Recording) -> float:
     return start + WATCH_S - recording.topic(PLAN.name).arrivals[-1].published
 
 
-def nothing_more(made: Sequence[Plan], saw: str, expected: str) -> Verdict:
+def nothing_more(recording: Recording, made: Sequence[Plan], saw: str, expected: str) -> Verdict:
     """The first requests are answered, and the last one or ones are not."""
     saw = f"{saw}. Nothing came after plan number {len(made)}"
+    ended = see.program_ended(recording, saw, expected)
+    if ended is not None:
+        return ended
     if len(made) == len(DISTANCES) - 1 and made[0].after > 1.5 * PLANNING_S:
         return see.failed(
             "all-in-order.with-the-next",

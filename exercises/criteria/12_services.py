@@ -70,6 +70,7 @@ LEAST_DUE = 1.0  # of fewer beats nothing can be told
 SHORTEST_BEAT_S, LONGEST_BEAT_S = 0.18, 0.22
 STOPPED_S = 0.9
 EDGE_S = 0.05
+AT_ONCE_S = 0.05  # from one report to the next
 EARLY_S = 0.1  # what was asked before the watch began waited for it; how long, nobody knows
 FIRST_SECONDS_S = 2.5  # a call from before the watch may be given up until then
 
@@ -623,7 +624,8 @@ def why_results_do_not_fit(recording: Recording) -> Verdict:
     if len(told_late(fitting)) > 1:
         return why_late(recording, told_late(fitting), len(fitting))
     return (
-        why_early_for_an_answer(recording, answers)
+        why_collected(answers, words)
+        or why_early_for_an_answer(recording, answers)
         or why_no_more_told(recording, answers, words)
         or why_changes_only(recording, answers, words)
         or why_one_left_out_after_no_answer(recording, answers, words)
@@ -640,6 +642,30 @@ def why_results_do_not_fit(recording: Recording) -> Verdict:
             "The reported result belongs to another call.",
             "In the done callback, use the future that was passed to it, and no other.",
         )
+    )
+
+
+def why_collected(answers: list[Answer], words: list[Report]) -> Verdict | None:
+    """Most reports come several at a moment, though the answers had come one by one."""
+    groups: list[list[Report]] = []
+    for report in words:
+        if groups and report[0] - groups[-1][-1][0] < AT_ONCE_S:
+            groups[-1].append(report)
+        else:
+            groups.append([report])
+    together = [group for group in groups if len(group) > 1]
+    if len(words) > len(answers) or len(together) < 2 or sum(map(len, together)) < len(words) / 2:
+        return None
+    if any(after.at - before.at < AT_ONCE_S for before, after in pairwise(answers)):
+        return None
+    return see.failed(
+        "results-told.collected",
+        f"{len(together[0])} results at {together[0][0][0]:.1f} s, and {len(together[1])} at "
+        f"{together[1][0][0]:.1f} s. The answers had come one by one",
+        EACH_ANSWER_ONCE,
+        "Answers are collected, and reported together later: by a timer, or when there are enough of them.",
+        "Publish at once in a done callback: future.add_done_callback(self.on_answer).",
+        about_time=True,
     )
 
 

@@ -101,3 +101,23 @@ def test_phases_are_compared_in_which_the_messages_came() -> None:
     speeds = (7.8, 3.2, 6.8, 3.0, 7.4, 2.8, 4.0, 1.8)  # as measured on a busy machine
     phases = [Phase(speed, 2.5 * n, 2.5 * (n + 1)) for n, speed in enumerate(speeds)]
     assert follows(phases, [0.5 * n for n in range(1, 13)], STEP_S) is True  # it stops after 6 s
+
+
+def test_a_pace_that_changes_once_follows_as_well() -> None:
+    """Five messages a second for 36 s, and then every second one is left out: as robot time went for such a program."""
+    ends = (10.0, 17.6, 20.0, 30.0, 37.6, 40.0, 50.0, 57.6, 60.0)
+    speeds = (90.0, 40.0, 95.0) * 3
+    starts = (0.0, *ends)
+    phases = [Phase(*one) for one in zip(speeds, starts, ends, strict=False)]
+    times = [*each(0.2, 0.0, 36.0), *(36.0 + one for one in each(0.4, 0.0, 24.0))]
+    assert follows(phases, times, STEP_S) is True
+
+
+@pytest.mark.parametrize("ratio", [2.0, 3.0])
+@pytest.mark.parametrize("change", [9.0, 13.0, 27.0, 40.0, 63.0])
+def test_nor_does_a_change_make_the_wall_clock_look_like_robot_time(change: float, ratio: float) -> None:
+    """Published every 0.02 real seconds, and then half as often."""
+    phases = [Phase(40.0 if n % 2 == 0 else 40.0 / ratio, 9.0 * n, 9.0 * (n + 1)) for n in range(8)]
+    first, then = (of_the_wall_clock(period, phases) for period in (0.02, 0.04))
+    times = [*(one for one in first if one <= change), *(one for one in then if one > change)]
+    assert follows(phases, times, STEP_S) is not True

@@ -34,6 +34,7 @@ from workbook.criteria.vocabulary.programs import alive_at_end, ended_by_error, 
 from workbook.criteria.vocabulary.qos import hears, kept_for_latecomers
 from workbook.criteria.vocabulary.rates import counts, keeps_period, rate, topic_pace
 from workbook.criteria.vocabulary.services import answered_calls, calls_of, calls_service, offers
+from workbook.criteria.vocabulary.silences import program_ended
 from workbook.criteria.vocabulary.subscriptions import asks_for_other_qos, listens
 from workbook.criteria.vocabulary.texts import has_text, one_of
 from workbook.criteria.vocabulary.topics import needs_messages, no_message, publishes
@@ -123,6 +124,7 @@ __all__ = [
     "passed",
     "probe",
     "processor_share",
+    "program_ended",
     "program_runs",
     "publishes",
     "rate",

@@ -37,9 +37,31 @@ def follows(phases: Sequence[Phase], times: Sequence[float], step_s: float) -> b
     if math.isclose(fmean(at_slow), fmean(at_fast), rel_tol=ALIKE) and fmean(at_slow) > 0.0:
         return True
     slower, faster = median(at_slow), median(at_fast)
+    alike, different = _changes_of_pace(phases, times, step_s)
     if not math.isclose(slower, faster, rel_tol=ALIKE):
+        return alike > 0 and alike >= different
+    if different > alike:
         return False
     return True if slower > 1.5 * step_s else None
+
+
+def _changes_of_pace(phases: Sequence[Phase], times: Sequence[float], step_s: float) -> tuple[int, int]:
+    """At how many changes of the clock's pace the typical interval stays the same, and at how many it does not.
+
+    A program that follows, and comes to publish more often or more rarely, changes its intervals once, at a moment of
+    its own. Those of a program that lives on the wall clock change with every pace.
+    """
+    alike = different = 0
+    for before, after in pairwise(phases):
+        if max(before.speed, after.speed) < LEAST_RATIO * min(before.speed, after.speed):
+            continue
+        both = _intervals(times, [before]), _intervals(times, [after])
+        if min(map(len, both)) < LEAST_INTERVALS:
+            continue
+        one, other = map(median, both)
+        same = one > 1.5 * step_s and math.isclose(one, other, rel_tol=ALIKE)
+        alike, different = alike + same, different + (not same)
+    return alike, different
 
 
 def two_paces(phases: Sequence[Phase]) -> tuple[list[Phase], list[Phase]]:

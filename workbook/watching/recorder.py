@@ -88,6 +88,16 @@ class Recorder:
 
     def look(self) -> bool:
         """Read the graph once and subscribe to new topics. Returns whether anything is new."""
+        new = self.look_at_nodes()
+        for topic in self._topic_names():
+            try:
+                new |= self._look_at(topic)
+            except NO_NAME:  # of a node or a type that others know it by
+                continue
+        return new
+
+    def look_at_nodes(self) -> bool:
+        """Note the nodes that are on the graph now. Returns whether one is new."""
         new = False
         for full, how_many in self._present().items():
             known = self._nodes.get(full)
@@ -97,11 +107,6 @@ class Recorder:
             elif known.most < how_many:
                 self._nodes[full] = replace(known, most=how_many)
                 new = True
-        for topic in self._topic_names():
-            try:
-                new |= self._look_at(topic)
-            except NO_NAME:  # of a node or a type that others know it by
-                continue
         return new
 
     def _topic_names(self) -> list[str]:

@@ -86,8 +86,9 @@ class Watch:
     ) -> bool:
         """Let the program live until so many real seconds after it was matched, a simulated clock running at `speed`.
 
-        The clock moves by half the shortest judged period at once: nobody measures the program now. Returns early when
-        it ends by itself, or when `enough` says so. Returns whether it was watched to the end.
+        The clock moves by half the shortest judged period at once: nobody measures the program now; but nodes that it
+        has made meanwhile are noted at the end. Returns early when it ends by itself, or when `enough` says so. Returns
+        whether it was watched to the end.
         """
         until = (self._matched_wall or time.monotonic()) + wall_s_after_match
         if self._clock is not None:
@@ -99,6 +100,8 @@ class Watch:
             self._process.wait(min(left, due, LOOK_EVERY_S))
             if self._clock is not None and self._clock.until_due() == 0.0:
                 self._clock.advance()
+        if self._process.is_running():
+            self._recorder.look_at_nodes()
         return True
 
     def wait_until_seen(self) -> None:
@@ -151,13 +154,14 @@ class Watch:
     def finish(
         self, recording: Recording, patience_s: float = PATIENCE_S, *, look_who_stays: bool = False
     ) -> Recording:
-        """End the program with SIGINT and return `recording` with how it ended; after `patience_s` it is killed.
+        """End the program with SIGINT and return `recording` with its nodes and how it ended.
 
-        With `look_who_stays` the graph is watched afterwards: a program that ends well takes its nodes along.
+        After `patience_s` (s) it is killed. With `look_who_stays` the graph is watched afterwards: a program that ends
+        well takes its nodes along.
         """
         self._end_process(patience_s)
         if not look_who_stays:
-            return replace(recording, process=self._process.record())
+            return replace(recording, process=self._process.record(), nodes=self._recorder.nodes())
         if self._session.context.ok():
             self._recorder.look_who_stays(GONE_S)
             nodes = self._recorder.nodes()

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import wraps
 from itertools import pairwise
+from statistics import median
 
 from workbook.criteria.criterion import Topic
 from workbook.criteria.verdict import Verdict, failed, passed
@@ -20,6 +21,7 @@ INTERVAL_TOLERANCE = 0.1
 MEAN_TOLERANCE = 0.04
 LEAST_INTERVALS = 3
 UNEVEN = 0.3
+FIRST_LATE_PERIODS = 1.2
 
 
 def _of_pace(judge: Callable[[Recording, Topic], Verdict]) -> Callable[[Recording, Topic], Verdict]:
@@ -55,9 +57,14 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
     if seen.gap.kind == "after" and seen.gap.seconds > stopped_s:
         return _stops(recording, topic, seen)
     if not low <= seen.hz <= high:
-        return _other_rate(topic, seen.hz, _rate_seen(recording, topic, seen), _rate_expected(topic))
+        saw, expected = _rate_seen(recording, topic, seen), _rate_expected(topic)
+        return _changes(recording, topic, expected) or _other_rate(recording, topic, seen.hz, saw, expected)
     if seen.gap.seconds > LONGEST_GAP_PERIODS * topic.period + (recording.step_s or 0.0):
-        return _skips(recording, topic, seen) or _falls_silent(topic, seen)
+        return (
+            _changes(recording, topic, _rate_expected(topic))
+            or _skips(recording, topic, seen)
+            or _falls_silent(topic, seen)
+        )
     if seen.count <= LEAST_INTERVALS:
         return _too_few(recording, topic, seen)
     return passed(f"{hertz(seen.hz)} Hz over {count(seen.count, 'message')}")
@@ -169,10 +176,42 @@ def _skips(recording: Recording, topic: Topic, seen: Pace) -> Verdict | None:
     )
 
 
+def _intervals(recording: Recording, topic: Topic) -> list[float]:
+    return [after.t - before.t for before, after in pairwise(recording.topic(topic.name).arrivals)]
+
+
+def _all_about(intervals: list[float], typical: float, off: float = INTERVAL_TOLERANCE) -> bool:
+    return all(abs(one - typical) <= off * typical for one in intervals)
+
+
+def _changes(recording: Recording, topic: Topic, expected: str) -> Verdict | None:
+    """A failed verdict where messages come evenly at one pace, and from a moment on evenly at another; else None."""
+    intervals = _intervals(recording, topic)
+    at_first = median(intervals[:LEAST_INTERVALS]) if intervals else 0.0
+    same = [abs(one - at_first) <= UNEVEN * at_first for one in intervals]
+    change = same.index(False) if False in same else len(same)
+    before, after = intervals[:change], intervals[change + 1 :]
+    if min(len(before), len(after)) < LEAST_INTERVALS or any(same[change:]):
+        return None
+    later = median(after)
+    if not (_all_about(before, at_first) and _all_about(after, later)):
+        return None
+    moment = recording.topic(topic.name).arrivals[change].t
+    return failed(
+        "rate.changes",
+        f"one message every {hertz(at_first)} s until {seconds(moment)}, then one every {hertz(later)} s",
+        expected,
+        "The pace changes while the program runs. The timer is created anew with another period, or from then on a "
+        "condition leaves calls out or adds some.",
+        f"Keep one timer with a fixed period: create_timer({topic.period}, ...). Publish once in each call of its "
+        "callback.",
+        about_time=True,
+    )
+
+
 def _uneven(recording: Recording, topic: Topic) -> Verdict | None:
     """A failed verdict where many messages come too soon and many too late; None where most come in time."""
-    times = [arrival.t for arrival in recording.topic(topic.name).arrivals]
-    intervals = [after - before for before, after in pairwise(times)]
+    intervals = _intervals(recording, topic)
     soon = [one for one in intervals if one < (1 - UNEVEN) * topic.period]
     late = [one for one in intervals if one > (1 + UNEVEN) * topic.period]
     if min(len(soon), len(late)) < UNEVEN * len(intervals):
@@ -215,7 +254,19 @@ def _falls_silent(topic: Topic, seen: Pace) -> Verdict:
 
 def _too_few(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
     saw = f"only {count(seen.count, 'message')} in {_watched_s(recording, topic)}"
-    return program_ended(recording, saw, _rate_expected(topic)) or failed(
+    ended = program_ended(recording, saw, _rate_expected(topic))
+    if ended is None and seen.gap.kind == "before" and seen.gap.seconds > FIRST_LATE_PERIODS * topic.period:
+        return failed(
+            "rate.first-late",
+            f"{saw}, and the first came after {seconds(seen.gap.seconds)}",
+            _rate_expected(topic),
+            "The first message comes later than one period. The callback works or sleeps before it publishes, or its "
+            "timer is created late.",
+            f"Let create_timer({topic.period}, ...) call the callback, publish in its first line, and never sleep in "
+            "it.",
+            about_time=True,
+        )
+    return ended or failed(
         "rate.too-few",
         saw,
         _rate_expected(topic),
@@ -239,7 +290,7 @@ def counts(recording: Recording, topic: Topic) -> Verdict:
     saw = f"{count(seen.count, 'message')} in {seconds(end - start)} ({hertz(hz)} Hz)"
     expected = f"{wanted} messages: {number(topic.hz)} Hz, one every {number(topic.period)} s"
     ended = program_ended(recording, saw, expected) if seen.count < wanted else None
-    return ended or _other_rate(topic, hz, saw, expected)
+    return ended or _changes(recording, topic, expected) or _other_rate(recording, topic, hz, saw, expected)
 
 
 @_of_pace
@@ -289,7 +340,7 @@ def _rate_seen(recording: Recording, topic: Topic, seen: Pace) -> str:
     return f"{told:g} Hz: one message every {hertz(1 / hz)} s ({count(seen.count, 'message')})"
 
 
-def _other_rate(topic: Topic, hz: float, saw: str, expected: str) -> Verdict:
+def _other_rate(recording: Recording, topic: Topic, hz: float, saw: str, expected: str) -> Verdict:
     """Why messages come at `hz` instead of the topic's rate."""
     assert topic.hz is not None
 
@@ -307,6 +358,13 @@ def _other_rate(topic: Topic, hz: float, saw: str, expected: str) -> Verdict:
         return fail(
             "rate.too-fast",
             f"That is too fast by a factor of {hertz(times)}: the period given to create_timer is too short.",
+        )
+    intervals = _intervals(recording, topic)
+    if recording.in_lockstep and intervals and _all_about(intervals, median(intervals)):
+        return fail(
+            "rate.evenly-too-slow",
+            "Too slow, but even, so nothing holds up the timer. Its period is too long, or only some of its calls "
+            "publish.",
         )
     return fail("rate.too-slow", "Too slow: the period is too long, or a slow callback holds up the timer.")
 

@@ -145,13 +145,44 @@ def _silent(recording: Recording, topic: Topic) -> Verdict:
     blamed = failed_by_error(
         recording, f"no message on {topic.name} in {lasted}", f"messages on {topic.name}", about_time=True
     )
+    saw = f"the publisher on {topic.name} is there, but no message arrived in {lasted}"
+    if blamed is None and (others := _arrive_from_its_node(recording, topic)):
+        return _silent_beside(topic, others, saw)
     return blamed or failed(
         "no-message.silent",
-        f"the publisher on {topic.name} is there, but no message arrived in {lasted}",
+        saw,
         f"messages on {topic.name}",
         "No timer calls the function that publishes, or nothing spins the node. Or the node published only once, "
         "before a subscription was connected.",
         "Create a timer in __init__, publish in its callback, and keep the node running with rclpy.spin(node).",
+        about_time=True,
+    )
+
+
+def _arrive_from_its_node(recording: Recording, topic: Topic) -> list[str]:
+    """The other topics of the exercise that the node of this one publishes, and that bring messages."""
+    nodes = {publisher.node for publisher in recording.topic(topic.name).publishers}
+    return [
+        name
+        for name, seen in sorted(recording.topics.items())
+        if name != topic.name
+        and name in recording.wanted
+        and len(seen.arrivals) > 1
+        and nodes & {publisher.node for publisher in seen.publishers}
+    ]
+
+
+def _silent_beside(topic: Topic, others: list[str], saw: str) -> Verdict:
+    """The verdict on a silent topic of a node that works: `others` arrive."""
+    timer = f"Let create_timer({topic.period}, ...), which takes seconds, call" if topic.hz else "Call"
+    return failed(
+        "no-message.silent-beside-others",
+        f"{saw}, while {listing(others)} went on",
+        f"messages on {topic.name}",
+        "The node works, but nothing is published here. Nothing calls the function that publishes, it uses the "
+        "publisher of another topic, or its timer's period is far too long. Or it published only once, before a "
+        "subscription was connected.",
+        f"{timer} a function that publishes with the publisher of {topic.name}.",
         about_time=True,
     )
 
