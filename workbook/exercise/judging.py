@@ -249,6 +249,8 @@ class Judge:
         if case.thorough and recording.process.ended_by is None and judgement.status == "graded":
             case.report(judgement)
             lived = watch.keep_watching(REAL_LIFE_S, case.enough)
+            if lived:
+                recording = watch.with_its_life(recording)
         recording = watch.finish(recording)
         real_life = lived or recording.clock == "wall"
         return case.judged(recording, real_life=real_life)

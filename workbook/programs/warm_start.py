@@ -25,7 +25,8 @@ MARK_BYTES = 80
 SERVER = "fork_server"
 START_S = 30.0
 ANSWER_S = 10.0
-POLL_S = 0.05
+LOOK_AGAIN_S = 1.0
+"""Whoever waits for an end looks again after so long (s), should the kernel not have woken it."""
 
 
 class NoWarmStart(RuntimeError):
@@ -55,13 +56,16 @@ class WarmProgram:
         return self._read_status()
 
     def wait(self, timeout: float | None = None) -> int:
-        """Wait for the end. Raises subprocess.TimeoutExpired after `timeout` s."""
+        """Wait for the end. Raises subprocess.TimeoutExpired after `timeout` s.
+
+        The supervisor ends with its last report, so whoever waits is woken, also when another thread has read it.
+        """
         deadline = None if timeout is None else time.monotonic() + timeout
         while (code := self._read_status()) is None:
-            left = None if deadline is None else deadline - time.monotonic()
-            if left is not None and left <= 0:
+            left = LOOK_AGAIN_S if deadline is None else deadline - time.monotonic()
+            if left <= 0:
                 raise subprocess.TimeoutExpired("the program", timeout or 0.0)
-            select.select([self._status_fd], [], [], POLL_S if left is None else min(left, POLL_S))
+            select.select([self._status_fd], [], [], min(left, LOOK_AGAIN_S))
         return code
 
     def _read_status(self) -> int | None:

@@ -13,11 +13,13 @@ from workbook.watching.clock import SimulatedClock
 from workbook.watching.robot_time import RobotTime
 from workbook.watching.session import Place, open_session
 from workbook.watching.waiting import let_it_match_us, wait_for_first_sign, wait_for_matches
-from workbook.watching.wall_time import LOOK_EVERY_S, left_to_watch, run_wall_time
+from workbook.watching.wall_time import left_to_watch, run_wall_time
 
 GONE_S = 6.0
-UNMEASURED_STRIDE = 5
-"""Steps of robot time at once while a program is only kept alive: half the shortest judged period."""
+UNMEASURED_STRIDE = 10
+"""Steps of robot time at once while a program is only kept alive: mostly the shortest judged period."""
+KEPT_LOOK_S = 0.25
+"""How often it is asked meanwhile whether that is enough (s). Its end is noticed at once."""
 PATIENCE_S = 0.7
 PATIENCE_WITH_THE_END_S = 4.0
 
@@ -86,9 +88,9 @@ class Watch:
     ) -> bool:
         """Let the program live until so many real seconds after it was matched, a simulated clock running at `speed`.
 
-        The clock moves by half the shortest judged period at once: nobody measures the program now; but nodes that it
-        has made meanwhile are noted at the end. Returns early when it ends by itself, or when `enough` says so. Returns
-        whether it was watched to the end.
+        The clock moves by about the shortest judged period at once: nobody measures the program now; but what it has
+        made and said meanwhile is noted at the end, see `with_its_life`. Returns early when it ends by itself, or when
+        `enough` says so. Returns whether it was watched to the end.
         """
         until = (self._matched_wall or time.monotonic()) + wall_s_after_match
         if self._clock is not None:
@@ -96,13 +98,25 @@ class Watch:
         while (left := until - time.monotonic()) > 0 and self._process.is_running():
             if enough():
                 return False
-            due = LOOK_EVERY_S if self._clock is None else self._clock.until_due()
-            self._process.wait(min(left, due, LOOK_EVERY_S))
+            due = KEPT_LOOK_S if self._clock is None else self._clock.until_due()
+            self._process.wait(min(left, due, KEPT_LOOK_S))
             if self._clock is not None and self._clock.until_due() == 0.0:
                 self._clock.advance()
         if self._process.is_running():
             self._recorder.look_at_nodes()
+            self._recorder.take()
         return True
+
+    def with_its_life(self, recording: Recording) -> Recording:
+        """The recording, with what came while the program was kept alive, as far as that can be judged.
+
+        Nodes count at any time. Messages do where nothing but an answer to what was said is to be published: nothing
+        was said to it any more, and a pace would not be that of its robot time.
+        """
+        recording = replace(recording, nodes=self._recorder.nodes())
+        if self._clock is None or self._plan.paced or not self._plan.script:
+            return recording
+        return replace(recording, topics=self._recorder.topics(self._clock.now))
 
     def wait_until_seen(self) -> None:
         """Wait for the program's first publisher, without recording anything."""
@@ -154,14 +168,14 @@ class Watch:
     def finish(
         self, recording: Recording, patience_s: float = PATIENCE_S, *, look_who_stays: bool = False
     ) -> Recording:
-        """End the program with SIGINT and return `recording` with its nodes and how it ended.
+        """End the program with SIGINT and return `recording` with how it ended.
 
         After `patience_s` (s) it is killed. With `look_who_stays` the graph is watched afterwards: a program that ends
         well takes its nodes along.
         """
         self._end_process(patience_s)
         if not look_who_stays:
-            return replace(recording, process=self._process.record(), nodes=self._recorder.nodes())
+            return replace(recording, process=self._process.record())
         if self._session.context.ok():
             self._recorder.look_who_stays(GONE_S)
             nodes = self._recorder.nodes()
