@@ -24,6 +24,9 @@ WORK_WAITS, SLEEP_WAITS = 4, 2
 POLL_S = 0.0001
 POLL_SHARE = 0.1
 """Of the time waited so far. To poll more often would only take the processor that the program waits for."""
+FIRST_LOOK_SHARE = 0.5
+LONGEST_UNLOOKED_S = 0.001
+"""Nobody looks until half of the time has passed that the program needed for the step before, at most so long (s)."""
 
 
 class State(enum.Enum):
@@ -44,7 +47,8 @@ class LockStep:
 
     def __init__(self, pid: int) -> None:
         self._table = ThreadTable(pid, LISTED_EVERY_S)
-        self._suspect: Thread | None = None  # was at work at the last look, and probably still is
+        self._suspect: Thread | None = None  # the last one that was seen at work, and probably the next one
+        self._took_s = 0.0
         self._naps: dict[int, tuple[bytes, bool]] = {}
         self._vain = {State.SLEEPING: SLEEP_WAITS, State.AT_WORK: WORK_WAITS}
         self.never_in_vain = True
@@ -58,6 +62,7 @@ class LockStep:
     def wait(self) -> State:
         """Return as soon as the program is at rest, or when patience is at an end. Returns what it was doing then."""
         began = time.monotonic()
+        time.sleep(FIRST_LOOK_SHARE * self._took_s)
         while (state := self.state()) is not State.AT_REST:
             waited = time.monotonic() - began
             if waited >= LONGEST_WAIT_S:
@@ -65,6 +70,7 @@ class LockStep:
                 self.never_in_vain = False
                 break
             time.sleep(max(POLL_S, POLL_SHARE * waited))
+        self._took_s = min(time.monotonic() - began, LONGEST_UNLOOKED_S)
         return state
 
     def state(self) -> State:
@@ -76,9 +82,10 @@ class LockStep:
         if self._suspect in threads and proc.is_at_work(self._suspect.stat):
             return State.AT_WORK
         before = [_times_scheduled(thread) for thread in threads]
-        self._suspect = next((thread for thread in threads if proc.is_at_work(thread.stat)), None)
-        if self._suspect is not None:
-            return State.AT_WORK
+        for thread in threads:
+            if proc.is_at_work(thread.stat):
+                self._suspect = thread
+                return State.AT_WORK
         sleeping = any(self._goes_on_by_itself(*one) for one in zip(threads, before, strict=True))
         if before != [_times_scheduled(thread) for thread in threads]:
             return State.AT_WORK

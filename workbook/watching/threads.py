@@ -12,7 +12,7 @@ OWN_THREADS = b"dds."
 """How the names of the threads begin that receive messages; Fast DDS gives them."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Thread:
     """Open files of one thread; `syscall` only for threads of the program, and where the kernel lets us read it."""
 
