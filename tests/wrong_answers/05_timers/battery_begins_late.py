@@ -1,6 +1,6 @@
 # The first report comes after twelve seconds.
 # loses: battery_count
-# cause: rate.begins-late, no-message.silent
+# cause: rate.begins-late, no-message.silent-beside-others
 # after: super().__init__("vital_signs")
 self.calls = 0
 
