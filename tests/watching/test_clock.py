@@ -1,46 +1,55 @@
-"""Robot time in steps: how far each goes, and what is remembered of it."""
+"""Simulated time in steps: where it begins, how far each step goes, and what is remembered of it."""
 
 import time
 
 import pytest
 from rosgraph_msgs.msg import Clock
 
-from workbook.watching.clock import START_NS, SimulatedClock
+from workbook.watching.clock import SimulatedClock
 
 
-class Bench:
-    """Stands in for a node, and keeps what is published."""
+class StandIn:
+    """Stands in for a node, and keeps what is published (ns)."""
 
     def __init__(self) -> None:
         self.published: list[int] = []
 
-    def create_publisher(self, *_: object) -> "Bench":
+    def create_publisher(self, *_: object) -> "StandIn":
         return self
 
     def publish(self, message: Clock) -> None:
-        self.published.append(message.clock.sec * 1_000_000_000 + message.clock.nanosec - START_NS)
+        self.published.append(message.clock.sec * 1_000_000_000 + message.clock.nanosec)
 
 
-def test_steps_are_equal_and_several_can_be_taken_at_once() -> None:
-    bench = Bench()
-    clock = SimulatedClock(bench, 0.1)
-    clock.run_at(10.0)
-    clock.publish()
+def test_simulated_time_begins_at_the_present_time_of_day_and_goes_on_in_equal_steps() -> None:
+    node = StandIn()
+    clock = SimulatedClock(node, 0.1)
+    before = time.time_ns()
+    clock.start()
+    after = time.time_ns()
     clock.advance()
     clock.advance()
-    clock.run_at(1.0, stride=5)
-    clock.advance()
-    clock.run_at(1.0)
-    clock.advance()
-    assert bench.published == [0, 100_000_000, 200_000_000, 700_000_000, 800_000_000]
-    assert clock.now == pytest.approx(0.8)
-    assert clock.robot_time(time.monotonic()) == pytest.approx(0.8)
+    first, *later = node.published
+    assert before <= first <= after
+    assert later == [first + 100_000_000, first + 200_000_000]
+    assert clock.now == pytest.approx(0.2)
+    assert clock.robot_time(time.monotonic()) == pytest.approx(0.2)
 
 
-def test_several_steps_at_once_are_due_when_so_much_time_has_passed() -> None:
-    clock = SimulatedClock(Bench(), 0.1)
-    clock.run_at(1.0)
-    one = clock.until_due()
-    clock.run_at(1.0, stride=50)
-    assert one <= 0.1
-    assert 0.1 < clock.until_due() <= 5.0
+def test_a_step_is_due_after_the_time_that_the_speed_gives_it() -> None:
+    clock = SimulatedClock(StandIn(), 0.1)
+    clock.run_at(0.01)
+    assert 5.0 < clock.until_due() <= 10.0
+    clock.run_at(1e9)
+    assert clock.until_due() < 0.001
+
+
+def test_after_a_stop_robot_time_goes_on_with_real_time() -> None:
+    clock = SimulatedClock(StandIn(), 0.1)
+    clock.start()
+    clock.advance()
+    early = time.monotonic()
+    clock.stop()
+    later = time.monotonic()
+    assert clock.robot_time(early) == pytest.approx(0.1)
+    assert 5.1 <= clock.robot_time(later + 5.0) <= 5.1 + (later - early)

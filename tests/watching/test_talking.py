@@ -141,7 +141,7 @@ def test_a_node_whose_name_comes_after_its_publisher_is_waited_for(
     observer: Observer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """What it is told next may end it, and then nobody would ever know of it."""
-    known = Recorder._present
+    known = Recorder.present
     published: list[float] = []
 
     def known_later(recorder: Recorder) -> Counter[str]:
@@ -149,7 +149,7 @@ def test_a_node_whose_name_comes_after_its_publisher_is_waited_for(
             published.append(time.monotonic())
         return known(recorder) if published and time.monotonic() - published[0] > LATER_S else Counter()
 
-    monkeypatch.setattr(Recorder, "_present", known_later)
+    monkeypatch.setattr(Recorder, "present", known_later)
     fragile = ECHO.replace("self.echo.publish", "lambda level: self.show(level)")  # there is no such method
     level = says("/robot/level", Float32, [(0.0, 1.0)])
     recording = watch(observer, tmp_path, fragile, level, topics=("/robot/echo",))

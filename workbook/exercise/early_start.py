@@ -22,7 +22,7 @@ def write_program(folder: Path, stem: str, answer: Answer) -> Path:
 
 
 class StartedAnswer:
-    """An answer that runs on a leased domain and waits to be watched, on robot time.
+    """An answer that runs on a leased domain and waits to be watched.
 
     Where an exercise is judged on the wall clock from the start, the program is not started yet (`process` is None), so
     that the judge sees it from its first moment. Leaving the `with` block ends the program unless a judge took it over.
@@ -35,7 +35,7 @@ class StartedAnswer:
         self.process: NodeProcess | None = None
         if source.clock == "simulated":
             program = write_program(self.folder, source.stem, answer)
-            spec = ProgramSpec(program, parameters={"use_sim_time": True}, driver=driver_of(source.path))
+            spec = ProgramSpec(program, driver=driver_of(source.path))
             self.process = NodeProcess(spec, self.lease.domain_id)
 
     def __enter__(self) -> "StartedAnswer":

@@ -1,10 +1,11 @@
 """From an answer to a judgement: run it, record it, judge the recording.
 
-The student's check and the instructor's grade both come through `judge`; they differ only in `thorough`.
+The student's check and the instructor's grade both come through `judge`.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from statistics import median
 
 from workbook.criteria.runner import CriterionResult
 from workbook.criteria.vocabulary.field_checks import field_check_note
@@ -16,10 +17,11 @@ from workbook.exercise.judgement import Judgement, Report, judge_recording, judg
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
 from workbook.recording.limits import NO_LIMITS, Limits
-from workbook.recording.plan import SPEEDS, Plan
+from workbook.recording.plan import Plan
 from workbook.recording.recording import Finding, Recording
 from workbook.ros.scratch import remove_scratch, scratch_folder
 from workbook.typechecking.typecheck import TypeCheckFailed, type_check
+from workbook.watching.following import intervals_of, rates_differ
 from workbook.watching.observer import Observer
 from workbook.watching.watch import PATIENCE_WITH_THE_END_S, Watch
 
@@ -27,7 +29,7 @@ REAL_LIFE_S = 8.0
 FIELD_CHECKS_S = 2.0
 FIELD_CHECKS_PERIODS = 1.5
 WORKED_PERIODS = 3
-"""Of robot time, the longest judged period: so long the wall clock watches in any case."""
+"""Of simulated time, the longest judged period: so long the wall clock watches in any case."""
 
 STOPPED_PERIODS = 2.5
 """A topic that is silent for so many of its periods has stopped."""
@@ -37,21 +39,19 @@ MOST_WALL_S = 26.0
 
 def _needs_wall_clock(exercise: Exercise, answer: Answer, judgement: Judgement) -> bool:
     recording = judgement.recording
-    if recording is None or judgement.status != "graded":
+    if recording is None or recording.clock == "wall" or judgement.status != "graded":
         return False
     if recording.process.ended_by == "itself":
         return syntax_mistake(answer.text) is None and not _ended_for_good(exercise, recording)
-    if recording.follows_clock is None:
-        return False
     if not recording.follows_clock or any(_is_undecided(recording, topic) for topic in exercise.periods):
         return True
     return any(result.about_time and not _is_final(recording, result) for result in judgement.criteria)
 
 
 def _ended_for_good(exercise: Exercise, recording: Recording) -> bool:
-    """Whether a program that ended by itself on robot time had long been at its work.
+    """Whether a program that ended by itself on simulated time had long been at its work.
 
-    One that ends early may not know the arguments that it is given, and the wall clock sees its end as well.
+    If one ends early, the wall clock sees its end as well.
     """
     published = any(recording.topic(name).arrivals for name in exercise.periods)
     return published and recording.robot_s >= WORKED_PERIODS * exercise.plan.longest_period
@@ -127,12 +127,36 @@ class _Case:
     spec: ProgramSpec
     findings: tuple[Finding, ...] | None
     thorough: bool
-    second_start: bool
     report: Report
     enough: Callable[[], bool]
 
     def judged(self, recording: Recording, *, real_life: bool) -> Judgement:
         return judge_recording(self.exercise, self.answer.sha256, recording, real_life=real_life)
+
+
+def _real_life_s(exercise: Exercise) -> float:
+    """How long (s) after its match a program lives: also long enough to see each of its rates in real time."""
+    return max(REAL_LIFE_S, exercise.plan.wall_s) if exercise.periods else REAL_LIFE_S
+
+
+def _contradicts(case: _Case, judgement: Judgement, simulated: Recording, real: Recording) -> bool:
+    """Whether a program behaved otherwise in real time than on simulated time: its rates, types or values.
+
+    The script is not played again. So what it makes a program publish is missing then, and only rates can be compared:
+    with those that the exercise asks for.
+    """
+    scripted = bool(case.exercise.plan.script)
+    for topic, period in case.exercise.periods.items():
+        seen = [period] if scripted else intervals_of(simulated, topic)
+        if seen and rates_differ(median(seen), real, topic):
+            return True
+    if scripted:
+        return False
+    before = {result.id: result.status for result in judgement.criteria}
+    return any(
+        result.status in ("failed", "partial") and not result.about_time and before[result.id] == "passed"
+        for result in case.judged(real, real_life=True).criteria
+    )
 
 
 def _to_nobody(judgement: Judgement) -> None:
@@ -152,17 +176,16 @@ class Judge:
         answer: Answer,
         *,
         thorough: bool = False,
-        second_start: bool = False,
         report: Report | None = None,
         enough: Callable[[], bool] = lambda: False,
         started: StartedAnswer | None = None,
     ) -> Judgement:
         """Judge one answer.
 
-        `thorough`: as an instructor grades, a program that passes on robot time is kept running until eight real
-        seconds after it was matched, unless `enough` cuts that short. With `second_start` it is ended instead, started
-        once more without arguments, and judged on the wall clock, too. `report` receives a provisional judgement as
-        soon as there is one. `started`: this answer, if it runs already on the observer's domain.
+        `thorough`: a program that was judged on simulated time is switched back and kept running until eight real
+        seconds after it was matched, unless `enough` cuts that short. What it publishes then must be as before.
+        `report` receives the judgement before that. `started`: this answer, if it runs already on the observer's
+        domain.
         """
         if started is None:
             # On the very domain that it names, a program with a domain of its own would be taken for a right one.
@@ -178,8 +201,7 @@ class Judge:
                 except TypeCheckFailed as error:
                     return Judgement(exercise.stem, answer.sha256, "infra_error", str(error), (), None)
             spec = ProgramSpec(program, driver=exercise.driver, limits=self._limits)
-            again = thorough and second_start
-            case = _Case(exercise, answer, spec, findings, thorough, again, report or _to_nobody, enough)
+            case = _Case(exercise, answer, spec, findings, thorough, report or _to_nobody, enough)
             judgement = self._on_both_clocks(case, process)
             if any(result.recheck_fields for result in judgement.criteria):
                 return self._with_field_checks(case, judgement)
@@ -188,30 +210,28 @@ class Judge:
             remove_scratch(folder)
 
     def _on_both_clocks(self, case: _Case, process: NodeProcess | None) -> Judgement:
-        """Judge on robot time where the exercise allows it, and on the wall clock where that is not enough."""
+        """Judge on simulated time where exercise and program allow it, and on the wall clock where they do not."""
         exercise = case.exercise
         on_robot: Judgement | None = None
         if exercise.source.clock == "simulated":
             with self._observer.watch(case.spec, exercise.plan, "simulated", process) as watch:
                 judgement = self._judge(case, watch)
-                on_robot_time = not _needs_wall_clock(exercise, case.answer, judgement)
-                second_start = on_robot_time and case.second_start and judgement.full_marks
-                if on_robot_time and not second_start:
-                    judgement = self._live_on(case, watch, judgement)
-            if second_start:
-                case.report(judgement)
-                return self._second_start(case, judgement)
-            if on_robot_time and not (exercise.to_the_end and case.thorough and judgement.full_marks):
+                is_final = not _needs_wall_clock(exercise, case.answer, judgement)
+                if is_final:
+                    lived = self._live_on(case, watch, judgement)
+                    is_final = lived is not None
+                    judgement = lived or judgement
+            if is_final:
+                if exercise.to_the_end and case.thorough and judgement.full_marks:
+                    case.report(judgement)
+                    return self._second_life(case, judgement)
                 return _with_doubt(exercise, judgement)
-            if on_robot_time:
-                case.report(judgement)
-                return self._second_life(case, judgement)
             case.report(judgement_as_provisional(judgement))
             process = None
             on_robot = judgement
         with self._observer.watch(case.spec, _wall_plan(exercise, on_robot), "wall", process) as watch:
             judgement = self._judge(case, watch)
-            judgement = self._live_on(case, watch, judgement)
+            judgement = self._live_on(case, watch, judgement) or judgement
         if on_robot is not None:
             judgement = _with_what_robot_time_proved(on_robot, judgement)
         return _with_doubt(exercise, judgement, on_robot)
@@ -221,12 +241,10 @@ class Judge:
         recording = judgement.recording
         assert recording is not None
         plan = case.exercise.plan
+        seconds = max(FIELD_CHECKS_S, FIELD_CHECKS_PERIODS * plan.longest_period)
+        plan = replace(plan, robot_seconds=seconds, wall_seconds=seconds)
         with self._observer.watch(replace(case.spec, check_fields=True), plan, recording.clock) as watch:
-            watch.wait_until_seen()
-            watch.keep_watching(
-                max(FIELD_CHECKS_S, FIELD_CHECKS_PERIODS * plan.longest_period), speed=SPEEDS[-1]
-            )
-            process = watch.process_record()
+            process = watch.observe().process
             if process.ended_by is not None:
                 process = watch.finish(recording).process
         recording = replace(recording, notes=(*recording.notes, field_check_note(process)))
@@ -240,37 +258,35 @@ class Judge:
         real_life = case.exercise.to_the_end and recording.clock == "wall"
         return case.judged(recording, real_life=real_life)
 
-    def _live_on(self, case: _Case, watch: Watch, judgement: Judgement) -> Judgement:
-        """End the watch; when thorough, only after the program has lived its real seconds."""
-        recording, lived = judgement.recording, case.thorough
+    def _live_on(self, case: _Case, watch: Watch, judgement: Judgement) -> Judgement | None:
+        """End the watch; when thorough, only after the program has lived its real seconds.
+
+        Returns None when the program does not return from simulated time: then only the wall clock can tell.
+        """
+        recording, lived, exercise = judgement.recording, False, case.exercise
         assert recording is not None
-        if case.exercise.to_the_end:
+        if exercise.to_the_end:
             return judgement  # it has been ended before it was judged
         if case.thorough and recording.process.ended_by is None and judgement.status == "graded":
             case.report(judgement)
-            lived = watch.keep_watching(REAL_LIFE_S, case.enough)
+            lived = watch.keep_watching(_real_life_s(exercise), case.enough)
+            if watch.is_stuck:
+                return None
             if lived:
+                real = watch.in_real_time(recording)
+                if real is not None and _contradicts(case, judgement, recording, real):
+                    return case.judged(watch.finish(real), real_life=True)
                 recording = watch.with_its_life(recording)
         recording = watch.finish(recording)
-        real_life = lived or recording.clock == "wall"
-        return case.judged(recording, real_life=real_life)
-
-    def _second_start(self, case: _Case, on_robot: Judgement) -> Judgement:
-        """Start a program that passed on robot time as its author starts it, and judge it on the wall clock as well."""
-        with self._observer.watch(case.spec, case.exercise.plan, "wall") as watch:
-            judgement = self._live_on(case, watch, self._judge(case, watch))
-        if judgement.full_marks:
-            recording = on_robot.recording
-            assert recording is not None and judgement.recording is not None
-            lived = replace(recording, process=judgement.recording.process)
-            return _with_doubt(case.exercise, case.judged(lived, real_life=True))
-        return _with_doubt(case.exercise, judgement, on_robot)
+        return case.judged(recording, real_life=lived or recording.clock == "wall")
 
     def _second_life(self, case: _Case, judgement: Judgement) -> Judgement:
         """Where the end was judged on robot time: run the program again, for its real seconds."""
         recording = judgement.recording
         assert recording is not None
         spec = replace(case.spec, driver=None)
+        if recording.clock == "wall":
+            return _with_doubt(case.exercise, judgement)
         with self._observer.watch(spec, case.exercise.plan, "wall") as watch:
             watch.wait_until_seen()
             if not watch.keep_watching(REAL_LIFE_S, case.enough):

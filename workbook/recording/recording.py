@@ -206,6 +206,7 @@ class Recording:
     has, so that none of them is taken for a misspelled other one. `following`: by topic, whether its messages were
     proved to follow the simulated clock; a topic of which nothing is proved is not in it. `in_lockstep`: whether the
     program was at rest before each step of that clock, so that nothing it did in real time could make it late.
+    `own_clock`: nodes that subscribed to /clock by themselves, before anything was switched to simulated time.
 
     `held_up_s`: on the wall clock, the longest time (s) for which the watch itself got no processor; `stood_still_s`:
     the longest for which the host of this virtual machine took a processor away; `taken_s`: how long (s) it did so in
@@ -236,6 +237,7 @@ class Recording:
     wanted: tuple[str, ...] = ()
     following: Mapping[str, bool] = field(default_factory=dict)
     in_lockstep: bool = False
+    own_clock: tuple[str, ...] = ()
     ignores_unknown_fields: ClassVar[bool] = True
 
     def topic(self, name: str) -> TopicRecording:

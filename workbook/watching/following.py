@@ -9,12 +9,15 @@ from collections.abc import Sequence
 from itertools import pairwise
 from statistics import fmean, median
 
-from workbook.recording.recording import Phase
+from workbook.recording.recording import Phase, Recording
 
 LEAST_INTERVALS = 3
 """At each of the two paces: fewer can agree by chance."""
 LEAST_RATIO = 2.0
 """Between the two paces. What lives on the wall clock shows intervals that differ by that much."""
+MOST_OFF = 1.5
+"""Factor between the rates of a topic in simulated and in real time: more is a finding."""
+LEAST_REAL_PERIODS = 2.5
 ALIKE = 0.1
 """How much typical intervals may differ, as a share."""
 
@@ -43,6 +46,22 @@ def follows(phases: Sequence[Phase], times: Sequence[float], step_s: float) -> b
     if different > alike:
         return False
     return True if slower > 1.5 * step_s else None
+
+
+def rates_differ(usual_s: float, real: Recording, topic: str) -> bool:
+    """Whether a topic came at another rate in real time than once in `usual_s` (s), by more than `MOST_OFF`.
+
+    Where the real seconds do not hold two or three such periods, they show nothing.
+    """
+    if usual_s <= 0.0 or real.robot_s < LEAST_REAL_PERIODS * usual_s:
+        return False
+    intervals = intervals_of(real, topic)
+    return not intervals or not 1 / MOST_OFF <= median(intervals) / usual_s <= MOST_OFF
+
+
+def intervals_of(recording: Recording, topic: str) -> list[float]:
+    """From each message of a topic to the next one (s of robot time)."""
+    return [after.t - before.t for before, after in pairwise(recording.topic(topic).arrivals)]
 
 
 def _changes_of_pace(phases: Sequence[Phase], times: Sequence[float], step_s: float) -> tuple[int, int]:

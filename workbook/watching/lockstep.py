@@ -9,6 +9,7 @@ A thread that sleeps for a time of its own is not at rest: it goes on by itself,
 """
 
 import enum
+import math
 import time
 
 from workbook.inside import proc
@@ -42,7 +43,8 @@ class LockStep:
 
     `works` tells whether that is so: not where the kernel does not tell of threads, nor for a program that is always at
     work (a MultiThreadedExecutor that waits for a free thread, a loop without a pause) or that lives by its own sleep.
-    `never_in_vain`: whether each wait up to now ended with the program at rest.
+    `never_in_vain`: whether each wait up to now ended with the program at rest. `longest_nap_s`: for how long (s) at
+    most a thread was seen asleep that was at rest in the end.
     """
 
     def __init__(self, pid: int) -> None:
@@ -52,6 +54,7 @@ class LockStep:
         self._naps: dict[int, tuple[bytes, bool]] = {}
         self._vain = {State.SLEEPING: SLEEP_WAITS, State.AT_WORK: WORK_WAITS}
         self.never_in_vain = True
+        self.longest_nap_s = 0.0
         self._can_tell = bool(CALLS) and self._is_told()
 
     @property
@@ -62,14 +65,19 @@ class LockStep:
     def wait(self) -> State:
         """Return as soon as the program is at rest, or when patience is at an end. Returns what it was doing then."""
         began = time.monotonic()
+        asleep_since = math.inf
         time.sleep(FIRST_LOOK_SHARE * self._took_s)
         while (state := self.state()) is not State.AT_REST:
             waited = time.monotonic() - began
+            if state is State.SLEEPING:
+                asleep_since = min(asleep_since, waited)
             if waited >= LONGEST_WAIT_S:
                 self._vain[state] -= 1
                 self.never_in_vain = False
                 break
             time.sleep(max(POLL_S, POLL_SHARE * waited))
+        else:
+            self.longest_nap_s = max(self.longest_nap_s, time.monotonic() - began - asleep_since)
         self._took_s = min(time.monotonic() - began, LONGEST_UNLOOKED_S)
         return state
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from rclpy.node import Node, NodeNameNonExistentError
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.topic_endpoint_info import TopicEndpointInfo
 
 from workbook.recording.plan import BYTES_PER_TOPIC, Feature
 from workbook.recording.recording import (
@@ -99,7 +100,7 @@ class Recorder:
     def look_at_nodes(self) -> bool:
         """Note the nodes that are on the graph now. Returns whether one is new."""
         new = False
-        for full, how_many in self._present().items():
+        for full, how_many in self.present().items():
             known = self._nodes.get(full)
             if known is None:
                 self._nodes[full] = NodeSeen(full, self._wall_now(), how_many)
@@ -115,8 +116,8 @@ class Recorder:
         listed = told(lambda: self._node.get_topic_names_and_types(no_demangle=False), known)
         return [topic for topic, _ in listed if topic not in INFRASTRUCTURE and is_name(topic)]
 
-    def _present(self) -> Counter[str]:
-        """Full names of the nodes of others that are on the graph now. Nodes with the same name count."""
+    def present(self) -> Counter[str]:
+        """Count the nodes of others that are on the graph now, by fully qualified name."""
         nobody: list[tuple[str, str]] = []
         names = told(self._node.get_node_names_and_namespaces, nobody)
         full = (full_name(namespace, name) for name, namespace in names if name != NODE_UNKNOWN)
@@ -128,7 +129,7 @@ class Recorder:
 
         Of a node that is called like ours nothing can be told: what is ours and what is theirs goes by name here.
         """
-        for full in self._present():
+        for full in self.present():
             if full == self._own_name:
                 continue
             namespace, _, name = full.rpartition("/")
@@ -143,10 +144,17 @@ class Recorder:
             self._services |= _own_services(offered)
             self._clients |= _own_services(called)
 
+    def nodes_on_clock(self) -> tuple[str, ...]:
+        """The fully qualified names of nodes of others that subscribe to /clock now, sorted, each once."""
+        nothing: list[TopicEndpointInfo] = []
+        found = told(lambda: self._node.get_subscriptions_info_by_topic("/clock"), nothing)
+        others = (info for info in found if not self._is_own(gid_of(info)))
+        return tuple(sorted({full_name(info.node_namespace, info.node_name) for info in others}))
+
     def look_who_stays(self, patience_s: float) -> None:
         """After the program has ended: note which of its nodes are still on the graph when `patience_s` is over."""
         deadline = time.monotonic() + patience_s
-        while (left := self._present()) and time.monotonic() < deadline:
+        while (left := self.present()) and time.monotonic() < deadline:
             time.sleep(_LOOK_AGAIN_S)
         self._nodes = {name: replace(node, stayed=name in left) for name, node in self._nodes.items()}
 
@@ -338,9 +346,9 @@ class Recorder:
                 last_seen = None if publisher.last_seen is None else t
                 watched.publishers[gid] = replace(publisher, first_seen=t, last_seen=last_seen)
 
-    def topics(self, end: float) -> dict[str, TopicRecording]:
-        """What was recorded, with every window closed at robot time `end`."""
-        return {name: finished(watched, end) for name, watched in sorted(self._topics.items())}
+    def topics(self, end: float, start: float = 0.0) -> dict[str, TopicRecording]:
+        """What was recorded up to robot time `end` (s); with a `start` (s), from then on, and counted from there."""
+        return {name: finished(watched, end, start) for name, watched in sorted(self._topics.items())}
 
 
 def _own_services(found: list[tuple[str, list[str]]]) -> dict[tuple[str, str], ServiceSeen]:

@@ -12,7 +12,7 @@ from workbook.recording.plan import PERIODS_PER_BLOCK, SPEEDS
 from workbook.recording.recording import Phase
 from workbook.watching.clock import SimulatedClock
 from workbook.watching.following import follows
-from workbook.watching.lockstep import LockStep
+from workbook.watching.lockstep import LockStep, State
 from workbook.watching.session import Session
 
 LOOK_EVERY_S = 0.1
@@ -23,6 +23,14 @@ SETTLE_S = 0.005
 LATE_MATCH_S = 0.3
 """How long (s) the clock stands still for publishers of a topic that are made late. In all, because one that cannot be
 connected must not hold it up again and again."""
+MOST_REAL_S = 40.0
+"""Real time (s) that simulated time may take in all. After that the wall clock judges."""
+CLEARLY_FASTER = 2.0
+"""How many times faster than real time simulated time has to be while it waits for the program to come to rest."""
+LEAST_WAITED_S = 0.5
+"""Time spent waiting for the program (s) from which on that is decided."""
+LONGEST_NAP_PERIODS = 0.5
+"""Of the shortest judged period: lockstep would wait for a callback that sleeps so long, and real time would not."""
 MOST_EXTRA_S = 60.0
 """Robot time that is added at most for topics that came too rarely to tell whether they follow the clock."""
 
@@ -37,6 +45,8 @@ class RobotTime:
         self._slowest_step_s = {True: 0.0, False: 0.0}
         self._next_look = 0.0
         self._late_match_s = dict.fromkeys(session.plan.topics, LATE_MATCH_S)
+        self._until = time.monotonic() + MOST_REAL_S
+        self._waited_s = 0.0
         self.phases: list[Phase] = []
 
     def run_as_planned(self) -> float:
@@ -49,7 +59,7 @@ class RobotTime:
     def run_longer(self) -> None:
         """Let more robot time pass where that can show whether a topic follows the clock. It is not judged."""
         unsure = [times for name in self._session.plan.paced if (times := self._unsure(name))]
-        if unsure and self._lock.works and self._session.process.is_running():
+        if unsure and self._lock.works and self._session.process.is_running() and not self.outpaced:
             interval = max(self._clock.now / len(times) for times in unsure)
             self._run(min(MOST_EXTRA_S, 2 * PERIODS_PER_BLOCK * interval), 1)
 
@@ -72,6 +82,16 @@ class RobotTime:
         """Whether no step was taken before the program had come to rest."""
         return self._lock.works and self._lock.never_in_vain
 
+    @property
+    def outpaced(self) -> bool:
+        """Whether simulated time proves nothing, because the program keeps it from passing much faster than real time.
+
+        Lockstep waits for a callback that works or sleeps; a person who runs the program sees that it comes late.
+        """
+        slow = self._waited_s > max(LEAST_WAITED_S, self._clock.now / CLEARLY_FASTER)
+        naps = self._lock.longest_nap_s > LONGEST_NAP_PERIODS * self._session.plan.shortest_period
+        return slow or naps or time.monotonic() > self._until
+
     def close(self) -> None:
         """Close the files that tell of threads."""
         self._lock.close()
@@ -79,6 +99,8 @@ class RobotTime:
     def _run(self, robot_s: float, pairs: int) -> None:
         begin = self._clock.now
         for number in range(pairs):
+            if self.outpaced:
+                return
             middle, end = (begin + robot_s * (number + half) / pairs for half in (0.5, 1.0))
             earlier = len(self.phases)
             self._run_block(middle, fast=True)
@@ -87,7 +109,7 @@ class RobotTime:
 
     def _run_block(self, end: float, *, fast: bool, earlier: int = 0) -> None:
         """Drive the clock to `end`; if slowly, only until all is proved together with the phases since `earlier`."""
-        while self._clock.now < end and self._session.process.is_running():
+        while self._clock.now < end and self._session.process.is_running() and not self.outpaced:
             self._run_phase(end, fast=fast, earlier=earlier)
             if not fast and self._is_proved(self.phases[earlier:]):
                 return
@@ -97,7 +119,12 @@ class RobotTime:
         session, clock, locked = self._session, self._clock, self._lock.works
         begin, began, steps, proved = clock.now, time.monotonic(), 0, False
         clock.run_at(self._speed(fast=fast, locked=locked))
-        while clock.now < end and session.process.is_running() and locked == self._lock.works and not proved:
+        while (
+            clock.now < end
+            and session.process.is_running()
+            and locked == self._lock.works
+            and not (proved or self.outpaced)
+        ):
             time.sleep(clock.until_due())
             self._wait(locked=locked)
             session.recorder.take()
@@ -143,7 +170,9 @@ class RobotTime:
     def _wait(self, *, locked: bool) -> None:
         """Let what the last step set in motion come to an end, and arrive."""
         if locked:
-            self._lock.wait()
+            began = time.monotonic()
+            if self._lock.wait() is State.AT_REST:
+                self._waited_s += time.monotonic() - began
         else:
             self._session.quiescence.wait()
 

@@ -2,7 +2,7 @@
 
 import secrets
 import time
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import partial
 from typing import Protocol
 
@@ -14,7 +14,6 @@ from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
 from workbook.programs.tier import Tier
 from workbook.recording.plan import Plan
-from workbook.recording.recording import Clock
 from workbook.ros.environment import profile_with_lease
 from workbook.watching.clock import SimulatedClock
 from workbook.watching.quiescence import Quiescence
@@ -52,13 +51,17 @@ class Delays:
 
 @dataclass
 class Session:
-    """The parts of one watch. `began`: when (`time.monotonic`, s) robot time begins on the wall clock."""
+    """The parts of one watch.
+
+    `clock`: there once the program is to be switched to simulated time. `began`: when (`time.monotonic`, s) robot time
+    begins on the wall clock.
+    """
 
     place: Place
     plan: Plan
     context: Context
     node: Node
-    clock: SimulatedClock | None
+    clock: SimulatedClock | None = None
     process: NodeProcess = field(init=False)
     speaker: Speaker = field(init=False)
     recorder: Recorder = field(init=False)
@@ -79,9 +82,7 @@ class Session:
             rclpy.shutdown(context=self.context)
 
 
-def open_session(
-    place: Place, spec: ProgramSpec, plan: Plan, clock: Clock, process: NodeProcess | None
-) -> Session:
+def open_session(place: Place, spec: ProgramSpec, plan: Plan, process: NodeProcess | None) -> Session:
     """Join the graph, and start the program unless it runs as `process`. Raises OSError when that cannot be done."""
     context = Context()
     rclpy.init(
@@ -97,12 +98,9 @@ def open_session(
         start_parameter_services=False,
         use_global_arguments=False,
     )
-    simulated = clock == "simulated"
-    session = Session(place, plan, context, node, SimulatedClock(node, plan.step_s) if simulated else None)
+    session = Session(place, plan, context, node)
     session.speaker = Speaker(node, plan.script, session.robot_time)
     if process is None:
-        if simulated:
-            spec = replace(spec, parameters={"use_sim_time": True, **spec.parameters})
         profile = partial(profile_with_lease, lease_s=REMEMBERED_S) if plan.to_the_end else None
         try:
             process = NodeProcess(spec, place.domain_id, place.tier, write_profile=profile)

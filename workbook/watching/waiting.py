@@ -1,10 +1,9 @@
 """Waiting until a program is on the graph, and connected with the judge in both directions."""
 
 import time
-from contextlib import closing
 
+from workbook.watching.parameter_services import ParameterServices
 from workbook.watching.session import Session
-from workbook.watching.spin_probe import SpinProbe
 
 FIRST_SIGN_S = 12.0
 STARTS_LONGEST_S = 30.0
@@ -21,7 +20,6 @@ SPINNING_S = 0.1
 """What a spinning node has made may still be on its way to us for so long (s)."""
 MATCH_S = 5.0
 NO_PUBLISHER_S = 8.0
-FOLLOW_S = 1.0
 POLL_S = 0.01
 HELD_STEPS = 5
 HELD_STEP_S = 0.003
@@ -68,13 +66,13 @@ def _may_still_start(session: Session, deadline: float, at_work: float) -> bool:
     return used is not None and used < STARTS_PROCESSOR_S
 
 
-def wait_for_matches(session: Session) -> bool:
+def wait_for_matches(session: Session, services: ParameterServices | None = None) -> None:
     """Wait until all that the exercise names is there and connected with the judge, or will not come any more.
 
-    A program whose nodes spin has set up what it sets up at its start. And it hears us: whoever answers a call knows of
-    our publisher of the clock, which was announced before the client of that call. The names of nodes travel apart from
-    their publishers, and on a busy machine come much later. On the wall clock, nobody is called, and a program is
-    waited for until nothing new has come for a while. Returns False when something is missing that may still come.
+    With `services`, before a switch to simulated time, nodes are asked whether they spin: a program whose nodes do has
+    set up what it sets up at its start. The names of nodes travel apart from their publishers, and on a busy machine
+    come much later. Without it no node is asked, because to answer is a callback, which a program may count. The
+    program is then waited for until nothing new has come for a while.
     """
     recorder = session.recorder
     looked = time.monotonic()
@@ -82,49 +80,35 @@ def wait_for_matches(session: Session) -> bool:
     quiet_s = spinning_s = (
         0.0  # a program that waits for a core is not quiet, nor are we while we wait for one
     )
-    with closing(SpinProbe(session.node)) as probe:
-        while (now := time.monotonic()) < deadline and session.process.is_running():
-            spent = min(now - looked, POLL_S)
-            if recorder.look():
-                quiet_s = spinning_s = 0.0
-            elif session.quiescence.is_quiet():
-                quiet_s += spent
-            looked = now
-            if session.clock is None:  # nobody is called: to answer is a callback, which a program may count
-                if _is_complete(session) or quiet_s > SETTLE_S:
-                    return True
-            else:
-                spinning = probe.all_spin(node.name for node in recorder.nodes())
-                spinning_s += spent if spinning else 0.0
-                if _is_complete(session) and (spinning or quiet_s > UNANSWERED_S):
-                    return True
-                if spinning_s > _patience(session, SPINNING_S):
-                    return True
-            time.sleep(POLL_S / 2)
-    return False
+    while (now := time.monotonic()) < deadline and session.process.is_running():
+        spent = min(now - looked, POLL_S)
+        if recorder.look():
+            quiet_s = spinning_s = 0.0
+        elif session.quiescence.is_quiet():
+            quiet_s += spent
+        looked = now
+        if services is None:
+            if _is_complete(session) or quiet_s > SETTLE_S:
+                return
+        else:
+            spinning = services.all_spin(recorder.present())
+            spinning_s += spent if spinning else 0.0
+            if _is_complete(session) and (spinning or quiet_s > UNANSWERED_S):
+                return
+            if spinning_s > SPINNING_S:
+                return
+        time.sleep(POLL_S / 2)
 
 
 def _is_complete(session: Session) -> bool:
     recorder = session.recorder
     matched = session.plan.topics and all(map(recorder.matched, session.plan.topics))
     known = recorder.nodes() and recorder.knows_its_nodes()
-    return bool(matched and known and _follows(session) and session.speaker.ready())
-
-
-def _follows(session: Session) -> bool:
-    """Whether each node listens to the clock. In a program of two processes, one may be there long before the other."""
-    return session.clock is None or session.clock.followers() >= sum(
-        node.most for node in session.recorder.nodes()
-    )
-
-
-def _patience(session: Session, seconds: float) -> float:
-    """How long (s) to wait for what may still come, if nothing new does."""
-    return seconds if _follows(session) else max(seconds, FOLLOW_S)
+    return bool(matched and known and session.speaker.ready())
 
 
 def let_it_match_us(session: Session) -> None:
-    """Give the program time to match our endpoints, publishing the start of robot time meanwhile.
+    """Give the program time to match our endpoints, publishing the start of simulated time meanwhile.
 
     Matching is not mutual at once: until the program has matched us, it misses what we publish, and we miss what it
     publishes in return.

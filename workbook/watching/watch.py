@@ -1,4 +1,4 @@
-"""Watching one program from its start to a recording, on robot time or on the wall clock."""
+"""Watches one program from its start to a recording, on simulated time or on the wall clock."""
 
 import time
 from collections.abc import Callable
@@ -12,14 +12,13 @@ from workbook.recording.recording import Clock, Phase, ProcessRecord, Recording
 from workbook.watching.clock import SimulatedClock
 from workbook.watching.robot_time import RobotTime
 from workbook.watching.session import Place, open_session
+from workbook.watching.switching import ANSWERS_WITHIN_S, TimeSwitch
 from workbook.watching.waiting import let_it_match_us, wait_for_first_sign, wait_for_matches
-from workbook.watching.wall_time import left_to_watch, run_wall_time
+from workbook.watching.wall_time import left_to_watch, measure_delays, run_wall_time
 
 GONE_S = 6.0
-UNMEASURED_STRIDE = 10
-"""Steps of robot time at once while a program is only kept alive: mostly the shortest judged period."""
 KEPT_LOOK_S = 0.25
-"""How often it is asked meanwhile whether that is enough (s). Its end is noticed at once."""
+"""How often (s) the watch asks whether a program has been kept alive for long enough. Its end is noticed right away."""
 PATIENCE_S = 0.7
 PATIENCE_WITH_THE_END_S = 4.0
 
@@ -27,40 +26,45 @@ PATIENCE_WITH_THE_END_S = 4.0
 class Watch:
     """One program under watch. `observe` makes the recording; the program then goes on until the watch is left.
 
-    `keep_watching` extends the life of a program on the wall clock after it was observed.
+    A program is started as its author starts it. With the "simulated" clock it is switched to simulated time once its
+    nodes spin; where that cannot be done, it is watched on the wall clock from then on. `keep_watching` extends its
+    life in real time after it was observed.
     """
 
     def __init__(
         self, place: Place, spec: ProgramSpec, plan: Plan, clock: Clock, process: NodeProcess | None = None
     ) -> None:
-        self._session = open_session(place, spec, plan, clock, process)
+        self._session = open_session(place, spec, plan, process)
         self._plan = plan
-        self._clock_kind: Clock = clock
-        self._clock = self._session.clock
+        self._switch = TimeSwitch(self._session) if clock == "simulated" else None
         self._process = self._session.process
         self._recorder = self._session.recorder
         self._phases: tuple[Phase, ...] = ()
         self._following: dict[str, bool] = {}
         self._in_lockstep = False
+        self._simulated = False
+        self._outpaced = False
+        self._own_clock: tuple[str, ...] = ()
         self._judged_until: float | None = None
-        self._follows: bool | None = None
+        self._real_since: float | None = None
         self._matched_wall: float | None = None
 
     def observe(self) -> Recording:
         """Watch the program as planned and return the recording. Does not end the program."""
         if wait_for_first_sign(self._session):
-            ready = wait_for_matches(self._session)
+            until = time.monotonic() + ANSWERS_WITHIN_S
+            wait_for_matches(self._session, None if self._switch is None else self._switch.services)
             self._matched_wall = time.monotonic()
-            if self._clock is not None:
-                self._follows = ready and self._clock.followers() > 0
-            if self._clock is None or self._follows:
-                self._begin_watch()
-                if self._clock is not None:
-                    self._run_robot_time(self._clock)
-                else:
-                    run_wall_time(self._session, self._plan.wall_s)
-                    if self._process.is_running():
-                        run_wall_time(self._session, left_to_watch(self._session))
+            self._own_clock = self._recorder.nodes_on_clock()
+            if self._switch is not None and not self._own_clock:
+                self._simulated = self._switch.to_simulated_time(until)
+            self._begin_watch()
+            if self._session.clock is not None:
+                self._run_robot_time(self._session.clock)
+            else:
+                run_wall_time(self._session, self._plan.wall_s)
+                if self._process.is_running():
+                    run_wall_time(self._session, left_to_watch(self._session))
         if not self._recorder.any_publisher() or not all(map(self._recorder.matched, self._plan.topics)):
             self._process.domains_used()
         return self.recording()
@@ -71,52 +75,76 @@ class Watch:
             self._phases = tuple(robot_time.phases)
             self._in_lockstep = robot_time.in_lockstep
             robot_time.run_longer()
-            self._following = robot_time.following()
+            self._outpaced = robot_time.outpaced
+            self._following = {} if self._outpaced else robot_time.following()
 
     def _begin_watch(self) -> None:
-        if self._clock is not None or self._plan.script:
+        clock = self._session.clock
+        if clock is not None:
+            clock.start()
+        if clock is not None or self._plan.script:
             let_it_match_us(self._session)
         self._recorder.discard()
-        if self._clock is not None:
-            self._clock.publish()
-        else:
+        if clock is None:
             self._session.began = time.monotonic()
         self._recorder.start_windows(0.0)
 
-    def keep_watching(
-        self, wall_s_after_match: float, enough: Callable[[], bool] = lambda: False, *, speed: float = 1.0
-    ) -> bool:
-        """Let the program live until so many real seconds after it was matched, a simulated clock running at `speed`.
+    def keep_watching(self, wall_s_after_match: float, enough: Callable[[], bool] = lambda: False) -> bool:
+        """Let the program live in real time until so many seconds after it was matched. Returns whether it did.
 
-        The clock moves by about the shortest judged period at once: nobody measures the program now; but what it has
-        made and said meanwhile is noted at the end, see `with_its_life`. Returns early when it ends by itself, or when
-        `enough` says so. Returns whether it was watched to the end.
+        Returns early when the program ends by itself, and False when `enough` says so, or when the program does not
+        return to real time. What it publishes in real time is in `in_real_time`.
         """
+        if self._switch is not None and not self._switch.to_real_time() and self._process.is_running():
+            return False
+        if self._simulated:
+            self._real_since = self._session.robot_time(time.monotonic())
         until = (self._matched_wall or time.monotonic()) + wall_s_after_match
-        if self._clock is not None:
-            self._clock.run_at(speed, UNMEASURED_STRIDE)
-        while (left := until - time.monotonic()) > 0 and self._process.is_running():
-            if enough():
-                return False
-            due = KEPT_LOOK_S if self._clock is None else self._clock.until_due()
-            self._process.wait(min(left, due, KEPT_LOOK_S))
-            if self._clock is not None and self._clock.until_due() == 0.0:
-                self._clock.advance()
+        with measure_delays(self._session):
+            while (left := until - time.monotonic()) > 0 and self._process.is_running():
+                if enough():
+                    return False
+                paused, turn = time.monotonic(), min(left, KEPT_LOOK_S)
+                if not self._process.wait(turn):
+                    late = time.monotonic() - paused - turn
+                    self._session.delays.held_up = max(self._session.delays.held_up, late)
         if self._process.is_running():
-            self._recorder.look_at_nodes()
+            self._recorder.look()
             self._recorder.take()
         return True
+
+    @property
+    def is_stuck(self) -> bool:
+        """Whether the program runs and has not returned from simulated time when it was switched back."""
+        return self._switch is not None and not self._switch.is_real and self._process.is_running()
 
     def with_its_life(self, recording: Recording) -> Recording:
         """The recording, with what came while the program was kept alive, as far as that can be judged.
 
-        Nodes count at any time. Messages do where nothing but an answer to what was said is to be published: nothing
-        was said to it any more, and a pace would not be that of its robot time.
+        Nodes count at any time. Messages do where nothing but an answer to what was published is to be published.
         """
         recording = replace(recording, nodes=self._recorder.nodes())
-        if self._clock is None or self._plan.paced or not self._plan.script:
+        if not self._simulated or self._plan.paced or not self._plan.script:
             return recording
-        return replace(recording, topics=self._recorder.topics(self._clock.now))
+        return replace(recording, topics=self._recorder.topics(self._session.robot_time(time.monotonic())))
+
+    def in_real_time(self, recording: Recording) -> Recording | None:
+        """What the program did in real time after simulated time, as a recording of its own; None if there is none."""
+        if self._real_since is None:
+            return None
+        end = self._session.robot_time(time.monotonic())
+        return replace(
+            self.recording(),
+            clock="wall",
+            phases=(),
+            follows_clock=None,
+            following={},
+            in_lockstep=False,
+            step_s=None,
+            robot_s=round(end - self._real_since, 6),
+            topics=self._recorder.topics(end, self._real_since),
+            findings=recording.findings,
+        )
 
     def wait_until_seen(self) -> None:
         """Wait for the program's first publisher, without recording anything."""
@@ -133,8 +161,9 @@ class Watch:
         if self._process.is_running():
             self._recorder.look_at_services()
         delays = self._session.delays
+        follows = not self._outpaced if self._simulated else None
         return Recording(
-            clock=self._clock_kind,
+            clock="simulated" if self._simulated else "wall",
             domain_id=self._session.place.domain_id,
             phases=self._phases,
             robot_s=round(end, 6),
@@ -142,10 +171,10 @@ class Watch:
             topics=self._recorder.topics(end),
             nodes=self._recorder.nodes(),
             process=self._process.record(),
-            follows_clock=self._follows,
+            follows_clock=follows,
             following=self._following,
             in_lockstep=self._in_lockstep,
-            step_s=self._plan.step_s if self._clock is not None else None,
+            step_s=self._plan.step_s if self._simulated else None,
             said=self._session.speaker.said(),
             calls=tuple(call for call in self._session.speaker.calls() if call.t <= end),
             services=self._recorder.services(),
@@ -155,6 +184,7 @@ class Watch:
             taken_s=round(delays.stolen, 2),
             in_line_s=round(delays.run_queue, 4),
             wanted=(*self._plan.topics, *self._plan.script.names),
+            own_clock=self._own_clock,
         )
 
     def _end(self) -> float:
@@ -163,7 +193,7 @@ class Watch:
             return 0.0
         if self._judged_until is not None:
             return self._judged_until
-        return self._clock.now if self._clock is not None else self._session.robot_time(time.monotonic())
+        return self._session.robot_time(time.monotonic())
 
     def finish(
         self, recording: Recording, patience_s: float = PATIENCE_S, *, look_who_stays: bool = False
@@ -189,21 +219,19 @@ class Watch:
     def _end_process(self, patience_s: float = PATIENCE_S) -> None:
         self._session.quiescence.close()
         was_killed = self._process.killed
-        if self._clock is not None:
-            self._clock.run_at(1.0)
-        self._process.stop(patience_s, self._keep_time)
+        if self._switch is None or self._switch.to_real_time():
+            self._process.stop(patience_s)
+        else:  # it still follows the clock, and if it waits for its next timer, it hears of Ctrl-C only then
+            self._process.stop(patience_s, self._switch.keep_time)
         if self._process.killed and not was_killed:
             self._session.close()
             self._session.place.move()
-
-    def _keep_time(self) -> None:
-        """Let robot time go on while the program ends: one that waits for its next timer hears of Ctrl-C only then."""
-        if self._clock is not None and self._session.context.ok() and self._clock.until_due() == 0.0:
-            self._clock.advance()
 
     def __enter__(self) -> "Watch":
         return self
 
     def __exit__(self, *_: object) -> None:
         self._end_process()
+        if self._switch is not None and self._session.context.ok():
+            self._switch.close()
         self._session.close()

@@ -1,7 +1,7 @@
 """One topic while it is being recorded, and what of it goes into the recording."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 from rclpy.duration import Infinite
@@ -120,27 +120,32 @@ def deadline_of(info: Any) -> float | None:
     return None if deadline.nanoseconds >= Infinite.nanoseconds else deadline.nanoseconds / 1e9
 
 
-def finished(watched: WatchedTopic, end: float) -> TopicRecording:
-    """The recording of a topic with its messages decoded; its window closes at robot time `end` (s)."""
+def finished(watched: WatchedTopic, end: float, start: float = 0.0) -> TopicRecording:
+    """Decode what came on a topic from robot time `start` to `end` (s). Times in the recording count from `start`."""
     arrivals: list[Arrival] = []
-    undecodable = [t for t in watched.undecodable if t <= end]
-    too_large = [t for t in watched.too_large if t <= end]
-    without_room = [t for t in watched.without_room if t <= end]
+    undecodable, too_large, without_room = (
+        [t - start for t in moments if start <= t <= end]
+        for moments in (watched.undecodable, watched.too_large, watched.without_room)
+    )
     for one in watched.came:
         if one.t > end:
             break
+        if one.t < start:
+            continue
         value = one.value if one.value is not None else watched.decoded(one.raw)
+        t = one.t - start
         if value is None:
-            undecodable.append(one.t)
+            undecodable.append(t)
         else:
-            arrivals.append(Arrival(round(one.t, 6), round(one.wall, 4), value, round(one.sent, 6)))
+            arrivals.append(Arrival(round(t, 6), round(one.wall, 4), value, round(one.sent, 6)))
     broken_at = min((*undecodable, *too_large), default=None)
+    matched_at = watched.matched_at
     return TopicRecording(
         name=watched.name,
-        publishers=tuple(watched.publishers.values()),
+        publishers=tuple(_since(publisher, start) for publisher in watched.publishers.values()),
         subscribers=tuple(watched.subscribers.values()),
         arrivals=tuple(arrivals),
-        window=None if watched.matched_at is None else (watched.matched_at, end),
+        window=None if matched_at is None else (max(0.0, matched_at - start), end - start),
         undecodable=len(undecodable),
         not_kept=len(too_large) + len(without_room),
         too_large=len(too_large),
@@ -148,3 +153,8 @@ def finished(watched: WatchedTopic, end: float) -> TopicRecording:
         full_at=round(without_room[0], 6) if without_room else None,
         room=watched.room.most_bytes if without_room and watched.room.is_short_of_bytes else None,
     )
+
+
+def _since(publisher: PublisherSeen, start: float) -> PublisherSeen:
+    last_seen = None if publisher.last_seen is None else max(0.0, publisher.last_seen - start)
+    return replace(publisher, first_seen=max(0.0, publisher.first_seen - start), last_seen=last_seen)

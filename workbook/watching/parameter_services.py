@@ -1,0 +1,93 @@
+"""Reads and sets `use_sim_time` of running nodes from outside, through the parameter services that rclpy gives a node.
+
+A program is started without any arguments, so nothing tells it at its start that it is being judged. A node that
+answers spins, and has made all that its constructor makes.
+"""
+
+import time
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from rcl_interfaces.msg import Parameter, ParameterType, ParameterValue
+from rcl_interfaces.srv import GetParameters, SetParameters
+from rclpy.node import Node
+
+USE_SIM_TIME = "use_sim_time"
+POLL_S = 0.001
+
+
+class ParameterServices:
+    """Calls the parameter services of other nodes from `node`, which no executor needs to spin."""
+
+    def __init__(self, node: Node) -> None:
+        self._node = node
+        self._clients: dict[tuple[type, str], Any] = {}
+        self._asked: set[str] = set()
+        self._spinning: set[str] = set()
+
+    def all_spin(self, names: Iterable[str]) -> bool:
+        """Whether each of these nodes (fully qualified names) has answered by now. False for no nodes."""
+        wanted = set(names)
+        for name in wanted - self._spinning:
+            if name not in self._asked and self._send(GetParameters, name, names=[USE_SIM_TIME]):
+                self._asked.add(name)
+            if name in self._asked and self._take(GetParameters, name) is not None:
+                self._spinning.add(name)
+        return bool(wanted) and wanted <= self._spinning
+
+    def set_sim_time(
+        self, names: Iterable[str], value: bool, until: float, meanwhile: Callable[[], bool]
+    ) -> bool:
+        """Set `use_sim_time` of these nodes, and return whether each has accepted it.
+
+        Gives up at the moment `until` (`time.monotonic`, s), and as soon as `meanwhile`, which is called while nodes
+        have not answered, returns False.
+        """
+        wanted = Parameter(
+            name=USE_SIM_TIME, value=ParameterValue(type=ParameterType.PARAMETER_BOOL, bool_value=value)
+        )
+        unasked, unanswered = set(names), set[str]()
+        while unasked or unanswered:
+            for name in [*unasked]:
+                if self._send(SetParameters, name, parameters=[wanted]):
+                    unasked.remove(name)
+                    unanswered.add(name)
+            for name in [*unanswered]:
+                response = self._take(SetParameters, name)
+                if response is not None:
+                    unanswered.remove(name)
+                    if not all(result.successful for result in response.results):
+                        return False
+            if unasked or unanswered:
+                if time.monotonic() > until or not meanwhile():
+                    return False
+                time.sleep(POLL_S)
+        return True
+
+    def _client(self, kind: Any, name: str) -> Any:
+        service = "get_parameters" if kind is GetParameters else "set_parameters"
+        key = (kind, name)
+        if key not in self._clients:
+            self._clients[key] = self._node.create_client(kind, f"{name}/{service}")
+        return self._clients[key]
+
+    def _send(self, kind: Any, name: str, **fields: Any) -> bool:
+        """Send a request. Returns False while the service is not there."""
+        client = self._client(kind, name)
+        if not client.service_is_ready():
+            return False
+        with client.handle:
+            client.handle.send_request(kind.Request(**fields))
+        return True
+
+    def _take(self, kind: Any, name: str) -> Any:
+        """The response that has come; None while there is none."""
+        client = self._client(kind, name)
+        with client.handle:
+            header, response = client.handle.take_response(kind.Response)
+        return None if header is None else response
+
+    def close(self) -> None:
+        """Destroy the clients."""
+        while self._clients:
+            self._node.destroy_client(self._clients.popitem()[1])

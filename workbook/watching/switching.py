@@ -1,0 +1,85 @@
+"""Switches a running program to simulated time, and back to real time in the same process."""
+
+import time
+
+from workbook.watching.clock import SimulatedClock
+from workbook.watching.parameter_services import ParameterServices
+from workbook.watching.session import Session
+
+ANSWERS_WITHIN_S = 5.0
+"""A node that has not answered its parameter services for so long (s) does not spin: the wall clock judges it."""
+FOLLOWS_WITHIN_S = 1.0
+"""A node that has accepted the switch subscribes to /clock before it answers; the graph tells of it a moment later."""
+BACK_WITHIN_S = 1.0
+POLL_S = 0.001
+
+
+class TimeSwitch:
+    """Switches the program of one session. `services`: the parameter services of its nodes.
+
+    `is_real`: whether it has not been switched to simulated time, or returned from it.
+    """
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self._nodes: tuple[str, ...] = ()
+        self._is_simulated = False
+        self.is_real = True
+        self.services = ParameterServices(session.node)
+
+    def to_simulated_time(self, until: float) -> bool:
+        """Set `use_sim_time` on every node that is on the graph. Returns whether each of them follows /clock now.
+
+        Where one of them refuses, or has not answered at the moment `until` (`time.monotonic`, s), all of them stay on
+        real time or return to it.
+        """
+        session = self._session
+        present = session.recorder.present()
+        if not present:
+            return False
+        self._nodes = tuple(present)
+        clock = session.clock = SimulatedClock(session.node, session.plan.step_s)
+        self._is_simulated = self._set(True, until) and self._is_followed(clock, present.total())
+        if not self._is_simulated:
+            self._set(False, time.monotonic())  # one that answers later is switched and switched back then
+            session.clock = None
+            clock.close()
+        return self._is_simulated
+
+    def to_real_time(self) -> bool:
+        """Return the program to real time, unless it is there. Returns False when it refuses or does not answer."""
+        clock = self._session.clock
+        if clock is not None and self._is_simulated:
+            self._is_simulated = False
+            clock.run_at(1.0)
+            self.is_real = self._set(False, time.monotonic() + BACK_WITHIN_S)
+            if self.is_real:
+                clock.stop()
+        return self.is_real
+
+    def keep_time(self) -> bool:
+        """Let a clock that the program may still follow go on with real time. Returns whether the program runs."""
+        clock = self._session.clock
+        if clock is not None and self._session.context.ok() and clock.until_due() == 0.0:
+            clock.advance()
+        return self._session.process.is_running()
+
+    def close(self) -> None:
+        """Destroy the clients of parameter services."""
+        self.services.close()
+
+    def _set(self, value: bool, until: float) -> bool:
+        present = self._session.recorder.present()
+        meanwhile = self._session.process.is_running if value else self.keep_time
+        return self.services.set_sim_time(
+            [name for name in self._nodes if name in present], value, until, meanwhile
+        )
+
+    def _is_followed(self, clock: SimulatedClock, nodes: int) -> bool:
+        """Wait until each node is seen to subscribe to /clock; one process may be there long before another."""
+        until = time.monotonic() + FOLLOWS_WITHIN_S
+        while clock.followers() < nodes:
+            if time.monotonic() > until or not self._session.process.is_running():
+                return False
+            time.sleep(POLL_S)
+        return True
