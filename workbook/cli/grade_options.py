@@ -76,6 +76,12 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         "With uid, it has a separate user id, if the grader is root. With landlock, the kernel hides files. With "
         "limits, it has resource limits and its own domain: only for answers that you would run yourself",
     )
+    parser.add_argument(
+        "--seed",
+        metavar="N",
+        type=int,
+        help="draw what the judge sends to each answer from this number (default: another one each time)",
+    )
 
 
 def _add_retries(parser: argparse.ArgumentParser) -> None:

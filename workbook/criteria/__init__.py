@@ -48,7 +48,7 @@ from workbook.criteria.vocabulary.type_checks import (
 )
 from workbook.criteria.vocabulary.values import part_of, values
 from workbook.recording.recording import Arrival, CallSeen, Recording, Said
-from workbook.recording.script import BEFORE_START, calls, says, serves
+from workbook.recording.script import BEFORE_START, Part, calls, says, serves
 from workbook.scenes.scene import Box, Cup, Plate, Scene, on_desk
 
 __all__ = [
@@ -62,6 +62,7 @@ __all__ = [
     "Cup",
     "DriverCall",
     "Output",
+    "Part",
     "Plate",
     "Probe",
     "Recording",

@@ -89,7 +89,8 @@ class Batch:
 
     `second_start`: share of the answers that, if they pass on robot time, are started once more as their authors start
     them. Which ones is drawn anew in each run, so that nobody can count on being left out. `retry_stopped`: whether
-    answers that stopped the judge in an earlier run are judged again, though they have not changed.
+    answers that stopped the judge in an earlier run are judged again, though they have not changed. `seed`: what the
+    scripts of all answers are drawn from; None: another one for each try.
     """
 
     def __init__(
@@ -101,9 +102,11 @@ class Batch:
         *,
         second_start: float = 0.0,
         retry_stopped: bool = False,
+        seed: int | None = None,
     ) -> None:
         self._retry_stopped = retry_stopped
         self._second_start = second_start
+        self._seed = seed
         self._exercise = exercise
         self._out = out
         self._judges = judges
@@ -142,7 +145,7 @@ class Batch:
         try:
             drawn = random.SystemRandom()
             jobs = [
-                replace(job, second_start=drawn.random() < self._second_start)
+                replace(job, second_start=drawn.random() < self._second_start, seed=self._seed)
                 for job in run.refuse_or_keep(hand_ins)
             ]
 

@@ -210,6 +210,8 @@ class Recording:
     `held_up_s`: on the wall clock, the longest time (s) for which the watch itself got no processor; `stood_still_s`:
     the longest for which the host of this virtual machine took a processor away; `taken_s`: how long (s) it did so in
     all, the mean of all processors; `in_line_s`: how long (s) in all the program was ready to run and got none.
+
+    `seed`: what the script was drawn from; None where it is the same in each run.
     """
 
     format: Literal[1] = field(default=FORMAT, kw_only=True, repr=False, metadata=ALWAYS_STORED)
@@ -236,6 +238,7 @@ class Recording:
     wanted: tuple[str, ...] = ()
     following: Mapping[str, bool] = field(default_factory=dict)
     in_lockstep: bool = False
+    seed: int | None = None
     ignores_unknown_fields: ClassVar[bool] = True
 
     def topic(self, name: str) -> TopicRecording:

@@ -155,6 +155,7 @@ class Watch:
             taken_s=round(delays.stolen, 2),
             in_line_s=round(delays.run_queue, 4),
             wanted=(*self._plan.topics, *self._plan.script.names),
+            seed=self._plan.seed,
         )
 
     def _end(self) -> float:
