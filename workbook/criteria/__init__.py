@@ -27,6 +27,7 @@ from workbook.criteria.vocabulary.pairing import (
     outputs,
     pair_in_order,
     said,
+    script,
 )
 from workbook.criteria.vocabulary.phrasing import count, listing, number
 from workbook.criteria.vocabulary.processor import processor_share
@@ -132,6 +133,7 @@ __all__ = [
     "really_arrives",
     "said",
     "says",
+    "script",
     "seen_direction",
     "seen_pixel",
     "serves",

@@ -147,6 +147,7 @@ class Watch:
             in_lockstep=self._in_lockstep,
             step_s=self._plan.step_s if self._clock is not None else None,
             said=self._session.speaker.said(),
+            unsaid=self._session.speaker.unsaid(),
             calls=tuple(call for call in self._session.speaker.calls() if call.t <= end),
             services=self._recorder.services(),
             clients=self._recorder.clients(),
