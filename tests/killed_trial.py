@@ -94,7 +94,7 @@ class Trial:
         command = [
             *(sys.executable, "-m", "workbook.cli.main", "grade", str(self.answers), "--exercise", STEM),
             *("--out", str(self.out), "--slots", str(self.slots), "--isolation", "sandbox"),
-            *("--second-start", "0", "--format", "html,gradescope,canvas,moodle,nbgrader"),
+            *("--format", "html,gradescope,canvas,moodle,nbgrader"),
         ]
         environ = {**os.environ, "HOME": str(self.folder / "home"), "TMPDIR": str(self.folder / "tmp")}
         environ.pop("XDG_CACHE_HOME", None)

@@ -19,6 +19,7 @@ from workbook.criteria import (
 )
 from workbook.criteria.criterion import criteria_in, plan_for, topics_in, watching_in
 from workbook.criteria.runner import CriterionError, run_criteria
+from workbook.recording import script
 
 BAD = failed("test.eleven", "11 values", "12 values", "one too few", "count again", about_time=True)
 
@@ -157,3 +158,14 @@ def test_without_a_word_on_it_a_watch_covers_nine_of_the_longest_period() -> Non
     plan = plan_for((Module.battery,), watching())
     assert plan.robot_s == 18.0
     assert not watching().to_the_end
+
+
+def test_a_script_may_be_drawn_for_each_run() -> None:
+    how = watching(script=lambda rng: [script.says("/said", String, [(0.5, str(rng.random()))])])
+    plan = plan_for((Module.battery,), how)
+    one, other = how.drawn(plan, 1), how.drawn(plan, 2)
+    assert one == how.drawn(plan, 1)
+    assert one.script != other.script
+    assert (one.seed, other.seed, plan.seed) == (1, 2, None)
+    fixed = watching(script=[script.says("/said", String, [(0.5, "so")])])
+    assert fixed.drawn(plan_for((), fixed), 1) == plan_for((), fixed)

@@ -231,33 +231,3 @@ def test_stopped_it_judges_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(pool, "judge_with_retry", judged)
     assert len(list(judge_all(jobs(20), 1, stop=stopped.is_set))) == 1
-
-
-BEHAVES_ON_ROBOT_TIME = """
-import sys
-
-if "use_sim_time:=true" not in " ".join(sys.argv):
-    sys.argv = sys.argv[:1]
-    import rclpy
-
-    rclpy.init()
-    rclpy.spin(rclpy.create_node("robot"))
-"""
-
-
-def test_a_second_start_shows_who_behaves_on_robot_time_only() -> None:
-    from workbook.exercise.definition import load_exercise
-
-    text = load_exercise(STEM).source.solution_code
-    lazy = Answer(BEHAVES_ON_ROBOT_TIME + text)
-    cases = [
-        Job("lazy", STEM, lazy, False),
-        Job("caught", STEM, lazy, True),
-        Job("right", STEM, Answer(text), True),
-    ]
-    found = {job.key: one for job, one in judge_all(cases, 2)}
-    assert found["lazy"].full_marks
-    assert not found["caught"].full_marks and found["caught"].recording is not None
-    assert found["caught"].recording.clock == "wall"
-    assert found["right"].full_marks and found["right"].watched_real_life
-    assert found["right"].recording is not None and found["right"].recording.clock == "simulated"

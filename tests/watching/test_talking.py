@@ -15,6 +15,7 @@ from std_msgs.msg import Float32, String
 from std_srvs.srv import SetBool, Trigger
 
 from workbook.criteria.vocabulary.known_errors import ended_in_order
+from workbook.criteria.vocabulary.pairing import script
 from workbook.programs.spec import ProgramSpec
 from workbook.recording.plan import Plan
 from workbook.recording.recording import Clock, Recording
@@ -92,6 +93,27 @@ def test_what_is_said_comes_back_in_order(observer: Observer, tmp_path: Path, cl
     assert [one.value["data"] for one in recording.said] == list(LEVELS)
     assert [one.value["data"] for one in recording.topic("/robot/echo").arrivals] == list(LEVELS)
     assert [round(one.t, 2) for one in recording.said[:3]] == pytest.approx([0.0, 0.05, 0.1], abs=0.1)
+
+
+DIES_AFTER_THREE = ECHO.replace(
+    "self.echo.publish, 100)",
+    """self.hear, 100)
+        self.heard = 0
+    def hear(self, message):
+        self.heard += 1
+        if self.heard == 3:
+            raise ValueError("three is enough")""",
+)
+
+
+@pytest.mark.parametrize("clock", ["wall", "simulated"])
+def test_what_a_program_did_not_live_to_hear_is_in_its_recording(
+    observer: Observer, tmp_path: Path, clock: Clock
+) -> None:
+    part = says("/robot/level", Float32, [(0.1 * number, level) for number, level in enumerate(LEVELS)])
+    recording = watch(observer, tmp_path, DIES_AFTER_THREE, part, clock=clock, seconds=3.0)
+    assert 3 <= len(recording.said) < len(LEVELS)
+    assert [one.value["data"] for one in script(recording, part.topic)] == list(LEVELS)
 
 
 SLOW_STARTER = (

@@ -43,6 +43,12 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
         help="also keep a passing program running for 8 real seconds, as the instructor's grader does",
     )
     parser.add_argument(
+        "--seed",
+        metavar="N",
+        type=int,
+        help="draw what the judge sends from this number (default: another one each time)",
+    )
+    parser.add_argument(
         "--review", action="store_true", help="also print a prompt for a colleague or an AI assistant"
     )
     parser.set_defaults(run=run)
@@ -99,7 +105,7 @@ def _watch(options: argparse.Namespace, source: "ExerciseSource", file: Path) ->
     def note(judgement: "Judgement", answer: "Answer") -> None:
         _note(judgement, answer, file)
 
-    return WatchMode(Watched(source, file, options.as_graded, note), WatchScreen()).run()
+    return WatchMode(Watched(source, file, options.as_graded, note, options.seed), WatchScreen()).run()
 
 
 def _note(judgement: "Judgement", answer: "Answer", file: Path) -> None:
@@ -128,7 +134,7 @@ def _judge(
         exercise = load_exercise(stem)
     except BrokenCriteria as error:
         return _not_judged(error)
-    judgement = _judgement_of(exercise, answer, started, thorough=options.as_graded)
+    judgement = _judgement_of(exercise, answer, started, thorough=options.as_graded, seed=options.seed)
     print(verdict_text(judgement, terminal.in_color(sys.stdout)))
     _note(judgement, answer, file)
     if judgement.status != "graded":
@@ -142,7 +148,7 @@ def _judge(
 
 
 def _judgement_of(
-    exercise: "Exercise", answer: "Answer", started: "StartedAnswer", *, thorough: bool
+    exercise: "Exercise", answer: "Answer", started: "StartedAnswer", *, thorough: bool, seed: int | None
 ) -> "Judgement":
     """Judge the started program; one more try, if that is inconclusive, starts it anew."""
     from workbook.exercise.judging import Judge
@@ -160,6 +166,7 @@ def _judgement_of(
                 thorough=thorough,
                 report=_report,
                 started=running.pop() if running else None,
+                seed=seed,
             )
 
         return until_sure(once, _report)

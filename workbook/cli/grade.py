@@ -194,8 +194,8 @@ def _grade(
             options.out,
             judges,
             whose,
-            second_start=options.second_start,
             retry_stopped=options.retry_stopped,
+            seed=options.seed,
         )
         if options.repeat is not None:
             return _repeat(options, exercise, batch, judges)
@@ -253,7 +253,8 @@ def _repeat(options: argparse.Namespace, exercise: "Exercise", batch: "Batch", j
     for hand_in in batch.hand_ins(options.paths):
         try:
             if hand_in.problem is None:
-                jobs.append(Job(hand_in.student, exercise.stem, read_answer(hand_in.path, exercise.stem)))
+                answer = read_answer(hand_in.path, exercise.stem)
+                jobs.append(Job(hand_in.student, exercise.stem, answer, seed=options.seed))
         except Ungradable:
             continue
     return conclude_repetition(list(unsteady(jobs, options.repeat, judges)), len(jobs), options.repeat)

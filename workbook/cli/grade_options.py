@@ -10,7 +10,6 @@ if TYPE_CHECKING:
 
 SLOTS_PER_CORE = {"simulated": 2, "wall": 4}
 """Answers at work at once. On the wall clock they wait for nine tenths of their time."""
-SECOND_START = 0.2
 
 
 def add_options(parser: argparse.ArgumentParser) -> None:
@@ -24,14 +23,6 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     _add_hand_ins(parser)
     _add_lateness(parser)
     _add_repetition(parser)
-
-
-def _share(text: str) -> float:
-    """A number from 0 to 1, or "all", as argparse wants it."""
-    share = 1.0 if text == "all" else float(text)
-    if not 0.0 <= share <= 1.0:
-        raise argparse.ArgumentTypeError(f"{text} is neither a share from 0 to 1 nor `all`")
-    return share
 
 
 def _add_answers(parser: argparse.ArgumentParser) -> None:
@@ -61,20 +52,18 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         help="judge on other machines: the dask scheduler at tcp://host:8786 (see 'A farm' in exercises/README.md)",
     )
     parser.add_argument(
-        "--second-start",
-        metavar="SHARE",
-        type=_share,
-        default=SECOND_START,
-        help="share of the answers that passed on robot time and are started again, as a student starts them "
-        f"(default: {SECOND_START:g}; `all` for an exam)",
-    )
-    parser.add_argument(
         "--isolation",
         choices=["auto", "sandbox", "uid", "landlock", "limits"],
         default="auto",
         help="With sandbox (auto means the same), each program runs in a bubblewrap sandbox, with its own network. "
         "With uid, it has a separate user id, if the grader is root. With landlock, the kernel hides files. With "
         "limits, it has resource limits and its own domain: only for answers that you would run yourself",
+    )
+    parser.add_argument(
+        "--seed",
+        metavar="N",
+        type=int,
+        help="draw what the judge sends to each answer from this number (default: another one each time)",
     )
 
 

@@ -27,6 +27,7 @@ from workbook.criteria.vocabulary.pairing import (
     outputs,
     pair_in_order,
     said,
+    script,
 )
 from workbook.criteria.vocabulary.phrasing import count, listing, number
 from workbook.criteria.vocabulary.processor import processor_share
@@ -48,7 +49,7 @@ from workbook.criteria.vocabulary.type_checks import (
 )
 from workbook.criteria.vocabulary.values import part_of, values
 from workbook.recording.recording import Arrival, CallSeen, Recording, Said
-from workbook.recording.script import BEFORE_START, calls, says, serves
+from workbook.recording.script import BEFORE_START, Part, calls, says, serves
 from workbook.scenes.scene import Box, Cup, Plate, Scene, on_desk
 
 __all__ = [
@@ -62,6 +63,7 @@ __all__ = [
     "Cup",
     "DriverCall",
     "Output",
+    "Part",
     "Plate",
     "Probe",
     "Recording",
@@ -131,6 +133,7 @@ __all__ = [
     "really_arrives",
     "said",
     "says",
+    "script",
     "seen_direction",
     "seen_pixel",
     "serves",

@@ -1,7 +1,8 @@
 """What a criterion is: one judged statement about a recording, with points."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from random import Random
 from types import ModuleType
 from typing import Any
 
@@ -12,6 +13,8 @@ from workbook.recording.script import NOTHING_SAID, Part, Script
 from workbook.recording.type_names import type_name
 
 Judgement = Callable[[Recording], Verdict]
+Draw = Callable[[Random], Sequence[Part]]
+"""Makes the parts of a script from random numbers."""
 
 
 @dataclass(frozen=True)
@@ -89,14 +92,23 @@ def topic(
 
 @dataclass(frozen=True)
 class Watching:
-    """How the recording of an exercise is made, where it differs from the usual."""
+    """How the recording of an exercise is made, where it differs from the usual.
+
+    `script`: the same in each run, or the function that draws one.
+    """
 
     robot_seconds: float | None = None
     wall_seconds: float | None = None
     to_the_end: bool = False
-    script: Script = NOTHING_SAID
+    script: Script | Draw = NOTHING_SAID
     bytes_per_topic: int = BYTES_PER_TOPIC
     steps_per_period: int = STEPS_PER_PERIOD
+
+    def drawn(self, plan: Plan, seed: int) -> Plan:
+        """The plan with a script drawn from `seed`; the same plan where the script is the same in each run."""
+        if isinstance(self.script, Script):
+            return plan
+        return replace(plan, script=Script(tuple(self.script(Random(seed)))), seed=seed)
 
 
 def watching(
@@ -104,7 +116,7 @@ def watching(
     robot_seconds: float | None = None,
     wall_seconds: float | None = None,
     to_the_end: bool = False,
-    script: Sequence[Part] = (),
+    script: Sequence[Part] | Draw = (),
     bytes_per_topic: int = BYTES_PER_TOPIC,
     steps_per_period: int = STEPS_PER_PERIOD,
 ) -> Watching:
@@ -114,13 +126,21 @@ def watching(
     watch on the wall clock, instead of four of the longest period. `to_the_end`: the program is sent Ctrl-C (SIGINT)
     before it is judged, so that criteria see how it ends, and which of its nodes stay on the graph. `script`: the
     messages, services and calls that the judge sends to the program meanwhile, made with `says`, `serves` and `calls`.
+    A program could answer a fixed script from a table. So `script` may be a function: given a `random.Random`, it draws
+    them again for each run. What matters to the criteria must be in each draw, and they judge by what the recording
+    says (`said`, `calls`).
     `bytes_per_topic`: how many bytes of messages are kept of each topic, those of the judge not counted. Of a field
     with more than 4096 elements only the beginning, the size and the SHA-256 are kept, and hardly more is counted.
     `steps_per_period`: into how many steps of robot time the shortest judged period is divided. Each step costs about
     two milliseconds: fewer of them make a long watch of a fast topic quicker.
     """
     return Watching(
-        robot_seconds, wall_seconds, to_the_end, Script(tuple(script)), bytes_per_topic, steps_per_period
+        robot_seconds,
+        wall_seconds,
+        to_the_end,
+        script if callable(script) else Script(tuple(script)),
+        bytes_per_topic,
+        steps_per_period,
     )
 
 
@@ -140,7 +160,7 @@ def topics_in(module: ModuleType) -> tuple[Topic, ...]:
 
 
 def plan_for(topics: Iterable[Topic], how: Watching) -> Plan:
-    """How finely and how long to watch for these topics."""
+    """How finely and how long to watch for these topics. A script that is drawn is missing: see `Watching.drawn`."""
     declared = tuple(topics)
     periods = [one.period for one in declared if one.hz is not None] or [1.0]
     return Plan(
@@ -149,7 +169,7 @@ def plan_for(topics: Iterable[Topic], how: Watching) -> Plan:
         max(periods),
         how.robot_seconds,
         how.wall_seconds,
-        how.script,
+        how.script if isinstance(how.script, Script) else NOTHING_SAID,
         how.to_the_end,
         tuple(one.name for one in declared if one.hz is not None),
         how.bytes_per_topic,

@@ -10,7 +10,14 @@ from functools import cached_property
 from pathlib import Path
 from types import ModuleType
 
-from workbook.criteria.criterion import Criterion, criteria_in, plan_for, topics_in, watching_in
+from workbook.criteria.criterion import (
+    Criterion,
+    Watching,
+    criteria_in,
+    plan_for,
+    topics_in,
+    watching_in,
+)
 from workbook.criteria.vocabulary.type_checks import probes_in
 from workbook.exercise.course import course_folder
 from workbook.exercise.source import ExerciseSource, driver_of, find, load
@@ -18,6 +25,9 @@ from workbook.recording.plan import Plan
 
 OWN_CRITERIA = "WORKBOOK_CRITERIA"
 """Variable that names a folder with an instructor's own criteria, `NN_slug.py`, outside of the course."""
+
+FIRST_SEED = 0
+"""What a script is drawn from as long as no run has drawn its own: then its topics and services are known."""
 
 
 class BrokenCriteria(RuntimeError):
@@ -44,7 +54,8 @@ class Exercise:
 
     `criteria` are in order, `plan` is the watch that they need, and `periods` are the judged periods (s) by topic.
     `to_the_end`: the program's end is judged as well. `driver`: what calls the functions of an answer that is no
-    program. `probes`: by name, code that uses an answer and is read by the type checker together with it.
+    program. `probes`: by name, code that uses an answer and is read by the type checker together with it. `watching`:
+    what the plan was made of.
     """
 
     stem: str
@@ -56,6 +67,7 @@ class Exercise:
     solution_path: Path
     driver: Path | None = None
     probes: Mapping[str, str] = field(default_factory=dict)
+    watching: Watching = field(default_factory=Watching)
 
     @cached_property
     def source(self) -> ExerciseSource:
@@ -66,6 +78,10 @@ class Exercise:
     def max_points(self) -> float:
         """The sum of all criteria, hidden ones included."""
         return sum(criterion.points for criterion in self.criteria)
+
+    def drawn(self, seed: int) -> "Exercise":
+        """The exercise with the script of one run, drawn from `seed`; itself if its script is the same in each."""
+        return replace(self, plan=self.watching.drawn(self.plan, seed))
 
 
 def load_exercise(name: str, course: Path | None = None) -> Exercise:
@@ -88,7 +104,7 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
         raise BrokenCriteria(f"{path}: {error}") from error
     driver = driver_of(solution)
     files = [path] if driver is None else [path, driver]
-    topics = topics_in(module)
+    topics, how = topics_in(module), watching_in(module)
     own = own_criteria(solution.stem)
     if own is not None:
         more = _import(own)
@@ -98,13 +114,14 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
     return Exercise(
         stem=solution.stem,
         criteria=criteria,
-        plan=plan_for(topics, watching_in(module)),
-        to_the_end=watching_in(module).to_the_end,
+        plan=how.drawn(plan_for(topics, how), FIRST_SEED),
+        to_the_end=how.to_the_end,
         periods={one.name: one.period for one in topics if one.hz is not None},
         criteria_sha256=_sum_of(files),
         solution_path=solution,
         driver=driver,
         probes=probes,
+        watching=how,
     )
 
 

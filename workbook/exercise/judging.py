@@ -3,6 +3,7 @@
 The student's check and the instructor's grade both come through `judge`.
 """
 
+import secrets
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from statistics import median
@@ -25,6 +26,7 @@ from workbook.watching.following import intervals_of, rates_differ
 from workbook.watching.observer import Observer
 from workbook.watching.watch import PATIENCE_WITH_THE_END_S, Watch
 
+SEED_BITS = 32
 REAL_LIFE_S = 8.0
 FIELD_CHECKS_S = 2.0
 FIELD_CHECKS_PERIODS = 1.5
@@ -179,14 +181,16 @@ class Judge:
         report: Report | None = None,
         enough: Callable[[], bool] = lambda: False,
         started: StartedAnswer | None = None,
+        seed: int | None = None,
     ) -> Judgement:
         """Judge one answer.
 
         `thorough`: a program that was judged on simulated time is switched back and kept running until eight real
         seconds after it was matched, unless `enough` cuts that short. What it publishes then must be as before.
         `report` receives the judgement before that. `started`: this answer, if it runs already on the observer's
-        domain.
+        domain. `seed`: what the script is drawn from, to repeat a run; None: another one each time.
         """
+        exercise = exercise.drawn(secrets.randbits(SEED_BITS) if seed is None else seed)
         if started is None:
             # On the very domain that it names, a program with a domain of its own would be taken for a right one.
             self._observer.keep_off(domains_named(answer.text))

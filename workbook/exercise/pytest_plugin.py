@@ -20,10 +20,13 @@ MOST_TRIES = 3
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add `--answer` and `--recording`."""
+    """Add `--answer`, `--recording`, and `--seed`."""
     group = parser.getgroup("rclpy-workbook")
     group.addoption("--answer", type=Path, help="run this answer and judge it by the criteria file given")
     group.addoption("--recording", type=Path, help="judge this stored recording by the criteria file given")
+    group.addoption(
+        "--seed", type=int, help="draw what the judge sends from this number, as in an earlier run"
+    )
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> "CriteriaFile | None":
@@ -67,9 +70,10 @@ class CriteriaFile(pytest.File):
             judgement = judge_recording(exercise, "", Recording.load(stored))
         else:
             answer = read_answer(self.config.getoption("--answer"), exercise.stem)
+            seed = self.config.getoption("--seed", None)
             for _ in range(MOST_TRIES):
                 with Observer() as observer:
-                    judgement = Judge(observer).judge(exercise, answer, thorough=True)
+                    judgement = Judge(observer).judge(exercise, answer, thorough=True, seed=seed)
                 if not judgement.doubt:
                     break
         if judgement.status != "graded":

@@ -2,7 +2,6 @@
 
 import hashlib
 import os
-import random
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -87,9 +86,8 @@ def _file_sha(path: Path) -> str:
 class Batch:
     """Grades hand-ins of one exercise into the folder `out`; can be killed and started again at any time.
 
-    `second_start`: share of the answers that, if they pass on robot time, are started once more as their authors start
-    them. Which ones is drawn anew in each run, so that nobody can count on being left out. `retry_stopped`: whether
-    answers that stopped the judge in an earlier run are judged again, though they have not changed.
+    `retry_stopped`: whether answers that stopped the judge in an earlier run are judged again, though they have not
+    changed. `seed`: what the scripts of all answers are drawn from; None: another one for each try.
     """
 
     def __init__(
@@ -99,11 +97,11 @@ class Batch:
         judges: Judges,
         roster: Roster | None = None,
         *,
-        second_start: float = 0.0,
         retry_stopped: bool = False,
+        seed: int | None = None,
     ) -> None:
         self._retry_stopped = retry_stopped
-        self._second_start = second_start
+        self._seed = seed
         self._exercise = exercise
         self._out = out
         self._judges = judges
@@ -140,11 +138,7 @@ class Batch:
         by = GradedBy(self._exercise, self._judges.isolation, self._out)
         run = _Run(by, file, progress, self._retry_stopped)
         try:
-            drawn = random.SystemRandom()
-            jobs = [
-                replace(job, second_start=drawn.random() < self._second_start)
-                for job in run.refuse_or_keep(hand_ins)
-            ]
+            jobs = [replace(job, seed=self._seed) for job in run.refuse_or_keep(hand_ins)]
 
             def judge(some: Sequence[Job[HandIn]]) -> Iterator[tuple[Job[HandIn], Judgement]]:
                 return self._judges.judge_all(some, stop=stop)

@@ -259,7 +259,7 @@ class Farm:
             course=self._course,
             own_criteria=_text_of_file(own_criteria(job.stem)),
             process=machine.process,
-            second_start=job.second_start,
+            seed=job.seed,
         ).to_text()
 
     def announce_loss(self, machine: _Machine) -> None:

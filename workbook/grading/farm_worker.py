@@ -47,7 +47,7 @@ class FarmJob:
     course: str
     own_criteria: str | None
     process: str
-    second_start: bool = False
+    seed: int | None = None
 
     def to_text(self) -> str:
         """The job as JSON."""
@@ -128,7 +128,7 @@ def _judge(order: FarmJob) -> Mapping[str, Any]:
     if problem is not None:
         return {"refused": problem}
     kind = Kind(order.isolation, _folder_of(order.exercise, order.own_criteria))
-    job = Job(None, order.exercise, Answer(order.answer), order.second_start)
+    job = Job(None, order.exercise, Answer(order.answer), order.seed)
     slot, judgement = judge_with_retry(
         _rack.take(kind), job, order.thorough, order.isolation, kind.own_criteria
     )

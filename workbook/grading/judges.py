@@ -13,12 +13,12 @@ Key = TypeVar("Key")
 
 @dataclass(frozen=True)
 class Job(Generic[Key]):
-    """One answer to judge; `key` is handed back with the judgement. `second_start`: see `Judge.judge`."""
+    """One answer to judge; `key` is handed back with the judgement. `seed`: see `Judge.judge`."""
 
     key: Key
     stem: str
     answer: Answer
-    second_start: bool = False
+    seed: int | None = None
 
 
 class NoJudges(RuntimeError):

@@ -166,13 +166,13 @@ class Slot:
         answer: Answer,
         *,
         thorough: bool,
-        second_start: bool = False,
+        seed: int | None = None,
         report: Report | None = None,
     ) -> Judgement:
         """Judge one answer; see `Judge.judge`. Raises SlotBroken; use a new slot then."""
         self._health.begin()
         began = time.monotonic()
-        order = {"exercise": stem, "answer": answer.text, "thorough": thorough, "second_start": second_start}
+        order = {"exercise": stem, "answer": answer.text, "thorough": thorough, "seed": seed}
         assert self._process.stdin is not None
         try:
             self._process.stdin.write((json.dumps(order) + "\n").encode())
@@ -315,7 +315,11 @@ def _judge_with_retry(
             slot = slot or standby.take(isolation, own_criteria, server)
             at_work = True
             judgement = slot.judge(
-                job.stem, job.answer, thorough=thorough, second_start=job.second_start, report=report
+                job.stem,
+                job.answer,
+                thorough=thorough,
+                seed=job.seed,
+                report=report,
             )
             return slot, judgement
         except Exception as error:  # whatever it is, the answer must not get lost

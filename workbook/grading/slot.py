@@ -1,6 +1,7 @@
 """One place to run an answer: a process of its own with a warm observer, fed with jobs as lines of JSON.
 
-    {"exercise": "09_joint_positions", "answer": "<program text>", "thorough": true, "second_start": false}
+    {"exercise": "09_joint_positions", "answer": "<program text>", "thorough": true,
+     "seed": null}
 
 comes in on standard input, judgements go out on standard output, the last one with `"final": true`. The line
 `{"enough": true}` cuts short the real seconds that a passing program is kept running for.
@@ -134,7 +135,7 @@ def _follow(
             _exercise(job["exercise"]),
             Answer(job["answer"]),
             thorough=job["thorough"],
-            second_start=job["second_start"],
+            seed=job["seed"],
             report=report,
             enough=enough,
         )

@@ -2,7 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from workbook.exercise.judgement import Judgement
 from workbook.grading.judges import Job, Judges
@@ -26,7 +26,7 @@ def verdict_of(judgement: Judgement) -> str:
 
 def unsteady(jobs: Sequence[Job[str]], times: int, judges: Judges) -> Iterator[Unsteady]:
     """Judge every answer `times` times; yields those that did not get the same verdict each time."""
-    many = [Job(job.key, job.stem, job.answer) for job in jobs for _ in range(times)]
+    many = [replace(job) for job in jobs for _ in range(times)]
     found: dict[str, Counter[str]] = {}
     for job, judgement in judges.judge_all(many):
         found.setdefault(job.key, Counter())[verdict_of(judgement)] += 1

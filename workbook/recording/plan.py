@@ -30,7 +30,8 @@ class Plan:
     `topics`: judged topic names. `shortest_period` and `longest_period`: of the judged rates, in seconds.
     `paced`: those of them whose rate is judged. `robot_seconds`: robot time to watch; None: nine of the longest period.
     `wall_seconds`: real time to watch on the wall clock; None: a little more than four of the longest period.
-    `script`: what the judge sends meanwhile. A program that only listens is then seen by its node.
+    `script`: what the judge sends meanwhile. A program that only listens is then seen by its node. `seed`: what the
+    script was drawn from; None for one that is the same in each run.
     `to_the_end`: whether the watch also looks for nodes that stay on the graph after the program. A participant that
     vanishes without a DDS dispose is then remembered for much longer than a dispose takes on the busiest machine.
     `bytes_per_topic`: how many bytes of messages are kept of each topic. `features`: by topic and field, what is kept
@@ -49,6 +50,7 @@ class Plan:
     bytes_per_topic: int = BYTES_PER_TOPIC
     features: Mapping[str, Mapping[str, Feature]] = field(default_factory=dict, compare=False)
     steps_per_period: int = STEPS_PER_PERIOD
+    seed: int | None = None
 
     @property
     def node_suffices(self) -> bool:

@@ -211,6 +211,9 @@ class Recording:
     `held_up_s`: on the wall clock, the longest time (s) for which the watch itself got no processor; `stood_still_s`:
     the longest for which the host of this virtual machine took a processor away; `taken_s`: how long (s) it did so in
     all, the mean of all processors; `in_line_s`: how long (s) in all the program was ready to run and got none.
+
+    `seed`: what the script was drawn from; None where it is the same in each run. `unsaid`: the messages of the script
+    that were still to come when the program ended (`t` and `wall`: when they were due).
     """
 
     format: Literal[1] = field(default=FORMAT, kw_only=True, repr=False, metadata=ALWAYS_STORED)
@@ -238,6 +241,8 @@ class Recording:
     following: Mapping[str, bool] = field(default_factory=dict)
     in_lockstep: bool = False
     own_clock: tuple[str, ...] = ()
+    seed: int | None = None
+    unsaid: tuple[Said, ...] = ()
     ignores_unknown_fields: ClassVar[bool] = True
 
     def topic(self, name: str) -> TopicRecording:

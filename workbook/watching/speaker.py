@@ -162,6 +162,14 @@ class Speaker:
         """The messages published so far, in order."""
         return tuple(self._said)
 
+    def unsaid(self) -> tuple[Said, ...]:
+        """The messages that are still to come, in order. Their times are those at which they are due."""
+        to_come = [(part, line) for part, _, due in self._publishers for line in due.lines]
+        return tuple(
+            Said(part.topic, line.at, line.at, plain(fill(message_class(part.type)(), line.value)))
+            for part, line in sorted(to_come, key=lambda one: one[1].at)
+        )
+
     def calls(self) -> tuple[CallSeen, ...]:
         """The service calls seen so far, in both directions, in the order of their wall time."""
         return tuple(sorted(self._calls, key=lambda call: call.wall))

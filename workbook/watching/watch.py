@@ -176,6 +176,7 @@ class Watch:
             in_lockstep=self._in_lockstep,
             step_s=self._plan.step_s if self._simulated else None,
             said=self._session.speaker.said(),
+            unsaid=self._session.speaker.unsaid(),
             calls=tuple(call for call in self._session.speaker.calls() if call.t <= end),
             services=self._recorder.services(),
             clients=self._recorder.clients(),
@@ -185,6 +186,7 @@ class Watch:
             in_line_s=round(delays.run_queue, 4),
             wanted=(*self._plan.topics, *self._plan.script.names),
             own_clock=self._own_clock,
+            seed=self._plan.seed,
         )
 
     def _end(self) -> float:

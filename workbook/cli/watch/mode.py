@@ -44,12 +44,13 @@ class _SavedAgain(Exception):
 
 @dataclass
 class Watched:
-    """The answer that is watched. `note` keeps each judgement in the student's progress."""
+    """The answer that is watched. `note` keeps each judgement in the student's progress; `seed`: see `Judge.judge`."""
 
     source: ExerciseSource
     file: Path
     thorough: bool
     note: Callable[[Judgement, Answer], None]
+    seed: int | None = None
 
 
 class WatchMode:
@@ -151,7 +152,7 @@ class WatchMode:
         """Judge on the warm slot. Raises _SavedAgain when a try that was in doubt is out of date."""
         if signature(self._watched.file) not in (self._seen, None):
             raise _SavedAgain
-        job = Job("", self._watched.source.stem, answer)
+        job = Job("", self._watched.source.stem, answer, seed=self._watched.seed)
         self._at_work = True
         self._slot, judgement = judge_with_retry(self._slot, job, self._watched.thorough, report=self._report)
         self._at_work = False

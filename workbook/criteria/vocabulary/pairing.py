@@ -19,6 +19,11 @@ def said(recording: Recording, topic: str) -> list[Said]:
     return [one for one in recording.said if one.topic == topic]
 
 
+def script(recording: Recording, topic: str) -> list[Said]:
+    """What the script has for `topic`, in order, with what was still to come when the program ended."""
+    return [one for one in (*recording.said, *recording.unsaid) if one.topic == topic]
+
+
 def _same(one: Any, other: Any) -> bool:
     if isinstance(one, float) and isinstance(other, (int, float)):
         return abs(one - other) <= 1e-6 * max(1.0, abs(other))

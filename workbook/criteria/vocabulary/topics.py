@@ -148,6 +148,18 @@ def _silent(recording: Recording, topic: Topic) -> Verdict:
     saw = f"the publisher on {topic.name} is there, but no message arrived in {lasted}"
     if blamed is None and (others := _arrive_from_its_node(recording, topic)):
         return _silent_beside(topic, others, saw)
+    waiting = {publisher.node for publisher in recording.topic(topic.name).publishers}.intersection(
+        recording.own_clock
+    )
+    if blamed is None and waiting:
+        return failed(
+            "no-message.own-clock",
+            f"{saw}; {listing(waiting)} subscribes to /clock",
+            f"messages on {topic.name}",
+            "The node has use_sim_time set to true, so its timers wait for messages on /clock. No node publishes "
+            "/clock here, just as when you run the program yourself.",
+            "Remove the line that sets use_sim_time. A simulator sets this parameter where there is one.",
+        )
     return blamed or failed(
         "no-message.silent",
         saw,

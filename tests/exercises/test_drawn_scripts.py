@@ -1,0 +1,39 @@
+"""Scripts that are drawn for each run: what is the same in each draw, and what is not."""
+
+from dataclasses import replace
+
+import pytest
+
+from tests.exercises.test_proofs import ROOT, SEEDS, STEMS
+from workbook.exercise.definition import Exercise, load_exercise
+from workbook.recording.script import Part, Says, Script, Serves
+
+DRAWN = tuple(stem for stem in STEMS if not isinstance(load_exercise(stem, ROOT).watching.script, Script))
+
+
+def shape(part: Part) -> Part:
+    """What a program may rely on: names, types and QoS."""
+    return replace(part, replies=()) if isinstance(part, Serves) else replace(part, lines=())
+
+
+@pytest.fixture(params=DRAWN)
+def exercise(request: pytest.FixtureRequest) -> Exercise:
+    return load_exercise(request.param, ROOT)
+
+
+def test_a_script_is_drawn_from_its_seed_alone(exercise: Exercise) -> None:
+    once, again = ([exercise.drawn(seed).plan for seed in range(SEEDS)] for _ in range(2))
+    assert repr(once) == repr(again)  # nan is not equal to itself
+    assert len({repr(plan.script) for plan in once}) == SEEDS
+    assert [plan.seed for plan in once] == [*range(SEEDS)]
+
+
+def test_every_draw_has_the_same_topics_and_ends_in_time(exercise: Exercise) -> None:
+    plan = exercise.plan
+    watched_s = min(plan.robot_s, plan.wall_s) if exercise.source.clock == "simulated" else plan.wall_s
+    for seed in range(SEEDS):
+        script = exercise.drawn(seed).plan.script
+        assert [*map(shape, script.parts)] == [*map(shape, plan.script.parts)]
+        assert script.last_at < watched_s
+        for part in script.parts:
+            assert not isinstance(part, Says) or part.lines

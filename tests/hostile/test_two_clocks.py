@@ -1,0 +1,104 @@
+"""Programs that behave in one way on simulated time, and in another one when a person runs them."""
+
+import pytest
+
+from workbook.exercise.answers import Answer
+from workbook.exercise.definition import load_exercise
+from workbook.exercise.judgement import Judgement
+from workbook.exercise.judging import Judge
+from workbook.watching.observer import Observer
+
+EXERCISE = load_exercise("09_joint_positions")
+RIGHT = EXERCISE.source.solution_code
+READY = '        self.get_logger().info("Humanoid status publisher started")\n'
+PUBLISH_STATUS = "        self.status_publisher.publish(message)\n"
+PUBLISH_JOINTS = "        self.joint_publisher.publish(message)\n"
+REAL = 'if not self.get_parameter("use_sim_time").value'
+SUPER = 'super().__init__("humanoid_status_publisher"'
+ON_SET = """\
+        from rcl_interfaces.msg import SetParametersResult
+
+        self.add_on_set_parameters_callback(
+            lambda parameters: SetParametersResult(successful={accepts})
+        )
+"""
+
+
+def changed(old: str, new: str) -> str:
+    """The reference answer with one part replaced."""
+    assert old in RIGHT
+    return RIGHT.replace(old, new)
+
+
+def judged(text: str) -> Judgement:
+    """Judge a program as a grader does."""
+    with Observer() as observer:
+        return Judge(observer).judge(EXERCISE, Answer(text), thorough=True)
+
+
+def clock_of(judgement: Judgement) -> str:
+    assert judgement.recording is not None
+    return judgement.recording.clock
+
+
+def test_a_program_that_is_as_it_was_in_real_time_is_judged_on_simulated_time() -> None:
+    judgement = judged(RIGHT)
+    assert judgement.full_marks
+    assert judgement.watched_real_life
+    assert clock_of(judgement) == "simulated"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "lost"),
+    [
+        (
+            PUBLISH_STATUS,
+            f"{PUBLISH_STATUS}        for _ in range(9 {REAL} else 0):\n    {PUBLISH_STATUS}",
+            {"status_kept"},
+        ),
+        (
+            PUBLISH_JOINTS,
+            f"        {REAL}:\n            message.data = message.data[:7]\n{PUBLISH_JOINTS}",
+            {"twelve_values"},
+        ),
+        (
+            PUBLISH_STATUS,
+            f"        {REAL}:\n            return\n{PUBLISH_STATUS}",
+            {"status_kept"},
+        ),
+    ],
+    ids=["ten times as fast", "seven angles", "silent"],
+)
+def test_what_a_program_does_in_real_time_counts(old: str, new: str, lost: set[str]) -> None:
+    judgement = judged(changed(old, new))
+    assert {one.id for one in judgement.criteria if one.status in ("failed", "partial")} == lost
+    assert clock_of(judgement) == "wall"
+
+
+def test_a_program_that_sets_use_sim_time_itself_is_silent_for_a_person_too() -> None:
+    own = 'parameter_overrides=[rclpy.parameter.Parameter("use_sim_time", value=True)]'
+    judgement = judged(changed(SUPER, f"{SUPER}, {own}"))
+    assert "no-message.own-clock" in {one.cause for one in judgement.criteria}
+    assert judgement.score == 3.0
+    assert clock_of(judgement) == "wall"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        changed(READY, ON_SET.format(accepts="False")),
+        changed(READY, ON_SET.format(accepts="all(one.value for one in parameters)")),
+        changed(SUPER, f"{SUPER}, start_parameter_services=False"),
+        changed(READY, '        self.create_timer(0.1, lambda: __import__("time").sleep(0.07))\n'),
+    ],
+    ids=[
+        "refuses the switch",
+        "refuses the switch back",
+        "has no parameter services",
+        "sleeps most of the time",
+    ],
+)
+def test_a_right_program_that_simulated_time_cannot_judge_is_judged_on_the_wall_clock(text: str) -> None:
+    judgement = judged(text)
+    assert judgement.full_marks
+    assert clock_of(judgement) == "wall"
