@@ -83,16 +83,43 @@ def test_a_program_that_sets_use_sim_time_itself_is_silent_for_a_person_too() ->
     assert clock_of(judgement) == "wall"
 
 
+NOW_LOOP = """
+    node = HumanoidStatusPublisher()
+    due = [node.get_clock().now()] * 2
+    while rclpy.ok():
+        rclpy.spin_once(node, timeout_sec=0.02)
+        for number, period in enumerate((STATUS_PERIOD_S, BATTERY_PERIOD_S)):
+            if node.get_clock().now() - due[number] >= rclpy.duration.Duration(seconds=period):
+                due[number] += rclpy.duration.Duration(seconds=period)
+                (node.publish_status if number == 0 else node.publish_battery)()
+                if number == 1:
+                    node.publish_joint_positions()
+"""
+COMPARES_TIMES = RIGHT.replace(
+    "        self.status_timer = ", "        return\n        self.status_timer = "
+).replace(
+    "        rclpy.spin(HumanoidStatusPublisher())\n", NOW_LOOP.replace("\n    ", "\n        ").lstrip("\n")
+)
+
+
+def test_a_jump_back_of_the_clock_is_not_the_fault_of_a_program_that_compares_times() -> None:
+    judgement = judged(COMPARES_TIMES)
+    assert judgement.full_marks
+    assert clock_of(judgement) == "wall"
+
+
 @pytest.mark.parametrize(
     "text",
     [
         changed(READY, ON_SET.format(accepts="False")),
+        changed(READY, ON_SET.format(accepts="1 / 0")),
         changed(READY, ON_SET.format(accepts="all(one.value for one in parameters)")),
         changed(SUPER, f"{SUPER}, start_parameter_services=False"),
         changed(READY, '        self.create_timer(0.1, lambda: __import__("time").sleep(0.07))\n'),
     ],
     ids=[
         "refuses the switch",
+        "ends with an error at the switch",
         "refuses the switch back",
         "has no parameter services",
         "sleeps most of the time",

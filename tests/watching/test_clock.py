@@ -23,10 +23,10 @@ class StandIn:
 
 def test_simulated_time_begins_at_the_present_time_of_day_and_goes_on_in_equal_steps() -> None:
     node = StandIn()
-    clock = SimulatedClock(node, 0.1)
     before = time.time_ns()
-    clock.start()
+    clock = SimulatedClock(node, 0.1)
     after = time.time_ns()
+    clock.publish()
     clock.advance()
     clock.advance()
     first, *later = node.published
@@ -46,7 +46,7 @@ def test_a_step_is_due_after_the_time_that_the_speed_gives_it() -> None:
 
 def test_after_a_stop_robot_time_goes_on_with_real_time() -> None:
     clock = SimulatedClock(StandIn(), 0.1)
-    clock.start()
+    clock.publish()
     clock.advance()
     early = time.monotonic()
     clock.stop()

@@ -281,7 +281,7 @@ def test_a_program_that_cannot_be_switched_is_watched_on_the_wall_clock(
     if "enable_rosout" in options:
         text = text.replace("battery, status", f"{REFUSAL}battery, status", 1)
     recording = watched(text)
-    assert (recording.clock, recording.follows_clock, recording.phases) == ("wall", None, ())
+    assert (recording.clock, recording.follows_clock, recording.phases) == ("wall", False, ())
     assert recording.topic("/battery").arrivals
 
 

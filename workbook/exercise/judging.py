@@ -41,8 +41,10 @@ MOST_WALL_S = 26.0
 
 def _needs_wall_clock(exercise: Exercise, answer: Answer, judgement: Judgement) -> bool:
     recording = judgement.recording
-    if recording is None or recording.clock == "wall" or judgement.status != "graded":
+    if recording is None or judgement.status != "graded":
         return False
+    if recording.clock == "wall":  # to be asked whether it can be switched may end a program
+        return recording.process.ended_by == "itself" and recording.follows_clock is False
     if recording.process.ended_by == "itself":
         return syntax_mistake(answer.text) is None and not _ended_for_good(exercise, recording)
     if not recording.follows_clock or any(_is_undecided(recording, topic) for topic in exercise.periods):
@@ -142,11 +144,13 @@ def _real_life_s(exercise: Exercise) -> float:
 
 
 def _contradicts(case: _Case, judgement: Judgement, simulated: Recording, real: Recording) -> bool:
-    """Whether a program behaved otherwise in real time than on simulated time: its rates, types or values.
+    """Whether a program behaved otherwise in real time than on simulated time: its end, its rates, types or values.
 
     The script is not played again. So what it makes a program publish is missing then, and only rates can be compared:
     with those that the exercise asks for.
     """
+    if real.process.ended_by == "itself":
+        return True
     scripted = bool(case.exercise.plan.script)
     for topic, period in case.exercise.periods.items():
         seen = [period] if scripted else intervals_of(simulated, topic)
@@ -220,19 +224,17 @@ class Judge:
         if exercise.source.clock == "simulated":
             with self._observer.watch(case.spec, exercise.plan, "simulated", process) as watch:
                 judgement = self._judge(case, watch)
-                is_final = not _needs_wall_clock(exercise, case.answer, judgement)
-                if is_final:
+                if _needs_wall_clock(exercise, case.answer, judgement):
+                    on_robot, lived = judgement, None
+                else:
                     lived = self._live_on(case, watch, judgement)
-                    is_final = lived is not None
-                    judgement = lived or judgement
-            if is_final:
-                if exercise.to_the_end and case.thorough and judgement.full_marks:
-                    case.report(judgement)
-                    return self._second_life(case, judgement)
-                return _with_doubt(exercise, judgement)
+            if lived is not None and not (exercise.to_the_end and case.thorough and lived.full_marks):
+                return _with_doubt(exercise, lived)
+            if lived is not None:
+                case.report(lived)
+                return self._second_life(case, lived)
             case.report(judgement_as_provisional(judgement))
             process = None
-            on_robot = judgement
         with self._observer.watch(case.spec, _wall_plan(exercise, on_robot), "wall", process) as watch:
             judgement = self._judge(case, watch)
             judgement = self._live_on(case, watch, judgement) or judgement
@@ -265,7 +267,9 @@ class Judge:
     def _live_on(self, case: _Case, watch: Watch, judgement: Judgement) -> Judgement | None:
         """End the watch; when thorough, only after the program has lived its real seconds.
 
-        Returns None when the program does not return from simulated time: then only the wall clock can tell.
+        Returns None where these contradict what was seen on simulated time. That need not be the program's fault: on
+        its way back, rclpy's MultiThreadedExecutor may crash (https://github.com/ros2/rclpy/issues/1142), and a node
+        that compares times of `get_clock().now()` sees a jump. So only a plain start on the wall clock can tell.
         """
         recording, lived, exercise = judgement.recording, False, case.exercise
         assert recording is not None
@@ -274,12 +278,11 @@ class Judge:
         if case.thorough and recording.process.ended_by is None and judgement.status == "graded":
             case.report(judgement)
             lived = watch.keep_watching(_real_life_s(exercise), case.enough)
-            if watch.is_stuck:
-                return None
-            if lived:
+            if recording.clock == "simulated" and (lived or not watch.is_back):
                 real = watch.in_real_time(recording)
-                if real is not None and _contradicts(case, judgement, recording, real):
-                    return case.judged(watch.finish(real), real_life=True)
+                if real is None or _contradicts(case, judgement, recording, real):
+                    return None
+            if lived:
                 recording = watch.with_its_life(recording)
         recording = watch.finish(recording)
         return case.judged(recording, real_life=lived or recording.clock == "wall")

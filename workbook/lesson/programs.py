@@ -93,6 +93,8 @@ def record(
     """
     if clock not in ("simulated", "wall"):
         raise ValueError(f'clock is "simulated" or "wall", not {clock!r}')
+    if clock == "simulated":  # from the start, so that the very first message is recorded
+        parameters = {"use_sim_time": True, **parameters}
     plan = Plan(
         tuple(periods),
         min(periods.values()),

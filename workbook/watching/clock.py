@@ -16,20 +16,20 @@ CLOCK_QOS = QoSProfile(
 
 
 class SimulatedClock:
-    """Publishes simulated time on /clock in equal steps, from the present time of day on.
+    """Publishes simulated time on /clock in equal steps, from `start_ns` on or from the present time of day.
 
-    A program that is switched to this clock then keeps the phase of its timers (rcl gives them credit for what has
-    passed), and it does so again when it is switched back. `now` and `robot_time` count from the start.
+    From the time of day on, the timers of a program that is switched to this clock are due when they would have been.
+    `now` and `robot_time` count from the start.
 
     `step_s` is the resolution of simulated time in seconds. `advance` moves it by one step when that step is due at
     the speed set (simulated seconds per real second). Simulated time never skips: if the machine is late, it waits.
     """
 
-    def __init__(self, node: Any, step_s: float) -> None:
+    def __init__(self, node: Any, step_s: float, start_ns: int | None = None) -> None:
         self._node = node
         self._publisher = node.create_publisher(Clock, "/clock", CLOCK_QOS)
         self.step_ns = round(step_s * 1e9)
-        self._start_ns = self._now_ns = time.time_ns()
+        self._start_ns = self._now_ns = time.time_ns() if start_ns is None else start_ns
         self._speed = 1.0
         self._due = time.monotonic()
         self._moments: list[float] = []
@@ -44,11 +44,6 @@ class SimulatedClock:
     def followers(self) -> int:
         """Subscriptions of others to /clock."""
         return int(self._publisher.get_subscription_count())
-
-    def start(self) -> None:
-        """Let simulated time begin at this moment."""
-        self._start_ns = self._now_ns = time.time_ns()
-        self.publish()
 
     def run_at(self, speed: float) -> None:
         """Set the speed; the next step is due when so much time has passed."""

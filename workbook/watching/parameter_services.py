@@ -33,6 +33,7 @@ class ParameterServices:
                 self._asked.add(name)
             if name in self._asked and self._take(GetParameters, name) is not None:
                 self._spinning.add(name)
+            self._client(SetParameters, name)  # a service answers only those clients that it has discovered
         return bool(wanted) and wanted <= self._spinning
 
     def set_sim_time(

@@ -11,21 +11,27 @@ ANSWERS_WITHIN_S = 5.0
 FOLLOWS_WITHIN_S = 1.0
 """A node that has accepted the switch subscribes to /clock before it answers; the graph tells of it a moment later."""
 BACK_WITHIN_S = 1.0
+START_NS = 1_000_000
+"""Timers of a program that was started on simulated time count from zero. If the clock began late, all of them would be
+due right away."""
 POLL_S = 0.001
 
 
 class TimeSwitch:
     """Switches the program of one session. `services`: the parameter services of its nodes.
 
-    `is_real`: whether it has not been switched to simulated time, or returned from it.
+    `is_real`: whether it has not been switched to simulated time, or returned from it. One that was started on
+    simulated time (`from_start`), as a lesson does with its own programs, stays there.
     """
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, *, from_start: bool = False) -> None:
         self._session = session
         self._nodes: tuple[str, ...] = ()
-        self._is_simulated = False
-        self.is_real = True
+        self.from_start = from_start
+        self.is_real = not from_start
         self.services = ParameterServices(session.node)
+        if from_start:
+            session.clock = SimulatedClock(session.node, session.plan.step_s, START_NS)
 
     def to_simulated_time(self, until: float) -> bool:
         """Set `use_sim_time` on every node that is on the graph. Returns whether each of them follows /clock now.
@@ -37,24 +43,27 @@ class TimeSwitch:
         present = session.recorder.present()
         if not present:
             return False
+        if session.clock is not None:
+            return self._is_followed(session.clock, present.total())
         self._nodes = tuple(present)
         clock = session.clock = SimulatedClock(session.node, session.plan.step_s)
-        self._is_simulated = self._set(True, until) and self._is_followed(clock, present.total())
-        if not self._is_simulated:
-            self._set(False, time.monotonic())  # one that answers later is switched and switched back then
-            session.clock = None
-            clock.close()
-        return self._is_simulated
+        self.is_real = False
+        if self._set(True, until) and self._is_followed(clock, present.total()):
+            return True
+        self._set(False, time.monotonic())  # one that answers later is switched and switched back then
+        self.is_real = True
+        session.clock = None
+        clock.close()
+        return False
 
     def to_real_time(self) -> bool:
-        """Return the program to real time, unless it is there. Returns False when it refuses or does not answer."""
+        """Return the program to real time. Returns False when it refuses or does not answer."""
         clock = self._session.clock
-        if clock is not None and self._is_simulated:
-            self._is_simulated = False
-            clock.run_at(1.0)
-            self.is_real = self._set(False, time.monotonic() + BACK_WITHIN_S)
-            if self.is_real:
-                clock.stop()
+        assert clock is not None, "it is in real time"
+        clock.run_at(1.0)
+        self.is_real = self._set(False, time.monotonic() + BACK_WITHIN_S)
+        if self.is_real:
+            clock.stop()
         return self.is_real
 
     def keep_time(self) -> bool:

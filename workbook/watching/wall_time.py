@@ -1,8 +1,6 @@
 """Letting real time pass while a program is recorded."""
 
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 
 from workbook.inside.proc import run_queue_s
 from workbook.watching.session import Session
@@ -17,48 +15,34 @@ def _pause(seconds: float) -> None:
     time.sleep(seconds)
 
 
-@contextmanager
-def measure_delays(session: Session) -> Iterator[Callable[[], None]]:
-    """Note in `session.delays` how long program and judge got no processor. Yields what looks once more meanwhile."""
-    process, delays = session.process, session.delays
-    before = queued = run_queue_s(process.pid)
-    steal = StealTime()
-
-    def look() -> None:
-        nonlocal queued
-        queued = max(queued, run_queue_s(process.pid))
-        delays.longest_steal = max(delays.longest_steal, steal.longest_since_last())
-
-    yield look
-    look()
-    delays.run_queue += queued - before
-    delays.stolen += steal.in_all()
-
-
 def run_wall_time(session: Session, seconds: float) -> None:
     """Record for `seconds` of real time, as long as the program runs; notes in `session.delays` what was late."""
     process, recorder, speaker, delays = session.process, session.recorder, session.speaker, session.delays
     end = time.monotonic() + seconds
     next_take = next_look = next_note = 0.0
+    before = queued = run_queue_s(process.pid)
+    steal = StealTime()
     running = True
-    with measure_delays(session) as look:
-        while running and (left := end - time.monotonic()) > 0:
-            paused = time.monotonic()
-            turn = min(TAKE_EVERY_S, left, speaker.until_next(session.robot_time(paused)))
-            _pause(turn)
-            delays.held_up = max(delays.held_up, time.monotonic() - paused - turn)
-            speaker.play(session.robot_time(time.monotonic()), keep_pauses=True)
-            if time.monotonic() > next_take:
-                recorder.take()
-                running = process.is_running()
-                next_take = time.monotonic() + TAKE_EVERY_S
-            if time.monotonic() > next_note:
-                process.note_processor_time()
-                next_note = time.monotonic() + NOTE_EVERY_S
-            if time.monotonic() > next_look:
-                recorder.look()
-                look()
-                next_look = time.monotonic() + LOOK_EVERY_S
+    while running and (left := end - time.monotonic()) > 0:
+        paused = time.monotonic()
+        turn = min(TAKE_EVERY_S, left, speaker.until_next(session.robot_time(paused)))
+        _pause(turn)
+        delays.held_up = max(delays.held_up, time.monotonic() - paused - turn)
+        speaker.play(session.robot_time(time.monotonic()), keep_pauses=True)
+        if time.monotonic() > next_take:
+            recorder.take()
+            running = process.is_running()
+            next_take = time.monotonic() + TAKE_EVERY_S
+        if time.monotonic() > next_note:
+            process.note_processor_time()
+            next_note = time.monotonic() + NOTE_EVERY_S
+        if time.monotonic() > next_look:
+            recorder.look()
+            queued = max(queued, run_queue_s(process.pid))
+            delays.longest_steal = max(delays.longest_steal, steal.longest_since_last())
+            next_look = time.monotonic() + LOOK_EVERY_S
+    delays.run_queue += queued - before
+    delays.stolen += steal.in_all()
     recorder.take()
 
 

@@ -10,11 +10,12 @@ from workbook.programs.spec import ProgramSpec
 from workbook.recording.plan import Plan
 from workbook.recording.recording import Clock, Phase, ProcessRecord, Recording
 from workbook.watching.clock import SimulatedClock
+from workbook.watching.parameter_services import USE_SIM_TIME
 from workbook.watching.robot_time import RobotTime
 from workbook.watching.session import Place, open_session
 from workbook.watching.switching import ANSWERS_WITHIN_S, TimeSwitch
 from workbook.watching.waiting import let_it_match_us, wait_for_first_sign, wait_for_matches
-from workbook.watching.wall_time import left_to_watch, measure_delays, run_wall_time
+from workbook.watching.wall_time import left_to_watch, run_wall_time
 
 GONE_S = 6.0
 KEPT_LOOK_S = 0.25
@@ -36,7 +37,8 @@ class Watch:
     ) -> None:
         self._session = open_session(place, spec, plan, process)
         self._plan = plan
-        self._switch = TimeSwitch(self._session) if clock == "simulated" else None
+        from_start = bool(spec.parameters.get(USE_SIM_TIME))
+        self._switch = TimeSwitch(self._session, from_start=from_start) if clock == "simulated" else None
         self._process = self._session.process
         self._recorder = self._session.recorder
         self._phases: tuple[Phase, ...] = ()
@@ -55,7 +57,8 @@ class Watch:
             until = time.monotonic() + ANSWERS_WITHIN_S
             wait_for_matches(self._session, None if self._switch is None else self._switch.services)
             self._matched_wall = time.monotonic()
-            self._own_clock = self._recorder.nodes_on_clock()
+            if self._switch is None or not self._switch.from_start:
+                self._own_clock = self._recorder.nodes_on_clock()
             if self._switch is not None and not self._own_clock:
                 self._simulated = self._switch.to_simulated_time(until)
             self._begin_watch()
@@ -80,12 +83,12 @@ class Watch:
 
     def _begin_watch(self) -> None:
         clock = self._session.clock
-        if clock is not None:
-            clock.start()
         if clock is not None or self._plan.script:
             let_it_match_us(self._session)
         self._recorder.discard()
-        if clock is None:
+        if clock is not None:
+            clock.publish()
+        else:
             self._session.began = time.monotonic()
         self._recorder.start_windows(0.0)
 
@@ -95,28 +98,24 @@ class Watch:
         Returns early when the program ends by itself, and False when `enough` says so, or when the program does not
         return to real time. What it publishes in real time is in `in_real_time`.
         """
-        if self._switch is not None and not self._switch.to_real_time() and self._process.is_running():
-            return False
-        if self._simulated:
+        if self._switch is not None and self._simulated:
+            if not self._switch.to_real_time():
+                return False
             self._real_since = self._session.robot_time(time.monotonic())
         until = (self._matched_wall or time.monotonic()) + wall_s_after_match
-        with measure_delays(self._session):
-            while (left := until - time.monotonic()) > 0 and self._process.is_running():
-                if enough():
-                    return False
-                paused, turn = time.monotonic(), min(left, KEPT_LOOK_S)
-                if not self._process.wait(turn):
-                    late = time.monotonic() - paused - turn
-                    self._session.delays.held_up = max(self._session.delays.held_up, late)
+        while (left := until - time.monotonic()) > 0 and self._process.is_running():
+            if enough():
+                return False
+            self._process.wait(min(left, KEPT_LOOK_S))
         if self._process.is_running():
             self._recorder.look()
-            self._recorder.take()
+        self._recorder.take()
         return True
 
     @property
-    def is_stuck(self) -> bool:
-        """Whether the program runs and has not returned from simulated time when it was switched back."""
-        return self._switch is not None and not self._switch.is_real and self._process.is_running()
+    def is_back(self) -> bool:
+        """Whether the program has returned from simulated time to real time."""
+        return self._real_since is not None
 
     def with_its_life(self, recording: Recording) -> Recording:
         """The recording, with what came while the program was kept alive, as far as that can be judged.
@@ -161,7 +160,8 @@ class Watch:
         if self._process.is_running():
             self._recorder.look_at_services()
         delays = self._session.delays
-        follows = not self._outpaced if self._simulated else None
+        asked = self._switch is not None and self._matched_wall is not None
+        follows = self._simulated and not self._outpaced if asked else None
         return Recording(
             clock="simulated" if self._simulated else "wall",
             domain_id=self._session.place.domain_id,
@@ -221,9 +221,12 @@ class Watch:
     def _end_process(self, patience_s: float = PATIENCE_S) -> None:
         self._session.quiescence.close()
         was_killed = self._process.killed
-        if self._switch is None or self._switch.to_real_time():
+        if self._switch is None or self._switch.is_real:
             self._process.stop(patience_s)
-        else:  # it still follows the clock, and if it waits for its next timer, it hears of Ctrl-C only then
+        else:
+            # It is not switched back, which may crash it. If it waits for its next timer, it hears of Ctrl-C only then.
+            if self._session.clock is not None:
+                self._session.clock.run_at(1.0)
             self._process.stop(patience_s, self._switch.keep_time)
         if self._process.killed and not was_killed:
             self._session.close()
