@@ -84,8 +84,11 @@ def latest_before(inputs: Iterable[tuple[float, In]], published: float) -> In | 
     `inputs`: each with the wall time (s) at which it came, such as `wall` of what `said` returns, in any order; of two
     with the same time the second one came last. `published`: wall time (s) of the output, `published` of an arrival.
     """
-    earlier = sorted(((at, one) for at, one in inputs if at <= published), key=lambda pair: pair[0])
-    return earlier[-1][1] if earlier else None
+    latest = None
+    for at, one in inputs:
+        if at <= published and (latest is None or at >= latest[0]):
+            latest = at, one
+    return None if latest is None else latest[1]
 
 
 def pair_in_order(
