@@ -573,7 +573,9 @@ def by_itself(recording: Recording) -> Recording:
     topics = dict(recording.topics)
     for one, kind in ((BATTERY, float), (STATUS, str)):
         seen = recording.topic(one.name)
-        seen = replace(seen, arrivals=tuple(it for it in seen.arrivals if isinstance(it.value.get("data"), kind)))
+        seen = replace(
+            seen, arrivals=tuple(it for it in seen.arrivals if isinstance(it.value.get("data"), kind))
+        )
         within = [any(begin <= one.published <= end for begin, end in spans) for one in seen.arrivals]
         outside = [arrival for arrival, inside in zip(seen.arrivals, within, strict=True) if not inside]
         own = tuple(

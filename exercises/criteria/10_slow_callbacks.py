@@ -436,7 +436,9 @@ def plans(recording: Recording) -> list[Plan]:
         of = next((d for wall, d in said if wall <= at and abs(bend - planned(d)) <= ALIKE_RAD), None)
         moments = [wall for wall, d in said if d == of]
         turns[of] += 1
-        after = at - moments[min(turns[of], len(moments)) - 1] if moments else at - (said[0][0] if said else 0.0)
+        after = (
+            at - moments[min(turns[of], len(moments)) - 1] if moments else at - (said[0][0] if said else 0.0)
+        )
         made.append(Plan(bend, of, turns[of], after, at - last))
         last = at
     return made
