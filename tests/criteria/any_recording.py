@@ -36,7 +36,21 @@ MOST_MESSAGES = 20_000
 """As in `workbook.watching.recorder`, which needs ROS."""
 MOST_CALLS = 2_000
 """Of one service: as many as a program makes that waits for each response."""
-STRANGE_FLOATS = (math.nan, math.inf, -math.inf, 0.0, -0.0, 1e38, -1e38, 1e-45, 5e-324, 1e300, 0.5, -1.0, 12.0)
+STRANGE_FLOATS = (
+    math.nan,
+    math.inf,
+    -math.inf,
+    0.0,
+    -0.0,
+    1e38,
+    -1e38,
+    1e-45,
+    5e-324,
+    1e300,
+    0.5,
+    -1.0,
+    12.0,
+)
 STRANGE_INTS = (0, 1, -1, 127, -128, 255, 2**31 - 1, -(2**31), 2**63 - 1, 2**64 - 1)
 STRANGE_TEXTS = (
     "",
@@ -130,7 +144,8 @@ class Flood:
             found.append((self._times(self._random, recording.robot_s), value))
         offset = topic.arrivals[0].wall - topic.arrivals[0].t
         return tuple(
-            Arrival(t, t + offset, value, t + offset - 0.001) for t, value in sorted(found, key=lambda one: one[0])
+            Arrival(t, t + offset, value, t + offset - 0.001)
+            for t, value in sorted(found, key=lambda one: one[0])
         )
 
     def _calls(self, recording: Recording) -> tuple[CallSeen, ...]:
@@ -178,7 +193,9 @@ class Strange:
         if self._random.random() < 0.5:
             return value
         if isinstance(value, dict):
-            changed = {key: self.value(item) for key, item in value.items() if key not in ("sha256", "length")}
+            changed = {
+                key: self.value(item) for key, item in value.items() if key not in ("sha256", "length")
+            }
             if "features" in value and self._seldom():
                 changed["features"] = None
             return {**value, **changed}
@@ -205,7 +222,10 @@ class Strange:
                 ("std_msgs/msg/Int32", {"data": self._one(STRANGE_INTS)}),
                 ("std_msgs/msg/Bool", {"data": True}),
                 ("std_msgs/msg/Empty", {"structure_needs_at_least_one_member": 0}),
-                ("std_msgs/msg/Float32MultiArray", {"layout": {"dim": [], "data_offset": 0}, "data": numbers}),
+                (
+                    "std_msgs/msg/Float32MultiArray",
+                    {"layout": {"dim": [], "data_offset": 0}, "data": numbers},
+                ),
                 ("std_msgs/msg/String", {"data": {"length": 5000, "sha256": "0" * 64, "first": "a" * 4096}}),
                 (
                     "std_msgs/msg/Float32MultiArray",
@@ -228,7 +248,9 @@ class Strange:
             lambda one, _: replace(one, arrivals=()),
             lambda one, _: replace(one, arrivals=one.arrivals[: self._random.randrange(4)]),
             lambda one, _: replace(one, arrivals=one.arrivals[self._random.randrange(20) :]),
-            lambda one, _: replace(one, arrivals=tuple(it for it in one.arrivals if self._random.random() < 0.5)),
+            lambda one, _: replace(
+                one, arrivals=tuple(it for it in one.arrivals if self._random.random() < 0.5)
+            ),
             lambda one, _: replace(one, arrivals=tuple(it for it in one.arrivals for _ in range(3))),
             lambda one, _: replace(
                 one, arrivals=tuple(replace(it, t=one.arrivals[0].t, wall=0.1) for it in one.arrivals)
@@ -256,7 +278,9 @@ class Strange:
         )
 
     def _name(self) -> str:
-        return self._one(("/humanoid", "/", "/a/b/c", "/" + "n" * 250, "/talker", f"/node_{self._random.random()}"))
+        return self._one(
+            ("/humanoid", "/", "/a/b/c", "/" + "n" * 250, "/talker", f"/node_{self._random.random()}")
+        )
 
     def _node(self) -> NodeSeen:
         return NodeSeen(self._name(), 0.1, self._one((1, 2, 9)), self._stayed())
@@ -307,16 +331,14 @@ class Strange:
     def _changes(self) -> list[Callable[[Recording], Recording]]:
         return [
             lambda one: replace(one, nodes=()),
-            lambda one: replace(
-                one, nodes=tuple(self._node() for _ in range(300))
-            ),
-            lambda one: replace(
-                one, nodes=tuple(replace(it, stayed=self._stayed()) for it in one.nodes)
-            ),
+            lambda one: replace(one, nodes=tuple(self._node() for _ in range(300))),
+            lambda one: replace(one, nodes=tuple(replace(it, stayed=self._stayed()) for it in one.nodes)),
             lambda one: replace(one, process=self._process(one.process)),
             lambda one: replace(one, process=self._process(one.process)),
             lambda one: replace(one, clock=self._one(("wall", "simulated")), step_s=self._one((None, 0.05))),
-            lambda one: replace(one, follows_clock=self._one((None, True, False)), in_lockstep=self._seldom()),
+            lambda one: replace(
+                one, follows_clock=self._one((None, True, False)), in_lockstep=self._seldom()
+            ),
             lambda one: replace(one, following={name: self._seldom() for name in one.topics}),
             lambda one: replace(one, robot_s=self._one((0.0, 1.0, one.robot_s / 2)), phases=()),
             lambda one: replace(one, phases=(Phase(1.0, 0.0, 1.0), Phase(20.0, 1.0, one.robot_s))),
@@ -348,9 +370,20 @@ class Strange:
 
     def _findings(self, recording: Recording) -> Iterator[Finding]:
         probes = ["", *{one.probe for one in recording.findings or ()}]
-        codes = ("attr-defined", "arg-type", "no-untyped-def", "silenced", "unchecked", "unfinished", "syntax", "x-y")
+        codes = (
+            "attr-defined",
+            "arg-type",
+            "no-untyped-def",
+            "silenced",
+            "unchecked",
+            "unfinished",
+            "syntax",
+            "x-y",
+        )
         for _ in range(self._one((1, 5, 400))):
-            yield Finding(self._one(probes), self._one((0, 1, 10**6)), self._one(codes), self._one(STRANGE_TEXTS))
+            yield Finding(
+                self._one(probes), self._one((0, 1, 10**6)), self._one(codes), self._one(STRANGE_TEXTS)
+            )
 
     def _log(self) -> str:
         return "\n".join(self._one(LOG_LINES) for _ in range(self._random.randrange(60)))[:8000]
