@@ -5,6 +5,7 @@ import re
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
+from functools import lru_cache
 from itertools import pairwise
 
 from std_msgs.msg import Float32, String
@@ -244,6 +245,7 @@ class Answered:
     others: tuple[float, ...]
 
 
+@see.once
 def passed_on(recording: Recording) -> Answered:
     """Sort out what arrived on /monitor/battery."""
     levels = [level for level in see.values(recording, PASSED_ON) if isinstance(level, float)]
@@ -338,20 +340,24 @@ class Alarms:
     before_bad: bool = False
 
 
+@see.once
 def alarms(recording: Recording) -> Alarms:
     """Sort out the alarms: by the value that they name, or else by what was said last before they came."""
     sent = [(str(one.value.get("data")), one.published) for one in recording.topic(ALARM.name).arrivals]
-    others = [text for text, at in sent if is_about_others(recording, text, at)]
-    own = [(text, at) for text, at in sent if not is_about_others(recording, text, at)]
+    about_others = [is_about_others(recording, text, at) for text, at in sent]
+    others = [text for (text, _), other in zip(sent, about_others, strict=True) if other]
+    own = [one for one, other in zip(sent, about_others, strict=True) if not other]
     pairs = told_apart([text for text, _ in own])
     missed = tuple(sorted(set(range(len(BAD))) - pairs.keys()))
-    rest = [one for n, one in enumerate(own) if n not in pairs.values()]
+    named = set(pairs.values())
+    rest = [one for n, one in enumerate(own) if n not in named]
     after_bad = [one for one in rest if not is_good(last_reading(recording, one[1]))]
     if missed and len(own) == len(BAD) and 2 * len(after_bad) > len(rest):
         misnamed = tuple((place, own[place][0]) for place in range(len(BAD)) if pairs.get(place) != place)
         return Alarms((), misnamed, (), (), tuple(others))
     due = {own[n][0] for n in pairs.values()}
     false = [one for one in rest if is_false(recording, *one, due)]
+    set_of_false = set(false)
     first_bad = min(
         (word.wall for word in see.said(recording, BATTERY_TOPIC) if not is_good(word.value["data"])),
         default=math.inf,
@@ -359,7 +365,7 @@ def alarms(recording: Recording) -> Alarms:
     return Alarms(
         missed,
         (),
-        tuple(text for text, at in rest if (text, at) not in false),
+        tuple(text for text, at in rest if (text, at) not in set_of_false),
         tuple(text for text, _ in false),
         tuple(others),
         any(at < first_bad for _, at in false),
@@ -377,14 +383,15 @@ def told_apart(texts: Sequence[str]) -> dict[int, int]:
 
 def in_turn(texts: Sequence[str]) -> dict[int, int]:
     """For as many bad readings as possible, in their order, a text that names it: place of the reading, of the text."""
+    named = [[names(text, reading) for reading in BAD] for text in texts]
     longest = [[0] * (len(texts) + 1) for _ in range(len(BAD) + 1)]
     for i in reversed(range(len(BAD))):
         for j in reversed(range(len(texts))):
-            both = longest[i + 1][j + 1] + 1 if names(texts[j], BAD[i]) else 0
+            both = longest[i + 1][j + 1] + 1 if named[j][i] else 0
             longest[i][j] = max(both, longest[i + 1][j], longest[i][j + 1])
     pairs, i, j = {}, 0, 0
     while i < len(BAD) and j < len(texts):
-        if names(texts[j], BAD[i]) and longest[i][j] == longest[i + 1][j + 1] + 1:
+        if named[j][i] and longest[i][j] == longest[i + 1][j + 1] + 1:
             pairs[i] = j
             i, j = i + 1, j + 1
         elif longest[i][j] == longest[i][j + 1]:
@@ -401,6 +408,7 @@ _INFINITE = re.compile(r"(-|\bminus |\bnegative |)\binf(?:inity|inite)?\b", re.I
 AS_ROUNDED = 0.05 + 1e-6  # an alarm may give its value with one decimal
 
 
+@lru_cache(maxsize=1)  # a text is asked for one number after the other
 def numbers_in(text: str) -> list[float]:
     """The numbers in an alarm, also with a decimal comma, with an exponent, or with commas between the thousands."""
     in_groups = [float(number.replace(",", "")) for number in _IN_GROUPS.findall(text)]

@@ -1,6 +1,7 @@
 """How exercise 06 is judged: a driver calls `pump` eight times, and everything that the nodes did is on the topics."""
 
 import math
+import re
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from statistics import median
@@ -422,11 +423,7 @@ def nothing_left_running(recording: Recording) -> Verdict:
 
 def spins_on(recording: Recording) -> Verdict | None:
     """The robot's callbacks ran between two calls, or in a call with another robot."""
-    beats = [
-        arrival.published
-        for arrival in recording.topic(HEARTBEAT.name).arrivals
-        if arrival.value["data"][0] == BETWEEN
-    ]
+    beats = heartbeats(recording, BETWEEN)
     if len(beats) < A_FEW_BEATS:
         return None
     others = [call for number, call in calls(recording).items() if number in (QUIET, JOBS_ALONE)]
@@ -540,21 +537,29 @@ class Call:
         return self.processor_s / had_one if had_one > 0.0 else 0.0
 
 
+ANNOUNCEMENT = re.compile(
+    r"(begin (?P<begun>\d{1,9})|raised (?P<failed>\d{1,9}) (?P<raised>.*)"
+    r"|end (?P<ended>\d{1,9})(?P<end>( \d{1,9}(\.\d{1,9})?){1,4}))",
+    re.DOTALL,
+)
+"""What the driver announces. Others may publish there, too."""
+
+
 def calls(recording: Recording) -> dict[int, Call]:
     """The calls of `pump` by their number, as the driver announced them."""
     found: dict[int, Call] = {}
     for arrival in recording.topic(PUMP.name).arrivals:
-        word, _, rest = arrival.value["data"].partition(" ")
-        number, _, news = rest.partition(" ")
-        if word == "missing":
+        said = ANNOUNCEMENT.fullmatch(str(arrival.value.get("data")))
+        if said is None:
             continue
-        call = found.setdefault(int(number), Call(arrival.published))
-        if word == "raised":
-            found[int(number)] = replace(call, raised=news)
-        elif word == "end" and call.end is None:
-            took, used, in_line, taken = (*map(float, news.split()), 0.0, 0.0, 0.0)[:4]
+        number = int(said["begun"] or said["failed"] or said["ended"])
+        call = found.setdefault(number, Call(arrival.published))
+        if said["raised"] is not None:
+            found[number] = replace(call, raised=said["raised"])
+        elif said["end"] is not None and call.end is None:
+            took, used, in_line, taken = (*map(float, said["end"].split()), 0.0, 0.0, 0.0)[:4]
             ended = finished(call, arrival.published, took)
-            found[int(number)] = replace(ended, processor_s=used, in_line_s=in_line, taken_s=taken)
+            found[number] = replace(ended, processor_s=used, in_line_s=in_line, taken_s=taken)
     return found
 
 
@@ -572,17 +577,28 @@ def done_in(recording: Recording, name: str, call: int) -> list[int]:
 
 def reports(recording: Recording, name: str) -> list[tuple[int, int]]:
     """What a robot reported on a topic, in the order of arrival: the call, and a number."""
-    return [tuple(arrival.value["data"]) for arrival in recording.topic(name).arrivals]
+    return [(call, number) for _, call, number in reported(recording, name)]
+
+
+def reported(recording: Recording, name: str) -> list[tuple[float, int, int]]:
+    """The same, each with when it was published (s of wall time). What no robot says there is left out."""
+    found = []
+    for arrival in recording.topic(name).arrivals:
+        match arrival.value:
+            case {"data": [int(call), int(number)]}:
+                found.append((arrival.published, call, number))
+    return found
+
+
+def heartbeats(recording: Recording, call: int) -> list[float]:
+    """When the robot published a heartbeat in a call (s of wall time)."""
+    return [at for at, told, _ in reported(recording, HEARTBEAT.name) if told == call]
 
 
 def longest_silence(recording: Recording) -> float:
     """The longest time (s) without a heartbeat in the first call, from its begin to its end."""
     call = calls(recording)[BURST]
-    beats = [
-        arrival.published
-        for arrival in recording.topic(HEARTBEAT.name).arrivals
-        if arrival.value["data"][0] == BURST
-    ]
+    beats = heartbeats(recording, BURST)
     end = call.end if call.end is not None else recording.wall_s
     return max((after - before for before, after in pairwise(sorted([call.begin, *beats, end]))), default=0.0)
 

@@ -459,7 +459,7 @@ def why_not_arrived(recording: Recording, call: str, number: float) -> Verdict |
     def fail(cause: str, saw: str, because: str, try_this: str) -> Verdict:
         return see.failed(cause, f"{call} sent {saw}", numbers_expected(call), because, try_this)
 
-    if not set(NUMBERS).intersection(arrived):
+    if not any(one in arrived for one in NUMBERS):
         return fail(
             "numbers-arrive.not-sent",
             f"nothing that arrived on {BATTERY.name}",
@@ -571,8 +571,11 @@ def by_itself(recording: Recording) -> Recording:
         for order in see.said(recording, "/driver/go")
     ]
     topics = dict(recording.topics)
-    for one in (BATTERY, STATUS):
+    for one, kind in ((BATTERY, float), (STATUS, str)):
         seen = recording.topic(one.name)
+        seen = replace(
+            seen, arrivals=tuple(it for it in seen.arrivals if isinstance(it.value.get("data"), kind))
+        )
         within = [any(begin <= one.published <= end for begin, end in spans) for one in seen.arrivals]
         outside = [arrival for arrival, inside in zip(seen.arrivals, within, strict=True) if not inside]
         own = tuple(

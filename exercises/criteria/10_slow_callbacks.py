@@ -5,6 +5,7 @@ import statistics
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 
 from std_msgs.msg import Float32, String
@@ -277,7 +278,7 @@ def uneven(recording: Recording) -> Verdict | None:
         meanwhile = statistics.median(while_planning(recording) or means or [typical])
         return slower_while_planning(recording, expected) if meanwhile > high else None
     saw = f"typically {typical:.3f} s from one heartbeat to the next (the mean of {AVERAGED})"
-    if typical < low and steady(means):
+    if typical < low and means and steady(means):
         return see.failed(
             "heartbeat-share.a-little-fast",
             saw,
@@ -392,6 +393,7 @@ def bend_for(distance: float) -> float:
     return 2.0 * math.acos(min(1.0, distance / (2.0 * LINK_M)))
 
 
+@lru_cache
 def planned(distance: float) -> float:
     """The bend (rad) that ElbowPlanner finds for `distance` (m): after its twenty steps, no nearer."""
     low, high = 0.0, math.pi
@@ -421,19 +423,23 @@ class Plan:
         return "" if self.of is None else metres([self.of])
 
 
+@see.once
 def plans(recording: Recording) -> list[Plan]:
     """The plans, in the order in which they were published."""
     said = [(one.wall, round(one.value["data"], 4)) for one in see.said(recording, REQUESTS)]
     arrivals = sorted(recording.topic(PLAN.name).arrivals, key=lambda one: one.published)
     made: list[Plan] = []
+    turns: Counter[float | None] = Counter()
     last = -math.inf
     for arrival in arrivals:
         bend, at = arrival.value["data"], arrival.published
         of = next((d for wall, d in said if wall <= at and abs(bend - planned(d)) <= ALIKE_RAD), None)
         moments = [wall for wall, d in said if d == of]
-        turn = sum(plan.of == of for plan in made) + 1
-        after = at - moments[min(turn, len(moments)) - 1] if moments else at - (said[0][0] if said else 0.0)
-        made.append(Plan(bend, of, turn, after, at - last))
+        turns[of] += 1
+        after = (
+            at - moments[min(turns[of], len(moments)) - 1] if moments else at - (said[0][0] if said else 0.0)
+        )
+        made.append(Plan(bend, of, turns[of], after, at - last))
         last = at
     return made
 

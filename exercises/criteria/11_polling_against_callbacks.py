@@ -201,6 +201,7 @@ def reported(recording: Recording) -> list[int]:
     return [arrival.value["data"] for arrival in recording.topic(SEEN.name).arrivals]
 
 
+@see.once
 def places_of_reports(recording: Recording) -> list[int | None]:
     """For each report the place of its touch: of those that came before it and have no report yet, the first after the
     touch that was reported last (of two in a row with one number the second), otherwise the latest. None if there is
@@ -208,6 +209,7 @@ def places_of_reports(recording: Recording) -> list[int | None]:
     """
     words = see.said(recording, TOUCH)
     found: list[int | None] = []
+    taken: set[int | None] = set()
     last = -1
     for arrival in recording.topic(SEEN.name).arrivals:
         free = [
@@ -215,10 +217,11 @@ def places_of_reports(recording: Recording) -> list[int | None]:
             for place, word in enumerate(words)
             if word.value["data"] == arrival.value["data"]
             and word.wall - EARLY_S <= arrival.published
-            and place not in found
+            and place not in taken
         ]
         place = next((one for one in free if one > last and one + 1 not in free), free[-1] if free else None)
         found.append(place)
+        taken.add(place)
         last = last if place is None else place
     return found
 

@@ -1,6 +1,8 @@
 """How exercise 12 is judged: what it asks, what it says of each answer, and whether its heart goes on meanwhile."""
 
 import statistics
+from bisect import bisect_left
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -58,6 +60,8 @@ SLACK_S = 0.1  # for a busy machine
 NEARLY_S = 0.03  # the same, where each call is given up too early
 LATE_ONES = 2  # calls given up equally late: of one it cannot be told
 LONG_SLACK_S = 0.3  # the same, where an asking period and a patience add up
+SOONEST_S, LATEST_S = MAY_TAKE_S - SLACK_S, GIVEN_UP_WITHIN_S + LONG_SLACK_S  # when a call is given up
+MOST, A_LOT = 2000, 200  # calls, and reports, that are looked at, and for whose faults we look for the cause
 MAY_COME_UNTIL_S = MAY_TAKE_S + 0.05
 MOSTLY = 0.7
 AT_ONCE_S = (
@@ -231,7 +235,7 @@ ONCE_A_SECOND = (
 
 def asked(recording: Recording) -> list[CallSeen]:
     """The calls of the program, in the order of their coming."""
-    return [call for call in see.calls_of(recording, SERVICE) if call.by == "program"]
+    return [call for call in see.calls_of(recording, SERVICE) if call.by == "program"][:MOST]
 
 
 def why_few_calls(recording: Recording, calls: list[CallSeen]) -> Verdict:
@@ -510,7 +514,7 @@ def told(recording: Recording, *words: str) -> list[Report]:
         (arrival.t, arrival.value["data"])
         for arrival in recording.topic(HEALTH.name).arrivals
         if arrival.value["data"] in words
-    ]
+    ][:MOST]
 
 
 @dataclass(frozen=True)
@@ -623,6 +627,8 @@ def why_results_do_not_fit(recording: Recording) -> Verdict:
     fitting = told_answers(recording, BELONGS_S + EDGE_S) or []
     if len(told_late(fitting)) > 1:
         return why_late(recording, told_late(fitting), len(fitting))
+    if max(len(asked(recording)), len(words)) > A_LOT:  # comparing all with all would take too long
+        return why_too_many(answers, words) or other_order(answers, words)
     return (
         why_collected(answers, words)
         or why_early_for_an_answer(recording, answers)
@@ -634,14 +640,19 @@ def why_results_do_not_fit(recording: Recording) -> Verdict:
         or why_too_many(answers, words)
         or why_always_the_same(answers, words)
         or next(filter(None, (why_wrongly_told(recording, one, words) for one in answers)), None)
-        or see.failed(
-            "results-told.other-order",
-            f"{len(answers)} answers came, but the {len(words)} results on {HEALTH.name} do not match them, or "
-            "are in another order",
-            EACH_ANSWER_ONCE,
-            "The reported result belongs to another call.",
-            "In the done callback, use the future that was passed to it, and no other.",
-        )
+        or other_order(answers, words)
+    )
+
+
+def other_order(answers: list[Answer], words: list[Report]) -> Verdict:
+    """The results do not match the answers, and none of the causes that we know explains it."""
+    return see.failed(
+        "results-told.other-order",
+        f"{len(answers)} answers came, but the {len(words)} results on {HEALTH.name} do not match them, or "
+        "are in another order",
+        EACH_ANSWER_ONCE,
+        "The reported result belongs to another call.",
+        "In the done callback, use the future that was passed to it, and no other.",
     )
 
 
@@ -787,7 +798,13 @@ def why_a_result_without_an_answer(
 
 def is_about(call: CallSeen, t: float) -> bool:
     """Whether a report at `t` may be about this call, which got no answer."""
-    return MAY_TAKE_S - SLACK_S <= t - call.t <= GIVEN_UP_WITHIN_S + LONG_SLACK_S
+    return SOONEST_S <= t - call.t <= LATEST_S
+
+
+def is_about_one_of(calls: Sequence[CallSeen], t: float) -> bool:
+    """Whether a report at `t` may be about one of these calls, which are in the order of their coming."""
+    first = bisect_left(calls, -LATEST_S, key=lambda call: call.t - t)
+    return first < len(calls) and is_about(calls[first], t)
 
 
 def left_over(answers: list[Answer], words: list[Report]) -> tuple[list[Report], bool]:
@@ -982,25 +999,26 @@ ONE_NO_ANSWER = (
 )
 
 
+@see.once
 def given_up_in_vain(recording: Recording) -> tuple[list[CallSeen], list[float]]:
     """Calls without an answer that were not given up, and when "no answer" was said where there was no such call.
 
     Calls that may still be given up when the watch ends are none of the first, and what is said of them is none of the
     second.
     """
-    left = [t for t, _ in told(recording, NO_ANSWER)]
+    left = sorted(t for t, _ in told(recording, NO_ANSWER))
     silent = [call for call in asked(recording) if call.response is None]
     may_come_later = [
         call for call in silent if call.t >= recording.robot_s - GIVEN_UP_WITHIN_S - LONG_SLACK_S
     ]
     untold = []
     for call in silent[: len(silent) - len(may_come_later)]:
-        in_time = [t for t in left if is_about(call, t)]
-        if in_time:
-            left.remove(in_time[0])
+        first = bisect_left(left, SOONEST_S, key=lambda t: t - call.t)
+        if first < len(left) and is_about(call, left[first]):
+            del left[first]
         else:
             untold.append(call)
-    return untold, [t for t in left if not any(is_about(call, t) for call in may_come_later)]
+    return untold, [t for t in left if not is_about_one_of(may_come_later, t)]
 
 
 def given_up_after(recording: Recording) -> list[float]:
@@ -1022,8 +1040,10 @@ def given_up(recording: Recording, call: CallSeen) -> bool:
 
 def given_up_a_moment_early(recording: Recording, answer: Answer) -> bool:
     """Whether a slow answer was given up when it could hardly come any more, and not reported."""
+    if not answer.was_slow:
+        return False
     _, in_vain = given_up_in_vain(recording)
-    if not answer.was_slow or any(answer.told_by(report) for report in told(recording, answer.word)):
+    if any(answer.told_by(report) for report in told(recording, answer.word)):
         return False
     return any(is_about(answer.call, t) and t - answer.call.t <= GIVEN_UP_AT_ONCE_S for t in in_vain)
 

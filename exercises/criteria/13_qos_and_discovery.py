@@ -228,14 +228,14 @@ def named(text: str) -> list[str]:
 def lines_between(recording: Recording, begin: float, end: float) -> list[tuple[float, str]]:
     """The lines that came between two moments (s), and when."""
     heard = recording.topic(LINE.name).arrivals
-    return [(one.t, str(one.value["data"])[:60]) for one in heard if begin <= one.t < end]
+    return [(one.t, str(one.value.get("data"))[:60]) for one in heard if begin <= one.t < end]
 
 
 def statuses(recording: Recording) -> list[tuple[float, float, str]]:
     """From when to when (s) each status held, and its word; the first one from the begin of the watch on."""
     said = [(max(0.0, one.t), str(one.value["data"])) for one in see.said(recording, STATUS.topic)]
     ends = [*(t for t, _ in said[1:]), recording.robot_s]
-    return [(begin, end, word) for (begin, word), end in zip(said, ends, strict=True)]
+    return [(begin, end, word) for (begin, word), end in zip(said, ends, strict=False)]  # none without a word
 
 
 def beat_times(recording: Recording) -> list[float]:
@@ -259,7 +259,7 @@ def silences(recording: Recording) -> list[tuple[float, float]]:
 def alarms(recording: Recording, begin: float, end: float) -> list[tuple[float, bool]]:
     """What /dashboard/alarm said between two moments (s)."""
     heard = recording.topic(ALARM.name).arrivals
-    return [(one.t, bool(one.value["data"])) for one in heard if begin <= one.t < end]
+    return [(one.t, bool(one.value.get("data"))) for one in heard if begin <= one.t < end]
 
 
 def line_gaps(recording: Recording) -> list[tuple[float, float]]:

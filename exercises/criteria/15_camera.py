@@ -219,7 +219,7 @@ def stamps_kept(recording: Recording) -> Verdict:
 def keeps_up(recording: Recording) -> Verdict:
     said_at = [word.wall for word in see.said(recording, IMAGE.name)]
     by_place = first_answers(recording)
-    waited = [by_place[place].wall - said_at[place] for place in by_place if place < len(said_at)]
+    waited = [by_place[place].wall - said_at[place] for place in by_place]
     answered = [place for place in READABLE if place in by_place]
     share, typical = len(answered) / len(READABLE), statistics.median(waited)
     late = sum(one > AT_ONCE_S for one in waited)
@@ -397,7 +397,9 @@ class Answered:
 
 
 def answers(recording: Recording) -> list[Answered]:
-    """What arrived on the topic of the directions, in order."""
+    """What arrived on the topic of the directions, in order. A picture that was not sent has no place."""
+    sent = len(see.said(recording, IMAGE.name))
+    places = {stamp: place for stamp, place in PLACE_OF.items() if place < sent}
     found = []
     for arrival in recording.topic(DIRECTION.name).arrivals:
         if not isinstance(arrival.value, dict):
@@ -405,7 +407,7 @@ def answers(recording: Recording) -> list[Answered]:
         stamp, vector = arrival.value["header"]["stamp"], arrival.value["vector"]
         found.append(
             Answered(
-                PLACE_OF.get((stamp["sec"], stamp["nanosec"])),
+                places.get((stamp["sec"], stamp["nanosec"])),
                 stamp["sec"] + stamp["nanosec"] / 1e9,
                 (as_number(vector["x"]), as_number(vector["y"]), as_number(vector["z"])),
                 arrival.published,

@@ -1,6 +1,11 @@
 """Running criteria over a recording: order, needs, hidden ones, parts, and criteria that are broken themselves."""
 
+import itertools
+import signal
+import threading
+import time
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from std_msgs.msg import Float32, String
@@ -17,6 +22,7 @@ from workbook.criteria import (
     topic,
     watching,
 )
+from workbook.criteria.budget import OutOfTime, within_budget
 from workbook.criteria.criterion import criteria_in, plan_for, topics_in, watching_in
 from workbook.criteria.runner import CriterionError, run_criteria
 from workbook.recording import script
@@ -169,3 +175,65 @@ def test_a_script_may_be_drawn_for_each_run() -> None:
     assert (one.seed, other.seed, plan.seed) == (1, 2, None)
     fixed = watching(script=[script.says("/said", String, [(0.5, "so")])])
     assert fixed.drawn(plan_for((), fixed), 1) == plan_for((), fixed)
+
+
+def takes_long(name: str, forever: Callable[[], object]) -> Criterion:
+    def judge(recording: Recording) -> Verdict:
+        while True:
+            try:
+                forever()
+            except Exception:  # as a criterion may do for reasons of its own
+                pass
+
+    judge.__name__ = name
+    return criterion(points=1, title=name)(judge)
+
+
+def test_a_criterion_that_runs_out_of_time_is_named() -> None:
+    quick = says("quick", passed("fine"))
+    with pytest.raises(CriterionError, match=r"the criterion slow ran out of time: .* have 0\.05 s"):
+        run_criteria([quick, takes_long("slow", lambda: sum(range(1000)))], recorded(), budget_s=0.05)
+    assert "criteria" not in {thread.name for thread in threading.enumerate()}
+
+
+def test_a_criterion_runs_out_of_time_in_any_thread() -> None:
+    with ThreadPoolExecutor(1) as pool:
+        judged = pool.submit(run_criteria, [takes_long("slow", lambda: None)], recorded(), 0.05)
+        assert isinstance(judged.exception(), CriterionError)
+        assert pool.submit(lambda: sum(range(10_000))).result() == 49_995_000, "the thread is unharmed"
+
+
+def test_the_budget_is_for_all_criteria_together() -> None:
+    def takes(recording: Recording) -> Verdict:
+        end = time.thread_time() + 0.1
+        while time.thread_time() < end:
+            pass
+        return passed("done")
+
+    many = [criterion(points=1, title="Takes 0.1 s")(takes) for _ in range(4)]
+    with pytest.raises(CriterionError, match="takes ran out of time"):
+        run_criteria(many, recorded(), budget_s=0.25)
+
+
+def test_waiting_for_a_processor_uses_no_budget() -> None:
+    assert within_budget(lambda: time.sleep(0.2) or "done", budget_s=0.1) == "done"
+
+
+def test_work_that_only_waits_ends_as_well() -> None:
+    never = threading.Event()
+    with pytest.raises(OutOfTime):
+        within_budget(lambda: [never.wait(0.01) for _ in itertools.count()], budget_s=5.0, patience_s=0.1)
+
+
+def test_an_interrupted_check_leaves_no_criterion_at_work() -> None:
+    main, worker = threading.get_ident(), []
+
+    def works() -> None:
+        worker.append(threading.current_thread())
+        signal.pthread_kill(main, signal.SIGINT)
+        while True:
+            pass
+
+    with pytest.raises(KeyboardInterrupt):
+        within_budget(works, budget_s=600.0)
+    worker[0].join()

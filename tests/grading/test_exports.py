@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import re
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from datetime import datetime
 from html.parser import HTMLParser
@@ -15,11 +16,16 @@ from hypothesis import strategies as st
 
 from workbook.exercise.definition import OWN_CRITERIA, load_exercise
 from workbook.exercise.judgement import judge_recording
+from workbook.feedback.text import as_text
+from workbook.grading.class_page import class_page
 from workbook.grading.exports import NBGRADER, canvas, gradescope, moodle, nbgrader
+from workbook.grading.github import Pushed, classroom, summary
 from workbook.grading.gradebook import GradebookOptions, write_gradebook
+from workbook.grading.grades_csv import grades_csv
+from workbook.grading.gradescope import results_json
 from workbook.grading.lateness import Lateness, parse_moment, with_lateness
 from workbook.grading.new_results import GradedBy, Submission, graded_result, ungradable_result
-from workbook.grading.pages import CLASS, page_name, student_page
+from workbook.grading.pages import CLASS, judgement_of, page_name, student_page
 from workbook.grading.regrade import regrade
 from workbook.grading.results import Result
 from workbook.grading.results_file import RESULTS, ResultsFile, last_results
@@ -130,6 +136,69 @@ def test_no_name_breaks_a_table_or_becomes_a_formula(name: str) -> None:
             for cell in row:
                 assert not cell.startswith(("=", "+", "-", "@"))
                 assert not re.search(r"[\x00-\x08\x0b-\x1f\x7f]", cell)
+
+
+UNSEEN = "\u061c\u200b\ufeff\u2028\u2029\U000e0041\u202e\xad\u3164\x1b[2J"
+TOLD = f"<img src=x> {UNSEEN}=1+1 & {UNSEEN}"
+
+
+@pytest.fixture(scope="module")
+def hostile(plain: Result) -> Result:
+    """A result in which all texts that an answer may have written are meant to do harm, as an old file may hold it."""
+    lines = tuple(
+        replace(one, saw=TOLD, expected=TOLD, because=TOLD, try_this=TOLD) if one.is_lost else one
+        for one in plain.criteria
+    )
+    process = None if plain.process is None else replace(plain.process, log=TOLD)
+    return replace(plain, student=f"ada{UNSEEN}", answer=f"{TOLD}.py", criteria=lines, process=process)
+
+
+EXPORTS: dict[str, Callable[[Result, Path], str]] = {
+    "csv": lambda one, out: grades_csv([one]),
+    "canvas": lambda one, out: canvas([one], "X (1)", 10.0),
+    "moodle": lambda one, out: moodle([one], "X"),
+    "nbgrader": lambda one, out: nbgrader([one]),
+    "gradescope": lambda one, out: "".join(_texts(json.loads(gradescope(one)))),
+    "results.json": lambda one, out: "".join(_texts(json.loads(results_json(one)))),
+    "classroom": lambda one, out: "".join(_texts(classroom(Pushed(EXERCISE, one)))),
+    "run of GitHub": lambda one, out: summary([Pushed(EXERCISE, one)], out, "sandbox"),
+    "student's page": lambda one, out: student_page(one, EXERCISE, out),
+    "page of the class": lambda one, out: class_page([one], EXERCISE),
+    "terminal": lambda one, out: as_text(judgement_of(one, out)),
+}
+
+
+def _texts(data: object) -> Iterator[str]:
+    if isinstance(data, dict):
+        data = list(data.values())
+    if isinstance(data, list):
+        for one in data:
+            yield from _texts(one)
+    elif isinstance(data, str):
+        yield data
+
+
+@pytest.mark.parametrize("status", ["graded", "ungradable"])
+@pytest.mark.parametrize("export", EXPORTS)
+def test_no_export_holds_what_nobody_sees(export: str, status: str, hostile: Result, tmp_path: Path) -> None:
+    one = hostile if status == "graded" else replace(hostile, status="ungradable", reason=TOLD, score=None)
+    text = EXPORTS[export](one, tmp_path)
+    assert text
+    assert not [hex(ord(sign)) for sign in text if not sign.isprintable() and sign not in "\n\t\xa0\u3000"]
+    assert "\u3164" not in text
+
+
+def test_moodle_shows_feedback_as_it_is_and_not_as_html(hostile: Result) -> None:
+    [_, [_, _, feedback]] = rows(moodle([hostile], "X"))
+    assert not tags(feedback).found
+    assert "seen &lt;img src=x&gt; =1+1 &amp;" in feedback
+
+
+def test_no_cell_is_a_formula_behind_what_nobody_sees(hostile: Result) -> None:
+    odd = replace(hostile, answer="\u200b=1+1", student="\ufeff=HYPERLINK(1)")
+    [_, row] = rows(grades_csv([odd]))
+    assert "'=1+1" in row
+    assert not [cell for cell in row if cell.startswith("=")]
 
 
 # --- pages --------------------------------------------------------------------------------------------------------

@@ -47,7 +47,7 @@ from workbook.criteria.vocabulary.type_checks import (
     mypy_objects,
     probe,
 )
-from workbook.criteria.vocabulary.values import part_of, values
+from workbook.criteria.vocabulary.values import once, part_of, values
 from workbook.recording.recording import Arrival, CallSeen, Recording, Said
 from workbook.recording.script import BEFORE_START, Part, calls, says, serves
 from workbook.scenes.scene import Box, Cup, Plate, Scene, on_desk
@@ -118,6 +118,7 @@ __all__ = [
     "offers",
     "on_desk",
     "on_the_graph",
+    "once",
     "one_of",
     "outputs",
     "pair_in_order",

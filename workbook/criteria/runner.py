@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
+from workbook.criteria.budget import BUDGET_S, OutOfTime, within_budget
 from workbook.criteria.criterion import Criterion
 from workbook.criteria.verdict import Verdict
 from workbook.recording.codec import stored_as
@@ -72,19 +73,40 @@ def _judged(criterion: Criterion, verdict: Verdict) -> CriterionResult:
     )
 
 
-def run_criteria(criteria: Sequence[Criterion], recording: Recording) -> tuple[CriterionResult, ...]:
-    """Judge a recording. Raises CriterionError when a criterion crashes or returns no verdict."""
+def run_criteria(
+    criteria: Sequence[Criterion], recording: Recording, budget_s: float = BUDGET_S
+) -> tuple[CriterionResult, ...]:
+    """Judge a recording, with `budget_s` seconds of processor time for all criteria together.
+
+    Raises CriterionError when a criterion crashes, returns no verdict, or uses the budget up.
+    """
     results: dict[str, CriterionResult] = {}
-    for criterion in criteria:
-        missing = next((need for need in criterion.needs if results[need.id].status != "passed"), None)
-        if missing is not None:
-            results[criterion.id] = _skipped(criterion, missing)
-            continue
-        try:
-            verdict = criterion(recording)
-        except (Exception, SystemExit) as error:
-            raise CriterionError(f"the criterion {criterion.id} crashed: {error!r}") from error
-        if not isinstance(verdict, Verdict):
-            raise CriterionError(f"the criterion {criterion.id} returned {verdict!r} instead of a verdict")
-        results[criterion.id] = _judged(criterion, verdict)
+    at_work = ""
+
+    def judge_all() -> None:
+        nonlocal at_work
+        for criterion in criteria:
+            at_work = criterion.id
+            missing = next((need for need in criterion.needs if results[need.id].status != "passed"), None)
+            if missing is None:
+                results[criterion.id] = _judged(criterion, _verdict(criterion, recording))
+            else:
+                results[criterion.id] = _skipped(criterion, missing)
+
+    try:
+        within_budget(judge_all, budget_s)
+    except OutOfTime as error:
+        told = f"the criterion {at_work} ran out of time: all criteria together have {budget_s:g} s for a recording"
+        raise CriterionError(told) from error
     return tuple(results.values())
+
+
+def _verdict(criterion: Criterion, recording: Recording) -> Verdict:
+    """Raises CriterionError."""
+    try:
+        verdict = criterion(recording)
+    except (Exception, SystemExit) as error:
+        raise CriterionError(f"the criterion {criterion.id} crashed: {error!r}") from error
+    if not isinstance(verdict, Verdict):
+        raise CriterionError(f"the criterion {criterion.id} returned {verdict!r} instead of a verdict")
+    return verdict

@@ -6,6 +6,7 @@ import string
 from workbook.criteria.runner import CriterionResult
 from workbook.exercise.judgement import Judgement
 from workbook.feedback import wording
+from workbook.recording.plain_text import without_commands
 from workbook.templating import as_markup, render
 
 _SPACE = re.compile(r"\s+")
@@ -14,7 +15,9 @@ _PUNCTUATION = re.compile(f"[{re.escape(string.punctuation)}]")
 
 def plain(text: str) -> str:
     """Text on one line that means nothing but itself, in Markdown and in HTML: all punctuation as entities."""
-    return _PUNCTUATION.sub(lambda found: f"&#{ord(found[0])};", _SPACE.sub(" ", text).strip())
+    return _PUNCTUATION.sub(
+        lambda found: f"&#{ord(found[0])};", _SPACE.sub(" ", without_commands(text)).strip()
+    )
 
 
 def plain_markup(text: str) -> str:

@@ -8,6 +8,7 @@ from workbook.criteria.runner import CriterionResult
 from workbook.exercise.judgement import Judgement
 from workbook.exercise.museum import Exhibit
 from workbook.feedback import wording
+from workbook.recording.plain_text import without_commands
 
 WIDTH = 80
 _SCRATCH = re.compile(r'"/[^"]*/rclpy-workbook-[^/"]+/')
@@ -19,6 +20,7 @@ def _paint(text: str, status: str, color: bool) -> str:
 
 
 def _wrapped(text: str, width: int, first: str, rest: str) -> list[str]:
+    text = without_commands(text)
     return textwrap.wrap(text, width, initial_indent=first, subsequent_indent=rest, break_long_words=False)
 
 
@@ -46,7 +48,7 @@ def _criterion(result: CriterionResult, color: bool, in_full: bool, width: int) 
 def _program_lines(lines: Sequence[str], width: int) -> list[str]:
     """What a program printed: without the path of the folder it ran in, and long lines broken where they must be."""
     room = max(20, width - 4)
-    short = [_SCRATCH.sub('"', line) for line in lines]
+    short = [_SCRATCH.sub('"', without_commands(line)) for line in lines]
     return [f"    {line[at : at + room]}" for line in short for at in range(0, max(1, len(line)), room)]
 
 

@@ -5,6 +5,7 @@ Formats: Gradescope's results.json (docs/specs.md of its autograder samples), Ca
 """
 
 import csv
+import html
 import io
 import json
 from collections.abc import Iterable, Sequence
@@ -12,6 +13,7 @@ from typing import Any
 
 from workbook.grading.grades_csv import logins, safe_cell, student_cell
 from workbook.grading.results import Result
+from workbook.recording.plain_text import without_commands
 
 FORMATS = ("csv", "html", "gradescope", "canvas", "moodle", "nbgrader")
 
@@ -29,7 +31,7 @@ def _rows(rows: Sequence[Sequence[object]]) -> str:
 
 def _said(result: Result) -> str:
     """The feedback of one result in a few plain sentences, hidden criteria left out; first what a person changed."""
-    return f"{result.changed_by_hand()} {_judged(result)}".strip()
+    return without_commands(f"{result.changed_by_hand()} {_judged(result)}".strip())
 
 
 def _judged(result: Result) -> str:
@@ -105,14 +107,16 @@ def canvas(results: Iterable[Result], assignment: str, points: float) -> str:
 def moodle(results: Iterable[Result], item: str) -> str:
     """A table for Moodle's grade import, where ID number is mapped to the students and `item` to the grade.
 
-    Results without a score are left out: an empty grade would take an earlier one away.
+    Moodle shows feedback as HTML, so what is markup in it is escaped. Results without a score are left out: an empty
+    grade would take an earlier one away.
     """
     rows: list[list[object]] = [["ID number", item, f"{item} (feedback)"]]
     mine = by_student(results)
     login = logins(result.student for result in mine)
     for result in mine:
         if result.score is not None:
-            rows.append([login[result.student], safe_cell(result.score), safe_cell(_said(result))])
+            feedback = html.escape(safe_cell(_said(result)), quote=False)
+            rows.append([login[result.student], safe_cell(result.score), feedback])
     return _rows(rows)
 
 

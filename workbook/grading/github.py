@@ -20,6 +20,7 @@ from workbook.grading.pages import judgement_of
 from workbook.grading.results import CriterionLine, Result
 from workbook.grading.single import grade_one
 from workbook.isolation.tiers import IN_SHORT, Isolation
+from workbook.recording.plain_text import without_commands
 from workbook.templating import as_markup, render
 
 LONGEST_MESSAGE = 1_000
@@ -88,7 +89,7 @@ def _one(criterion: Criterion, status: str, score: float, message: str) -> dict[
         "name": "A criterion that is not shown" if criterion.hidden else criterion.title,
         "status": status,
         "score": score,
-        "message": message[:LONGEST_MESSAGE],
+        "message": without_commands(message)[:LONGEST_MESSAGE],
         "test_code": "",
         "filename": "",
         "line_no": 0,

@@ -8,6 +8,7 @@ import unicodedata
 from collections.abc import Iterable
 
 from workbook.grading.results import Result
+from workbook.recording.plain_text import without_commands
 
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+")
 _MARK = re.compile(r"\[[0-9a-f]{12}\]$")
@@ -15,12 +16,15 @@ _FORMULA_STARTS = ("=", "+", "-", "@")
 
 
 def safe_cell(value: object) -> str:
-    """Text that no spreadsheet takes for a formula: a leading = + - @ gets an apostrophe, control bytes go."""
+    """Text that no spreadsheet takes for a formula: a leading = + - @ gets an apostrophe.
+
+    Control characters become spaces, and what nobody can see goes.
+    """
     if value is None:
         return ""
     if isinstance(value, (int, float)) and not isinstance(value, bool):
         return f"{value:g}"
-    text = _CONTROL.sub(" ", str(value)).strip()
+    text = without_commands(_CONTROL.sub(" ", str(value))).strip()
     return f"'{text}" if text.startswith(_FORMULA_STARTS) else text
 
 

@@ -12,6 +12,7 @@ from workbook.grading.results import Result
 from workbook.grading.single import choose_isolation, grade_one
 from workbook.isolation.tiers import IN_SHORT
 from workbook.recording.codec import encode
+from workbook.recording.plain_text import without_commands
 
 FAULT = (
     "infra_error: this submission was not judged because of an error in the grader, not in the program ({reason}). "
@@ -34,7 +35,7 @@ def results_json(result: Result) -> str:
     data["extra_data"]["versions"] = encode(result.versions)
     tier = result.isolation
     said = [data["output"], result.tried_twice(), f"Isolation: {tier} (the program ran {IN_SHORT[tier]})."]
-    data["output"] = "\n".join(filter(None, said))
+    data["output"] = without_commands("\n".join(filter(None, said)))
     return json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
@@ -46,7 +47,7 @@ def _unjudged(result: Result) -> dict[str, Any]:
         "score": 0.0,
         "max_score": result.max_score,
         "status": "failed",
-        "output": f"{result.reason}\nSubmit again: one .py or .ipynb file with your answer.",
+        "output": f"{without_commands(str(result.reason))}\nSubmit again: one .py or .ipynb file with your answer.",
         "output_format": "text",
         "visibility": "visible",
     }
@@ -55,7 +56,7 @@ def _unjudged(result: Result) -> dict[str, Any]:
 def fault_json(reason: str) -> str:
     """results.json for a submission that could not even be looked at."""
     data = {
-        "output": FAULT.format(reason=reason),
+        "output": without_commands(FAULT.format(reason=reason)),
         "output_format": "text",
         "stdout_visibility": "hidden",
         "extra_data": {"status": "infra_error"},

@@ -11,6 +11,7 @@ from typing import Any, Literal
 from workbook.criteria.runner import CriterionResult, Status
 from workbook.grading.changes import ByHand
 from workbook.recording.codec import NOT_STORED, UNKNOWN_FIELDS, stored_as
+from workbook.recording.plain_text import without_commands
 from workbook.recording.recording import Clock
 
 ResultStatus = Literal["graded", "ungradable", "infra_error"]
@@ -41,7 +42,8 @@ class CriterionLine:
     def told(self) -> list[str]:
         """The feedback of the criterion, one part a line: saw, expected, because, try."""
         lines = (("expected", self.expected), ("because", self.because), ("try", self.try_this))
-        return [f"saw: {self.saw}", *(f"{word}: {text}" for word, text in lines if text)]
+        told = [f"saw: {self.saw}", *(f"{word}: {text}" for word, text in lines if text)]
+        return [without_commands(line) for line in told]
 
 
 @dataclass(frozen=True)

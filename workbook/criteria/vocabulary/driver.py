@@ -47,15 +47,16 @@ def driver_calls(recording: Recording, report: Topic, output: Topic) -> list[Dri
     The first one has the number 0: it stands for the time before any call. What was published on `output` belongs to
     the call during which, or after which, it was published. A call of which a report got lost is not `complete`.
     """
-    heard = [(one.published, 0, one.value["data"]) for one in recording.topic(report.name).arrivals]
-    heard += [(one.published, 1, one.value["data"]) for one in recording.topic(output.name).arrivals]
+    heard = [(one.published, 0, one.value.get("data")) for one in recording.topic(report.name).arrivals]
+    heard += [(one.published, 1, one.value.get("data")) for one in recording.topic(output.name).arrivals]
     latest, running = DriverCall(0, "", "returned"), False
     made = [latest]
     for _, is_output, data in sorted(heard, key=lambda one: one[:2]):
         if is_output:
             (latest.sent if running else latest.later).append(data)
             continue
-        found = _BEGINS.fullmatch(data) or _ENDS.fullmatch(data)
+        text = str(data)  # others may publish there, too
+        found = _BEGINS.fullmatch(text) or _ENDS.fullmatch(text)
         if found is None:
             continue
         if int(found["number"]) != latest.number:

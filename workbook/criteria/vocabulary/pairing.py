@@ -4,7 +4,7 @@ Times are seconds of real time: from the moment an input was published to the mo
 """
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -89,8 +89,11 @@ def latest_before(inputs: Iterable[tuple[float, In]], published: float) -> In | 
     `inputs`: each with the wall time (s) at which it came, such as `wall` of what `said` returns, in any order; of two
     with the same time the second one came last. `published`: wall time (s) of the output, `published` of an arrival.
     """
-    earlier = sorted(((at, one) for at, one in inputs if at <= published), key=lambda pair: pair[0])
-    return earlier[-1][1] if earlier else None
+    latest = None
+    for at, one in inputs:
+        if at <= published and (latest is None or at >= latest[0]):
+            latest = at, one
+    return None if latest is None else latest[1]
 
 
 def pair_in_order(
@@ -108,17 +111,49 @@ def pair_in_order(
     What follows after the last pair must be outputs that `may_be_extra`.
     """
 
-    def fit(i: int, j: int, excused: bool) -> list[tuple[In, Out]] | None:
-        if i == len(inputs):
-            return [] if all(may_be_extra(one) for one in outputs[j:]) else None
-        if j < len(outputs) and belongs(inputs[i], outputs[j]):
-            others = fit(i + 1, j + 1, excused)
-            if others is not None:
-                return [(inputs[i], outputs[j]), *others]
-        if may_be_missing(inputs[i]):
-            return fit(i + 1, j, excused)
-        if not excused and excusable(inputs[i]):
-            return fit(i + 1, j, True)
+    # Sets of outputs are whole numbers: bit j is outputs[j], or says that the first j outputs can be paired.
+    reached = (1, 0)  # by the inputs so far: without an excuse, and with the only one
+    table = []
+    for one in inputs:
+        plain, excused = reached
+        places = (j for j in _bits_of(plain | excused) if j < len(outputs) and belongs(one, outputs[j]))
+        mine, missing = sum(1 << j for j in places), may_be_missing(one)
+        excuse = not missing and plain != 0 and excusable(one)
+        reached = (
+            (plain & mine) << 1 | plain * missing,
+            (excused & mine) << 1 | excused * missing | plain * excuse,
+        )
+        if reached == (0, 0):
+            return None
+        table.append((mine, missing, excuse))
+    last = len(outputs)
+    while last > 0 and may_be_extra(outputs[last - 1]):
+        last -= 1
+    plain = excused = (1 << len(outputs) + 1) - (1 << last)
+    fits = [(plain, excused)]  # after each input: from where the rest can be paired
+    for mine, missing, excuse in reversed(table):
+        fits.append(
+            (
+                (plain >> 1 & mine) | plain * missing | excused * excuse,
+                (excused >> 1 & mine) | excused * missing,
+            )
+        )
+        plain, excused = fits[-1]
+    if not plain & 1:
         return None
+    pairs: list[tuple[In, Out]] = []
+    used = 0
+    for one, (mine, missing, _), rest in zip(inputs, table, fits[-2::-1], strict=True):
+        j = len(pairs)
+        if mine >> j & 1 and rest[used] >> j + 1 & 1:
+            pairs.append((one, outputs[j]))
+        elif not missing:
+            used = 1
+    return pairs
 
-    return fit(0, 0, False)
+
+def _bits_of(number: int) -> Iterator[int]:
+    """The places of its bits that are 1, from the lowest one."""
+    lowest = (number & -number).bit_length() - 1
+    digits = bin(number >> lowest)[:1:-1]
+    return (place for place, digit in enumerate(digits, lowest) if digit == "1")

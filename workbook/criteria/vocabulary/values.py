@@ -1,12 +1,33 @@
 """The values that arrive on a topic, taken out of its messages."""
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, TypeVar
 
 from workbook.criteria.criterion import Topic
 from workbook.criteria.vocabulary.phrasing import count
 from workbook.recording.recording import Recording
+
+Found = TypeVar("Found")
+
+
+def once(look: Callable[[Recording], Found]) -> Callable[[Recording], Found]:
+    """Make a function look at a recording only once, however many criteria ask for what it finds.
+
+    What it returns must not be changed: it is the same object each time.
+    """
+    latest: tuple[Recording, Found] | None = None
+
+    @functools.wraps(look)
+    def found(recording: Recording) -> Found:
+        nonlocal latest
+        known = latest
+        if known is None or known[0] is not recording:
+            known = latest = recording, look(recording)
+        return known[1]
+
+    return found
 
 
 def values(recording: Recording, topic: Topic, field: str = "data") -> list[Any]:
