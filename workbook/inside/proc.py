@@ -118,6 +118,16 @@ def owner(pid: int) -> int | None:
     return None
 
 
+def running(group: Iterable[int]) -> list[int]:
+    """Those of some processes that have not ended. One that has is there until its parent asks how."""
+    found = []
+    for pid in group:
+        with suppress(OSError):
+            if stat_fields(pid)[0] not in (b"Z", b"X"):
+                found.append(pid)
+    return found
+
+
 def running_users() -> list[tuple[int, int]]:
     """Number and real user id of every process that has not ended."""
     found = []

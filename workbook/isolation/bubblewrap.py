@@ -20,8 +20,9 @@ READ_ONLY = ("/", "/dev", "/proc")
 """Mounts of the sandbox itself. Two of them have no limit on their size, and files below /proc/sys obey whoever has the
 user number of root, without any capability: an answer has it when the grader is root."""
 OUTER_ENVIRONMENT = {"TMPDIR": "/dev/shm", "XDG_CACHE_HOME": "/dev/shm/cache"}
-WAITS = ("/bin/sh", "-c", "echo ready && exec sleep infinity >&-")
-"""If nobody can hear that, it ends: who wanted it was killed before the sandbox was tied to it."""
+WAITS = ("/bin/sh", "-c", "echo ready && exec >&- && while :; do sleep infinity & wait; done")
+"""If no reader is left for that word, it ends: who wanted it was killed before the sandbox was tied to it. While the
+shell waits, it reaps all that has ended below it."""
 _SELF_TEST_S = 10.0
 
 

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from workbook.inside import proc
-from workbook.inside.syscall_filter import FILTER_SYSCALLS
+from workbook.inside.syscall_filter import against_sandbox_escapes
 from workbook.isolation.bubblewrap import (
     ANSWER_FOLDER,
     HOME,
@@ -35,12 +35,24 @@ from workbook.recording.limits import Limits
 Code = TypeVar("Code", int, int | None)
 
 
-class SandboxedProgram(FreshProgram):
-    """A sandbox with a program in it; `info_fd` is what bubblewrap says about itself."""
+def filter_file() -> int:
+    """Open a new file that holds the filter of system calls for bubblewrap; -1 on a machine without one."""
+    program = against_sandbox_escapes()
+    if program is None:
+        return -1
+    descriptor = os.memfd_create("what no program in a sandbox may call")
+    os.write(descriptor, program)
+    return descriptor
 
-    def __init__(self, command: Sequence[str], order: Order, folder: Path, info_fd: int) -> None:
-        super().__init__(command, order.environ, folder, order.output_fd, [info_fd])
-        self._info_fd = info_fd
+
+class SandboxedProgram(FreshProgram):
+    """A sandbox with a program in it; `descriptors`: what bubblewrap says about itself, and what else it needs."""
+
+    def __init__(
+        self, command: Sequence[str], order: Order, folder: Path, descriptors: Sequence[int]
+    ) -> None:
+        super().__init__(command, order.environ, folder, order.output_fd, descriptors)
+        self._info_fd = descriptors[0]
 
     def poll(self) -> int | None:
         """The program's exit code (negative: the signal that ended it), or None while bubblewrap runs."""
@@ -113,6 +125,12 @@ class Sandbox:
     server: ForkServer | None = None
     _files: dict[str, Path] = field(default_factory=dict)
     info_fd: int = field(default_factory=lambda: os.memfd_create("what bubblewrap says about itself"))
+    filter_fd: int = field(default_factory=filter_file)
+
+    @property
+    def descriptors(self) -> list[int]:
+        """What bubblewrap must inherit."""
+        return [one for one in (self.info_fd, self.filter_fd) if one >= 0]
 
     def bring(self, file: Path, name: str) -> str:
         """Have the file mounted in the sandbox. Returns its path there."""
@@ -120,8 +138,8 @@ class Sandbox:
         return f"{ANSWER_FOLDER}/{name}"
 
     def host_options(self, limits: Limits) -> list[str]:
-        """The filter of system calls, and the limits that the kernel enforces, that of processes included."""
-        return [FILTER_SYSCALLS, *limit_options(limits, (*KERNEL_LIMITS, "processes"))]
+        """The limits that the kernel enforces, that of processes included."""
+        return limit_options(limits, (*KERNEL_LIMITS, "processes"))
 
     def start(self, order: Order) -> Started:
         """Start the program in a sandbox of its own, forked from the server where possible. Raises OSError."""
@@ -132,18 +150,25 @@ class Sandbox:
             return Started(forked, began)
         # Without --parent: a sandbox dies with us by itself, and its processes do not know our number.
         command = joining(order.joins, self.command(host_command("--attended", *order.arguments), environ))
-        return Started(SandboxedProgram(command, order, self.scratch, self.info_fd), began)
+        return Started(SandboxedProgram(command, order, self.scratch, self.descriptors), began)
 
     def command(
         self, command: Sequence[str], environ: Mapping[str, str], options: Sequence[str] = ()
     ) -> list[str]:
-        """`command` in this sandbox, in the environment `environ` and with further options of bubblewrap."""
+        """`command` in this sandbox, in the environment `environ` and with further options of bubblewrap.
+
+        The filter of system calls holds for the first process, too: a program may write to its memory.
+        """
+        filtered: tuple[str, ...] = ()
+        if self.filter_fd >= 0:
+            os.lseek(self.filter_fd, 0, os.SEEK_SET)
+            filtered = ("--seccomp", str(self.filter_fd))
         return inner_command(
             command,
             files=self._files,
             readable=self.readable,
             environ=environ,
-            options=("--info-fd", str(self.info_fd), *options),
+            options=("--info-fd", str(self.info_fd), *filtered, *options),
         )
 
     def empty(self) -> list[str]:
@@ -163,7 +188,7 @@ class Sandbox:
                 env=order.environ,
                 cwd=self.scratch,
                 start_new_session=True,
-                pass_fds=[self.info_fd],
+                pass_fds=self.descriptors,
             )
         finally:
             os.close(said_fd)
@@ -207,10 +232,10 @@ class Sandbox:
         return False  # what is in a sandbox ends with it
 
     def remove(self) -> None:
-        """Close the file that bubblewrap reports its processes to."""
-        if self.info_fd >= 0:
-            os.close(self.info_fd)
-            self.info_fd = -1
+        """Close the files that bubblewrap reports to and reads from."""
+        for descriptor in self.descriptors:
+            os.close(descriptor)
+        self.info_fd = self.filter_fd = -1
 
 
 @dataclass(frozen=True)

@@ -32,6 +32,8 @@ class Limits:
 
 THREADS_PER_CORE = 4
 """Libraries such as PyTorch, OpenCV and OpenBLAS start a thread for each processor, each for itself."""
+ENDED_PROCESSES = 256
+"""So many processes may have ended without a parent that has asked how: each takes a number, and hardly any memory."""
 ADDRESSES_PER_THREAD = 72 * MB
 """Address space that a thread reserves for its stack and its part of the heap, of which it uses hardly any."""
 NO_LIMITS = Limits()
