@@ -36,7 +36,7 @@ from workbook.isolation.tiers import Isolation, make_tier, named_tier
 from workbook.isolation.user_ids import Ids
 from workbook.programs.warm_start import ForkServer, ServerGone, Trunk, own_server
 from workbook.recording.limits import ANSWER_LIMITS
-from workbook.ros.domains import NoDomainFree
+from workbook.ros.domains import NoDomainFree, lease_in_private
 from workbook.ros.environment import child_environment
 from workbook.watching.observer import Observer
 from workbook.watching.tier_self_test import try_out
@@ -105,6 +105,8 @@ def serve(
     def report(judgement: Judgement) -> None:
         send({"final": False, "judgement": judgement_to_json(judgement)})
 
+    if isolation == "sandbox":
+        lease_in_private()
     server = ForkServer(trunk)
     tier = make_tier(isolation, ids=ids, server=server, groups=groups)
     warm_up(isolation, server)

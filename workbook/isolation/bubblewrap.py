@@ -70,14 +70,15 @@ def _outer(command: Sequence[str], groups: Path | None, options: Sequence[str] =
 def inner_command(
     command: Sequence[str],
     *,
-    files: Mapping[str, Path],
+    files: Mapping[str, int],
     readable: Sequence[Path],
     environ: Mapping[str, str],
     options: Sequence[str],
 ) -> list[str]:
     """`command` in a sandbox for one program. Raises NoSandbox.
 
-    `files`: what lies in the answer's folder, by name; `readable`: what else it may read, besides the system's folders;
+    `files`: descriptors of what is copied to the answer's folder, by name, because a mount would show where the original
+    is; `readable`: what else it may read, besides the system's folders;
     `environ`: its whole environment; `options`: further options of bubblewrap. /dev/full reads as /dev/zero does, but
     gives no shared memory, which nothing would count.
     """
@@ -101,8 +102,8 @@ def inner_command(
         sandboxed += ["--ro-bind-try", name, name]
     for path in readable:
         sandboxed += ["--ro-bind", str(path), str(path)]
-    for name, path in files.items():
-        sandboxed += ["--ro-bind", str(path), f"{ANSWER_FOLDER}/{name}"]
+    for name, descriptor in files.items():
+        sandboxed += ["--ro-bind-data", str(descriptor), f"{ANSWER_FOLDER}/{name}"]
     for name, value in environ.items():
         sandboxed += ["--setenv", name, value]
     for folder in READ_ONLY:  # after everything that is bound below them

@@ -123,18 +123,20 @@ class Sandbox:
     scratch: Path
     readable: tuple[Path, ...]
     server: ForkServer | None = None
-    _files: dict[str, Path] = field(default_factory=dict)
+    _files: dict[str, int] = field(default_factory=dict)
     info_fd: int = field(default_factory=lambda: os.memfd_create("what bubblewrap says about itself"))
     filter_fd: int = field(default_factory=filter_file)
+    _sockets_before: int = 0
+    _queued_before: int = 0
 
     @property
     def descriptors(self) -> list[int]:
         """What bubblewrap must inherit."""
-        return [one for one in (self.info_fd, self.filter_fd) if one >= 0]
+        return [one for one in (self.info_fd, self.filter_fd, *self._files.values()) if one >= 0]
 
     def bring(self, file: Path, name: str) -> str:
-        """Have the file mounted in the sandbox. Returns its path there."""
-        self._files[name] = file.resolve()
+        """Have the file copied to the sandbox. Returns its path there."""
+        self._files[name] = os.open(file, os.O_RDONLY | os.O_CLOEXEC)
         return f"{ANSWER_FOLDER}/{name}"
 
     def host_options(self, limits: Limits) -> list[str]:
@@ -144,6 +146,7 @@ class Sandbox:
     def start(self, order: Order) -> Started:
         """Start the program in a sandbox of its own, forked from the server where possible. Raises OSError."""
         began = time.monotonic()
+        self._sockets_before, self._queued_before = proc.sockets_of_network(), proc.queued_bytes(0)
         environ = sandbox_environment(order.environ)
         forked = None if self.server is None else self._fork(self.server, environ, order)
         if forked is not None:
@@ -159,10 +162,9 @@ class Sandbox:
 
         The filter of system calls holds for the first process, too: a program may write to its memory.
         """
-        filtered: tuple[str, ...] = ()
-        if self.filter_fd >= 0:
-            os.lseek(self.filter_fd, 0, os.SEEK_SET)
-            filtered = ("--seccomp", str(self.filter_fd))
+        filtered = () if self.filter_fd < 0 else ("--seccomp", str(self.filter_fd))
+        for descriptor in self.descriptors[1:]:  # bubblewrap reads them, perhaps for the second time
+            os.lseek(descriptor, 0, os.SEEK_SET)
         return inner_command(
             command,
             files=self._files,
@@ -216,12 +218,12 @@ class Sandbox:
         return 0
 
     def sockets(self, pids: Sequence[int]) -> int:
-        """How many sockets there are in the network of the program and this process, sent ones included."""
-        return proc.sockets_of_network()
+        """How many sockets have come to the network of the program and this process, sent ones included."""
+        return proc.sockets_of_network() - self._sockets_before
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """What waits unread in the sockets of this network, from `worth_counting` bytes on; else zero."""
-        return proc.queued_bytes(worth_counting)
+        """What has come to the sockets of this network and waits unread, from `worth_counting` bytes on; else zero."""
+        return proc.queued_bytes(worth_counting) - self._queued_before
 
     def exceeded(self) -> str | None:
         """None: the tier itself has no memory cgroup."""
@@ -236,6 +238,7 @@ class Sandbox:
         for descriptor in self.descriptors:
             os.close(descriptor)
         self.info_fd = self.filter_fd = -1
+        self._files.clear()
 
 
 @dataclass(frozen=True)
