@@ -33,6 +33,7 @@ LIMITS = {
     "open_files": resource.RLIMIT_NOFILE,
     "cpu": resource.RLIMIT_CPU,
     "core": resource.RLIMIT_CORE,
+    "signals": resource.RLIMIT_SIGPENDING,
 }
 
 

@@ -16,7 +16,7 @@ HOME = "/home/student"
 ANSWER_FOLDER = "/answer"
 WRITABLE = ("/tmp", "/dev/shm", HOME)
 WRITABLE_BYTES = WRITABLE_MIB * 1024 * 1024
-READ_ONLY = ("/", "/dev", "/proc")
+READ_ONLY = ("/", "/dev", "/dev/pts", "/proc")
 """Mounts of the sandbox itself. Two of them have no limit on their size, and files below /proc/sys obey whoever has the
 user number of root, without any capability: an answer has it when the grader is root."""
 OUTER_ENVIRONMENT = {"TMPDIR": "/dev/shm", "XDG_CACHE_HOME": "/dev/shm/cache"}
@@ -77,10 +77,10 @@ def inner_command(
 ) -> list[str]:
     """`command` in a sandbox for one program. Raises NoSandbox.
 
-    `files`: descriptors of what is copied to the answer's folder, by name, because a mount would show where the original
-    is; `readable`: what else it may read, besides the system's folders;
-    `environ`: its whole environment; `options`: further options of bubblewrap. /dev/full reads as /dev/zero does, but
-    gives no shared memory, which nothing would count.
+    `files`: descriptors of what is copied to the answer's folder, by name, because a mount would show where the
+    original is; `readable`: what else it may read, besides the system's folders; `environ`: its whole environment;
+    `options`: further options of bubblewrap. /dev/full reads as /dev/zero does, but gives no shared memory, which
+    nothing would count. There are no terminals: all sandboxes would share their number.
     """
     sandboxed = [
         _bwrap(),
@@ -89,6 +89,7 @@ def inner_command(
         "--disable-userns",
         *options,
         *("--proc", "/proc", "--dev", "/dev", "--dev-bind", "/dev/full", "/dev/zero"),
+        *("--tmpfs", "/dev/pts"),
     ]
     for folder in WRITABLE:  # before what is bound below them
         sandboxed += ["--size", str(WRITABLE_BYTES), "--tmpfs", folder]

@@ -3,7 +3,13 @@
 import re
 from collections.abc import Sequence
 
-from workbook.inside.proc import memory_bytes, running
+from workbook.inside.proc import (
+    descriptors_open,
+    descriptors_watched,
+    how_many_threads,
+    memory_bytes,
+    running,
+)
 from workbook.programs.tier import Confinement
 from workbook.recording.limits import ENDED_PROCESSES, Limits
 
@@ -26,6 +32,12 @@ def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement
         return hit
     if limits.processes is not None and too_many(pids, limits.processes):
         return "processes"
+    if limits.threads is not None and sum(map(how_many_threads, pids)) > limits.threads:
+        return "processes"
+    if limits.descriptors is not None and descriptors_open(pids) > limits.descriptors:
+        return "descriptors"
+    if limits.watches is not None and descriptors_watched(pids, limits.watches) > limits.watches:
+        return "descriptors"
     if limits.memory is not None and memory_bytes(pids, limits.memory) > limits.memory:
         return "memory"
     if limits.files is not None and confinement.most_files(pids) > limits.files:
