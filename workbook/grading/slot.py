@@ -19,7 +19,7 @@ import queue
 import signal
 import sys
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, TextIO
@@ -84,12 +84,12 @@ def serve(
     ids: Ids | None = None,
     port: int | None = None,
     groups: Path | None = None,
-    trunk: Trunk | None = None,
+    trunks: Sequence[Trunk] = (),
 ) -> None:
     """Answer jobs until standard input is closed. With "uid" the programs run under `ids`, which the caller leased.
 
     `port`: of a listener on this machine, for trying out the tier first. `groups`: the folder for memory cgroups, which
-    the caller leased. `trunk`: what the fork server of a sandbox is forked from, where there is one.
+    the caller leased. `trunks`: two, from which the fork servers of a sandbox are forked, or none.
     """
     channel = _private_output()
     adopt_orphans()
@@ -107,10 +107,13 @@ def serve(
 
     if isolation == "sandbox":
         lease_in_private()
-    server = ForkServer(trunk)
-    tier = make_tier(isolation, ids=ids, server=server, groups=groups)
+    servers = [ForkServer(trunk) for trunk in trunks] or [ForkServer()]
+    server, alternate = servers[0], servers[1] if len(servers) > 1 else None
+    tier = make_tier(isolation, ids=ids, server=server, alternate=alternate, groups=groups)
     warm_up(isolation, server)
-    with contextlib.closing(server), contextlib.ExitStack() as stack:
+    with contextlib.ExitStack() as stack:
+        for one in servers:
+            stack.callback(one.close)
         try:
             observer = stack.enter_context(Observer(tier=tier))
         except NoDomainFree as error:

@@ -7,6 +7,7 @@ and small folders in memory to write to.
 
 import json
 import os
+import random
 import signal
 import subprocess
 import time
@@ -245,15 +246,18 @@ class Sandbox:
 class SandboxTier:
     """See `workbook.programs.tier.Tier`.
 
-    With a `server`, programs are forked from it into their sandboxes, which saves the start of a Python for each.
+    With a `server`, programs are forked from it into their sandboxes, which saves the start of a Python for each. With
+    an `alternate`, each comes from one of the two by chance. The programs of one server have the same seed for the
+    hashes of strings, so an answer that depends on the order of a set would get the same verdict in every try.
     """
 
     server: ForkServer | None = None
+    alternate: ForkServer | None = None
     readable: tuple[Path, ...] = field(default_factory=interpreter_folders)
 
     def confine(self, scratch: Path) -> Confinement:
         """A confinement in a sandbox that `start` creates."""
-        return Sandbox(scratch, self.readable, self.server)
+        return Sandbox(scratch, self.readable, random.choice((self.server, self.alternate or self.server)))
 
 
 def sandbox_environment(environ: Mapping[str, str]) -> dict[str, str]:
