@@ -38,12 +38,12 @@ SYS_KCMP, KCMP_FILE = 312, 0
 LEAVES_SOCKETS = """
 import socket
 
-held = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(200)]
-numbers = [one.fileno() for one in held]
 with open("/proc/net/unix") as table:
     names = {line.split()[7] for line in table.read().splitlines()[1:] if len(line.split()) > 7}
 sent = 0
 for name in sorted(names):
+    held = [socket.socket(socket.AF_INET, socket.SOCK_DGRAM) for _ in range(180)]
+    numbers = [one.fileno() for one in held]
     for kind in (socket.SOCK_DGRAM, socket.SOCK_STREAM, socket.SOCK_SEQPACKET):
         with socket.socket(socket.AF_UNIX, kind) as sender:
             try:
@@ -108,7 +108,7 @@ def test_what_a_program_sets_on_its_input_does_not_reach_another(two_programs: l
 def test_two_programs_have_no_open_file_and_no_memory_in_common(two_programs: list[NodeProcess]) -> None:
     """Also not by the other processes of their sandboxes, whose descriptors a program may open."""
     one, other = (in_its_sandbox(program.pid) for program in two_programs)
-    assert len(one) == len(other) == 3, "the program, and the two that keep its sandbox"
+    assert len(one) == len(other) > 1, "the program, and what keeps its sandbox"
     common = [
         f"{os.readlink(first)} as {first} and {second}"
         for mine, others in product(one, other)
