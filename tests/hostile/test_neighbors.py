@@ -16,10 +16,12 @@ from workbook.feedback.text import as_text
 from workbook.grading.judges import Job
 from workbook.grading.local import judge_all, slot_server
 from workbook.grading.pool import Slot
+from workbook.inside import proc
 from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.isolation.sandbox import SandboxTier
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
+from workbook.programs.usage import limit_exceeded
 from workbook.programs.warm_start import ForkServer
 from workbook.recording.limits import ANSWER_LIMITS
 
@@ -84,6 +86,18 @@ def test_no_right_answer_is_harmed_by_what_others_leave_in_its_slot(right_answer
         recording = judged[f"attacker {number}"].recording
         assert recording is not None
         assert "sockets left: 0" in recording.process.log, recording.process.log
+
+
+def test_what_was_there_before_is_not_counted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever left it: the sockets of the judge, and what waits unread in them, are there when a program starts."""
+    found = {"sockets": 400, "queued": 70_000_000}
+    monkeypatch.setattr(proc, "sockets_of_network", lambda: found["sockets"])
+    monkeypatch.setattr(proc, "queued_bytes", lambda worth_counting: found["queued"])
+    spec = ProgramSpec(write(tmp_path, "import time\ntime.sleep(600)\n"), limits=ANSWER_LIMITS)
+    with NodeProcess(spec, 7, SandboxTier()) as program:
+        assert limit_exceeded(ANSWER_LIMITS, [], program.confinement) is None
+        found["sockets"] += 1 + (ANSWER_LIMITS.sockets or 0)
+        assert limit_exceeded(ANSWER_LIMITS, [], program.confinement) == "sockets"
 
 
 @pytest.fixture

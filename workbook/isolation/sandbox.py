@@ -47,12 +47,13 @@ def filter_file() -> int:
 
 
 class SandboxedProgram(FreshProgram):
-    """A sandbox with a program in it; `descriptors`: what bubblewrap says about itself, and what else it needs."""
+    """A sandbox with a program in it; `descriptors`: what bubblewrap says about itself, and what else it needs.
 
-    def __init__(
-        self, command: Sequence[str], order: Order, folder: Path, descriptors: Sequence[int]
-    ) -> None:
-        super().__init__(command, order.environ, folder, order.output_fd, descriptors)
+    bubblewrap gets no environment and no folder of ours: its first process in the sandbox would show them.
+    """
+
+    def __init__(self, command: Sequence[str], output_fd: int, descriptors: Sequence[int]) -> None:
+        super().__init__(command, {}, Path("/"), output_fd, descriptors)
         self._info_fd = descriptors[0]
 
     def poll(self) -> int | None:
@@ -154,7 +155,7 @@ class Sandbox:
             return Started(forked, began)
         # Without --parent: a sandbox dies with us by itself, and its processes do not know our number.
         command = joining(order.joins, self.command(host_command("--attended", *order.arguments), environ))
-        return Started(SandboxedProgram(command, order, self.scratch, self.descriptors), began)
+        return Started(SandboxedProgram(command, order.output_fd, self.descriptors), began)
 
     def command(
         self, command: Sequence[str], environ: Mapping[str, str], options: Sequence[str] = ()
