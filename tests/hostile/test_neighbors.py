@@ -133,6 +133,18 @@ def test_two_programs_have_no_open_file_and_no_memory_in_common(two_programs: li
     assert shared_memory(two_programs[0].pid) & shared_memory(two_programs[1].pid) == set()
 
 
+@pytest.mark.parametrize("name", ["reads_its_own_memory", "becomes_the_first_process", "leaves_the_dead"])
+def test_a_program_in_a_fresh_python_finds_no_more(name: str, tmp_path: Path) -> None:
+    """Where a fork server breaks, programs start without one: their first process is bubblewrap."""
+    text = (Path(__file__).parent / "answers" / f"{name}.py").read_text(encoding="utf-8")
+    text = text.replace("@@GOOD@@", "print('it found nothing')").replace(
+        '"net/unix", ', ""
+    )  # the machine's, here
+    with NodeProcess(ProgramSpec(write(tmp_path, text), limits=ANSWER_LIMITS), 7, SandboxTier()) as program:
+        assert program.wait(60.0)
+        assert program.log.text().endswith("it found nothing\n"), program.log.text()
+
+
 def in_its_sandbox(program: int) -> list[int]:
     """All processes in the process space of a program."""
     space = os.stat(f"/proc/{program}/ns/pid").st_ino

@@ -144,7 +144,7 @@ def test_nothing_can_be_sent_to_what_holds_a_lease(
         announced = [name for name in unix_socket_names() if f"/{lease.domain_id}/{os.getpid()}/" in name]
         assert announced
         for name in (f"@{prefix}{lease.domain_id}", *announced):
-            with pytest.raises(OSError, match="refused|wrong type"):
+            with pytest.raises(OSError, match=r"refused|wrong type"):
                 sender.connect("\0" + name[1:])
 
 
