@@ -26,7 +26,7 @@ from workbook.grading.slot_server import SlotForker, SlotRequest
 from workbook.grading.warm_slots import ForkedSlot, SlotServer
 from workbook.inside import fork_server
 from workbook.inside.lttng import LttngForkHooks
-from workbook.inside.proc import command_line, environment, process_tree
+from workbook.inside.proc import children, command_line, environment, process_tree
 from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.isolation.memory_groups import groups_problem
 from workbook.isolation.tiers import Isolation
@@ -205,8 +205,8 @@ def test_an_answer_whose_server_is_killed_is_judged_again(server: SlotServer) ->
     """The first slot is gone then, and what the second one forks its programs from is its own."""
     slot = Slot("sandbox", server=server)
     judged(slot, "robot = 1\n")
-    trunk = trunk_of(server)
-    threading.Timer(1.0, os.kill, (trunk, signal.SIGKILL)).start()
+    for trunk in trunks_of(server):
+        threading.Timer(1.0, os.kill, (trunk, signal.SIGKILL)).start()
     slot_after, judgement = judge_with_retry(slot, Job("one", STEM, Answer(right_answer())), True, "sandbox")
     assert judgement.full_marks, judgement.reason
     assert slot_after is not None and slot_after is not slot
@@ -216,9 +216,10 @@ def test_an_answer_whose_server_is_killed_is_judged_again(server: SlotServer) ->
         assert judged(third, right_answer()).full_marks
 
 
-def trunk_of(server: SlotServer) -> int:
-    """The first fork server below it: those of slots are its children."""
-    return next(pid for pid in process_tree(server.pid) if b"fork_server" in command_line(pid))
+def trunks_of(server: SlotServer) -> list[int]:
+    """The fork servers that it started: those of slots are their children."""
+    found = [pid for pid in process_tree(server.pid) if b"fork_server" in command_line(pid)]
+    return [pid for pid in found if not any(pid in children(other) for other in found)]
 
 
 def test_how_a_slot_ended_is_not_taken_for_its_number() -> None:
@@ -247,7 +248,7 @@ def no_forks(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_slot_server_that_cannot_fork_says_so_and_goes_on() -> None:
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     signals = signal.pthread_sigmask(signal.SIG_BLOCK, ())
-    forker = SlotForker("limits", theirs, None, -1)
+    forker = SlotForker("limits", theirs, (), -1)
     for _ in range(2):
         reading, writing = os.pipe()
         pipes = [os.dup(writing) for _ in range(3)]

@@ -45,6 +45,20 @@ for _ in range(8):
         time.sleep(600)
 time.sleep(600)
 """
+HIDDEN_WATCHES = """
+import os, select, socket, time
+reading, _ = os.pipe()
+numbers = [os.dup(reading) for _ in range(450)]
+ours, theirs = socket.socketpair()
+for _ in range(300):
+    one = select.epoll()
+    for number in numbers:
+        one.register(number, select.EPOLLIN)
+    socket.send_fds(ours, [b"x"], [one.fileno()])
+    one.close()
+print("hidden", flush=True)
+time.sleep(1)
+"""
 LEAVES = """
 import ctypes, glob, os, sys
 libc = ctypes.CDLL(None, use_errno=True)
@@ -155,6 +169,22 @@ def test_files_in_memory_count_as_memory_or_are_bounded_by_their_folders(
         assert (record.limits_hit, record.ended_by) == (("memory",), "bench")
         assert record.signal == "SIGKILL"
         assert "written" not in record.log
+
+
+@pytest.mark.parametrize("tier", BEST_FIRST)
+def test_what_the_kernel_keeps_is_counted_where_no_table_of_descriptors_shows_it(
+    tier: Isolation, groups: LeasedGroups | None, tmp_path: Path
+) -> None:
+    """Epoll instances in a socket that is never read: what they watch comes from one figure of all users."""
+    if not works_here(tier):
+        return
+    limits = Limits(memory=2500 * MB, processes=64, descriptors=4000, watches=4000, kernel=15 * MB)
+    record = record_of(HIDDEN_WATCHES, tier, groups, tmp_path, limits)
+    if groups is None:
+        assert groups_problem()
+        assert (record.exit, record.limits_hit) == (0, ())
+    else:
+        assert (record.limits_hit, record.ended_by) == (("descriptors",), "bench"), record.log
 
 
 @pytest.mark.parametrize("tier", BEST_FIRST)

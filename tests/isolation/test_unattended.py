@@ -53,7 +53,7 @@ def started(command: Command, folder: Path, output: int) -> Iterator["subprocess
         stdin=subprocess.DEVNULL,
         stdout=output,
         stderr=output,
-        pass_fds=[sandbox.info_fd],
+        pass_fds=sandbox.descriptors,
     )
     sandbox.remove()
     os.close(output)

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from workbook.inside.proc import unix_socket_names
 from workbook.ros import domains
 from workbook.ros.domains import DomainLease, NoDomainFree, dds_port_range, domain_of_port, lease_domain
 from workbook.ros.lease_holders import Holder
@@ -131,6 +132,32 @@ def test_a_cache_that_cannot_be_written_only_costs_the_rest(
     lease.release(killed=True)
     with lease_domain(preferred=lease.domain_id) as again:
         assert again.domain_id == lease.domain_id
+
+
+@pytest.mark.parametrize("kind", [socket.SOCK_DGRAM, socket.SOCK_STREAM, socket.SOCK_SEQPACKET])
+def test_nothing_can_be_sent_to_what_holds_a_lease(
+    kind: socket.SocketKind, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It would stay there as long as the lease, and what comes next would find it."""
+    monkeypatch.setattr(domains, "SOCKET_PREFIX", prefix := f"test-{os.getpid()}/")
+    with lease_domain() as lease, socket.socket(socket.AF_UNIX, kind) as sender:
+        announced = [name for name in unix_socket_names() if f"/{lease.domain_id}/{os.getpid()}/" in name]
+        assert announced
+        for name in (f"@{prefix}{lease.domain_id}", *announced):
+            with pytest.raises(OSError, match=r"refused|wrong type"):
+                sender.connect("\0" + name[1:])
+
+
+def test_a_lease_in_a_network_of_ones_own_tells_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    before = unix_socket_names()
+    monkeypatch.setattr(domains, "_private_prefix", None)
+    domains.lease_in_private()
+    with lease_domain() as lease:
+        added = [name for name in unix_socket_names() - before if name.endswith(str(lease.domain_id))]
+        assert len(added) == 1
+        assert "rclpy" not in added[0] and str(os.getpid()) not in added[0]
+        with lease_domain(preferred=lease.domain_id) as other:
+            assert other.domain_id != lease.domain_id
 
 
 def test_a_domain_whose_ports_a_stranger_holds_is_skipped(held: DomainLease) -> None:

@@ -20,7 +20,7 @@ import queue
 import signal
 import sys
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, TextIO
@@ -37,7 +37,7 @@ from workbook.isolation.tiers import Isolation, make_tier, named_tier
 from workbook.isolation.user_ids import Ids
 from workbook.programs.warm_start import ForkServer, ServerGone, Trunk, own_server
 from workbook.recording.limits import ANSWER_LIMITS
-from workbook.ros.domains import NoDomainFree
+from workbook.ros.domains import NoDomainFree, lease_in_private
 from workbook.ros.environment import child_environment
 from workbook.watching.observer import Observer
 from workbook.watching.tier_self_test import try_out
@@ -85,12 +85,12 @@ def serve(
     ids: Ids | None = None,
     port: int | None = None,
     groups: Path | None = None,
-    trunk: Trunk | None = None,
+    trunks: Sequence[Trunk] = (),
 ) -> None:
     """Answer jobs until standard input is closed. With "uid" the programs run under `ids`, which the caller leased.
 
     `port`: of a listener on this machine, for trying out the tier first. `groups`: the folder for memory cgroups, which
-    the caller leased. `trunk`: what the fork server of a sandbox is forked from, where there is one.
+    the caller leased. `trunks`: two, from which the fork servers of a sandbox are forked, or none.
     """
     channel = _private_output()
     adopt_orphans()
@@ -106,10 +106,15 @@ def serve(
     def report(judgement: Judgement) -> None:
         send({"final": False, "judgement": judgement_to_json(judgement)})
 
-    server = ForkServer(trunk)
-    tier = make_tier(isolation, ids=ids, server=server, groups=groups)
+    if isolation == "sandbox":
+        lease_in_private()
+    servers = [ForkServer(trunk) for trunk in trunks] or [ForkServer()]
+    server, alternate = servers[0], servers[1] if len(servers) > 1 else None
+    tier = make_tier(isolation, ids=ids, server=server, alternate=alternate, groups=groups)
     warm_up(isolation, server)
-    with contextlib.closing(server), contextlib.ExitStack() as stack:
+    with contextlib.ExitStack() as stack:
+        for one in servers:
+            stack.callback(one.close)
         try:
             observer = stack.enter_context(Observer(tier=tier))
         except NoDomainFree as error:

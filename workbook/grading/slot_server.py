@@ -40,6 +40,8 @@ from workbook.ros.environment import child_environment
 
 REQUEST_BYTES = 100_000
 DESCRIPTORS = 3
+SEEDS = 2
+"""So many fork servers for programs: each has its own seed for the hashes of strings. See `SandboxTier`."""
 LAST_WORDS_S = 2.0
 """So long slots may take to end in order when this process is told to end."""
 POLL_S = 0.01
@@ -104,12 +106,12 @@ class RunningSlot:
 class SlotForker:
     """Forks slots of one tier, and reports how they end.
 
-    `trunk`: the channel of a fork server for their programs; `ended`: can be read when a child has ended.
+    `trunks`: channels of the fork servers for their programs; `ended`: can be read when a child has ended.
     """
 
     isolation: Isolation
     channel: socket.socket
-    trunk: socket.socket | None
+    trunks: Sequence[socket.socket]
     ended: int
     _running: dict[int, RunningSlot] = field(default_factory=dict)
     _lttng: LttngForkHooks = field(default_factory=LttngForkHooks)
@@ -184,9 +186,9 @@ class SlotForker:
             os.close(running.status_fd)
         forget_all()
         random.seed()
-        trunk = None if self.trunk is None or sandbox is None else Trunk(self.trunk, sandbox.first)
+        trunks = [] if sandbox is None else [Trunk(channel, sandbox.first) for channel in self.trunks]
         groups = None if request.groups is None else Path(request.groups)
-        serve(self.isolation, port=request.port, groups=groups, trunk=trunk)
+        serve(self.isolation, port=request.port, groups=groups, trunks=trunks)
 
     def _report_ended(self) -> None:
         """Reap slots that have ended, end what they have left, and report them."""
@@ -243,22 +245,20 @@ def main() -> None:
     set_parent_death_signal(signal.SIGTERM)
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, _end)
-    trunk = None
-    if isolation == "sandbox":
-        environ = sandbox_environment(child_environment(0, log_folder=Path(os.devnull)))
-        helper, trunk = start_helper(SERVER, environ)
+    environ = sandbox_environment(child_environment(0, log_folder=Path(os.devnull)))
+    helpers = [start_helper(SERVER, environ) for _ in range(SEEDS if isolation == "sandbox" else 0)]
     import_what_answers_need()
     ended, wakes = os.pipe2(os.O_NONBLOCK | os.O_CLOEXEC)
     signal.signal(signal.SIGCHLD, lambda *_: None)
     signal.set_wakeup_fd(wakes, warn_on_full_buffer=False)
-    server = SlotForker(isolation, channel, trunk, ended)
+    server = SlotForker(isolation, channel, [trunk for _, trunk in helpers], ended)
     owner = os.getpid()
     try:
         server.work()
     finally:
         if os.getpid() == owner:
             server.close()
-            if trunk is not None:
+            for helper, _ in helpers:
                 helper.kill()
                 helper.wait()
 

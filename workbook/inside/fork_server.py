@@ -3,10 +3,11 @@
     python -P run.py fork_server CHANNEL
 
 CHANNEL is the number of an inherited socket. On it comes one request after another (see `Request`), each with two
-descriptors: where the program's output goes, and where to report its status. For each, a supervisor is forked, and it
-forks the program, after joining the name spaces that were made for it, if there are any. Such a program is confined
-before a line of the answer is read: in these name spaces, without capabilities, with nothing open but its output. A
-program without name spaces of its own dies with its supervisor, and that with this process.
+descriptors: where the program's output goes, and where to report its status. A third one, if there is any, is the open
+file by which the program joins its memory cgroup: a path would stay in the memory of the program. For each request, a
+supervisor is forked, and it forks the program, after joining the name spaces that were made for it, if there are any.
+Such a program is confined before a line of the answer is read: in these name spaces, without capabilities, with nothing
+open but its output. A program without name spaces of its own dies with its supervisor, and that with this process.
 
 A request may also be for a branch (see `Branch`): another such server, forked into the sandbox of a slot.
 
@@ -33,6 +34,7 @@ from workbook.inside.namespaces import OF_A_PROGRAM, join_namespaces, settle_in_
 from workbook.inside.proc import own_environment_range
 
 REQUEST_BYTES = 100_000
+DESCRIPTORS = 3
 MARK = b"WORKBOOK_RUN="
 MARK_BYTES = 80
 """Room for the mark of a program (see `RunMark`): blanks that whoever starts this process leaves in its environment."""
@@ -44,15 +46,13 @@ FAILED = 126
 class Request:
     """One program to start, and what `host.main` and the program are given.
 
-    `namespaces_of`: the first process of the sandbox to join; 0 for none. `joins`: the file of the memory cgroup to
-    join, which cannot be seen from within a sandbox; None for none.
+    `namespaces_of`: the first process of the sandbox to join; 0 for none.
     """
 
     namespaces_of: int
     arguments: list[str]
     environ: dict[str, str]
     folder: str
-    joins: str | None = None
 
 
 @dataclass(frozen=True)
@@ -104,15 +104,16 @@ def become_program(request: Request, parent: int, output: int, group: int | None
             capabilities.clear_bounding_set()
             capabilities.drop_capabilities()
             capabilities.set_dumpable()
+            syscall_filter.filter_sandbox_escapes()
         else:
             hooks.mark.write(request.environ[MARK.decode().rstrip("=")])
             die_with_parent(parent)
-        if syscall_filter.FILTER_SYSCALLS in request.arguments:
-            request.arguments.remove(syscall_filter.FILTER_SYSCALLS)
-            syscall_filter.filter_sandbox_escapes()
         hooks.lttng.after_fork_in_program()  # only now: what it starts has no more rights than we
         os.setsid()
         os.chdir(request.folder)
+        os.dup2(
+            os.open(os.devnull, os.O_RDONLY), 0
+        )  # flags of an inherited one would be those of all programs
         os.dup2(output, 1)
         os.dup2(output, 2)
         os.closerange(3, os.sysconf("SC_OPEN_MAX"))
@@ -132,17 +133,18 @@ def report(status: int, text: str) -> bool:
     return True
 
 
-def supervise(request: Request, output: int, status: int, hooks: Hooks) -> None:
+def supervise(request: Request, descriptors: Sequence[int], hooks: Hooks) -> None:
     """In a fork: bring the program into its name spaces. Returns in the program; the supervisor itself ends here.
 
-    It writes the program's process number to `status`, and how it ended (as `os.waitpid` has it) when it has.
-    With a program in a sandbox all that it has started ends: the sandbox goes.
+    It reports the program's process number, and how it ended (as `os.waitpid` has it) when it has. With a program in a
+    sandbox, all that it has started ends: the sandbox goes.
     """
     code = 1
+    output, status, *groups = descriptors
+    group = groups[0] if groups else None
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
     try:
         set_parent_death_signal()
-        group = None if request.joins is None else memory_cgroup.open_group(request.joins)
         if request.namespaces_of:
             join_namespaces(request.namespaces_of, OF_A_PROGRAM)
         parent = os.getpid()
@@ -193,7 +195,7 @@ def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
     """Fork a program for each request. Returns its arguments in the program, None when the channel is closed."""
     while True:
         try:
-            data, descriptors, _, _ = socket.recv_fds(channel, REQUEST_BYTES, 2)
+            data, descriptors, _, _ = socket.recv_fds(channel, REQUEST_BYTES, DESCRIPTORS)
         except ConnectionError:
             return None
         if not data:
@@ -202,16 +204,16 @@ def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
         try:
             forked = hooks.lttng.fork()
         except OSError as error:  # this one must not end all the others
-            report(descriptors[-1], f"failed: {error}\n")
+            report(descriptors[:2][-1], f"failed: {error}\n")
             forked = -1
         if forked == 0 and "branch_in" in asked:
             channel.close()
             channel = become_branch(Branch(**asked), descriptors[0], hooks)
             continue
         if forked == 0:
-            request, (output, status) = Request(**asked), descriptors
+            request = Request(**asked)
             channel.detach()
-            supervise(request, output, status, hooks)
+            supervise(request, descriptors, hooks)
             return request.arguments
         for descriptor in descriptors:
             os.close(descriptor)

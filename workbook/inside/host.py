@@ -1,6 +1,6 @@
 """Runs one answer as the main program.
 
-    python -P run.py host [--parent PID] [--attended] [--filter-syscalls] [--limit NAME=VALUE]... [--driver DRIVER.py]
+    python -P run.py host [--parent PID] [--attended] [--limit NAME=VALUE]... [--driver DRIVER.py]
         [--tap DOMAIN] ANSWER.py [...]
 
 Whatever reasonable shape an answer has is accepted. The file runs as `__main__`. Only if it ends normally and no
@@ -21,7 +21,6 @@ import traceback
 import types
 
 from workbook.inside.libc import die_with_parent
-from workbook.inside.syscall_filter import FILTER_SYSCALLS, filter_sandbox_escapes
 
 SWITCH_INTERVAL_S = 1e-4
 """While a handler waits for its thread, rclpy's MultiThreadedExecutor loops without a pause. With the 5 ms that Python
@@ -34,6 +33,7 @@ LIMITS = {
     "open_files": resource.RLIMIT_NOFILE,
     "cpu": resource.RLIMIT_CPU,
     "core": resource.RLIMIT_CORE,
+    "signals": resource.RLIMIT_SIGPENDING,
 }
 
 
@@ -176,10 +176,9 @@ def obey(options: list[str]) -> tuple[str | None, list[str]]:
         "--limit",
         "--driver",
         "--tap",
-        FILTER_SYSCALLS,
     ):
-        if options[0] in ("--attended", FILTER_SYSCALLS):
-            end_if_nobody_reads() if options[0] == "--attended" else filter_sandbox_escapes()
+        if options[0] == "--attended":
+            end_if_nobody_reads()
             options = options[1:]
             continue
         if options[0] == "--parent":

@@ -11,6 +11,7 @@ _PAGE_BYTES = os.sysconf("SC_PAGE_SIZE")
 _TICK_S = 1.0 / os.sysconf("SC_CLK_TCK")
 _IDLE, _STEAL = slice(3, 5), 7  # columns of /proc/stat
 READ_BYTES = 65_536
+EPOLL = "anon_inode:[eventpoll]"
 PROC_STAT = "/proc/stat"
 UDP_TABLES = ("/proc/net/udp", "/proc/net/udp6")
 UNIX_SOCKETS = "/proc/net/unix"
@@ -116,6 +117,16 @@ def owner(pid: int) -> int | None:
     with suppress(OSError):
         return os.stat(f"/proc/{pid}").st_uid
     return None
+
+
+def running(group: Iterable[int]) -> list[int]:
+    """Those of some processes that have not ended. One that has is there until its parent asks how."""
+    found = []
+    for pid in group:
+        with suppress(OSError):
+            if stat_fields(pid)[0] not in (b"Z", b"X"):
+                found.append(pid)
+    return found
 
 
 def running_users() -> list[tuple[int, int]]:
@@ -268,6 +279,33 @@ def _peek(fd: int) -> bytes:
         return os.pread(fd, 512, 0)
     except OSError:
         return b""
+
+
+# --- descriptors ----------------------------------------------------------------------------------------------
+
+
+def _descriptors(pid: int) -> list[str]:
+    with suppress(OSError):
+        return os.listdir(f"/proc/{pid}/fd")
+    return []
+
+
+def descriptors_open(group: Iterable[int]) -> int:
+    """How many descriptors these processes have open, each counted in each process."""
+    return sum(len(_descriptors(pid)) for pid in group)
+
+
+def descriptors_watched(group: Iterable[int], enough: int) -> int:
+    """How many descriptors the epoll instances of these processes watch. To count ends where it is more than enough."""
+    watched = 0
+    for pid in group:
+        for descriptor in _descriptors(pid):
+            with suppress(OSError):
+                if os.readlink(f"/proc/{pid}/fd/{descriptor}") == EPOLL:
+                    watched += read(f"/proc/{pid}/fdinfo/{descriptor}").count(b"tfd:")
+            if watched > enough:
+                return watched
+    return watched
 
 
 # --- sockets --------------------------------------------------------------------------------------------------

@@ -10,8 +10,6 @@ from contextlib import suppress
 
 from workbook.inside.libc import checked, libc
 
-FILTER_SYSCALLS = "--filter-syscalls"
-"""The option of the host that asks for `filter_sandbox_escapes`."""
 PR_SET_SECCOMP = 22
 SECCOMP_MODE_FILTER = 2
 SECCOMP_ALLOW = 0x7FFF0000
@@ -37,6 +35,8 @@ INTO_THE_KERNEL = {
     "io_uring_enter": 426,
     "io_uring_register": 427,
 }
+OF_THE_WHOLE_MACHINE = {"io_setup": 206}
+"""What they make counts against one figure of the machine, which one answer could use up (/proc/sys/fs/aio-max-nr)."""
 NAME_SPACES = {"unshare": 272, "setns": 308}
 MOUNTING = {
     "pivot_root": 155,
@@ -58,6 +58,7 @@ THE_MACHINE = {
     "init_module": 175,
     "delete_module": 176,
     "kexec_load": 246,
+    "syslog": 103,
     "open_by_handle_at": 304,
     "finit_module": 313,
     "kexec_file_load": 320,
@@ -102,6 +103,8 @@ FILE_LOCKS = {
     "F_SETLEASE": 1024,
     "F_NOTIFY": 1026,
 }
+PIPE_SIZE = {"F_SETPIPE_SZ": 1031}
+"""All pipes of a user share one figure: beyond it, those of other answers hold a page or two."""
 PERMISSIONS = {"chmod": 90, "fchmod": 91, "fchmodat": 268, "fchmodat2": 452}
 OWNERS = {"chown": 92, "fchown": 93, "lchown": 94, "fchownat": 260}
 TIMES = {"utime": 132, "utimes": 235, "futimesat": 261, "utimensat": 280}
@@ -120,6 +123,7 @@ ATTRIBUTES = {
 
 Step = tuple[int, int, int, int]
 """One step of a filter: the operation, how many steps to jump if it holds and if not, and a number."""
+STEP_BYTES = 8
 
 
 class _Filter(ctypes.Structure):
@@ -178,13 +182,13 @@ def case(number: int, error: int, *conditions: list[Step]) -> list[Step]:
     return [(BPF_JUMP_IF_EQUAL, 0, len(body), number), *body]
 
 
-def filter_syscalls(
+def compiled(
     refused: Iterable[int], without_effect: Iterable[int] = (), cases: Iterable[list[Step]] = ()
-) -> None:
-    """Make the system calls in `refused` fail, and those in `without_effect` do nothing and report success; by number.
+) -> bytes:
+    """Return a filter as the kernel reads it, for `install` or for bubblewrap.
 
-    `cases`: more of both, see `case`; one for each number. For this thread and all that it becomes and starts. Needs
-    `drop_capabilities`, or what comes to the same. Raises OSError where the kernel has no such filters.
+    The system calls in `refused` fail, and those in `without_effect` do nothing and report success; by number. `cases`:
+    more of both, see `case`; one for each number.
     """
     steps: list[Step] = [
         (BPF_LOAD_WORD, 0, 0, 4),  # the architecture
@@ -199,13 +203,21 @@ def filter_syscalls(
     for one in (*everything, *cases):
         steps += one
     steps.append((BPF_RETURN, 0, 0, SECCOMP_ALLOW))
-    code = ctypes.create_string_buffer(b"".join(struct.pack("=HBBI", *step) for step in steps))
-    program = _Filter(len(steps), ctypes.addressof(code))
-    checked("seccomp", libc.prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, ctypes.byref(program), 0, 0))
+    return b"".join(struct.pack("=HBBI", *step) for step in steps)
+
+
+def install(program: bytes) -> None:
+    """Filter the system calls of this thread, and of all that it becomes and starts, by what `compiled` returned.
+
+    Needs `drop_capabilities`, or what comes to the same. Raises OSError where the kernel has no such filters.
+    """
+    code = ctypes.create_string_buffer(program, len(program))
+    steps = _Filter(len(program) // STEP_BYTES, ctypes.addressof(code))
+    checked("seccomp", libc.prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, ctypes.byref(steps), 0, 0))
 
 
 def bounded_memory() -> list[list[Step]]:
-    """Cases that keep memory where limits count it, for `filter_syscalls`, besides UNCOUNTED_MEMORY.
+    """Cases that keep memory where limits count it, for `compiled`, along with UNCOUNTED_MEMORY.
 
     Shared memory without a file stays as a whole while one page of it is mapped. What is sent to a socket that nobody
     reads is held for its sender, as much as the send buffer takes: it keeps the size that the machine gives to each.
@@ -220,7 +232,7 @@ def bounded_memory() -> list[list[Step]]:
 
 
 def others_left_alone() -> list[list[Step]]:
-    """Cases that keep a program from changing limits and priorities of other processes, for `filter_syscalls`.
+    """Cases that keep a program from changing limits and priorities of other processes, for `compiled`.
 
     They may belong to the same user: with a limit of no processor time, a program would end its judge. Libraries set
     the scheduling of their own threads by number, so that comes to nothing and is no error.
@@ -235,24 +247,35 @@ def others_left_alone() -> list[list[Step]]:
     ]
 
 
-def filter_sandbox_escapes() -> None:
-    """Refuse the calls with which programs have escaped from sandboxes, met in two of them, or hidden memory.
+def against_sandbox_escapes() -> bytes | None:
+    """Compile a filter against the calls with which programs have escaped from sandboxes, met in two, or hidden memory.
 
     Sandboxes share the files of the interpreter, so no file is locked or followed. The devices in a sandbox are those
     of the machine, and belong to root. If the grader is root, an answer could change their permissions and times, so it
-    may only believe that it does. A kernel that has no filters leaves this out: it is a second line of defense behind
-    the name spaces of the sandbox.
+    may only believe that it does. Returns None on a machine whose calls have other numbers.
     """
     if not knows_this_machine():
-        return
+        return None
     refused = (OTHER_PROCESSES, KEYS, INTO_THE_KERNEL, NAME_SPACES, MOUNTING, THE_MACHINE, ATTRIBUTES)
     owns_devices = os.stat(os.devnull).st_uid == os.getuid()
     believed = numbers(PERMISSIONS, OWNERS, TIMES) if owns_devices else ()
-    cases = [*bounded_memory(), case(FCNTL, errno.EPERM, one_of(1, FILE_LOCKS.values()))]
-    try:
-        filter_syscalls(numbers(*refused, UNCOUNTED_MEMORY, LOCKS, NEWS_OF_FILES), believed, cases)
-    except OSError:
-        return
+    cases = [
+        *bounded_memory(),
+        case(FCNTL, errno.EPERM, one_of(1, [*FILE_LOCKS.values(), *PIPE_SIZE.values()])),
+    ]
+    uncounted = (UNCOUNTED_MEMORY, OF_THE_WHOLE_MACHINE)
+    return compiled(numbers(*refused, *uncounted, LOCKS, NEWS_OF_FILES), believed, cases)
+
+
+def filter_sandbox_escapes() -> None:
+    """Refuse what `against_sandbox_escapes` says, for good.
+
+    A kernel that has no filters leaves this out: it is a second line of defense behind the name spaces of the sandbox.
+    """
+    program = against_sandbox_escapes()
+    if program is not None:
+        with suppress(OSError):
+            install(program)
 
 
 def filter_permission_changes() -> None:
@@ -260,15 +283,17 @@ def filter_permission_changes() -> None:
 
     Those of the first kind say that all went well, so that a copied file is no error. Raises OSError.
     """
-    refused = (OTHER_PROCESSES, KEYS, INTO_THE_KERNEL, UNCOUNTED_MEMORY)
+    refused = (OTHER_PROCESSES, KEYS, INTO_THE_KERNEL, UNCOUNTED_MEMORY, OF_THE_WHOLE_MACHINE)
     unchanged = numbers(PERMISSIONS, OWNERS, TIMES, ATTRIBUTES)
-    filter_syscalls(numbers(*refused), unchanged, [*bounded_memory(), *others_left_alone()])
+    cases = [*bounded_memory(), *others_left_alone(), case(FCNTL, errno.EPERM, one_of(1, PIPE_SIZE.values()))]
+    install(compiled(numbers(*refused), unchanged, cases))
 
 
 def filter_uncounted_memory() -> None:
     """Let no call through that makes memory which no limit counts. A kernel without filters leaves this out."""
+    cases = [*bounded_memory(), case(FCNTL, errno.EPERM, one_of(1, PIPE_SIZE.values()))]
     with suppress(OSError):
-        filter_syscalls(numbers(UNCOUNTED_MEMORY), (), bounded_memory())
+        install(compiled(numbers(UNCOUNTED_MEMORY, OF_THE_WHOLE_MACHINE), (), cases))
 
 
 def numbers(*groups: dict[str, int]) -> list[int]:

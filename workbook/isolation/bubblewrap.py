@@ -16,12 +16,13 @@ HOME = "/home/student"
 ANSWER_FOLDER = "/answer"
 WRITABLE = ("/tmp", "/dev/shm", HOME)
 WRITABLE_BYTES = WRITABLE_MIB * 1024 * 1024
-READ_ONLY = ("/", "/dev", "/proc")
+READ_ONLY = ("/", "/dev", "/dev/pts", "/proc")
 """Mounts of the sandbox itself. Two of them have no limit on their size, and files below /proc/sys obey whoever has the
 user number of root, without any capability: an answer has it when the grader is root."""
 OUTER_ENVIRONMENT = {"TMPDIR": "/dev/shm", "XDG_CACHE_HOME": "/dev/shm/cache"}
-WAITS = ("/bin/sh", "-c", "echo ready && exec sleep infinity >&-")
-"""If nobody can hear that, it ends: who wanted it was killed before the sandbox was tied to it."""
+WAITS = ("/bin/sh", "-c", "echo ready && exec >&- && while :; do sleep infinity & wait; done")
+"""If no reader is left for that word, it ends: who wanted it was killed before the sandbox was tied to it. While the
+shell waits, it reaps all that has ended below it."""
 _SELF_TEST_S = 10.0
 
 
@@ -69,16 +70,17 @@ def _outer(command: Sequence[str], groups: Path | None, options: Sequence[str] =
 def inner_command(
     command: Sequence[str],
     *,
-    files: Mapping[str, Path],
+    files: Mapping[str, int],
     readable: Sequence[Path],
     environ: Mapping[str, str],
     options: Sequence[str],
 ) -> list[str]:
     """`command` in a sandbox for one program. Raises NoSandbox.
 
-    `files`: what lies in the answer's folder, by name; `readable`: what else it may read, besides the system's folders;
-    `environ`: its whole environment; `options`: further options of bubblewrap. /dev/full reads as /dev/zero does, but
-    gives no shared memory, which nothing would count.
+    `files`: descriptors of what is copied to the answer's folder, by name, because a mount would show where the
+    original is; `readable`: what else it may read, besides the system's folders; `environ`: its whole environment;
+    `options`: further options of bubblewrap. /dev/full reads as /dev/zero does, but gives no shared memory, which
+    nothing would count. There are no terminals: all sandboxes would share their number.
     """
     sandboxed = [
         _bwrap(),
@@ -87,6 +89,7 @@ def inner_command(
         "--disable-userns",
         *options,
         *("--proc", "/proc", "--dev", "/dev", "--dev-bind", "/dev/full", "/dev/zero"),
+        *("--tmpfs", "/dev/pts"),
     ]
     for folder in WRITABLE:  # before what is bound below them
         sandboxed += ["--size", str(WRITABLE_BYTES), "--tmpfs", folder]
@@ -100,8 +103,8 @@ def inner_command(
         sandboxed += ["--ro-bind-try", name, name]
     for path in readable:
         sandboxed += ["--ro-bind", str(path), str(path)]
-    for name, path in files.items():
-        sandboxed += ["--ro-bind", str(path), f"{ANSWER_FOLDER}/{name}"]
+    for name, descriptor in files.items():
+        sandboxed += ["--ro-bind-data", str(descriptor), f"{ANSWER_FOLDER}/{name}"]
     for name, value in environ.items():
         sandboxed += ["--setenv", name, value]
     for folder in READ_ONLY:  # after everything that is bound below them

@@ -117,6 +117,8 @@ class MemoryGroup:
                 self._exceeded = "memory"
             elif self._limits.queued is not None and self._in_sockets() > self._limits.queued:
                 self._exceeded = "sockets"
+            elif self._limits.kernel is not None and self._in_kernel() > self._limits.kernel:
+                self._exceeded = "descriptors"
         return self._exceeded
 
     def _ended_by_kernel(self) -> bool:
@@ -127,6 +129,11 @@ class MemoryGroup:
         if self.version == 1:
             return number_in(self.path / "memory.kmem.tcp.usage_in_bytes")
         return number_in(self.path / "memory.stat", "sock")
+
+    def _in_kernel(self) -> int:
+        if self.version == 1:
+            return number_in(self.path / "memory.kmem.usage_in_bytes")
+        return number_in(self.path / "memory.stat", "kernel")  # zero before Linux 5.18
 
     def remove(self) -> None:
         """Note for the last time what was exceeded, end what is left in the group, and remove it."""

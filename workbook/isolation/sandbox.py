@@ -7,6 +7,7 @@ and small folders in memory to write to.
 
 import json
 import os
+import random
 import signal
 import subprocess
 import time
@@ -17,7 +18,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from workbook.inside import proc
-from workbook.inside.syscall_filter import FILTER_SYSCALLS
+from workbook.inside.syscall_filter import against_sandbox_escapes
 from workbook.isolation.bubblewrap import (
     ANSWER_FOLDER,
     HOME,
@@ -35,12 +36,25 @@ from workbook.recording.limits import Limits
 Code = TypeVar("Code", int, int | None)
 
 
-class SandboxedProgram(FreshProgram):
-    """A sandbox with a program in it; `info_fd` is what bubblewrap says about itself."""
+def filter_file() -> int:
+    """Open a new file that holds the filter of system calls for bubblewrap; -1 on a machine without one."""
+    program = against_sandbox_escapes()
+    if program is None:
+        return -1
+    descriptor = os.memfd_create("what no program in a sandbox may call")
+    os.write(descriptor, program)
+    return descriptor
 
-    def __init__(self, command: Sequence[str], order: Order, folder: Path, info_fd: int) -> None:
-        super().__init__(command, order.environ, folder, order.output_fd, [info_fd])
-        self._info_fd = info_fd
+
+class SandboxedProgram(FreshProgram):
+    """A sandbox with a program in it; `descriptors`: what bubblewrap says about itself, and what else it needs.
+
+    bubblewrap gets no environment and no folder of ours: its first process in the sandbox would show them.
+    """
+
+    def __init__(self, command: Sequence[str], output_fd: int, descriptors: Sequence[int]) -> None:
+        super().__init__(command, {}, Path("/"), output_fd, descriptors)
+        self._info_fd = descriptors[0]
 
     def poll(self) -> int | None:
         """The program's exit code (negative: the signal that ended it), or None while bubblewrap runs."""
@@ -111,39 +125,54 @@ class Sandbox:
     scratch: Path
     readable: tuple[Path, ...]
     server: ForkServer | None = None
-    _files: dict[str, Path] = field(default_factory=dict)
+    _files: dict[str, int] = field(default_factory=dict)
     info_fd: int = field(default_factory=lambda: os.memfd_create("what bubblewrap says about itself"))
+    filter_fd: int = field(default_factory=filter_file)
+    _sockets_before: int = 0
+    _queued_before: int = 0
+
+    @property
+    def descriptors(self) -> list[int]:
+        """What bubblewrap must inherit."""
+        return [one for one in (self.info_fd, self.filter_fd, *self._files.values()) if one >= 0]
 
     def bring(self, file: Path, name: str) -> str:
-        """Have the file mounted in the sandbox. Returns its path there."""
-        self._files[name] = file.resolve()
+        """Have the file copied to the sandbox. Returns its path there."""
+        self._files[name] = os.open(file, os.O_RDONLY | os.O_CLOEXEC)
         return f"{ANSWER_FOLDER}/{name}"
 
     def host_options(self, limits: Limits) -> list[str]:
-        """The filter of system calls, and the limits that the kernel enforces, that of processes included."""
-        return [FILTER_SYSCALLS, *limit_options(limits, (*KERNEL_LIMITS, "processes"))]
+        """The limits that the kernel enforces, that of processes included."""
+        return limit_options(limits, (*KERNEL_LIMITS, "processes"))
 
     def start(self, order: Order) -> Started:
         """Start the program in a sandbox of its own, forked from the server where possible. Raises OSError."""
         began = time.monotonic()
+        self._sockets_before, self._queued_before = proc.sockets_of_network(), proc.queued_bytes(0)
         environ = sandbox_environment(order.environ)
         forked = None if self.server is None else self._fork(self.server, environ, order)
         if forked is not None:
             return Started(forked, began)
         # Without --parent: a sandbox dies with us by itself, and its processes do not know our number.
         command = joining(order.joins, self.command(host_command("--attended", *order.arguments), environ))
-        return Started(SandboxedProgram(command, order, self.scratch, self.info_fd), began)
+        return Started(SandboxedProgram(command, order.output_fd, self.descriptors), began)
 
     def command(
         self, command: Sequence[str], environ: Mapping[str, str], options: Sequence[str] = ()
     ) -> list[str]:
-        """`command` in this sandbox, in the environment `environ` and with further options of bubblewrap."""
+        """`command` in this sandbox, in the environment `environ` and with further options of bubblewrap.
+
+        The filter of system calls holds for the first process, too: a program may write to its memory.
+        """
+        filtered = () if self.filter_fd < 0 else ("--seccomp", str(self.filter_fd))
+        for descriptor in self.descriptors[1:]:  # bubblewrap reads them, perhaps for the second time
+            os.lseek(descriptor, 0, os.SEEK_SET)
         return inner_command(
             command,
             files=self._files,
             readable=self.readable,
             environ=environ,
-            options=("--info-fd", str(self.info_fd), *options),
+            options=("--info-fd", str(self.info_fd), *filtered, *options),
         )
 
     def empty(self) -> list[str]:
@@ -163,7 +192,7 @@ class Sandbox:
                 env=order.environ,
                 cwd=self.scratch,
                 start_new_session=True,
-                pass_fds=[self.info_fd],
+                pass_fds=self.descriptors,
             )
         finally:
             os.close(said_fd)
@@ -191,12 +220,12 @@ class Sandbox:
         return 0
 
     def sockets(self, pids: Sequence[int]) -> int:
-        """How many sockets there are in the network of the program and this process, sent ones included."""
-        return proc.sockets_of_network()
+        """How many sockets have come to the network of the program and this process, sent ones included."""
+        return proc.sockets_of_network() - self._sockets_before
 
     def queued_bytes(self, worth_counting: int) -> int:
-        """What waits unread in the sockets of this network, from `worth_counting` bytes on; else zero."""
-        return proc.queued_bytes(worth_counting)
+        """What has come to the sockets of this network and waits unread, from `worth_counting` bytes on; else zero."""
+        return proc.queued_bytes(worth_counting) - self._queued_before
 
     def exceeded(self) -> str | None:
         """None: the tier itself has no memory cgroup."""
@@ -207,25 +236,29 @@ class Sandbox:
         return False  # what is in a sandbox ends with it
 
     def remove(self) -> None:
-        """Close the file that bubblewrap reports its processes to."""
-        if self.info_fd >= 0:
-            os.close(self.info_fd)
-            self.info_fd = -1
+        """Close the files that bubblewrap reports to and reads from."""
+        for descriptor in self.descriptors:
+            os.close(descriptor)
+        self.info_fd = self.filter_fd = -1
+        self._files.clear()
 
 
 @dataclass(frozen=True)
 class SandboxTier:
     """See `workbook.programs.tier.Tier`.
 
-    With a `server`, programs are forked from it into their sandboxes, which saves the start of a Python for each.
+    With a `server`, programs are forked from it into their sandboxes, which saves the start of a Python for each. With
+    an `alternate`, each comes from one of the two by chance. The programs of one server have the same seed for the
+    hashes of strings, so an answer that depends on the order of a set would get the same verdict in every try.
     """
 
     server: ForkServer | None = None
+    alternate: ForkServer | None = None
     readable: tuple[Path, ...] = field(default_factory=interpreter_folders)
 
     def confine(self, scratch: Path) -> Confinement:
         """A confinement in a sandbox that `start` creates."""
-        return Sandbox(scratch, self.readable, self.server)
+        return Sandbox(scratch, self.readable, random.choice((self.server, self.alternate or self.server)))
 
 
 def sandbox_environment(environ: Mapping[str, str]) -> dict[str, str]:

@@ -49,20 +49,24 @@ def make_tier(
     *,
     ids: Ids | None = None,
     server: ForkServer | None = None,
+    alternate: ForkServer | None = None,
     groups: Path | None = None,
 ) -> Tier:
     """The tier of that name, for a process that adopts what programs leave behind (see `adopt_orphans`).
 
-    `ids`: for "uid", leased by the caller. `server`: for "sandbox", from which programs are forked. `groups`: the
-    folder for memory cgroups, leased by the caller; None where there are none. Raises ValueError without ids for "uid".
+    `ids`: for "uid", leased by the caller. `server` and `alternate`: for "sandbox", where each program is forked from
+    one of them. `groups`: the folder for memory cgroups, leased by the caller; None where there are none. Raises
+    ValueError without ids for "uid".
     """
-    tier = _bare_tier(isolation, ids, server)
+    tier = _bare_tier(isolation, ids, server, alternate)
     return tier if groups is None else GroupedTier(tier, groups)
 
 
-def _bare_tier(isolation: Isolation, ids: Ids | None, server: ForkServer | None) -> Tier:
+def _bare_tier(
+    isolation: Isolation, ids: Ids | None, server: ForkServer | None, alternate: ForkServer | None
+) -> Tier:
     if isolation == "sandbox":
-        return SandboxTier(server)
+        return SandboxTier(server, alternate)
     if isolation == "uid":
         if ids is None:
             raise ValueError('the tier "uid" needs ids')

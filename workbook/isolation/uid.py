@@ -11,7 +11,7 @@ from workbook.isolation.landlock import ConfinedProgram
 from workbook.isolation.user_ids import Ids, shared_folders
 from workbook.isolation.written_files import WrittenFiles
 from workbook.programs.tier import Confinement, threads_of_libraries
-from workbook.recording.limits import Limits
+from workbook.recording.limits import ENDED_PROCESSES, Limits
 from workbook.ros.scratch import scratch_folder
 
 EXTRA_PROCESSES = 32
@@ -49,7 +49,7 @@ class UserProgram(ConfinedProgram):
         os.chown(self.scratch, self.ids.user, self.ids.user)
         options = ["--user", str(self.ids.user)]
         if limits.processes is not None:
-            allowed = limits.processes + EXTRA_PROCESSES + threads_of_libraries()
+            allowed = limits.processes + EXTRA_PROCESSES + ENDED_PROCESSES + threads_of_libraries()
             options += ["--processes", str(allowed)]
         return options + super().options(limits)
 

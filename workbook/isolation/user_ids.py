@@ -83,7 +83,7 @@ def lease_ids() -> Ids:
         user = first + 2 * random.randrange(count // 2)
         if taken & {user, user + 1}:
             continue
-        holder = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+        holder = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)  # it never listens
         try:
             holder.bind(f"\0{SOCKET_PREFIX}{user}")
         except OSError:

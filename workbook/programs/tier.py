@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 from typing import Protocol
 
-from workbook.recording.limits import ADDRESSES_PER_THREAD, THREADS_PER_CORE, Limits
+from workbook.recording.limits import ADDRESSES_PER_THREAD, ENDED_PROCESSES, THREADS_PER_CORE, Limits
 
 LARGE_PACKAGES = ("torch", "nvidia")
 """PyTorch, and the packages of CUDA that it loads even where there is no graphics processor."""
@@ -128,10 +128,14 @@ def addresses_of_libraries() -> int:
 def limit_options(limits: Limits, names: Sequence[str]) -> list[str]:
     """Options for the host: those of the limits with these names that are set.
 
-    The kernel limits addresses and threads where the judge counts memory and processes: they get more.
+    The kernel limits addresses and threads where the judge counts memory and processes: they get more. It also counts
+    processes that have ended, which the judge does not.
     """
     threads = threads_of_libraries()
-    more = {"memory": ADDRESSES_PER_THREAD * threads + addresses_of_libraries(), "processes": threads}
+    more = {
+        "memory": ADDRESSES_PER_THREAD * threads + addresses_of_libraries(),
+        "processes": threads + ENDED_PROCESSES,
+    }
     values = {name: getattr(limits, name) for name in names}
     return [
         part

@@ -16,7 +16,7 @@ from workbook.programs.tier import Confinement, Order, Started, limit_options
 from workbook.programs.warm_start import NoWarmStart, own_server
 from workbook.recording.limits import Limits
 
-KERNEL_LIMITS = ("memory", "file_size", "open_files", "cpu", "core")
+KERNEL_LIMITS = ("memory", "file_size", "open_files", "cpu", "core", "signals")
 """Not that of processes: the kernel would count everything that the same user runs, and nothing for root."""
 
 _JOINED = ("/bin/sh", "-c", 'echo 0 >"$0" && exec "$@"')

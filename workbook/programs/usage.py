@@ -3,9 +3,15 @@
 import re
 from collections.abc import Sequence
 
-from workbook.inside.proc import memory_bytes
+from workbook.inside.proc import (
+    descriptors_open,
+    descriptors_watched,
+    how_many_threads,
+    memory_bytes,
+    running,
+)
 from workbook.programs.tier import Confinement
-from workbook.recording.limits import Limits
+from workbook.recording.limits import ENDED_PROCESSES, Limits
 
 WATCHFUL_S = 0.05
 AT_EASE_S = 0.2
@@ -24,8 +30,14 @@ def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement
     hit = confinement.exceeded()
     if hit is not None:
         return hit
-    if limits.processes is not None and len(pids) > limits.processes:
+    if limits.processes is not None and too_many(pids, limits.processes):
         return "processes"
+    if limits.threads is not None and sum(map(how_many_threads, pids)) > limits.threads:
+        return "processes"
+    if limits.descriptors is not None and descriptors_open(pids) > limits.descriptors:
+        return "descriptors"
+    if limits.watches is not None and descriptors_watched(pids, limits.watches) > limits.watches:
+        return "descriptors"
     if limits.memory is not None and memory_bytes(pids, limits.memory) > limits.memory:
         return "memory"
     if limits.files is not None and confinement.most_files(pids) > limits.files:
@@ -37,6 +49,11 @@ def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement
     if limits.queued is not None and confinement.queued_bytes(limits.queued) > limits.queued:
         return "sockets"
     return None
+
+
+def too_many(pids: Sequence[int], most: int) -> bool:
+    """Whether more than `most` of these processes run, or far more have ended and are left."""
+    return len(pids) > most and (len(pids) > most + ENDED_PROCESSES or len(running(pids)) > most)
 
 
 def until_next_look_s(limits: Limits, pids: Sequence[int]) -> float:

@@ -14,6 +14,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from workbook.inside.memory_cgroup import open_group
 from workbook.inside.orphans import forget
 from workbook.inside.proc import process_tree
 from workbook.programs.ending import RUN_MARK
@@ -171,20 +172,25 @@ class ForkServer:
             "arguments": [*arguments],
             "environ": dict(environ),
             "folder": folder,
-            "joins": joins,
         }
+        try:
+            groups = [] if joins is None else [open_group(joins)]
+        except OSError as error:
+            raise NoWarmStart(f"there is no memory cgroup ({error})") from error
         read_fd, write_fd = os.pipe()
         try:
             with self._turn:
                 self.wait_until_ready()
                 assert self._channel is not None
-                socket.send_fds(self._channel, [json.dumps(request).encode()], [output_fd, write_fd])
+                theirs = [output_fd, write_fd, *groups]
+                socket.send_fds(self._channel, [json.dumps(request).encode()], theirs)
         except OSError as error:
             os.close(read_fd)
             self.close()
             raise NoWarmStart(f"the fork server is gone ({error})") from error
         finally:
-            os.close(write_fd)
+            for descriptor in (write_fd, *groups):
+                os.close(descriptor)
         return started_program(read_fd, ANSWER_S, "the fork server")
 
     def wait_until_ready(self) -> None:

@@ -1,7 +1,8 @@
 """Leases on ROS domains: a process that holds a domain shares it with no other.
 
 A lease is an abstract Unix socket named after the domain. The kernel closes it with its holder, so a lease can
-never be left behind, whatever happens to the process. Domains 1 to 101 keep clear of the ephemeral ports of
+never be left behind, whatever happens to the process. It is a stream socket that never listens: no program can send
+anything to it, which would stay there as long as the lease. Domains 1 to 101 keep clear of the ephemeral ports of
 Linux (UDP port = 7400 + 250 * domain + …, DDS-RTPS specification, section 9.6.1).
 """
 
@@ -23,6 +24,7 @@ LAST_DOMAIN = 101
 COOL_DOWN_S = 30.0
 """After a kill. Other participants keep a vanished one until its liveliness lease expires; this is well above that."""
 SOCKET_PREFIX = LEASE_PREFIX
+_private_prefix: str | None = None
 
 
 class NoDomainFree(RuntimeError):
@@ -73,7 +75,7 @@ class DomainLease:
     def __init__(self, domain_id: int, holder: socket.socket) -> None:
         self.domain_id = domain_id
         self._holder: socket.socket | None = holder
-        self._announced = announce_lease(domain_id)
+        self._announced = announce_lease(domain_id) if _private_prefix is None else None
 
     def release(self, killed: bool = False) -> None:
         """Give the domain back.
@@ -99,10 +101,16 @@ class DomainLease:
         self.release()
 
 
+def lease_in_private() -> None:
+    """Say nothing in the names of this process's leases: its network is its own, and untrusted programs see them."""
+    global _private_prefix
+    _private_prefix = os.urandom(8).hex()
+
+
 def _try_lease(domain_id: int) -> DomainLease | None:
-    holder = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    holder = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
     try:
-        holder.bind(f"\0{SOCKET_PREFIX}{domain_id}")
+        holder.bind(f"\0{SOCKET_PREFIX if _private_prefix is None else _private_prefix}{domain_id}")
     except OSError:
         holder.close()
         return None

@@ -43,7 +43,7 @@ class Holder:
 
 def announce_lease(domain_id: int) -> socket.socket | None:
     """Tell others that this process holds a domain, until the socket is closed; None where that is impossible."""
-    announced = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    announced = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)  # it never listens
     try:
         announced.bind(f"\0{HOLDER_PREFIX}{domain_id}/{os.getpid()}/{int(time.time())}")
     except OSError:

@@ -39,7 +39,7 @@ def announce(domain_id: int, label: str | None = None) -> None:
     global _announced
     withdraw()
     name = f"{SOCKET_PREFIX}{domain_id}/{os.getpid()}/{quote(label or notebook_label(), safe='')}"
-    holder = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    holder = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)  # it never listens
     try:
         holder.bind("\0" + name[:_LONGEST_NAME])
     except OSError:

@@ -21,6 +21,7 @@ _MEMORY_GB = (ANSWER_LIMITS.memory or 0) / 1000 / MB
 _QUEUED_MB = (ANSWER_LIMITS.queued or 0) // MB
 _STORED_MB = (ANSWER_LIMITS.stored or 0) // MB
 _FILES = f"{ANSWER_LIMITS.files:,}".replace(",", " ")
+_KERNEL_MB = (ANSWER_LIMITS.kernel or 0) // MB
 _STOPS = {
     "output": Stop(
         "stopped.output",
@@ -30,8 +31,8 @@ _STOPS = {
     ),
     "processes": Stop(
         "stopped.processes",
-        f"ran more than {ANSWER_LIMITS.processes} processes at the same time",
-        "A loop starts processes without end (os.fork, subprocess, multiprocessing).",
+        f"ran more than {ANSWER_LIMITS.processes} processes, or {ANSWER_LIMITS.threads} threads, at the same time",
+        "A loop starts processes or threads without end (os.fork, subprocess, multiprocessing, threading).",
         "One process is enough for a node. Start others only when you must, and only a fixed number of them.",
     ),
     "memory": Stop(
@@ -45,6 +46,13 @@ _STOPS = {
         f"opened more than {ANSWER_LIMITS.sockets} sockets, or left more than {_QUEUED_MB} MB unread in them",
         "A loop opens sockets or creates ROS contexts without end, or it sends to a socket that is never read.",
         "One context and one node are enough; close each socket that you open.",
+    ),
+    "descriptors": Stop(
+        "stopped.descriptors",
+        f"opened more than {ANSWER_LIMITS.descriptors} files, pipes, and sockets, waited for more than "
+        f"{ANSWER_LIMITS.watches} of them, or made the kernel keep more than {_KERNEL_MB} MB for it",
+        "A loop opens files, pipes, or sockets without end, or it registers them with a selector again and again.",
+        "Close each file that you open, for example with a `with` statement.",
     ),
     "files": Stop(
         "stopped.files",

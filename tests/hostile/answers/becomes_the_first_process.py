@@ -1,0 +1,12 @@
+# score: 10
+"""Looks for a process in its sandbox that no filter of system calls holds: in its place, it could do what it may not."""
+import os
+
+free = []
+for pid in filter(str.isdecimal, os.listdir("/proc")):
+    with open(f"/proc/{pid}/status") as file:
+        status = dict(line.split(":\t", 1) for line in file.read().splitlines() if ":\t" in line)
+    if status["Seccomp"] != "2":
+        free.append((pid, status["Name"]))
+assert not free, free
+@@GOOD@@
