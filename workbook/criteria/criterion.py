@@ -11,6 +11,8 @@ from workbook.recording.recording import Recording
 from workbook.recording.script import NOTHING_SAID, Part, Script
 from workbook.recording.type_names import type_name
 
+OF_THE_DRIVER = "/driver/"
+"""Topics of the program that calls a student's functions. They are not the student's."""
 Judgement = Callable[[Recording], Verdict]
 
 
@@ -54,13 +56,14 @@ def criterion(
 class Topic:
     """A topic that an exercise asks for: its name, message type and rate in Hz (None if no rate is judged).
 
-    `features`: see `topic`.
+    `features` and `signed`: see `topic`.
     """
 
     name: str
     type: str
     hz: float | None = None
     features: Mapping[str, Feature] = field(default_factory=dict, compare=False)
+    signed: bool = False
 
     @property
     def short_type(self) -> str:
@@ -76,15 +79,23 @@ class Topic:
 
 
 def topic(
-    name: str, message_class: Any, hz: float | None = None, *, features: Mapping[str, Feature] | None = None
+    name: str,
+    message_class: Any,
+    hz: float | None = None,
+    *,
+    features: Mapping[str, Feature] | None = None,
+    signed: bool = False,
 ) -> Topic:
     """Declare a topic that criteria judge, e.g. `topic("/robot/battery", Float32, hz=0.5)`.
 
     `features`: for messages with large fields, such as images: by field, a function that is given the message and
     returns what criteria want to know of it (numbers, texts, lists, dicts). The field itself is kept as `{"length": n,
     "sha256": "...", "first": [...], "features": what was returned}`; None is kept where the function raised something.
+
+    `signed`: the driver publishes it, and criteria see only what it has signed. A topic below /driver is always signed.
     """
-    return Topic(name, type_name(message_class), hz, features or {})
+    signed = signed or name.startswith(OF_THE_DRIVER)
+    return Topic(name, type_name(message_class), hz, features or {}, signed)
 
 
 @dataclass(frozen=True)

@@ -44,7 +44,8 @@ class Exercise:
 
     `criteria` are in order, `plan` is the watch that they need, and `periods` are the judged periods (s) by topic.
     `to_the_end`: the program's end is judged as well. `driver`: what calls the functions of an answer that is no
-    program. `probes`: by name, code that uses an answer and is read by the type checker together with it.
+    program. `probes`: by name, code that uses an answer and is read by the type checker together with it. `signed`: the
+    topics on which only what the driver has signed counts.
     """
 
     stem: str
@@ -56,6 +57,7 @@ class Exercise:
     solution_path: Path
     driver: Path | None = None
     probes: Mapping[str, str] = field(default_factory=dict)
+    signed: tuple[str, ...] = ()
 
     @cached_property
     def source(self) -> ExerciseSource:
@@ -105,6 +107,7 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
         solution_path=solution,
         driver=driver,
         probes=probes,
+        signed=tuple(one.name for one in topics if one.signed),
     )
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from workbook.criteria.runner import CriterionError, CriterionResult, run_criteria
+from workbook.criteria.vocabulary.driver import only_signed
 from workbook.exercise.definition import Exercise
 from workbook.recording.recording import Recording
 
@@ -59,7 +60,7 @@ def judge_recording(
 ) -> Judgement:
     """Judge a recording without running anything. A criterion that crashes gives an `infra_error`."""
     try:
-        results = run_criteria(exercise.criteria, recording)
+        results = run_criteria(exercise.criteria, only_signed(recording, exercise.signed))
     except CriterionError as error:
         return Judgement(exercise.stem, answer_sha256, "infra_error", str(error), (), recording)
     return Judgement(exercise.stem, answer_sha256, "graded", None, results, recording, provisional, real_life)

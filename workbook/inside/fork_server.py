@@ -3,7 +3,8 @@
     python -P run.py fork_server CHANNEL
 
 CHANNEL is the number of an inherited socket. On it comes one request after another (see `Request`), each with two
-descriptors: where the program's output goes, and where to report its status. For each, a supervisor is forked, and it
+descriptors: where the program's output goes, and where to report its status. What it is to read may come between the
+two. For each, a supervisor is forked, and it
 forks the program, after joining the name spaces that were made for it, if there are any. Such a program is confined
 before a line of the answer is read: in these name spaces, without capabilities, with nothing open but its output. A
 program without name spaces of its own dies with its supervisor, and that with this process.
@@ -93,7 +94,9 @@ class Hooks:
     mark: RunMark
 
 
-def become_program(request: Request, parent: int, output: int, group: int | None, hooks: Hooks) -> None:
+def become_program(
+    request: Request, parent: int, output: int, inputs: Sequence[int], group: int | None, hooks: Hooks
+) -> None:
     """Turn this forked process into the one that runs the answer. `group`: the open file of the cgroup to join."""
     try:
         if group is not None:
@@ -115,6 +118,8 @@ def become_program(request: Request, parent: int, output: int, group: int | None
         os.chdir(request.folder)
         os.dup2(output, 1)
         os.dup2(output, 2)
+        for given in inputs:
+            os.dup2(given, 0)
         os.closerange(3, os.sysconf("SC_OPEN_MAX"))
         os.environ.clear()
         os.environ.update(request.environ)
@@ -132,7 +137,7 @@ def report(status: int, text: str) -> bool:
     return True
 
 
-def supervise(request: Request, output: int, status: int, hooks: Hooks) -> None:
+def supervise(request: Request, output: int, inputs: Sequence[int], status: int, hooks: Hooks) -> None:
     """In a fork: bring the program into its name spaces. Returns in the program; the supervisor itself ends here.
 
     It writes the program's process number to `status`, and how it ended (as `os.waitpid` has it) when it has.
@@ -148,9 +153,10 @@ def supervise(request: Request, output: int, status: int, hooks: Hooks) -> None:
         parent = os.getpid()
         program = os.fork()
         if program == 0:
-            become_program(request, parent, output, group, hooks)
+            become_program(request, parent, output, inputs, group, hooks)
             return
-        os.close(output)
+        for given in (output, *inputs):
+            os.close(given)
         if not report(status, f"{program}\n"):
             os.kill(program, signal.SIGKILL)
         _, ended = os.waitpid(program, 0)
@@ -193,7 +199,7 @@ def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
     """Fork a program for each request. Returns its arguments in the program, None when the channel is closed."""
     while True:
         try:
-            data, descriptors, _, _ = socket.recv_fds(channel, REQUEST_BYTES, 2)
+            data, descriptors, _, _ = socket.recv_fds(channel, REQUEST_BYTES, 3)
         except ConnectionError:
             return None
         if not data:
@@ -209,9 +215,9 @@ def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
             channel = become_branch(Branch(**asked), descriptors[0], hooks)
             continue
         if forked == 0:
-            request, (output, status) = Request(**asked), descriptors
+            request, (output, *inputs, status) = Request(**asked), descriptors
             channel.detach()
-            supervise(request, output, status, hooks)
+            supervise(request, output, inputs, status, hooks)
             return request.arguments
         for descriptor in descriptors:
             os.close(descriptor)

@@ -39,7 +39,7 @@ class SandboxedProgram(FreshProgram):
     """A sandbox with a program in it; `info_fd` is what bubblewrap says about itself."""
 
     def __init__(self, command: Sequence[str], order: Order, folder: Path, info_fd: int) -> None:
-        super().__init__(command, order.environ, folder, order.output_fd, [info_fd])
+        super().__init__(command, order.environ, folder, order.output_fd, [info_fd], order.input_fd)
         self._info_fd = info_fd
 
     def poll(self) -> int | None:
@@ -173,7 +173,7 @@ class Sandbox:
         try:
             if first is None:
                 raise NoWarmStart("there is no sandbox")
-            program = server.spawn(first, order.arguments, environ, HOME, order.output_fd, order.joins)
+            program = server.spawn(first, order, environ, HOME)
             return SandboxedFork(program, sandbox)
         except NoWarmStart:
             sandbox.kill()
