@@ -18,7 +18,10 @@ Judgement = Callable[[Recording], Verdict]
 
 @dataclass(frozen=True)
 class Criterion:
-    """A judged statement about a recording. It is skipped unless every criterion in `needs` passes."""
+    """A judged statement about a recording. It is skipped unless every criterion in `needs` passes.
+
+    `about_end`: it judges how the program ends, and not what it does until then.
+    """
 
     id: str
     title: str
@@ -26,6 +29,7 @@ class Criterion:
     needs: tuple["Criterion", ...]
     hidden: bool
     judge: Judgement = field(compare=False)
+    about_end: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "__doc__", self.judge.__doc__)
@@ -35,11 +39,17 @@ class Criterion:
 
 
 def criterion(
-    *, points: float, title: str, needs: Sequence[Criterion] = (), hidden: bool = False
+    *,
+    points: float,
+    title: str,
+    needs: Sequence[Criterion] = (),
+    hidden: bool = False,
+    about_end: bool = False,
 ) -> Callable[[Judgement], Criterion]:
     """Make a criterion of a function that takes a recording and returns a verdict.
 
-    `points` may be 0 for a condition that only others need. Raises ValueError for negative points or no title.
+    `points` may be 0 for a condition that only others need. `about_end`: it judges how the program ends, which a bug in
+    rclpy or Python may spoil. Raises ValueError for negative points or no title.
     """
     if points < 0:
         raise ValueError(f"points are never negative: {points}")
@@ -47,7 +57,7 @@ def criterion(
         raise ValueError("a criterion needs a title: it is what the student reads")
 
     def make(function: Judgement) -> Criterion:
-        return Criterion(function.__name__, title, points, tuple(needs), hidden, function)
+        return Criterion(function.__name__, title, points, tuple(needs), hidden, function, about_end)
 
     return make
 

@@ -35,6 +35,7 @@ class CriterionResult:
     recheck_fields: bool = False
     pace_of: str = ""
     cause: str = ""
+    about_end: bool = False
 
 
 def _skipped(criterion: Criterion, missing: Criterion) -> CriterionResult:
@@ -49,6 +50,7 @@ def _skipped(criterion: Criterion, missing: Criterion) -> CriterionResult:
         expected="",
         because="",
         try_this="",
+        about_end=criterion.about_end,
     )
 
 
@@ -69,6 +71,7 @@ def _judged(criterion: Criterion, verdict: Verdict) -> CriterionResult:
         recheck_fields=verdict.recheck_fields,
         pace_of=verdict.pace_of,
         cause=verdict.cause,
+        about_end=criterion.about_end,
     )
 
 

@@ -190,6 +190,7 @@ class AnswerFinder:
 
 def signer() -> Callable[[str, str], str]:
     """A function that signs a report for a topic: it returns a number, a signature, and the text, with blanks between.
+    Without a key it returns the text.
 
     It takes the key from standard input, which is empty from then on. It keeps a hash that has taken in the key, not
     the key itself. Code in this process can still find and call the function.
@@ -205,6 +206,8 @@ def signer() -> Callable[[str, str], str]:
     keyed.update(BEHIND_THE_KEY)
     key[:] = bytes(MOST_KEY_BYTES)
     numbers = itertools.count(1)
+    if not length:
+        return lambda topic, text: text
 
     def sign(topic: str, text: str) -> str:
         """What to publish on `topic` for `text`, which loses what a message cannot carry."""

@@ -65,7 +65,7 @@ class NodeProcess:
         self._domains_used: tuple[int, ...] = ()
         self._processor: list[tuple[float, float]] = []
         read_fd, write_fd = os.pipe()
-        input_fd = None if spec.driver is None else _pipe_with(spec.driver_key)
+        input_fd = _pipe_with(spec.driver_key) if spec.driver is not None and spec.driver_key else None
         try:
             started = self._confinement.start(self._order(write_fd, input_fd, write_profile))
         except OSError:

@@ -15,8 +15,8 @@ class ProgramSpec:
     """A Python file that is to run as `__main__`, with `arguments` and ROS `parameters` for all of its nodes.
 
     With a `driver`, that one runs as `__main__` and can import the program as the module `answer`. It signs what it
-    reports with `driver_key`, which the program does not get. `check_fields`: ROS checks the types of message fields.
-    `in_panel`: the panel beside the notebook shows what it publishes.
+    reports with `driver_key`, which the program does not get; with an empty key it does not sign. `check_fields`: ROS
+    checks the types of message fields. `in_panel`: the panel beside the notebook shows what it publishes.
     """
 
     file: Path
