@@ -58,15 +58,17 @@ def judge_until_sure(
 def until_sure(judge: Callable[[], Judgement], report: Report) -> Judgement:
     """Judge one answer, and again as long as that is in doubt. Returns what counts.
 
-    If nothing does, it returns the last try with its doubt: whoever checks their own program wants to know what was
-    seen. `report` gets each doubtful try that is followed by another one, as provisional.
+    If nothing does, it returns the last try that was judged, with its doubt: students who check their own program want
+    to know what was seen. `report` gets each doubtful try that is followed by another one, as provisional.
     """
     tries: tuple[Judgement, ...] = (judge(),)
     while _needs_another(tries):
         report(judgement_as_provisional(tries[-1]))
         tries = (*tries, judge())
     found = outcome(tries)
-    return tries[-1] if found.number is None else found.judgement
+    if found.number is not None:
+        return found.judgement
+    return next((one for one in reversed(tries) if one.status == "graded"), tries[-1])
 
 
 def counting(tries: Sequence[Judgement]) -> Judgement:
