@@ -171,7 +171,7 @@ def judge_on_the_wall_clock(text: str) -> Judgement:
         return Judge(observer).judge(on_the_wall, Answer(text))
 
 
-def test_a_program_that_got_no_processor_leaves_a_reason_inconclusive_all_it_did() -> None:
+def test_a_program_that_got_no_processor_leaves_everything_it_did_in_doubt() -> None:
     eleven = replace(stored("eleven_values"), clock="wall", robot_s=9.0, in_line_s=1.2)
     assert "waited for a processor for 1.2 s of 9 s" in doubt(eleven)
     assert doubt(replace(eleven, in_line_s=0.6)) == ""

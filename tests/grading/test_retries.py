@@ -22,7 +22,7 @@ from workbook.grading import local
 from workbook.grading.judges import Job
 from workbook.grading.regrade import regrade
 from workbook.grading.results_file import last_results, read_results
-from workbook.grading.retries import counting, judge_until_sure, outcome, until_sure
+from workbook.grading.retries import counting, judge_until_sure, until_sure, what_counts
 from workbook.recording.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -92,7 +92,7 @@ EVERY = (FULL, LOW, END, LOW_END, BUSY, LOW_BUSY, LOST)
     ],
 )
 def test_which_try_counts_and_why(tries: tuple[Judgement, ...], number: int | None, why: str) -> None:
-    found = outcome(tries)
+    found = what_counts(tries)
     assert found.number == number
     assert why in found.why and bool(why) == bool(found.why)
     assert counting(tries) == found.judgement
@@ -105,14 +105,14 @@ def test_which_try_counts_and_why(tries: tuple[Judgement, ...], number: int | No
 
 def test_two_that_lost_different_things_are_told_of_although_they_have_the_same_points() -> None:
     other = replace(LOW_END, criteria=(replace(WALKS, id="waves", points=2.0, status="failed"), ENDS))
-    assert "the lowest" in outcome((LOW_END, other, other)).why
+    assert "the lowest" in what_counts((LOW_END, other, other)).why
 
 
 @pytest.mark.parametrize("tries", [*product(EVERY, repeat=3)])
 def test_no_luck_and_no_disturbance_earns_a_point(tries: tuple[Judgement, ...]) -> None:
     """For any three tries, and for the first two of them."""
     for some in (tries, tries[:2]):
-        found = outcome(some)
+        found = what_counts(some)
         sound = [one for one in some if one.status == "graded" and not one.is_disturbed]
         if sound:
             assert found.number is not None and not found.judgement.is_disturbed
@@ -182,7 +182,7 @@ def test_there_are_three_tries_at_most_for_a_class_and_for_a_student(
     [(_, tries)] = judge_until_sure([Job("one", STEM, Answer("x = 1\n"))], judge)
     assert tries == given and len(tries) == how_many
     told: list[Judgement] = []
-    alone, found = iter((*given, FULL)), outcome(given)
+    alone, found = iter((*given, FULL)), what_counts(given)
     seen = next((one for one in reversed(given) if one.status == "graded"), LOST)
     counts = seen if found.number is None else found.judgement
     assert until_sure(lambda: next(alone), told.append) == counts

@@ -13,7 +13,7 @@ import workbook
 from workbook.exercise.definition import Exercise
 from workbook.exercise.judgement import Judgement
 from workbook.grading.results import ProcessSummary, Result, Try, Versions, criterion_line
-from workbook.grading.retries import outcome
+from workbook.grading.retries import what_counts
 
 LOG_LENGTH = 8_000
 """Characters of a program's log that a result holds. The recording has all of it."""
@@ -50,7 +50,7 @@ def versions(criteria_sha256: str) -> Versions:
 
 def graded_result(submission: Submission, tries: Sequence[Judgement], by: GradedBy) -> Result:
     """The result of an answer that was run, with its recordings stored. `tries`: one judgement, or all of them."""
-    found = outcome(tries)
+    found = what_counts(tries)
     judgement = found.judgement
     recording = judgement.recording
     process = None

@@ -22,7 +22,7 @@ JudgeAll = Callable[[Sequence[Job[Key]]], Iterator[tuple[Job[Key], Judgement]]]
 
 
 @dataclass(frozen=True)
-class Outcome:
+class Counting:
     """What counts of some tries, and why as a sentence. `number`: of the try that it is, from 0; None for none of them.
 
     The sentence is empty for a single try.
@@ -65,7 +65,7 @@ def until_sure(judge: Callable[[], Judgement], report: Report) -> Judgement:
     while _needs_another(tries):
         report(judgement_as_provisional(tries[-1]))
         tries = (*tries, judge())
-    found = outcome(tries)
+    found = what_counts(tries)
     if found.number is not None:
         return found.judgement
     return next((one for one in reversed(tries) if one.status == "graded"), tries[-1])
@@ -73,13 +73,13 @@ def until_sure(judge: Callable[[], Judgement], report: Report) -> Judgement:
 
 def counting(tries: Sequence[Judgement]) -> Judgement:
     """What counts of some tries."""
-    return outcome(tries).judgement
+    return what_counts(tries).judgement
 
 
-def outcome(tries: Sequence[Judgement]) -> Outcome:
+def what_counts(tries: Sequence[Judgement]) -> Counting:
     """What counts of some tries, and why."""
     if len(tries) == 1:
-        return Outcome(tries[0], 0)
+        return Counting(tries[0], 0)
     sound = [number for number, one in enumerate(tries) if one.status == "graded" and not one.is_disturbed]
     if not sound:
         return _of_disturbed(tries)
@@ -100,7 +100,7 @@ def outcome(tries: Sequence[Judgement]) -> Outcome:
         why = f"The {name} one counts: something other than the program disturbed the rest."
     else:
         why = f"They agree, and the {name} one counts."
-    return Outcome(counts, number, why)
+    return Counting(counts, number, why)
 
 
 def _needs_another(tries: Sequence[Judgement]) -> bool:
@@ -109,18 +109,18 @@ def _needs_another(tries: Sequence[Judgement]) -> bool:
     return len(tries) < MOST_TRIES and (bool(tries[-1].doubt) or failed_later)
 
 
-def _of_disturbed(tries: Sequence[Judgement]) -> Outcome:
+def _of_disturbed(tries: Sequence[Judgement]) -> Counting:
     """What counts where every try was disturbed."""
     last = tries[-1]
     judged = [one for one in tries if one.status == "graded"]
     if len(judged) == MOST_TRIES and len({_parts(one) for one in judged}) == 1:
-        return Outcome(
+        return Counting(
             last, len(tries) - 1, "All of them were disturbed, and all gave the same. The last one counts."
         )
     if last.status != "graded":
-        return Outcome(last, None, "None of them counts.")
+        return Counting(last, None, "None of them counts.")
     nothing = replace(last, status="infra_error", reason=f"inconclusive each time: {last.doubt}", criteria=())
-    return Outcome(
+    return Counting(
         nothing, None, "None of them counts: something other than the program disturbed each of them."
     )
 
