@@ -10,7 +10,7 @@ import workbook.criteria as see
 from workbook.criteria import DriverCall, Recording, Verdict, criterion, program_runs, topic, watching
 
 BATTERY = topic("/robot/battery", Float32)
-REPORT = topic("/driver/report", String)
+REPORT = topic("/driver/report", String, signed=True)
 TOLERANCE = 1e-5  # what 32 bits make of a charge with a few decimals; the task names it
 
 # What publish_level is called with, as Python writes it, and the number that must arrive.

@@ -16,8 +16,8 @@ HEARD = topic("/robot/heard", Int32MultiArray, signed=True)
 JOB_BEGUN = topic("/robot/job_begun", Int32MultiArray, signed=True)
 QUIET_HEARD = topic("/quiet/heard", Int32MultiArray, signed=True)
 JOB_DONE = topic("/robot/job_done", Int32MultiArray, signed=True)
-PUMP = topic("/driver/pump", String)
-CHANGED = topic("/driver/changed", String)
+PUMP = topic("/driver/pump", String, signed=True)
+CHANGED = topic("/driver/changed", String, signed=True)
 
 # The calls of pump by their number, and for how many seconds each asks. Between two calls the robots report 0.
 BETWEEN, BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST, SLOW, QUIET, JOBS_ALONE = range(9)

@@ -11,8 +11,6 @@ from workbook.recording.recording import Recording
 from workbook.recording.script import NOTHING_SAID, Part, Script
 from workbook.recording.type_names import type_name
 
-OF_THE_DRIVER = "/driver/"
-"""Topics of the program that calls a student's functions. They are not the student's."""
 Judgement = Callable[[Recording], Verdict]
 
 
@@ -102,9 +100,8 @@ def topic(
     returns what criteria want to know of it (numbers, texts, lists, dicts). The field itself is kept as `{"length": n,
     "sha256": "...", "first": [...], "features": what was returned}`; None is kept where the function raised something.
 
-    `signed`: the driver publishes it, and criteria see only what it has signed. A topic below /driver is always signed.
+    `signed`: the driver publishes it, and signs each message. Criteria see only what it has signed.
     """
-    signed = signed or name.startswith(OF_THE_DRIVER)
     return Topic(name, type_name(message_class), hz, features or {}, signed)
 
 

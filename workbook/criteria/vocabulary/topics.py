@@ -5,11 +5,14 @@ from collections.abc import Callable, Iterable
 from functools import wraps
 from typing import Concatenate, ParamSpec
 
-from workbook.criteria.criterion import OF_THE_DRIVER, Judgement, Topic
+from workbook.criteria.criterion import Judgement, Topic
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.known_errors import failed_by_error
 from workbook.criteria.vocabulary.phrasing import count, listing, seconds
 from workbook.recording.recording import Recording, TopicRecording
+
+OF_THE_DRIVER = "/driver/"
+"""Topics of the program that calls a student's functions. They are not the student's."""
 
 ALIKE = 0.6
 """From this share of common letters on, another name counts as a slip of the pen."""
