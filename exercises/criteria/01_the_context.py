@@ -72,7 +72,12 @@ def guard_on_the_graph(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=2, title="The arms are parked after Ctrl-C, and not before", needs=[runs_until_told])
+@criterion(
+    points=2,
+    title="The arms are parked after Ctrl-C, and not before",
+    needs=[runs_until_told],
+    about_end=True,
+)
 def arms_parked(recording: Recording) -> Verdict:
     expected = f"the words {PARKED!r} after Ctrl-C, and not before"
     process = recording.process
@@ -132,7 +137,12 @@ def why_never_parked(recording: Recording, expected: str) -> Verdict:
     )
 
 
-@criterion(points=3, title="Ctrl-C ends it with exit code 0, without a traceback", needs=[runs_until_told])
+@criterion(
+    points=3,
+    title="Ctrl-C ends it with exit code 0, without a traceback",
+    needs=[runs_until_told],
+    about_end=True,
+)
 def ends_cleanly(recording: Recording) -> Verdict:
     process = recording.process
     if process.signal == "SIGKILL" and walked_after_parking(recording):
@@ -170,7 +180,7 @@ def ends_cleanly(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=2, title="Its node is gone from the graph", needs=[runs_until_told])
+@criterion(points=2, title="Its node is gone from the graph", needs=[runs_until_told], about_end=True)
 def node_gone(recording: Recording) -> Verdict:
     verdict = see.nodes_gone_at_end(recording)
     if verdict.ok or recording.process.signal != "SIGKILL":

@@ -10,7 +10,7 @@ import workbook.criteria as see
 from workbook.criteria import DriverCall, Recording, Verdict, criterion, program_runs, topic, watching
 
 BATTERY = topic("/robot/battery", Float32)
-REPORT = topic("/driver/report", String)
+REPORT = topic("/driver/report", String, signed=True)
 TOLERANCE = 1e-5  # what 32 bits make of a charge with a few decimals; the task names it
 
 # What publish_level is called with, as Python writes it, and the number that must arrive.
@@ -67,6 +67,9 @@ def calls_come_back(recording: Recording) -> Verdict:
     trouble = next((one.removeprefix("not made: ") for one in said if one.startswith("not made: ")), None)
     if trouble is not None:
         return cannot_be_called(recording, trouble, expected)
+    ordered = ordered_by_another(recording, "done" in said, expected)
+    if ordered is not None:
+        return ordered
     if "done" in said:
         return see.passed(f"{see.count(len(CALLS), 'call')} made")
     begun = [call.argument for call in calls(recording) if call.number]
@@ -259,6 +262,26 @@ def cannot_be_called(recording: Recording, trouble: str, expected: str) -> Verdi
         expected,
         "It is missing, has another name, or is indented wrongly.",
         "Keep the names of the starter: class BatteryPublisher, method publish_level(self, level).",
+    )
+
+
+def ordered_by_another(recording: Recording, is_done: bool, expected: str) -> Verdict | None:
+    """A failed verdict if the driver made other calls than the judge ordered, or fewer; None if it did not."""
+    asked = [line for one in see.said(recording, "/driver/calls") for line in one.value["data"].splitlines()]
+    made = {
+        call.number: call.argument for call in calls(recording) if call.argument is not None and call.number
+    }
+    others = [text for number, text in made.items() if asked[number - 1 : number] != [text]]
+    if not asked or not (others or (is_done and made and max(made) < len(asked))):
+        return None
+    return see.failed(
+        "calls-come-back.other-orders",
+        f"publish_level({others[0]}) was called, without an order of the judge"
+        if others
+        else f"{see.count(len(made), 'call')} made, fewer than the judge ordered",
+        expected,
+        "The judge publishes on /driver/calls what the driver is to call. Your program publishes there as well.",
+        "Do not publish on /driver/calls.",
     )
 
 

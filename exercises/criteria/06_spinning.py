@@ -11,14 +11,14 @@ from std_msgs.msg import Int32, Int32MultiArray, String
 import workbook.criteria as see
 from workbook.criteria import Recording, Verdict, criterion, topic, watching
 
-HEARTBEAT = topic("/robot/heartbeat", Int32MultiArray)
-LOOK = topic("/robot/look", Int32MultiArray)
-HEARD = topic("/robot/heard", Int32MultiArray)
-JOB_BEGUN = topic("/robot/job_begun", Int32MultiArray)
-QUIET_HEARD = topic("/quiet/heard", Int32MultiArray)
-JOB_DONE = topic("/robot/job_done", Int32MultiArray)
-PUMP = topic("/driver/pump", String)
-CHANGED = topic("/driver/changed", String)
+HEARTBEAT = topic("/robot/heartbeat", Int32MultiArray, signed=True)
+LOOK = topic("/robot/look", Int32MultiArray, signed=True)
+HEARD = topic("/robot/heard", Int32MultiArray, signed=True)
+JOB_BEGUN = topic("/robot/job_begun", Int32MultiArray, signed=True)
+QUIET_HEARD = topic("/quiet/heard", Int32MultiArray, signed=True)
+JOB_DONE = topic("/robot/job_done", Int32MultiArray, signed=True)
+PUMP = topic("/driver/pump", String, signed=True)
+CHANGED = topic("/driver/changed", String, signed=True)
 
 # The calls of pump by their number, and for how many seconds each asks. Between two calls the robots report 0.
 BETWEEN, BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST, SLOW, QUIET, JOBS_ALONE = range(9)

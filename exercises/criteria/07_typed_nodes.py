@@ -9,7 +9,7 @@ from workbook.criteria import Recording, Topic, Verdict, criterion, probe, progr
 
 BATTERY = topic("/robot/battery", Float32, hz=1.0)
 STATUS = topic("/robot/status", String, hz=0.5)
-REPORT = topic("/driver/report", String)
+REPORT = topic("/driver/report", String, signed=True)
 WATCH = watching(
     robot_seconds=12,
     script=[see.says("/driver/go", String, [(2.6, "go"), (8.6, "go")])],  # one in each half of the watch

@@ -68,6 +68,11 @@ def ended_when_empty(recording: Recording, ended: Verdict) -> Verdict:
     )
 
 
-@criterion(points=3, title="Ctrl-C ends it with exit code 0, without a traceback", needs=[alive_at_end])
+@criterion(
+    points=3,
+    title="Ctrl-C ends it with exit code 0, without a traceback",
+    needs=[alive_at_end],
+    about_end=True,
+)
 def ends_cleanly(recording: Recording) -> Verdict:
     return see.exits_cleanly(recording)

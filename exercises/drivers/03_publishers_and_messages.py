@@ -3,12 +3,13 @@
 Topics:
     /driver/calls (std_msgs/String), heard: the arguments, one Python expression a line. The driver begins with it.
     /driver/report (std_msgs/String), published once the arguments are there: "made" or "not made: ...", then for each
-        call "call 3: publish_level(64)", and "call 3 returned" or "call 3 raised TypeError: ...", at last "done".
+        call "call 3: publish_level(64)", and "call 3 returned" or "call 3 raised TypeError: ...", at last "done". Each
+        report is signed.
 """
 
 import time
 import traceback
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -22,6 +23,9 @@ from rclpy.publisher import Publisher
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from std_msgs.msg import String
 
+sign: Callable[[str, str], str] = globals()["sign"]  # the host has put it here: it signs a report for a topic
+
+REPORT = "/driver/report"
 PACE_S = 0.06  # from one call to the next: all of them take about a second
 BREATH_S = 0.01  # what a call sends must carry a later time stamp than its announcement
 AT_ONCE = 4  # the call with this number follows the one before at once, with a shorter breath
@@ -87,13 +91,13 @@ class Driver(Node):
         self.expressions: list[str] = []
         self.called = 0
         self.not_before = 0.0
-        self.report_publisher = self.create_publisher(String, "/driver/report", 200)
+        self.report_publisher = self.create_publisher(String, REPORT, 200)
         self.create_subscription(String, "/driver/calls", self.on_calls, LATCHED)
         self.timer = self.create_timer(PACE_S, self.on_tick)
 
     def say(self, text: str) -> None:
-        """Say something on /driver/report."""
-        self.report_publisher.publish(String(data=text))
+        """Say something on /driver/report, signed."""
+        self.report_publisher.publish(String(data=sign(REPORT, text)))
 
     def on_calls(self, message: String) -> None:
         """Take the arguments; begin when the battery's topic is connected, or after a while without."""

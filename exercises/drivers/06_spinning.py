@@ -7,6 +7,8 @@
         away for 0.03 s. The last announcement is made again and again until something new happens.
     /driver/changed (std_msgs/String), said: what a call has changed and should not have: "1 timer left", for example.
 
+All of this is signed, and so is what the robots tell, in the label of its first dimension.
+
 What the robots do, they tell with the number of the call in which they did it, 0 between the calls. So it does not
 matter when a message arrives on a busy machine. The driver speaks from a context of its own: it can still tell what
 happened when an answer shuts ROS down.
@@ -30,7 +32,9 @@ from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.publisher import Publisher
 from rclpy.timer import Timer
-from std_msgs.msg import Int32, Int32MultiArray, String
+from std_msgs.msg import Int32, Int32MultiArray, MultiArrayDimension, MultiArrayLayout, String
+
+sign: Callable[[str, str], str] = globals()["sign"]  # the host has put it here: it signs a report for a topic
 
 # The criteria know these three.
 HEARTBEAT_PERIOD_S = 0.1
@@ -205,7 +209,8 @@ class Teller(Node):
 
     def tell(self, publisher: Publisher, number: int) -> None:
         """Publish the number of the call and another number."""
-        publisher.publish(Int32MultiArray(data=[self.call, number]))
+        signed = MultiArrayDimension(label=sign(publisher.topic_name, f"{self.call} {number}"))
+        publisher.publish(Int32MultiArray(data=[self.call, number], layout=MultiArrayLayout(dim=[signed])))
 
 
 class Robot(Teller):
@@ -312,7 +317,7 @@ class Driver(Node):
     def say_again(self) -> None:
         """Announce the latest once more: on a busy machine a message may get lost until the next one comes."""
         if self.latest and self.publisher is not None:
-            self.publisher.publish(String(data=self.latest))
+            self.publisher.publish(String(data=sign("/driver/pump", self.latest)))
 
     def carry_out(self, call: int, node: Teller, seconds: float) -> None:
         """Call `pump` once."""
@@ -334,11 +339,15 @@ class Driver(Node):
             news = f"end {call} {took:.3f} {used:.3f} {in_line_s() - in_line:.3f} {taken:.2f}"
         node.call = 0
         for change in watched.end(node):
-            self.changes.publish(String(data=f"{call} {change}"))
+            self.tell_change(f"{call} {change}")
         self.say(news)
         left = watched.left_a_thread()
         if left:
-            self.changes.publish(String(data=f"{call} {left}"))
+            self.tell_change(f"{call} {left}")
+
+    def tell_change(self, text: str) -> None:
+        """Say on /driver/changed what a call has changed, or left."""
+        self.changes.publish(String(data=sign("/driver/changed", text)))
 
 
 def in_line_s() -> float:

@@ -2,8 +2,8 @@
 
 Topics:
     /driver/go (std_msgs/String), heard: each one is an order to make all calls, in their order.
-    /driver/report (std_msgs/String), published after them: a line for each call, "send_battery(42)<tab>returned" or
-        "send_battery('full')<tab>TypeError: ...".
+    /driver/report (std_msgs/String), published after them: one for each call, "send_battery(42)<tab>returned" or
+        "send_battery('full')<tab>TypeError: ...", signed.
 """
 
 from collections.abc import Callable
@@ -16,6 +16,9 @@ from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.node import Node
 from std_msgs.msg import Float32, Float64, String
 
+sign: Callable[[str, str], str] = globals()["sign"]  # the host has put it here: it signs a report for a topic
+
+REPORT = "/driver/report"
 LONGEST_ERROR = 200  # characters
 
 
@@ -76,13 +79,13 @@ class Driver(Node):
     def __init__(self, robot: Any) -> None:
         super().__init__("driver")
         self.robot = robot
-        self.report_publisher = self.create_publisher(String, "/driver/report", 10)
+        self.report_publisher = self.create_publisher(String, REPORT, 200)
         self.create_subscription(String, "/driver/go", self.on_go, 10)
 
     def on_go(self, _: String) -> None:
         """Make every call, whatever the others did."""
-        lines = [f"{text}\t{self.outcome(call)}" for text, call in calls(self.robot)]
-        self.report_publisher.publish(String(data="\n".join(lines)))
+        for report in [f"{text}\t{self.outcome(call)}" for text, call in calls(self.robot)]:
+            self.report_publisher.publish(String(data=sign(REPORT, report)))
 
     @staticmethod
     def outcome(call: Callable[[], object]) -> str:

@@ -141,7 +141,7 @@ from pathlib import Path
 import workbook.criteria
 from workbook.criteria.runner import run_criteria
 from workbook.exercise.definition import load_exercise
-from workbook.exercise.conclusiveness import reason_inconclusive
+from workbook.exercise.conclusiveness import find_doubt
 from workbook.exercise.source import stems
 from workbook.recording.recording import Recording
 
@@ -151,7 +151,7 @@ for stem in stems(root / "solutions"):
     for path in sorted((root / "tests" / "recordings" / stem).glob("*.json")):
         recording = Recording.load(path)
         judged = run_criteria(exercise.criteria, recording)
-        reason_inconclusive(judged, recording, exercise.plan, exercise.periods)
+        find_doubt(judged, recording, exercise.plan, exercise.periods)
         print(stem, path.stem, sum(one.points for one in judged))
 assert not {"rclpy", "rpyutils"} & sys.modules.keys()
 """

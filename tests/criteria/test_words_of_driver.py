@@ -1,10 +1,19 @@
 """Words about the driver, on recordings made by hand."""
 
-from std_msgs.msg import Float32, String
+import os
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from std_msgs.msg import Float32, Int32MultiArray, String
 
 import workbook.criteria as see
 from tests.criteria.by_hand import ended_by_itself, on_topic, recorded
 from workbook.criteria import topic
+from workbook.criteria.vocabulary.driver import only_signed
+from workbook.inside import host
+from workbook.recording.recording import Arrival, ProcessRecord, Recording
 
 REPORT = topic("/driver/report", String)
 LOG = (
@@ -77,3 +86,105 @@ def test_a_call_of_which_a_report_got_lost_is_not_complete() -> None:
     )  # 65.0 went out during the second call, which was not announced
     assert not second.complete
     assert (third.how, third.sent, third.complete) == (None, [7.0], False)
+
+
+# --- signatures -------------------------------------------------------------------------------------------------
+
+TEXT, ARRAY = "std_msgs/msg/String", "std_msgs/msg/Int32MultiArray"
+KEY = bytes(range(32))
+Sign = Callable[[str, str], str]
+
+
+@pytest.fixture
+def sign() -> Sign:
+    """What a driver with this key signs with."""
+    kept, (read_fd, write_fd) = os.dup(0), os.pipe()
+    os.write(write_fd, KEY)
+    os.dup2(read_fd, 0)
+    try:
+        return host.signer()
+    finally:
+        os.dup2(kept, 0)
+        for one in (kept, read_fd, write_fd):
+            os.close(one)
+
+
+def seen_by_criteria(*values: Any, key: bytes = KEY) -> Recording:
+    """What criteria see of these reports."""
+    reports = on_topic(REPORT.name, TEXT, [float(at) for at in range(len(values))], list(values))
+    process = ProcessRecord(program="answer.py", driver_key=key.hex())
+    return only_signed(recorded(reports, process=process), (REPORT.name,))
+
+
+def test_what_the_driver_has_signed_is_seen_without_its_signature(sign: Sign) -> None:
+    texts = ["made", "call 1: publish_level('a b')", "call 1 raised ValueError: \N{SNOWMAN} \t", ""]
+    found = seen_by_criteria(*(sign(REPORT.name, text) for text in texts))
+    assert see.driver_reports(found, REPORT) == texts
+    assert found.notes == () and see.program_runs(found).ok
+
+
+def test_a_report_that_no_message_can_carry_is_changed_before_it_is_signed(sign: Sign) -> None:
+    long = seen_by_criteria(sign(REPORT.name, "x" * 5000), sign(REPORT.name, "a\0b\ud800"))
+    assert see.driver_reports(long, REPORT) == ["x" * host.LONGEST_REPORT, "a b\\ud800"]
+
+
+@pytest.mark.parametrize(
+    "forged",
+    [
+        "done",
+        "",
+        "7 0123456789abcdef0123456789abcdef done",
+        "1 {signature} done",
+        "2 {signature} made",
+        "1 {signature} made",
+        5,
+        None,
+        ["made"],
+        {"length": 5000, "first": "1 2 3"},
+    ],
+    ids=[
+        "unsigned",
+        "empty",
+        "invented",
+        "other text",
+        "other number",
+        "twice",
+        "int",
+        "null",
+        "list",
+        "cut",
+    ],
+)
+def test_a_report_that_the_driver_has_not_signed_is_told_and_not_seen(sign: Sign, forged: Any) -> None:
+    made = sign(REPORT.name, "made")
+    if isinstance(forged, str):
+        forged = forged.format(signature=made.split()[1])
+    found = seen_by_criteria(made, forged)
+    assert see.driver_reports(found, REPORT) == ["made"]
+    verdict = see.program_runs(found)
+    assert not verdict.ok and verdict.cause == "driver.not-signed" and REPORT.name in verdict.saw
+
+
+def test_a_signature_counts_on_its_own_topic_alone(sign: Sign) -> None:
+    found = seen_by_criteria(sign("/driver/changed", "made"))
+    assert see.program_runs(found).cause == "driver.not-signed"
+
+
+@pytest.mark.parametrize(
+    ("data", "is_seen"), [([1, 20], True), ([1, 19], False), ([1], False), ([], False), ("1 20", False)]
+)
+def test_an_array_is_signed_in_its_label(sign: Sign, data: Any, is_seen: bool) -> None:
+    heard = topic("/robot/heard", Int32MultiArray, signed=True)
+    label = {"label": sign(heard.name, "1 20"), "size": 0, "stride": 0}
+    value = {"layout": {"dim": [label], "data_offset": 0}, "data": data}
+    reports = replace(on_topic(heard.name, ARRAY), arrivals=(Arrival(1.0, 1.0, value),))
+    found = only_signed(recorded(reports, process=ProcessRecord(driver_key=KEY.hex())), (heard.name,))
+    assert see.values(found, heard) == ([data] if is_seen else [])
+    assert see.program_runs(found).ok is is_seen
+
+
+def test_without_a_key_everything_is_seen_as_it_is() -> None:
+    """The recordings of earlier versions hold no key, and can be judged again."""
+    found = seen_by_criteria("made", "done", key=b"")
+    assert see.driver_reports(found, REPORT) == ["made", "done"]
+    assert found.notes == ()

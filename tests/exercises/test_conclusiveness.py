@@ -14,10 +14,11 @@ from workbook.authoring.tree import Tree
 from workbook.authoring.wrong_answers import read_wrong_answer
 from workbook.criteria.runner import CriterionResult, run_criteria
 from workbook.exercise.answers import Answer
-from workbook.exercise.conclusiveness import END_OVERTAKEN, reason_inconclusive
+from workbook.exercise.conclusiveness import END_OVERTAKEN, Doubt, find_doubt
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement
 from workbook.exercise.judging import Judge
+from workbook.exercise.source import stems
 from workbook.feedback.text import as_text
 from workbook.grading.retries import until_sure
 from workbook.inside.proc import run_queue_s
@@ -43,7 +44,9 @@ def judged(recording: Recording) -> tuple[CriterionResult, ...]:
 
 
 def doubt(recording: Recording, on_robot_time: tuple[CriterionResult, ...] = ()) -> str:
-    return reason_inconclusive(judged(recording), recording, EXERCISE.plan, EXERCISE.periods, on_robot_time)
+    found = find_doubt(judged(recording), recording, EXERCISE.plan, EXERCISE.periods, on_robot_time)
+    assert not found.end_only, "nothing of this exercise is about the end"
+    return found.reason
 
 
 @pytest.mark.parametrize(
@@ -135,7 +138,7 @@ def test_a_single_late_message_leaves_a_doubt_and_a_wrong_pace_none() -> None:
     assert doubt(one_late(stored("period_for_frequency"), "/robot/status", slice(0), 0.0)) == ""
     late = one_late(good, "/robot/status", slice(2, 3), 0.7)
     rates = {name: period for name, period in EXERCISE.periods.items() if name != "/robot/status"}
-    assert reason_inconclusive(judged(late), late, EXERCISE.plan, rates) == "", "no rate was asked for"
+    assert find_doubt(judged(late), late, EXERCISE.plan, rates) == Doubt(), "no rate was asked for"
     on_robot_time = one_late(good, "/robot/status", slice(2, 3), 0.7)
     assert doubt(replace(on_robot_time, clock="simulated")) == ""
 
@@ -168,7 +171,7 @@ def judge_on_the_wall_clock(text: str) -> Judgement:
         return Judge(observer).judge(on_the_wall, Answer(text))
 
 
-def test_a_program_that_got_no_processor_leaves_a_reason_inconclusive_all_it_did() -> None:
+def test_a_program_that_got_no_processor_leaves_everything_it_did_in_doubt() -> None:
     eleven = replace(stored("eleven_values"), clock="wall", robot_s=9.0, in_line_s=1.2)
     assert "waited for a processor for 1.2 s of 9 s" in doubt(eleven)
     assert doubt(replace(eleven, in_line_s=0.6)) == ""
@@ -188,7 +191,7 @@ def test_a_criterion_may_blame_the_machine() -> None:
         replace(one, cause="quick.busy-machine") if one.status == "failed" else one
         for one in judged(recording)
     ]
-    assert "so busy" in reason_inconclusive(lost, recording, EXERCISE.plan, EXERCISE.periods)
+    assert "so busy" in find_doubt(lost, recording, EXERCISE.plan, EXERCISE.periods).reason
 
 
 def test_how_long_a_process_stood_in_line() -> None:
@@ -244,6 +247,17 @@ def test_a_watch_knows_how_long_it_was_held_up(monkeypatch: pytest.MonkeyPatch) 
     assert Recording.from_json(judgement.recording.to_json()).held_up_s == judgement.recording.held_up_s
 
 
+TO_THE_END = load_exercise("08_humanoid_status_publisher", ROOT)
+
+
+def doubt_of_end(cause: str = "exits-cleanly.exit-code", rate_lost: bool = False, **changes: Any) -> Doubt:
+    """The doubt about a program that lost the points for its end, and those for a rate where asked for."""
+    recording = replace(stored("solution"), **changes)
+    rate = CriterionResult("rate", "Its rate", "failed", 0.0, 2.0, False, "1 Hz", "2 Hz", "", "")
+    ended = replace(rate, id="ends_cleanly", cause=cause, about_end=True)
+    return find_doubt([*[rate] * rate_lost, ended], recording, TO_THE_END.plan, TO_THE_END.periods)
+
+
 @pytest.mark.parametrize(
     ("process", "doubtful"),
     [
@@ -253,26 +267,46 @@ def test_a_watch_knows_how_long_it_was_held_up(monkeypatch: pytest.MonkeyPatch) 
         ({"signal": "SIGSEGV", "limits_hit": ("output",)}, False),
     ],
 )
-def test_a_crash_in_the_middle_of_ctrl_c_leaves_a_doubt(process: dict[str, Any], doubtful: bool) -> None:
-    crashed = replace(stored("eleven_values").process, exit=None, ended_by="bench")
-    assert (
-        "crashed" in doubt(replace(stored("eleven_values"), process=replace(crashed, **process)))
-    ) is doubtful
+def test_a_crash_in_the_middle_of_ctrl_c_leaves_a_doubt_about_the_end(
+    process: dict[str, Any], doubtful: bool
+) -> None:
+    crashed = replace(stored("solution").process, exit=None, ended_by="bench")
+    found = doubt_of_end("exits-cleanly.crashed", process=replace(crashed, **process))
+    assert ("crashed" in found.reason) is doubtful
+    assert found.end_only is doubtful
+
+
+def test_a_crash_at_ctrl_c_excuses_no_other_criterion() -> None:
+    """What the program published before that is as conclusive as ever, and the crash costs it nothing there."""
+    crashed = replace(stored("eleven_values").process, exit=None, ended_by="bench", signal="SIGSEGV")
+    assert doubt(replace(stored("eleven_values"), process=crashed)) == ""
+    assert doubt_of_end("exits-cleanly.crashed", rate_lost=True, process=crashed).end_only
+
+
+@pytest.mark.parametrize("cause", ["exits-cleanly.crashed", "exits-cleanly.overtaken"])
+def test_a_busy_machine_disturbs_the_end_as_well(cause: str) -> None:
+    found = doubt_of_end(cause, clock="wall", robot_s=10.0, in_line_s=2.0)
+    assert "so busy" in found.reason and not found.end_only
 
 
 @pytest.mark.parametrize("cause", ["exits-cleanly.aborted", "exits-cleanly.overtaken"])
 def test_an_end_that_python_or_rclpy_may_have_spoiled_leaves_a_doubt(cause: str) -> None:
-    exercise = load_exercise("08_humanoid_status_publisher", ROOT)
-    recording = stored("solution")
-    [ended] = [
-        replace(one, status="failed", points=0.0, cause=cause)
-        for one in run_criteria(exercise.criteria, recording)
-        if one.id == "ends_cleanly"
-    ]
-    assert reason_inconclusive([ended], recording, exercise.plan, exercise.periods)
-    assert not reason_inconclusive(
-        [replace(ended, cause="exits-cleanly.exit-code")], recording, exercise.plan, exercise.periods
-    )
+    assert doubt_of_end(cause).end_only
+    assert doubt_of_end() == Doubt()
+
+
+def test_the_exercises_say_which_criteria_are_about_the_end() -> None:
+    found = {
+        stem: [one.id for one in load_exercise(stem, ROOT).criteria if one.about_end]
+        for stem in stems(ROOT / "solutions")
+    }
+    assert {stem: ids for stem, ids in found.items() if ids} == {
+        "01_the_context": ["arms_parked", "ends_cleanly", "node_gone"],
+        "08_humanoid_status_publisher": ["ends_cleanly"],
+    }
+    assert {stem for stem in found if load_exercise(stem, ROOT).to_the_end} == {
+        "01_the_context", "08_humanoid_status_publisher",
+    }  # fmt: skip
 
 
 CRASHES_AT_CTRL_C = """
@@ -288,8 +322,10 @@ except KeyboardInterrupt:
 """
 
 
-def test_a_live_crash_at_ctrl_c_leaves_a_doubt() -> None:
-    assert "crashed while Ctrl-C ended it" in judge_on_the_wall_clock(CRASHES_AT_CTRL_C).doubt
+def test_a_live_crash_at_ctrl_c_leaves_no_doubt_where_the_end_is_not_judged() -> None:
+    judgement = judge_on_the_wall_clock(CRASHES_AT_CTRL_C)
+    assert judgement.recording is not None and judgement.recording.process.signal == "SIGSEGV"
+    assert "crashed" not in judgement.doubt and not judgement.end_only
 
 
 # The first start of it meets the race of rclpy: the context goes down between the question and the shutdown. So that it
@@ -344,11 +380,12 @@ def test_a_right_answer_whose_end_rclpy_has_spoiled_once_gets_full_marks(tmp_pat
 def test_a_node_that_stays_after_an_end_in_order_leaves_a_doubt(
     process: dict[str, Any], doubtful: bool
 ) -> None:
-    wrong = stored("eleven_values")
-    nodes = tuple(replace(node, stayed=True) for node in wrong.nodes)
-    ended = replace(wrong, nodes=nodes, process=replace(wrong.process, ended_by="bench"))
-    ended = replace(ended, process=replace(ended.process, **process))
-    assert ("was not seen to leave the graph" in doubt(ended)) is doubtful
+    good = stored("solution")
+    nodes = tuple(replace(node, stayed=True) for node in good.nodes)
+    ended = replace(good.process, **({"ended_by": "bench"} | process))
+    found = doubt_of_end("nodes-gone-at-end.cut-off", nodes=nodes, process=ended)
+    assert ("was not seen to leave the graph" in found.reason) is doubtful
+    assert found.end_only is doubtful
 
 
 def test_the_judge_keeps_off_the_domain_that_an_answer_names() -> None:

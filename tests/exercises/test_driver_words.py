@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from workbook.exercise.definition import load_exercise
+
 ROOT = Path(__file__).resolve().parents[2]
 DRIVERS = sorted((ROOT / "exercises" / "drivers").glob("*.py"))
 TOPIC = re.compile(r"/driver/\w+")
@@ -61,6 +63,12 @@ def test_both_name_the_same_topics_of_the_driver(driver: Path, criteria: ast.Mod
         {text for text in strings(tree) if TOPIC.fullmatch(text)} for tree in (tree_of(driver), criteria)
     )
     assert theirs == ours != set()
+
+
+def test_all_topics_of_the_driver_are_signed(driver: Path) -> None:
+    exercise = load_exercise(driver.stem, ROOT)
+    declared = {name for name in exercise.plan.topics if name.startswith("/driver/")}
+    assert declared and declared <= {*exercise.signed}
 
 
 def test_what_criteria_look_for_is_what_the_driver_reports(driver: Path, criteria: ast.Module) -> None:

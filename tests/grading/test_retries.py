@@ -2,8 +2,10 @@
 
 import csv
 import json
+import shutil
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +13,6 @@ import pytest
 
 from workbook.cli.main import main
 from workbook.exercise.answers import Answer
-from workbook.exercise.conclusiveness import END_OVERTAKEN, EXCUSED_ENDS
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement, judge_recording, judgement_as_provisional
 from workbook.exercise.serialization import judgement_from_json, judgement_to_json
@@ -21,7 +22,7 @@ from workbook.grading import local
 from workbook.grading.judges import Job
 from workbook.grading.regrade import regrade
 from workbook.grading.results_file import last_results, read_results
-from workbook.grading.retries import counting, judge_until_sure, until_sure
+from workbook.grading.retries import counting, judge_until_sure, until_sure, what_counts
 from workbook.recording.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -37,25 +38,95 @@ def judgement(recording: str, doubt: str = "") -> Judgement:
 
 GOOD, POOR = judgement("solution"), judgement("period_for_frequency")
 DOUBTFUL = judgement("period_for_frequency", DOUBT)
+CRASHED = replace(judgement("period_for_frequency", "it crashed"), end_only=True)
 LOST = Judgement(STEM, "a" * 64, "infra_error", "the slot is gone", (), None)
 
 
-@pytest.mark.parametrize(
-    ("tries", "counts"),
-    [
-        ((DOUBTFUL, GOOD), 1),
-        ((DOUBTFUL, POOR), 1),
-        ((DOUBTFUL, replace(POOR, doubt="again")), 1),
-        ((DOUBTFUL, judgement("wrong_name")), 0),
-        ((DOUBTFUL, LOST), 0),
-        ((GOOD,), 0),
-    ],
-    ids=["better", "same and sound", "same and doubtful", "worse", "not judged", "one try"],
+WALKS, ENDS = (
+    replace(one, id=name, points=5.0, max_points=5.0, status="passed", about_end=name == "ends")
+    for one, name in ((GOOD.criteria[-1], "walks"), (GOOD.criteria[-1], "ends"))
 )
-def test_the_better_try_counts_and_of_equal_ones_the_sound_one(
-    tries: tuple[Judgement, ...], counts: int
-) -> None:
-    assert counting(tries) is tries[counts]
+
+
+def made(walks: float = 5.0, ends: float = 5.0, *, doubt: str = "", end_only: bool = False) -> Judgement:
+    """A judgement of two criteria, one of which is about the end."""
+    criteria = tuple(
+        replace(one, points=points, status="passed" if points == one.max_points else "failed")
+        for one, points in ((WALKS, walks), (ENDS, ends))
+    )
+    return Judgement(STEM, "a" * 64, "graded", None, criteria, None, doubt=doubt, end_only=end_only)
+
+
+FULL, LOW = made(), made(walks=2.0)
+END, LOW_END = (made(walks, 0.0, doubt="it crashed", end_only=True) for walks in (5.0, 2.0))
+BUSY, LOW_BUSY, ZERO_BUSY = (made(walks, doubt=DOUBT) for walks in (4.0, 2.0, 0.0))
+EVERY = (FULL, LOW, END, LOW_END, BUSY, LOW_BUSY, LOST)
+
+
+@pytest.mark.parametrize(
+    ("tries", "number", "why"),
+    [
+        ((FULL,), 0, ""),
+        ((LOW,), 0, ""),
+        ((LOST,), 0, ""),
+        ((LOW_BUSY, FULL), 1, "disturbed the rest"),
+        ((BUSY, LOW), 1, "disturbed the rest"),
+        ((BUSY, LOW_BUSY, LOW), 2, "disturbed the rest"),
+        ((BUSY, LOST, LOW), 2, "disturbed the rest"),
+        ((END, FULL), 1, "the best: only the ends"),
+        ((END, END, FULL), 2, "the best: only the ends"),
+        ((END, END, END), 2, "They agree"),
+        ((END, LOST, END), 2, "disturbed the rest"),
+        ((LOW_END, FULL), 0, "the lowest"),
+        ((END, LOW), 1, "the lowest"),
+        ((END, LOW_END, END), 1, "the lowest"),
+        ((END, LOW_END, FULL), 1, "the lowest"),
+        ((LOW_END, END, LOW), 2, "the lowest"),
+        ((BUSY, LOW_END, FULL), 1, "the lowest"),
+        ((BUSY, END, FULL), 2, "the best: only the ends"),
+        ((LOW_BUSY, LOW_BUSY, LOW_BUSY), 2, "all gave the same"),
+        ((BUSY, LOW_BUSY, BUSY), None, "None of them counts"),
+        ((ZERO_BUSY, BUSY, BUSY), None, "None of them counts"),
+        ((BUSY, LOST, LOST), None, "None of them counts"),
+        ((BUSY, LOST, BUSY), None, "None of them counts"),
+    ],
+)
+def test_which_try_counts_and_why(tries: tuple[Judgement, ...], number: int | None, why: str) -> None:
+    found = what_counts(tries)
+    assert found.number == number
+    assert why in found.why and bool(why) == bool(found.why)
+    assert counting(tries) == found.judgement
+    if number is None:
+        assert found.judgement.status == "infra_error"
+        assert found.judgement.score is None, "no fault of ours is a zero"
+    else:
+        assert found.judgement.score == tries[number].score
+
+
+def test_two_that_lost_different_things_are_told_of_although_they_have_the_same_points() -> None:
+    other = replace(LOW_END, criteria=(replace(WALKS, id="waves", points=2.0, status="failed"), ENDS))
+    assert "the lowest" in what_counts((LOW_END, other, other)).why
+
+
+@pytest.mark.parametrize("tries", [*product(EVERY, repeat=3)])
+def test_no_luck_and_no_disturbance_earns_a_point(tries: tuple[Judgement, ...]) -> None:
+    """For any three tries, and for the first two of them."""
+    for some in (tries, tries[:2]):
+        found = what_counts(some)
+        sound = [one for one in some if one.status == "graded" and not one.is_disturbed]
+        if sound:
+            assert found.number is not None and not found.judgement.is_disturbed
+            assert found.judgement.criteria[0].points == min(one.criteria[0].points for one in sound)
+        elif found.number is not None:
+            assert len(set(map(judgement_as_provisional, some))) == 1 and len(some) == 3
+        else:
+            assert found.judgement.score is None
+
+
+def test_what_every_end_shows_leaves_no_doubt() -> None:
+    assert counting((END, END, END)).doubt == ""
+    assert counting((END, LOST, END)).doubt == "it crashed"
+    assert counting((LOW_BUSY, LOW_BUSY, LOW_BUSY)).doubt == DOUBT
 
 
 def test_only_what_is_in_doubt_is_tried_again_and_after_all_others() -> None:
@@ -68,8 +139,8 @@ def test_only_what_is_in_doubt_is_tried_again_and_after_all_others() -> None:
 
     jobs = [Job(name, STEM, Answer("x = 1\n")) for name in ("doubtful", "poor", "poor too")]
     found = {job.key: len(tries) for job, tries in judge_until_sure(jobs, judge)}
-    assert rounds == [["doubtful", "poor", "poor too"], ["doubtful"]]
-    assert found == {"poor": 1, "poor too": 1, "doubtful": 2}
+    assert rounds == [["doubtful", "poor", "poor too"], ["doubtful"], ["doubtful"]]
+    assert found == {"poor": 1, "poor too": 1, "doubtful": 3}
 
 
 def test_a_run_that_is_stopped_before_the_second_try_leaves_the_answer_to_the_next() -> None:
@@ -85,53 +156,37 @@ def test_a_run_that_is_stopped_before_the_second_try_leaves_the_answer_to_the_ne
     assert rounds == 2
 
 
-EXCUSED = replace(
-    DOUBTFUL,
-    criteria=(
-        replace(DOUBTFUL.criteria[-1], status="failed", points=0.0, cause=END_OVERTAKEN),
-        *DOUBTFUL.criteria[:-1],
-    ),
-)
-
-
 @pytest.mark.parametrize(
-    ("judged", "how_many", "counts"),
+    ("given", "how_many"),
     [
-        ((EXCUSED, GOOD), 2, 1),
-        ((EXCUSED, EXCUSED, GOOD), 3, 2),
-        ((EXCUSED, POOR), 2, 1),
-        ((EXCUSED, DOUBTFUL), 2, 1),
-        ((DOUBTFUL, EXCUSED), 2, 0),
-        ((EXCUSED, EXCUSED, EXCUSED), 3, 2),
+        ((FULL,), 1),
+        ((LOW,), 1),
+        ((LOST,), 1),
+        ((BUSY, LOW), 2),
+        ((BUSY, BUSY, BUSY), 3),
+        ((BUSY, LOST, LOW), 3),
+        ((BUSY, LOST, LOST), 3),
+        ((END, FULL), 2),
+        ((END, BUSY, END), 3),
     ],
 )
-def test_an_end_that_rclpy_may_have_spoiled_is_watched_up_to_three_times(
-    judged: tuple[Judgement, ...], how_many: int, counts: int
+def test_there_are_three_tries_at_most_for_a_class_and_for_a_student(
+    given: tuple[Judgement, ...], how_many: int
 ) -> None:
-    """An answer can print what rclpy prints, so it is not forgiven; what it shows at every end is no doubt any more."""
-    rounds = 0
+    more = iter((*given, FULL))
 
     def judge(jobs: Sequence[Job[str]]) -> Iterator[tuple[Job[str], Judgement]]:
-        nonlocal rounds
-        rounds += 1
         for job in jobs:
-            yield job, judged[rounds - 1]
+            yield job, next(more)
 
     [(_, tries)] = judge_until_sure([Job("one", STEM, Answer("x = 1\n"))], judge)
-    assert len(tries) == rounds == how_many
-    assert counting(tries) is tries[counts]
-    always = how_many == 3 and judged[-1] is EXCUSED
-    assert tries[-1].doubt == ("" if always else judged[-1].doubt)
-    assert tries[-1].score == judged[-1].score
-
-
-@pytest.mark.parametrize("cause", sorted(EXCUSED_ENDS))
-def test_a_student_who_checks_gets_three_tries_for_such_an_end(cause: str) -> None:
-    excused = replace(EXCUSED, criteria=(replace(EXCUSED.criteria[0], cause=cause), *EXCUSED.criteria[1:]))
-    tries, told = [excused, excused, excused, GOOD], list[Judgement]()
-    assert until_sure(lambda: tries.pop(0), told.append) == replace(excused, doubt="")
-    assert tries == [GOOD]
-    assert told == 2 * [judgement_as_provisional(excused)]
+    assert tries == given and len(tries) == how_many
+    told: list[Judgement] = []
+    alone, found = iter((*given, FULL)), what_counts(given)
+    seen = next((one for one in reversed(given) if one.status == "graded"), LOST)
+    counts = seen if found.number is None else found.judgement
+    assert until_sure(lambda: next(alone), told.append) == counts
+    assert told == [judgement_as_provisional(one) for one in given[:-1]]
 
 
 # --- the books ------------------------------------------------------------------------------------------------------
@@ -144,7 +199,8 @@ class Judges:
         "joint_positions_ada": (DOUBTFUL, GOOD),
         "joint_positions_bob": (DOUBTFUL, POOR),
         "joint_positions_eve": (POOR,),
-        "joint_positions_mia": (DOUBTFUL, LOST),
+        "joint_positions_mia": (DOUBTFUL, LOST, LOST, POOR),
+        "joint_positions_zoe": (CRASHED, GOOD),
     }
 
     def __init__(self) -> None:
@@ -171,25 +227,23 @@ def graded(
         (folder / f"{student}.py").write_text(f"# {student}\n")
     out = tmp_path / "out"
     command = ["grade", str(folder), "--out", str(out), "--format", "html", "--isolation", "limits"]
-    assert main(command) == 0
+    assert main(command) == 1, "the answer of mia was not judged"
     told = capsys.readouterr().out
-    assert sorted(judges.asked) == sorted(student for student, tries in Judges.tries.items() for _ in tries)
-    assert main(command) == 0
-    assert len(judges.asked) == 7, "what is done is done, doubt or not"
+    once = sorted(student for student, tries in Judges.tries.items() for _ in tries[:3])
+    assert sorted(judges.asked) == once
+    later = shutil.copytree(out, tmp_path / "later")
+    assert main([str(later) if one == str(out) else one for one in command]) == 0
+    assert sorted(judges.asked) == sorted([*once, "joint_positions_mia"]), "what is done is done"
     return out, told
 
 
-def test_each_answer_has_one_line_with_both_tries_and_both_recordings(graded: tuple[Path, str]) -> None:
+def test_each_answer_has_one_line_with_all_tries_and_recordings(graded: tuple[Path, str]) -> None:
     out, _ = graded
     results = {one.student.rpartition("_")[2]: one for one in read_results(out / "results.jsonl")}
-    assert len(list(read_results(out / "results.jsonl"))) == 4
-    assert {name: one.score for name, one in results.items()} == {"ada": 10, "bob": 8, "eve": 8, "mia": 8}
-    assert {name: len(one.tries) for name, one in results.items()} == {
-        "ada": 2,
-        "bob": 2,
-        "eve": 0,
-        "mia": 2,
-    }
+    assert len(list(read_results(out / "results.jsonl"))) == 5
+    assert {name: (one.score, len(one.tries)) for name, one in results.items()} == {
+        "ada": (10, 2), "bob": (8, 2), "eve": (8, 0), "mia": (None, 3), "zoe": (8, 2),
+    }  # fmt: skip
     ada = results["ada"]
     assert ada.doubt == ""
     assert [one.counts for one in ada.tries] == [False, True]
@@ -200,38 +254,45 @@ def test_each_answer_has_one_line_with_both_tries_and_both_recordings(graded: tu
         assert one.recording is not None
         assert json.loads((out / one.recording).read_text())["format"] == 1
         assert [each.id for each in one.criteria] == [each.id for each in ada.criteria]
-    assert results["mia"].doubt == DOUBT
-    assert [one.counts for one in results["mia"].tries] == [True, False]
+    assert results["mia"].status == "infra_error"
+    assert [one.doubt for one in results["mia"].tries] == [DOUBT, "", ""]
+    assert not any(one.counts for one in results["mia"].tries)
+    assert [one.counts for one in results["zoe"].tries] == [True, False]
+    assert [one.end_only for one in results["zoe"].tries] == [True, False]
+    assert "the lowest" in results["zoe"].why_this_try
 
 
 def test_the_instructor_is_told_how_many_and_by_name_who_differs(graded: tuple[Path, str]) -> None:
     out, told = graded
-    assert "3 answers were tried again, because the first try was inconclusive; 2 differ." in told
-    assert "joint_positions_ada: Tried twice: 8 points, then 10 points. The better one counts." in told
-    assert "joint_positions_mia: Tried twice: 8 points, then not judged." in told
+    assert "4 answers were tried again, because the first try was inconclusive; 3 differ." in told
+    assert "joint_positions_ada: Tried twice: 8 points, then 10 points. The second one counts:" in told
+    assert "joint_positions_mia: Tried 3 times: 8 points, then not judged, then not judged. None of" in told
+    assert (
+        "joint_positions_zoe: Tried twice: 8 points, then 10 points. The first one counts, the lowest:"
+        in told
+    )
     assert "joint_positions_bob: Tried" not in told
     with (out / "grades.csv").open(newline="") as file:
         rows = {row["student"].rpartition("_")[2]: row for row in csv.DictReader(file)}
     assert {name: row["tries"] for name, row in rows.items()} == {
-        "ada": "2",
-        "bob": "2",
-        "eve": "1",
-        "mia": "2",
-    }
+        "ada": "2", "bob": "2", "eve": "1", "mia": "", "zoe": "2",
+    }  # fmt: skip
     assert DOUBT in rows["bob"]["remark"]
+    assert DOUBT in rows["mia"]["remark"]
+    assert "The first one counts, the lowest" in rows["zoe"]["remark"]
     assert rows["eve"]["remark"] == ""
     page = (out / "pages" / "class.html").read_text()
     section = page.split("<h2>Tried again</h2>")[1].split("</table>")[0]
-    assert section.count("<b>differ</b>") == 2
+    assert section.count("<b>differ</b>") == 3
     assert section.index("_ada") < section.index("_bob")
 
 
 def test_a_student_reads_of_both_tries(graded: tuple[Path, str]) -> None:
     out, _ = graded
     pages = {path.name.split("-")[3]: path.read_text() for path in (out / "pages").glob(f"{STEM}-*.html")}
-    assert "Tried twice: 8 points, then 10 points. The better one counts." in pages["ada"]
+    assert "Tried twice: 8 points, then 10 points. The second one counts" in pages["ada"]
     assert "Inconclusive" not in pages["ada"]
-    assert f"Inconclusive: {DOUBT}" in pages["mia"]
+    assert "Tried 3 times: 8 points, then not judged" in pages["mia"]
     assert "Tried twice" not in pages["eve"]
 
 
@@ -244,13 +305,13 @@ def test_regrading_judges_both_recordings_again(graded: tuple[Path, str]) -> Non
     )
     found = {one.student.rpartition("_")[2]: one for one in regrade(out, kinder)}
     assert {name: (one.before, one.after) for name, one in found.items()} == {
-        "ada": (10, 8), "bob": (8, 8), "eve": (8, 8), "mia": (8, 8),
+        "ada": (10, 8), "bob": (8, 8), "eve": (8, 8), "zoe": (8, 8),
     }  # fmt: skip
     ada = last_results(out / "results.jsonl")["joint_positions_ada", STEM]
     assert [one.score for one in ada.tries] == [8, 8]
     assert [one.counts for one in ada.tries] == [False, True], "of equal tries the sound one"
-    mia = last_results(out / "results.jsonl")["joint_positions_mia", STEM]
-    assert mia.tries == (), "the second try left no recording"
+    zoe = last_results(out / "results.jsonl")["joint_positions_zoe", STEM]
+    assert [one.counts for one in zoe.tries] == [False, True], "none is lower now"
 
 
 # --- what one person sees -----------------------------------------------------------------------------------------
@@ -269,7 +330,7 @@ def test_a_card_and_a_terminal_tell_that_it_is_being_tried_again() -> None:
         assert "another try decides" not in text
 
 
-@pytest.mark.parametrize(("second", "counts"), [(GOOD, GOOD), (POOR, POOR), (LOST, DOUBTFUL)])
+@pytest.mark.parametrize(("second", "counts"), [(GOOD, GOOD), (POOR, POOR)])
 def test_a_student_who_checks_gets_the_second_try_at_once(second: Judgement, counts: Judgement) -> None:
     tries, told = [DOUBTFUL, second], list[Judgement]()
     assert until_sure(lambda: tries.pop(0), told.append) == counts

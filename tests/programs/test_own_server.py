@@ -20,8 +20,9 @@ from workbook.programs import unconfined
 from workbook.programs.ending import RUN_MARK, processes_marked
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
+from workbook.programs.tier import Order
 from workbook.programs.warm_start import OwnServer, WarmProgram
-from workbook.recording.limits import Limits
+from workbook.recording.limits import NO_LIMITS, Limits
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment
 
@@ -243,7 +244,9 @@ def test_a_program_that_nobody_waits_for_ends_and_nobody_hears_of_it(
     os.close(reading)
     socket.send_fds(warm._channel, [json.dumps(request).encode()], [output, status])
     os.close(status)
-    next_one = warm.spawn(0, [str(write(tmp_path, "", "next.py"))], environ, str(tmp_path), output)
+    next_one = warm.spawn(
+        0, Order([str(write(tmp_path, "", "next.py"))], environ, NO_LIMITS, output), environ, str(tmp_path)
+    )
     assert next_one.wait() == 0, "the one before it was started then"
     next_one.close()
     wait_until(lambda: not set(children(server.pid or 0)) - before and not processes_marked("nobody."))

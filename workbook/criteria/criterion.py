@@ -19,7 +19,10 @@ Draw = Callable[[Random], Sequence[Part]]
 
 @dataclass(frozen=True)
 class Criterion:
-    """A judged statement about a recording. It is skipped unless every criterion in `needs` passes."""
+    """A judged statement about a recording. It is skipped unless every criterion in `needs` passes.
+
+    `about_end`: it judges how the program ends, and not what it does until then.
+    """
 
     id: str
     title: str
@@ -27,6 +30,7 @@ class Criterion:
     needs: tuple["Criterion", ...]
     hidden: bool
     judge: Judgement = field(compare=False)
+    about_end: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "__doc__", self.judge.__doc__)
@@ -36,11 +40,17 @@ class Criterion:
 
 
 def criterion(
-    *, points: float, title: str, needs: Sequence[Criterion] = (), hidden: bool = False
+    *,
+    points: float,
+    title: str,
+    needs: Sequence[Criterion] = (),
+    hidden: bool = False,
+    about_end: bool = False,
 ) -> Callable[[Judgement], Criterion]:
     """Make a criterion of a function that takes a recording and returns a verdict.
 
-    `points` may be 0 for a condition that only others need. Raises ValueError for negative points or no title.
+    `points` may be 0 for a condition that only others need. `about_end`: it judges how the program ends, which a bug in
+    rclpy or Python may spoil. Raises ValueError for negative points or no title.
     """
     if points < 0:
         raise ValueError(f"points are never negative: {points}")
@@ -48,7 +58,7 @@ def criterion(
         raise ValueError("a criterion needs a title: it is what the student reads")
 
     def make(function: Judgement) -> Criterion:
-        return Criterion(function.__name__, title, points, tuple(needs), hidden, function)
+        return Criterion(function.__name__, title, points, tuple(needs), hidden, function, about_end)
 
     return make
 
@@ -57,13 +67,14 @@ def criterion(
 class Topic:
     """A topic that an exercise asks for: its name, message type and rate in Hz (None if no rate is judged).
 
-    `features`: see `topic`.
+    `features` and `signed`: see `topic`.
     """
 
     name: str
     type: str
     hz: float | None = None
     features: Mapping[str, Feature] = field(default_factory=dict, compare=False)
+    signed: bool = False
 
     @property
     def short_type(self) -> str:
@@ -79,15 +90,22 @@ class Topic:
 
 
 def topic(
-    name: str, message_class: Any, hz: float | None = None, *, features: Mapping[str, Feature] | None = None
+    name: str,
+    message_class: Any,
+    hz: float | None = None,
+    *,
+    features: Mapping[str, Feature] | None = None,
+    signed: bool = False,
 ) -> Topic:
     """Declare a topic that criteria judge, e.g. `topic("/robot/battery", Float32, hz=0.5)`.
 
     `features`: for messages with large fields, such as images: by field, a function that is given the message and
     returns what criteria want to know of it (numbers, texts, lists, dicts). The field itself is kept as `{"length": n,
     "sha256": "...", "first": [...], "features": what was returned}`; None is kept where the function raised something.
+
+    `signed`: the driver publishes it, and signs each message. Criteria see only what it has signed.
     """
-    return Topic(name, type_name(message_class), hz, features or {})
+    return Topic(name, type_name(message_class), hz, features or {}, signed)
 
 
 @dataclass(frozen=True)

@@ -36,6 +36,7 @@ class CriterionResult:
     recheck_fields: bool = False
     pace_of: str = ""
     cause: str = ""
+    about_end: bool = False
 
 
 def _skipped(criterion: Criterion, missing: Criterion) -> CriterionResult:
@@ -50,6 +51,7 @@ def _skipped(criterion: Criterion, missing: Criterion) -> CriterionResult:
         expected="",
         because="",
         try_this="",
+        about_end=criterion.about_end,
     )
 
 
@@ -70,6 +72,7 @@ def _judged(criterion: Criterion, verdict: Verdict) -> CriterionResult:
         recheck_fields=verdict.recheck_fields,
         pace_of=verdict.pace_of,
         cause=verdict.cause,
+        about_end=criterion.about_end,
     )
 
 

@@ -1,9 +1,11 @@
 """Whether a judgement that takes points away is conclusive.
 
-Where it is not, the points may be lost without the answer's fault, and the answer is tried once more.
+Where it is not, the points may be lost without the answer's fault, and the answer is tried again (see
+`workbook.grading.retries`).
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 from statistics import median
 
@@ -33,33 +35,56 @@ WITH_THE_NEXT = 1.25
 """Periods after which a message that was lost at first has come: with the next one, which may be late itself."""
 
 
-def reason_inconclusive(
+@dataclass(frozen=True)
+class Doubt:
+    """Why a judgement may be unfair to the answer, as a sentence; empty when it is conclusive.
+
+    `end_only`: only the points for the program's end are in doubt.
+    """
+
+    reason: str = ""
+    end_only: bool = False
+
+
+def find_doubt(
     judged: Sequence[CriterionResult],
     recording: Recording,
     plan: Plan,
     periods: Mapping[str, float],
     on_robot_time: Sequence[CriterionResult] = (),
-) -> str:
-    """Why the judgement may be unfair to the answer, as a sentence; empty when it is conclusive.
+) -> Doubt:
+    """What makes the judgement inconclusive.
 
-    A judgement that takes no points away is conclusive. `periods`: of the topics that have a rate, in s.
+    A judgement that takes no points away is conclusive. How a program ends casts no doubt on what it did before.
+    `periods`: of the topics that have a rate, in s.
     `on_robot_time`: the results of the same program on robot time before, where both speeds agreed.
     """
     lost = [result for result in judged if result.status in ("failed", "partial")]
     if not lost:
-        return ""
-    return (
+        return Doubt()
+    disturbed = (
         _node_never_discovered(recording)
         or _publisher_never_matched(recording, plan)
-        or crashed_on_interrupt(recording)
-        or _end_overtaken(lost)
-        or _end_aborted(lost)
-        or _node_seen_after_exit(recording)
         or _clocks_contradict(lost, on_robot_time)
         or _judge_was_delayed(lost, recording, plan)
         or _program_was_starved(lost, recording)
         or _busy_machine_to_blame(lost)
         or _one_message_was_late(lost, recording, periods)
+    )
+    if disturbed:
+        return Doubt(disturbed)
+    of_end = [result for result in lost if result.about_end]
+    spoiled = _end_spoiled(of_end, recording) if of_end else ""
+    return Doubt(spoiled, end_only=bool(spoiled))
+
+
+def _end_spoiled(lost: Sequence[CriterionResult], recording: Recording) -> str:
+    """Why the end may not be the program's own doing, as a sentence; empty if it is. `lost`: criteria about the end."""
+    return (
+        crashed_on_interrupt(recording)
+        or _end_overtaken(lost)
+        or _end_aborted(lost)
+        or _node_seen_after_exit(recording)
     )
 
 

@@ -55,7 +55,7 @@ class Exercise:
     `criteria` are in order, `plan` is the watch that they need, and `periods` are the judged periods (s) by topic.
     `to_the_end`: the program's end is judged as well. `driver`: what calls the functions of an answer that is no
     program. `probes`: by name, code that uses an answer and is read by the type checker together with it. `watching`:
-    what the plan was made of.
+    what the plan was made of. `signed`: the topics on which only what the driver has signed counts.
     """
 
     stem: str
@@ -68,6 +68,7 @@ class Exercise:
     driver: Path | None = None
     probes: Mapping[str, str] = field(default_factory=dict)
     watching: Watching = field(default_factory=Watching)
+    signed: tuple[str, ...] = ()
 
     @cached_property
     def source(self) -> ExerciseSource:
@@ -122,6 +123,7 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
         driver=driver,
         probes=probes,
         watching=how,
+        signed=tuple(one.name for one in topics if one.signed),
     )
 
 

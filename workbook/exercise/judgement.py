@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from workbook.criteria.runner import CriterionError, CriterionResult, run_criteria
+from workbook.criteria.vocabulary.driver import only_signed
 from workbook.exercise.definition import Exercise
 from workbook.recording.recording import Recording
 
@@ -16,6 +17,7 @@ class Judgement:
     """What came out for one answer. `provisional`: the judgement on the wall clock is still to come and may differ.
 
     `doubt`: why points that were lost may be lost without the answer's fault; empty for a conclusive judgement.
+    `end_only`: the doubt is about the program's end alone, and everything else is conclusive.
     """
 
     stem: str
@@ -27,6 +29,7 @@ class Judgement:
     provisional: bool = False
     watched_real_life: bool = False
     doubt: str = ""
+    end_only: bool = False
 
     @property
     def score(self) -> float | None:
@@ -34,6 +37,11 @@ class Judgement:
         if self.status != "graded":
             return None
         return round(sum(result.points for result in self.criteria), 6)
+
+    @property
+    def is_disturbed(self) -> bool:
+        """Whether the machine or the judge may have cost points, and not only at the program's end."""
+        return bool(self.doubt) and not self.end_only
 
     @property
     def max_score(self) -> float:
@@ -59,7 +67,7 @@ def judge_recording(
 ) -> Judgement:
     """Judge a recording without running anything. A criterion that crashes gives an `infra_error`."""
     try:
-        results = run_criteria(exercise.criteria, recording)
+        results = run_criteria(exercise.criteria, only_signed(recording, exercise.signed))
     except CriterionError as error:
         return Judgement(exercise.stem, answer_sha256, "infra_error", str(error), (), recording)
     return Judgement(exercise.stem, answer_sha256, "graded", None, results, recording, provisional, real_life)

@@ -11,7 +11,7 @@ from statistics import median
 from workbook.criteria.runner import CriterionResult
 from workbook.criteria.vocabulary.field_checks import field_check_note
 from workbook.exercise.answers import Answer, domains_named, syntax_mistake
-from workbook.exercise.conclusiveness import reason_inconclusive
+from workbook.exercise.conclusiveness import find_doubt
 from workbook.exercise.definition import Exercise
 from workbook.exercise.early_start import StartedAnswer, write_program
 from workbook.exercise.judgement import Judgement, Report, judge_recording, judgement_as_provisional
@@ -118,8 +118,8 @@ def _with_doubt(exercise: Exercise, judgement: Judgement, on_robot: Judgement | 
     if on_robot is not None and on_robot.recording is not None and on_robot.recording.follows_clock:
         if not any(_is_undecided(on_robot.recording, topic) for topic in exercise.periods):
             before = on_robot.criteria
-    doubt = reason_inconclusive(judgement.criteria, recording, exercise.plan, exercise.periods, before)
-    return replace(judgement, doubt=doubt)
+    doubt = find_doubt(judgement.criteria, recording, exercise.plan, exercise.periods, before)
+    return replace(judgement, doubt=doubt.reason, end_only=doubt.end_only)
 
 
 @dataclass(frozen=True)
@@ -255,7 +255,7 @@ class Judge:
                 process = watch.finish(recording).process
         recording = replace(recording, notes=(*recording.notes, field_check_note(process)))
         again = case.judged(recording, real_life=judgement.watched_real_life)
-        return replace(again, doubt=judgement.doubt)
+        return replace(again, doubt=judgement.doubt, end_only=judgement.end_only)
 
     def _judge(self, case: _Case, watch: Watch) -> Judgement:
         recording = replace(watch.observe(), findings=case.findings)

@@ -13,7 +13,7 @@ import workbook
 from workbook.exercise.definition import Exercise
 from workbook.exercise.judgement import Judgement
 from workbook.grading.results import ProcessSummary, Result, Try, Versions, criterion_line
-from workbook.grading.retries import counting
+from workbook.grading.retries import what_counts
 
 LOG_LENGTH = 8_000
 """Characters of a program's log that a result holds. The recording has all of it."""
@@ -50,7 +50,8 @@ def versions(criteria_sha256: str) -> Versions:
 
 def graded_result(submission: Submission, tries: Sequence[Judgement], by: GradedBy) -> Result:
     """The result of an answer that was run, with its recordings stored. `tries`: one judgement, or all of them."""
-    judgement = counting(tries)
+    found = what_counts(tries)
+    judgement = found.judgement
     recording = judgement.recording
     process = None
     if recording is not None:
@@ -76,7 +77,10 @@ def graded_result(submission: Submission, tries: Sequence[Judgement], by: Graded
         isolation=by.isolation,
         versions=versions(by.exercise.criteria_sha256),
         doubt=judgement.doubt,
-        tries=tuple(_try(by.out, one, one is judgement) for one in tries) if len(tries) > 1 else (),
+        tries=tuple(_try(by.out, one, number == found.number) for number, one in enumerate(tries))
+        if len(tries) > 1
+        else (),
+        why_this_try=found.why,
     )
 
 
@@ -109,6 +113,7 @@ def _try(out: Path, judgement: Judgement, counts: bool) -> Try:
     return Try(
         counts=counts,
         doubt=judgement.doubt,
+        end_only=judgement.end_only,
         status=judgement.status,
         reason=judgement.reason,
         score=judgement.score,

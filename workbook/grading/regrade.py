@@ -50,8 +50,8 @@ def _again(out: Path, exercise: Exercise, result: Result, file: ResultsFile) -> 
         return Regraded(student, before, before)
     try:
         tries = [
-            _judged_again(out / name, doubt, exercise, result.answer_sha256)
-            for name, doubt in _stored_tries(result)
+            _judged_again(out / name, doubt, end_only, exercise, result.answer_sha256)
+            for name, doubt, end_only in _stored_tries(result)
         ]
     except CannotRegrade as error:
         return Regraded(student, before, None, str(error))
@@ -64,21 +64,31 @@ def _again(out: Path, exercise: Exercise, result: Result, file: ResultsFile) -> 
             None,
             "a bug in rclpy or Python may have changed how it ended; only another run can tell",
         )
+    counts = counting(tries)
+    if counts.status != "graded":
+        return Regraded(student, before, None, counts.reason or "no try counts")
     submission = Submission(
         student, result.answer, result.answer_sha256, result.submitted_at, result.attempt + 1
     )
     file.append(graded_result(submission, tries, GradedBy(exercise, result.isolation, out)))
-    return Regraded(student, before, counting(tries).score)
+    return Regraded(student, before, counts.score)
 
 
-def _stored_tries(result: Result) -> Iterator[tuple[str, str]]:
-    """The recordings of all tries, and why each was inconclusive. A try that the slot did not survive has none."""
-    for one in result.tries or [result]:
+def _stored_tries(result: Result) -> Iterator[tuple[str, str, bool]]:
+    """The recordings of all tries, why each was inconclusive, and whether that is about its end alone.
+
+    A try that the slot did not survive has none.
+    """
+    if not result.tries and result.recording is not None:
+        yield result.recording, result.doubt, False
+    for one in result.tries:
         if one.recording is not None:
-            yield one.recording, one.doubt
+            yield one.recording, one.doubt, one.end_only
 
 
-def _judged_again(path: Path, doubt: str, exercise: Exercise, answer_sha256: str) -> Judgement:
+def _judged_again(
+    path: Path, doubt: str, end_only: bool, exercise: Exercise, answer_sha256: str
+) -> Judgement:
     """Raises CannotRegrade."""
     try:
         recording = Recording.load(path)
@@ -87,4 +97,4 @@ def _judged_again(path: Path, doubt: str, exercise: Exercise, answer_sha256: str
     judgement = judge_recording(exercise, answer_sha256, recording)
     if judgement.status != "graded":
         raise CannotRegrade(judgement.reason or "the criteria failed")
-    return replace(judgement, doubt=doubt)
+    return judgement if judgement.full_marks else replace(judgement, doubt=doubt, end_only=end_only)

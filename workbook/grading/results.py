@@ -70,7 +70,10 @@ class Versions:
 
 @dataclass(frozen=True)
 class Try:
-    """One of the judgements of an answer that was tried more than once. `counts`: whether the result is this one."""
+    """One of the judgements of an answer that was tried more than once. `counts`: whether the result is this one.
+
+    `end_only`: the doubt is about how the program ended, and about nothing else.
+    """
 
     counts: bool
     doubt: str
@@ -81,6 +84,7 @@ class Try:
     recording: str | None
     clock: Clock | None
     wall_s: float | None
+    end_only: bool = False
     unknown: Mapping[str, Any] = field(default_factory=dict, metadata=UNKNOWN_FIELDS)
 
 
@@ -89,7 +93,8 @@ class Result:
     """What came out for one answer. `score` is None unless it was graded: an error of ours is never a zero.
 
     `answer`: the path of the file as it was handed in; `recording`: that of the recording, below the results.
-    `tries`: all judgements of an answer that was tried more than once, because the first was inconclusive (`doubt`).
+    `tries`: all judgements of an answer that was tried more than once, because the first was inconclusive (`doubt`);
+    `why_this_try`: which of them counts and why, as a sentence.
     `late_points`: what lateness has taken off `score`; 0 in what is stored. `by_hand`: what a person has changed in it;
     nothing in what is stored.
     """
@@ -114,6 +119,7 @@ class Result:
     versions: Versions
     doubt: str = ""
     tries: tuple[Try, ...] = ()
+    why_this_try: str = ""
     late_points: float = field(default=0.0, metadata=NOT_STORED)
     by_hand: tuple[ByHand, ...] = field(default=(), metadata=NOT_STORED)
     unknown: Mapping[str, Any] = field(default_factory=dict, metadata=UNKNOWN_FIELDS)
@@ -136,12 +142,11 @@ class Result:
         """What all tries gave, as a sentence; empty for an answer that was judged once."""
         if len(self.tries) < 2:
             return ""
-        often, best = ("twice", "better") if len(self.tries) == 2 else (f"{len(self.tries)} times", "best")
+        often = "twice" if len(self.tries) == 2 else f"{len(self.tries)} times"
         told = ", then ".join(map(_told, self.tries))
-        kept = f" The {best} one counts." if self.tries_differ else ""
-        doubt = self.tries[0].doubt
+        kept = f" {self.why_this_try}" if self.why_this_try else ""
         second = " So was the second." if self.tries[1].doubt else ""
-        return f"Tried {often}: {told}.{kept} The first try was inconclusive ({doubt}).{second}"
+        return f"Tried {often}: {told}.{kept} The first try was inconclusive ({self.tries[0].doubt}).{second}"
 
 
 def _told(one: Try) -> str:

@@ -3,11 +3,12 @@
     python -P run.py fork_server CHANNEL
 
 CHANNEL is the number of an inherited socket. On it comes one request after another (see `Request`), each with two
-descriptors: where the program's output goes, and where to report its status. A third one, if there is any, is the open
-file by which the program joins its memory cgroup: a path would stay in the memory of the program. For each request, a
-supervisor is forked, and it forks the program, after joining the name spaces that were made for it, if there are any.
-Such a program is confined before a line of the answer is read: in these name spaces, without capabilities, with nothing
-open but its output. A program without name spaces of its own dies with its supervisor, and that with this process.
+descriptors: where the program's output goes, and where to report its status. Two more may come: the open file by which
+the program joins its memory cgroup, because a path would stay in the memory of the program, and what it is to read. For
+each request, a supervisor is forked, and it forks the program, after joining the name spaces that were made for it, if
+there are any. Such a program is confined before a line of the answer is read: in these name spaces, without
+capabilities, with nothing open but its input and output. A program without name spaces of its own dies with its
+supervisor, and that with this process.
 
 A request may also be for a branch (see `Branch`): another such server, forked into the sandbox of a slot.
 
@@ -34,7 +35,7 @@ from workbook.inside.namespaces import OF_A_PROGRAM, join_namespaces, settle_in_
 from workbook.inside.proc import own_environment_range
 
 REQUEST_BYTES = 100_000
-DESCRIPTORS = 3
+DESCRIPTORS = 4
 MARK = b"WORKBOOK_RUN="
 MARK_BYTES = 80
 """Room for the mark of a program (see `RunMark`): blanks that whoever starts this process leaves in its environment."""
@@ -46,13 +47,15 @@ FAILED = 126
 class Request:
     """One program to start, and what `host.main` and the program are given.
 
-    `namespaces_of`: the first process of the sandbox to join; 0 for none.
+    `namespaces_of`: the first process of the sandbox to join; 0 for none. `reads`: whether the last descriptor is its
+    standard input.
     """
 
     namespaces_of: int
     arguments: list[str]
     environ: dict[str, str]
     folder: str
+    reads: bool
 
 
 @dataclass(frozen=True)
@@ -93,8 +96,14 @@ class Hooks:
     mark: RunMark
 
 
-def become_program(request: Request, parent: int, output: int, group: int | None, hooks: Hooks) -> None:
-    """Turn this forked process into the one that runs the answer. `group`: the open file of the cgroup to join."""
+def become_program(
+    request: Request, parent: int, output: int, given: int | None, group: int | None, hooks: Hooks
+) -> None:
+    """Turn this forked process into the one that runs the answer. `group`: the open file of the cgroup to join.
+
+    `given`: what it reads; None for an empty input, opened here, because flags of an inherited one would be those of
+    all programs.
+    """
     try:
         if group is not None:
             memory_cgroup.join(group)
@@ -111,9 +120,7 @@ def become_program(request: Request, parent: int, output: int, group: int | None
         hooks.lttng.after_fork_in_program()  # only now: what it starts has no more rights than we
         os.setsid()
         os.chdir(request.folder)
-        os.dup2(
-            os.open(os.devnull, os.O_RDONLY), 0
-        )  # flags of an inherited one would be those of all programs
+        os.dup2(os.open(os.devnull, os.O_RDONLY) if given is None else given, 0)
         os.dup2(output, 1)
         os.dup2(output, 2)
         os.closerange(3, os.sysconf("SC_OPEN_MAX"))
@@ -140,8 +147,9 @@ def supervise(request: Request, descriptors: Sequence[int], hooks: Hooks) -> Non
     sandbox, all that it has started ends: the sandbox goes.
     """
     code = 1
-    output, status, *groups = descriptors
-    group = groups[0] if groups else None
+    output, status, *others = descriptors
+    given = others.pop() if request.reads else None
+    group = others[0] if others else None
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
     try:
         set_parent_death_signal()
@@ -150,9 +158,11 @@ def supervise(request: Request, descriptors: Sequence[int], hooks: Hooks) -> Non
         parent = os.getpid()
         program = os.fork()
         if program == 0:
-            become_program(request, parent, output, group, hooks)
+            become_program(request, parent, output, given, group, hooks)
             return
         os.close(output)
+        if given is not None:
+            os.close(given)
         if not report(status, f"{program}\n"):
             os.kill(program, signal.SIGKILL)
         _, ended = os.waitpid(program, 0)

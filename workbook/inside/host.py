@@ -7,11 +7,13 @@ Whatever reasonable shape an answer has is accepted. The file runs as `__main__`
 context was ever initialized does the host help: it calls an argument-less `main()`, or else spins the one leaf
 Node subclass that the file defines.
 
-With a driver, the file is loaded as the module `answer`, and the driver, which imports it, runs as `__main__`.
+With a driver, that one runs as `__main__`, and the file is the module `answer`, which it imports. Before that, the host
+reads a key from standard input. The driver finds a function `sign` that signs what it reports (see `signer`).
 """
 
 import asyncio
 import inspect
+import itertools
 import os
 import resource
 import select
@@ -19,6 +21,8 @@ import signal
 import sys
 import traceback
 import types
+from collections.abc import Callable
+from importlib.machinery import ModuleSpec
 
 from workbook.inside.libc import die_with_parent
 
@@ -26,6 +30,12 @@ SWITCH_INTERVAL_S = 1e-4
 """While a handler waits for its thread, rclpy's MultiThreadedExecutor loops without a pause. With the 5 ms that Python
 gives a thread it would keep the others from their work again and again: counts came out wrong, and checks took 20 s."""
 TAP = "workbook.inside.tap"
+MOST_KEY_BYTES = 64
+BEHIND_THE_KEY = bytes(512)
+"""When the hash has been given so many bytes, it has mixed in its first blocks, which hold the key, and reused their
+memory."""
+LONGEST_REPORT = 2_000
+"""Characters of a report. A text that is too long is cut in recordings, and its signature does not fit any more."""
 LIMITS = {
     "memory": resource.RLIMIT_AS,
     "processes": resource.RLIMIT_NPROC,
@@ -127,10 +137,12 @@ def help_along(module: types.ModuleType) -> None:
 
 
 def print_student_traceback(error: BaseException) -> None:
-    """Print the traceback without the frames of this host and of what reports to the panel."""
-    frames = error.__traceback__
-    while frames is not None and frames.tb_frame.f_code.co_filename == __file__:
-        frames = frames.tb_next
+    """Print the traceback without the frames of this host, what called it, and what reports to the panel."""
+    frame = frames = error.__traceback__
+    while frame is not None:
+        if frame.tb_frame.f_code.co_filename == __file__:
+            frames = frame.tb_next
+        frame = frame.tb_next
     frame = frames
     while frame is not None:
         while frame.tb_next is not None and frame.tb_next.tb_frame.f_globals.get("__name__") == TAP:
@@ -140,31 +152,86 @@ def print_student_traceback(error: BaseException) -> None:
     traceback.print_exception(type(error), error, frames)
 
 
-def execute(path: str, name: str) -> types.ModuleType:
-    """Run the file as the module `name`."""
+def compiled(path: str) -> types.CodeType:
+    """The code of a file. Raises SyntaxError."""
     with open(path, "rb") as file:
-        source = file.read()
-    module = types.ModuleType(name)
+        return compile(file.read(), path, "exec", dont_inherit=True)
+
+
+def execute(path: str, **given: object) -> types.ModuleType:
+    """Run the file as `__main__`, with what it is `given` as globals."""
+    module = types.ModuleType("__main__")
     module.__file__ = path
-    module.__dict__["__builtins__"] = __builtins__
-    code = compile(source, path, "exec", dont_inherit=True)
-    sys.modules[name] = module
+    module.__dict__.update(given, __builtins__=__builtins__)
+    code = compiled(path)
+    sys.modules["__main__"] = module
     exec(code, module.__dict__)
     return module
+
+
+class AnswerFinder:
+    """For `sys.meta_path`, and a loader: the answer as the module `answer`."""
+
+    def __init__(self, path: str) -> None:
+        self.path = path
+
+    def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
+        """Part of the import protocol: the answer; None for all other names."""
+        return ModuleSpec(name, self, origin=self.path) if name == "answer" else None  # type: ignore[arg-type]
+
+    def create_module(self, spec: ModuleSpec) -> None:
+        """Part of the import protocol: None asks for an ordinary module."""
+
+    def exec_module(self, module: types.ModuleType) -> None:
+        """Part of the import protocol: run the answer's code in its module."""
+        module.__file__ = self.path
+        exec(compiled(self.path), module.__dict__)
+
+
+def signer() -> Callable[[str, str], str]:
+    """A function that signs a report for a topic: it returns a number, a signature, and the text, with blanks between.
+    Without a key it returns the text.
+
+    It takes the key from standard input, which is empty from then on. It keeps a hash that has taken in the key, not
+    the key itself. Code in this process can still find and call the function.
+    """
+    from hashlib import blake2b
+
+    key = bytearray(MOST_KEY_BYTES)
+    length = os.readv(0, [key])
+    nothing = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(nothing, 0)
+    os.close(nothing)
+    keyed = blake2b(key=memoryview(key)[:length], digest_size=16)
+    keyed.update(BEHIND_THE_KEY)
+    key[:] = bytes(MOST_KEY_BYTES)
+    numbers = itertools.count(1)
+    if not length:
+        return lambda topic, text: text
+
+    def sign(topic: str, text: str) -> str:
+        """What to publish on `topic` for `text`, which loses what a message cannot carry."""
+        text = text[:LONGEST_REPORT].replace("\0", " ").encode(errors="backslashreplace").decode()
+        number, mine = next(numbers), keyed.copy()
+        mine.update(f"{topic}\n{number}\n{text}".encode())
+        return f"{number} {mine.hexdigest()} {text}"
+
+    return sign
 
 
 def run(path: str) -> None:
     """Run the file as `__main__`; if it never initializes a context, see `help_along`."""
     started = watch_contexts()
-    module = execute(path, "__main__")
+    module = execute(path)
     if not started:
         help_along(module)
 
 
 def run_with_driver(path: str, driver: str) -> None:
-    """Load the answer as the module `answer`, then run the driver as `__main__`."""
-    execute(path, "answer")
-    execute(driver, "__main__")
+    """Run the driver as `__main__`. It imports the answer when it is ready for that."""
+    sign = signer()
+    sys.meta_path.insert(0, AnswerFinder(path))
+    execute(driver, sign=sign)
 
 
 def obey(options: list[str]) -> tuple[str | None, list[str]]:

@@ -7,6 +7,7 @@ As a driver (``ANSWER.py FILE SECONDS NODE``) it runs the `main()` of another pr
 to FILE once the node has spun for so many seconds.
 """
 
+import importlib
 import json
 import os
 import sys
@@ -333,6 +334,7 @@ def _run_and_write(file: str, seconds: float, name: str) -> None:
     """Run `answer.main()`. Once its node spins, watch it for a while, and write the notes of it."""
     from rclpy.executors import Executor
 
+    answer = importlib.import_module("answer")
     tap = MachineTap(drain=True)
     original = Executor.add_node
 
@@ -352,7 +354,7 @@ def _run_and_write(file: str, seconds: float, name: str) -> None:
 
     Executor.add_node = add_node  # type: ignore[method-assign,assignment]
     with suppress(KeyboardInterrupt):
-        sys.modules["answer"].main()
+        answer.main()
 
 
 if __name__ == "__main__":

@@ -58,7 +58,9 @@ class ConfinedProgram:
         confined = [sys.executable, "-I", "-S", str(RUN), "confine", *self.options(order.limits), "--"]
         wrapped = joining(order.joins, [*confined, *command])
         began = time.monotonic()
-        return Started(FreshProgram(wrapped, environ, self.scratch, order.output_fd), began)
+        return Started(
+            FreshProgram(wrapped, environ, self.scratch, order.output_fd, input_fd=order.input_fd), began
+        )
 
     def environment(self, environ: Mapping[str, str]) -> dict[str, str]:
         """What the program finds in its environment."""

@@ -52,8 +52,8 @@ class SandboxedProgram(FreshProgram):
     bubblewrap gets no environment and no folder of ours: its first process in the sandbox would show them.
     """
 
-    def __init__(self, command: Sequence[str], output_fd: int, descriptors: Sequence[int]) -> None:
-        super().__init__(command, {}, Path("/"), output_fd, descriptors)
+    def __init__(self, command: Sequence[str], order: Order, descriptors: Sequence[int]) -> None:
+        super().__init__(command, {}, Path("/"), order.output_fd, descriptors, order.input_fd)
         self._info_fd = descriptors[0]
 
     def poll(self) -> int | None:
@@ -155,7 +155,7 @@ class Sandbox:
             return Started(forked, began)
         # Without --parent: a sandbox dies with us by itself, and its processes do not know our number.
         command = joining(order.joins, self.command(host_command("--attended", *order.arguments), environ))
-        return Started(SandboxedProgram(command, order.output_fd, self.descriptors), began)
+        return Started(SandboxedProgram(command, order, self.descriptors), began)
 
     def command(
         self, command: Sequence[str], environ: Mapping[str, str], options: Sequence[str] = ()
@@ -202,7 +202,7 @@ class Sandbox:
         try:
             if first is None:
                 raise NoWarmStart("there is no sandbox")
-            program = server.spawn(first, order.arguments, environ, HOME, order.output_fd, order.joins)
+            program = server.spawn(first, order, environ, HOME)
             return SandboxedFork(program, sandbox)
         except NoWarmStart:
             sandbox.kill()

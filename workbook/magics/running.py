@@ -18,7 +18,7 @@ class Running:
     def start(self, stem: str, program: Path, driver: Path | None = None) -> NodeProcess:
         """Start `program`, ending an earlier run of the same exercise first."""
         self.stop(stem)
-        spec = ProgramSpec(program, driver=driver, in_panel=True)
+        spec = ProgramSpec(program, driver=driver, driver_key=b"", in_panel=True)
         process = NodeProcess(spec, int(os.environ["ROS_DOMAIN_ID"]))
         self._programs[stem] = process
         return process

@@ -25,6 +25,14 @@ POLL_S = 0.05
 SURROUNDINGS_END_S = 2.0
 
 
+def _pipe_with(data: bytes) -> int:
+    """The reading end of a pipe that holds `data`, and nobody writes to."""
+    read_fd, write_fd = os.pipe()
+    os.write(write_fd, data)
+    os.close(write_fd)
+    return read_fd
+
+
 class NodeProcess:
     """A program that runs as its own process, in its own session, and whose whole tree ends with `stop`.
 
@@ -57,20 +65,25 @@ class NodeProcess:
         self._domains_used: tuple[int, ...] = ()
         self._processor: list[tuple[float, float]] = []
         read_fd, write_fd = os.pipe()
+        input_fd = _pipe_with(spec.driver_key) if spec.driver is not None and spec.driver_key else None
         try:
-            started = self._confinement.start(self._order(write_fd, write_profile))
+            started = self._confinement.start(self._order(write_fd, input_fd, write_profile))
         except OSError:
             os.close(read_fd)
             self._remove_files()
             raise
         finally:
             os.close(write_fd)
+            if input_fd is not None:
+                os.close(input_fd)
         self._child, self.started_at = started.child, started.at
         self.log = ProgramLog(read_fd, spec.limits.output, self._stop_flood)
         if spec.limits.processes is not None:
             threading.Thread(target=self._guard, name="process guard", daemon=True).start()
 
-    def _order(self, output_fd: int, write_profile: Callable[[Path], Path] | None) -> Order:
+    def _order(
+        self, output_fd: int, input_fd: int | None, write_profile: Callable[[Path], Path] | None
+    ) -> Order:
         """Bring the files of the program, and say how it is to be started."""
         spec, confinement = self.spec, self._confinement
         arguments = confinement.host_options(spec.limits)
@@ -83,7 +96,8 @@ class NodeProcess:
         environ[RUN_MARK] = self._mark
         if write_profile is not None:
             environ[PROFILE] = confinement.bring(write_profile(self._folder), "profile.xml")
-        return Order([*arguments, program, *spec.command_line], environ, spec.limits, output_fd)
+        command = [*arguments, program, *spec.command_line]
+        return Order(command, environ, spec.limits, output_fd, input_fd=input_fd)
 
     def _remove_files(self) -> None:
         self._confinement.remove()
@@ -222,6 +236,7 @@ class NodeProcess:
             domains_used=self._domains_used,
             processor=tuple(self._processor),
             printed_at=None if printed_at is None else printed_at - self.started_at,
+            driver_key="" if self.spec.driver is None else self.spec.driver_key.hex(),
         )
 
     def __enter__(self) -> "NodeProcess":

@@ -1,17 +1,21 @@
 """What is to be run: a program, what it is told, and what it may use."""
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from workbook.recording.limits import NO_LIMITS, Limits
 
+KEY_BYTES = 32
+
 
 @dataclass(frozen=True)
 class ProgramSpec:
     """A Python file that is to run as `__main__`, with `arguments` and ROS `parameters` for all of its nodes.
 
-    With a `driver`, that one runs as `__main__` and can import the program as the module `answer`. `check_fields`: ROS
+    With a `driver`, that one runs as `__main__` and can import the program as the module `answer`. It signs what it
+    reports with `driver_key`, which the program does not get; with an empty key it does not sign. `check_fields`: ROS
     checks the types of message fields. `in_panel`: the panel beside the notebook shows what it publishes.
     """
 
@@ -19,6 +23,7 @@ class ProgramSpec:
     arguments: Sequence[str] = ()
     parameters: Mapping[str, object] = field(default_factory=dict)
     driver: Path | None = None
+    driver_key: bytes = field(default_factory=lambda: os.urandom(KEY_BYTES), repr=False, compare=False)
     check_fields: bool = False
     limits: Limits = NO_LIMITS
     in_panel: bool = False

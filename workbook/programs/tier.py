@@ -45,6 +45,7 @@ class Order:
     """A program to start: arguments for the host, environment and limits, and the descriptor that it prints to.
 
     `joins`: the file by which it joins a memory cgroup, before a line of it is read; None where there is no such group.
+    `input_fd`: the descriptor that it reads from; None for a program that gets nothing to read.
     """
 
     arguments: Sequence[str]
@@ -52,6 +53,7 @@ class Order:
     limits: Limits
     output_fd: int
     joins: str | None = None
+    input_fd: int | None = None
 
 
 @dataclass(frozen=True)

@@ -42,10 +42,11 @@ class FreshProgram(subprocess.Popen[bytes]):
         folder: Path,
         output_fd: int,
         pass_fds: Sequence[int] = (),
+        input_fd: int | None = None,
     ) -> None:
         super().__init__(
             command,
-            stdin=subprocess.DEVNULL,
+            stdin=subprocess.DEVNULL if input_fd is None else input_fd,
             stdout=output_fd,
             stderr=output_fd,
             env=environ,
@@ -91,13 +92,13 @@ class UnconfinedProgram:
             began = time.monotonic()  # not before: to wait for the server is no part of its life
             with suppress(NoWarmStart):
                 folder = str(self.scratch)
-                return Started(
-                    server.spawn(0, order.arguments, order.environ, folder, order.output_fd, order.joins),
-                    began,
-                )
+                return Started(server.spawn(0, order, order.environ, folder), began)
         began = time.monotonic()
         command = joining(order.joins, host_command("--parent", str(os.getpid()), *order.arguments))
-        return Started(FreshProgram(command, order.environ, self.scratch, order.output_fd), began)
+        return Started(
+            FreshProgram(command, order.environ, self.scratch, order.output_fd, input_fd=order.input_fd),
+            began,
+        )
 
     def most_files(self, pids: Sequence[int]) -> int:
         """Zero: files are not limited."""

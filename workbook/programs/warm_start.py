@@ -10,7 +10,7 @@ import socket
 import subprocess
 import threading
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,6 +19,7 @@ from workbook.inside.orphans import forget
 from workbook.inside.proc import process_tree
 from workbook.programs.ending import RUN_MARK
 from workbook.programs.helpers import start_helper
+from workbook.programs.tier import Order
 from workbook.ros.environment import child_environment
 
 MARK_BYTES = 80
@@ -157,32 +158,32 @@ class ForkServer:
     def spawn(
         self,
         namespaces_of: int,
-        arguments: Sequence[str],
+        order: Order,
         environ: Mapping[str, str],
         folder: str,
-        output_fd: int,
-        joins: str | None = None,
     ) -> WarmProgram:
         """Fork a program into the name spaces of a process, or into no other ones (0). Raises NoWarmStart.
 
-        `joins`: see `workbook.programs.tier.Order`.
+        `environ`: in place of that of the order.
         """
         request = {
             "namespaces_of": namespaces_of,
-            "arguments": [*arguments],
+            "arguments": [*order.arguments],
             "environ": dict(environ),
             "folder": folder,
+            "reads": order.input_fd is not None,
         }
         try:
-            groups = [] if joins is None else [open_group(joins)]
+            groups = [] if order.joins is None else [open_group(order.joins)]
         except OSError as error:
             raise NoWarmStart(f"there is no memory cgroup ({error})") from error
         read_fd, write_fd = os.pipe()
+        inputs = [] if order.input_fd is None else [order.input_fd]
         try:
             with self._turn:
                 self.wait_until_ready()
                 assert self._channel is not None
-                theirs = [output_fd, write_fd, *groups]
+                theirs = [order.output_fd, write_fd, *groups, *inputs]
                 socket.send_fds(self._channel, [json.dumps(request).encode()], theirs)
         except OSError as error:
             os.close(read_fd)

@@ -171,7 +171,8 @@ class ProcessRecord:
 
     `log` is what it printed of its own accord, `end_log` what it printed after the judge had sent Ctrl-C.
     `processor`: on the wall clock, pairs of wall time (s) and processor time (s) that it had used by then.
-    `printed_at`: when the last text of `log` came (wall time, s).
+    `printed_at`: when the last text of `log` came (wall time, s). `driver_key`: what a driver has signed its reports
+    with, in hexadecimal digits; empty where there was none, and in old recordings.
     """
 
     program: str = ""
@@ -187,6 +188,7 @@ class ProcessRecord:
     domains_used: tuple[int, ...] = field(default=(), metadata=ALWAYS_STORED)
     processor: tuple[tuple[float, float], ...] = ()
     printed_at: float | None = None
+    driver_key: str = ""
 
 
 @dataclass(frozen=True)

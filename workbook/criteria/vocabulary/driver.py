@@ -1,7 +1,12 @@
-"""Judges what the driver reports: the program that calls a student's functions and publishes how each call went."""
+"""Judges what the driver reports: the program that calls a student's functions and publishes how each call went.
+
+A driver signs its reports (see `workbook/inside/host.py`), and criteria see those alone, without the signatures.
+"""
 
 import re
-from dataclasses import dataclass, field
+from collections.abc import Collection
+from dataclasses import dataclass, field, replace
+from hashlib import blake2b
 from itertools import pairwise
 from typing import Any
 
@@ -9,7 +14,68 @@ from workbook.criteria.criterion import Topic
 from workbook.criteria.verdict import Verdict, failed
 from workbook.criteria.vocabulary.known_errors import last_error
 from workbook.criteria.vocabulary.values import values
-from workbook.recording.recording import Recording
+from workbook.recording.recording import Arrival, Recording
+
+BEHIND_THE_KEY = bytes(512)
+"""What the driver feeds to the hash after the key, to have the key overwritten."""
+_NOT_SIGNED = "not signed by the driver: "
+
+
+def only_signed(recording: Recording, topics: Collection[str]) -> Recording:
+    """The recording as criteria see it: on these topics, only what the driver has signed, each report once.
+
+    If there was something else, a note says on which topic. Without a key, there was no driver, or one of an old
+    recording; then everything stays as it is.
+    """
+    if not recording.process.driver_key:
+        return recording
+    keyed = blake2b(key=bytes.fromhex(recording.process.driver_key), digest_size=16)
+    keyed.update(BEHIND_THE_KEY)
+    seen, forged, numbers = dict(recording.topics), list[str](), set[str]()
+    for name in sorted({*topics} & {*seen}):
+        reports = []
+        for one in seen[name].arrivals:
+            number, report = _opened(keyed.copy(), name, one)
+            if report is not None and number not in numbers:
+                numbers.add(number)
+                reports.append(report)
+            else:
+                forged.append(f"{_NOT_SIGNED}{name}")
+        seen[name] = replace(seen[name], arrivals=tuple(reports))
+    return replace(recording, topics=seen, notes=(*recording.notes, *dict.fromkeys(forged)))
+
+
+def _opened(keyed: Any, topic: str, arrival: Arrival) -> tuple[str, Arrival | None]:
+    """The number of a report, and the report without its signature; None for one that the driver has not signed.
+
+    A text is signed in front of it, and an array in the label of its first dimension.
+    """
+    value = arrival.value
+    try:
+        is_text = isinstance(value["data"], str)
+        signed = value["data"] if is_text else value["layout"]["dim"][0]["label"]
+        number, signature, text = signed.split(" ", 2)
+        keyed.update(f"{topic}\n{number}\n{text}".encode())
+        if keyed.hexdigest() == signature and (is_text or text == " ".join(map(str, value["data"]))):
+            return number, replace(arrival, value={**value, "data": text if is_text else value["data"]})
+    except (LookupError, TypeError, ValueError, AttributeError):
+        pass
+    return "", None
+
+
+def forged_report(recording: Recording) -> Verdict | None:
+    """A failed verdict if something other than the driver has published on a topic of the driver; None if not."""
+    note = next((note for note in recording.notes if note.startswith(_NOT_SIGNED)), None)
+    if note is None:
+        return None
+    topic = note.removeprefix(_NOT_SIGNED)
+    return failed(
+        "driver.not-signed",
+        f"a message on {topic} without the signature of the judge's driver",
+        f"on {topic} only what the driver reports, which signs each of its messages",
+        "The driver calls your code, and reports there what it saw. Your program publishes on this topic as well.",
+        f"Do not publish on {topic}.",
+    )
 
 
 def driver_reports(recording: Recording, topic: Topic) -> list[str]:

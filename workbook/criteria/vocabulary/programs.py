@@ -2,6 +2,7 @@
 
 from workbook.criteria.criterion import criterion
 from workbook.criteria.verdict import Verdict, failed, passed
+from workbook.criteria.vocabulary.driver import forged_report
 from workbook.criteria.vocabulary.known_errors import failed_by_error, failed_while_spinning, find_error
 from workbook.criteria.vocabulary.phrasing import listing, seconds
 from workbook.criteria.vocabulary.stops import ended_by_signal, stopped_for
@@ -23,6 +24,9 @@ def program_runs(recording: Recording) -> Verdict:
     A criterion already, which costs no points: `from workbook.criteria import program_runs` puts it into a criteria
     file, for others to need.
     """
+    forged = forged_report(recording)
+    if forged is not None:
+        return forged
     if _got_going(recording):
         nodes = sorted({node.name for node in recording.nodes})
         return passed(f"node {listing(nodes)} is on the graph" if nodes else "publishers are on the graph")
