@@ -148,9 +148,8 @@ def _silent(recording: Recording, topic: Topic) -> Verdict:
     saw = f"the publisher on {topic.name} is there, but no message arrived in {lasted}"
     if blamed is None and (others := _arrive_from_its_node(recording, topic)):
         return _silent_beside(topic, others, saw)
-    waiting = {publisher.node for publisher in recording.topic(topic.name).publishers}.intersection(
-        recording.own_clock
-    )
+    nodes = {publisher.node for publisher in recording.topic(topic.name).publishers}
+    waiting = [node for node in recording.own_clock if node in nodes]
     if blamed is None and waiting:
         return failed(
             "no-message.own-clock",
