@@ -43,8 +43,8 @@ class LockStep:
 
     `works` tells whether that is so: not where the kernel does not tell of threads, nor for a program that is always at
     work (a MultiThreadedExecutor that waits for a free thread, a loop without a pause) or that lives by its own sleep.
-    `never_in_vain`: whether each wait up to now ended with the program at rest. `longest_nap_s`: for how long (s) at
-    most a thread was seen asleep that was at rest in the end.
+    `never_in_vain`: whether each wait up to now ended with the program at rest. `slept_s`: for how long (s) in
+    all, and `longest_nap_s` at most, a wait saw a thread asleep before the program came to rest.
     """
 
     def __init__(self, pid: int) -> None:
@@ -54,7 +54,7 @@ class LockStep:
         self._naps: dict[int, tuple[bytes, bool]] = {}
         self._vain = {State.SLEEPING: SLEEP_WAITS, State.AT_WORK: WORK_WAITS}
         self.never_in_vain = True
-        self.longest_nap_s = 0.0
+        self.slept_s = self.longest_nap_s = 0.0
         self._can_tell = bool(CALLS) and self._is_told()
 
     @property
@@ -77,7 +77,9 @@ class LockStep:
                 break
             time.sleep(max(POLL_S, POLL_SHARE * waited))
         else:
-            self.longest_nap_s = max(self.longest_nap_s, time.monotonic() - began - asleep_since)
+            nap_s = max(0.0, time.monotonic() - began - asleep_since)
+            self.slept_s += nap_s
+            self.longest_nap_s = max(self.longest_nap_s, nap_s)
         self._took_s = min(time.monotonic() - began, LONGEST_UNLOOKED_S)
         return state
 

@@ -12,7 +12,7 @@ from workbook.recording.plan import PERIODS_PER_BLOCK, SPEEDS
 from workbook.recording.recording import Phase
 from workbook.watching.clock import SimulatedClock
 from workbook.watching.following import follows
-from workbook.watching.lockstep import LockStep, State
+from workbook.watching.lockstep import LockStep
 from workbook.watching.session import Session
 
 LOOK_EVERY_S = 0.1
@@ -26,9 +26,9 @@ connected must not hold it up again and again."""
 MOST_REAL_S = 40.0
 """Real time (s) that simulated time may take in all. After that the wall clock judges."""
 CLEARLY_FASTER = 2.0
-"""How many times faster than real time simulated time has to be while it waits for the program to come to rest."""
-LEAST_WAITED_S = 0.5
-"""Time spent waiting for the program (s) from which on that is decided."""
+"""How many times less than simulated time a program must work and sleep, so that real time would not be too short."""
+LEAST_TAKEN_S = 0.5
+"""Time that a program has worked and slept (s) from which on that is decided."""
 LONGEST_NAP_PERIODS = 0.5
 """Of the shortest judged period: lockstep would wait for a callback that sleeps so long, and real time would not."""
 MOST_EXTRA_S = 60.0
@@ -46,7 +46,7 @@ class RobotTime:
         self._next_look = 0.0
         self._late_match_s = dict.fromkeys(session.plan.topics, LATE_MATCH_S)
         self._until = time.monotonic() + MOST_REAL_S
-        self._waited_s = 0.0
+        self._used_before_s = self._used_s = session.process.processor_seconds() or 0.0
         self.phases: list[Phase] = []
 
     def run_as_planned(self) -> float:
@@ -86,9 +86,11 @@ class RobotTime:
     def outpaced(self) -> bool:
         """Whether simulated time proves nothing, because the program keeps it from passing much faster than real time.
 
-        Lockstep waits for a callback that works or sleeps; a person who runs the program sees that it comes late.
+        Lockstep waits for a callback that works or sleeps; a person who runs the program sees that it comes late. What
+        counts is processor time and sleep, because a busy machine says nothing about the program.
         """
-        slow = self._waited_s > max(LEAST_WAITED_S, self._clock.now / CLEARLY_FASTER)
+        taken_s = self._used_s - self._used_before_s + self._lock.slept_s
+        slow = taken_s > max(LEAST_TAKEN_S, self._clock.now / CLEARLY_FASTER)
         naps = self._lock.longest_nap_s > LONGEST_NAP_PERIODS * self._session.plan.shortest_period
         return slow or naps or time.monotonic() > self._until
 
@@ -136,6 +138,7 @@ class RobotTime:
                 proved = self._is_proved([*self.phases[earlier:], _phase(begin, clock.now, began)])
             if time.monotonic() > self._next_look:
                 session.recorder.look()
+                self._used_s = session.process.processor_seconds() or self._used_s
                 self._next_look = time.monotonic() + LOOK_EVERY_S
         time.sleep(max(0.0 if locked else SETTLE_S, clock.until_due()))
         self._wait(locked=locked)
@@ -170,9 +173,7 @@ class RobotTime:
     def _wait(self, *, locked: bool) -> None:
         """Let what the last step set in motion come to an end, and arrive."""
         if locked:
-            began = time.monotonic()
-            if self._lock.wait() is State.AT_REST:
-                self._waited_s += time.monotonic() - began
+            self._lock.wait()
         else:
             self._session.quiescence.wait()
 
