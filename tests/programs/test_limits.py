@@ -121,6 +121,21 @@ time.sleep(60)
     assert (record.limits_hit, record.ended_by) == (("sockets",), "bench")
 
 
+def test_threads_of_all_processes_together_are_limited(tmp_path: Path, domain: int) -> None:
+    """Where the grader is root, no limit of the kernel counts them."""
+    program = """
+import os, threading, time
+for _ in range(3):
+    if os.fork() == 0:
+        break
+for _ in range(10):
+    threading.Thread(target=time.sleep, args=(60,), daemon=True).start()
+time.sleep(60)
+"""
+    record = ended(tmp_path, domain, program, threads=30, processes=64)
+    assert (record.limits_hit, record.ended_by) == (("processes",), "bench")
+
+
 def test_what_waits_in_sockets_is_added_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     head = "  sl  local_address rem_address   st tx_queue rx_queue tr\n"
     rows = [f"   {n}: 0100007F:1CE8 00000000:0000 07 {n:08X}:00100000 00:0\n" for n in range(2)]

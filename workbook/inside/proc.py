@@ -284,27 +284,25 @@ def _peek(fd: int) -> bytes:
 # --- descriptors ----------------------------------------------------------------------------------------------
 
 
-def _descriptors(pid: int) -> list[str]:
-    with suppress(OSError):
-        return os.listdir(f"/proc/{pid}/fd")
-    return []
-
-
-def descriptors_open(group: Iterable[int]) -> int:
-    """How many descriptors these processes have open, each counted in each process."""
-    return sum(len(_descriptors(pid)) for pid in group)
-
-
-def descriptors_watched(group: Iterable[int], enough: int) -> int:
-    """How many descriptors the epoll instances of these processes watch. To count ends where it is more than enough."""
-    watched = 0
+def descriptors(group: Iterable[int]) -> list[str]:
+    """The descriptors that these processes have open, as links; what they share counts in each of them."""
+    found: list[str] = []
     for pid in group:
-        for descriptor in _descriptors(pid):
-            with suppress(OSError):
-                if os.readlink(f"/proc/{pid}/fd/{descriptor}") == EPOLL:
-                    watched += read(f"/proc/{pid}/fdinfo/{descriptor}").count(b"tfd:")
-            if watched > enough:
-                return watched
+        folder = f"/proc/{pid}/fd/"
+        with suppress(OSError):
+            found += [folder + number for number in os.listdir(folder)]
+    return found
+
+
+def descriptors_watched(links: Iterable[str], enough: int) -> int:
+    """How many descriptors the epoll instances among `links` watch. Counting ends where it is more than `enough`."""
+    watched = 0
+    for link in links:
+        with suppress(OSError):
+            if os.readlink(link) == EPOLL:
+                watched += read(link.replace("/fd/", "/fdinfo/")).count(b"tfd:")
+        if watched > enough:
+            break
     return watched
 
 

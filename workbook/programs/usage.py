@@ -4,7 +4,7 @@ import re
 from collections.abc import Sequence
 
 from workbook.inside.proc import (
-    descriptors_open,
+    descriptors,
     descriptors_watched,
     how_many_threads,
     memory_bytes,
@@ -34,10 +34,10 @@ def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement
         return "processes"
     if limits.threads is not None and sum(map(how_many_threads, pids)) > limits.threads:
         return "processes"
-    if limits.descriptors is not None and descriptors_open(pids) > limits.descriptors:
-        return "descriptors"
-    if limits.watches is not None and descriptors_watched(pids, limits.watches) > limits.watches:
-        return "descriptors"
+    if limits.descriptors is not None and limits.watches is not None:
+        links = descriptors(pids)
+        if len(links) > limits.descriptors or descriptors_watched(links, limits.watches) > limits.watches:
+            return "descriptors"
     if limits.memory is not None and memory_bytes(pids, limits.memory) > limits.memory:
         return "memory"
     if limits.files is not None and confinement.most_files(pids) > limits.files:
