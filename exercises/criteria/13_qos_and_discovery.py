@@ -235,7 +235,7 @@ def statuses(recording: Recording) -> list[tuple[float, float, str]]:
     """From when to when (s) each status held, and its word; the first one from the begin of the watch on."""
     said = [(max(0.0, one.t), str(one.value["data"])) for one in see.said(recording, STATUS.topic)]
     ends = [*(t for t, _ in said[1:]), recording.robot_s]
-    return [(begin, end, word) for (begin, word), end in zip(said, ends, strict=False)]  # none without a word
+    return [(begin, end, word) for (begin, word), end in zip(said, ends, strict=True)]
 
 
 def beat_times(recording: Recording) -> list[float]:

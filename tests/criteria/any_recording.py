@@ -7,8 +7,9 @@ scripts, because criteria must bear every recording.
 import gzip
 import json
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 from random import Random
 from typing import Any
@@ -25,10 +26,12 @@ from workbook.recording.recording import (
     ProcessRecord,
     PublisherSeen,
     Recording,
+    Said,
     ServiceSeen,
     SubscriberSeen,
     TopicRecording,
 )
+from workbook.recording.script import BEFORE_START
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = Path(__file__).parent / "recordings"
@@ -101,6 +104,7 @@ LOG_LINES = (
 )
 
 
+@cache
 def right(stem: str) -> Recording:
     """The recording of the solution of an exercise."""
     return Recording.from_json(json.loads(gzip.decompress((FOLDER / f"{stem}.json.gz").read_bytes())))
@@ -342,7 +346,7 @@ class Strange:
             lambda one: replace(one, following={name: self._seldom() for name in one.topics}),
             lambda one: replace(one, robot_s=self._one((0.0, 1.0, one.robot_s / 2)), phases=()),
             lambda one: replace(one, phases=(Phase(1.0, 0.0, 1.0), Phase(20.0, 1.0, one.robot_s))),
-            lambda one: replace(one, said=one.said[: self._random.randrange(len(one.said) + 1)]),
+            lambda one: replace(one, said=tuple(self._begin_of(one.said))),
             lambda one: replace(one, calls=()),
             lambda one: replace(one, calls=one.calls[: self._random.randrange(len(one.calls) + 1)]),
             lambda one: replace(one, calls=tuple(self._call(it) for it in one.calls)),
@@ -353,6 +357,11 @@ class Strange:
             lambda one: replace(one, held_up_s=3.0, stood_still_s=2.0, taken_s=5.0, in_line_s=9.0),
             lambda one: replace(one, notes=(self._log(), "field checks: "), wanted=()),
         ]
+
+    def _begin_of(self, said: Sequence[Said]) -> Iterator[Said]:
+        """What was said until the watch ended early; what comes before the start is always said."""
+        left = self._random.randrange(len(said) + 1)
+        return (one for place, one in enumerate(said) if place < left or one.t <= BEFORE_START)
 
     def _call(self, call: CallSeen) -> CallSeen:
         if self._seldom():
