@@ -43,6 +43,7 @@ KEYS = [
     "versions",
     "doubt",
     "tries",
+    "why_this_try",
 ]
 CRITERION_KEYS = "id title status points max_points hidden saw expected because try".split()
 SHA = "a" * 64

@@ -43,7 +43,7 @@ clocks = st.sampled_from([None, "simulated", "wall"])
 many_criteria = st.lists(criteria, max_size=2).map(tuple)
 tries = st.builds(
     Try, st.booleans(), texts, statuses, st.none() | texts, st.none() | numbers, many_criteria,
-    st.none() | texts, clocks, st.none() | numbers, unknown,
+    st.none() | texts, clocks, st.none() | numbers, st.booleans(), unknown,
 )  # fmt: skip
 results = st.builds(
     Result,
@@ -67,6 +67,7 @@ results = st.builds(
     versions=st.builds(Versions, texts, texts, texts, texts, unknown),
     doubt=texts,
     tries=st.lists(tries, max_size=2).map(tuple),
+    why_this_try=texts,
     unknown=unknown,
 )
 
@@ -89,7 +90,7 @@ def test_the_line_between_slot_and_grader_is_written_again_byte_for_byte() -> No
     assert json.dumps(judgement_to_json(judgement_from_json(json.loads(line)))) + "\n" == line
 
 
-@pytest.mark.parametrize("missing", ["doubt", "tries"])
+@pytest.mark.parametrize("missing", ["doubt", "tries", "why_this_try"])
 def test_a_line_from_before_second_tries_is_read(missing: str) -> None:
     data = json.loads(LINES[0])
     del data[missing]
