@@ -43,7 +43,7 @@
 #
 # ## What is judged
 #
-# Your program runs as its own process for eleven and a half real seconds. The judge offers the service: it answers some
+# Your program runs as its own process for twelve and a half real seconds. The judge offers the service: it answers some
 # calls at once, some after 0.7 s, and some never.
 #
 # | points | criterion |

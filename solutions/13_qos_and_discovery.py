@@ -50,7 +50,7 @@
 #
 # ## What is judged
 #
-# Your program runs as its own process, for thirteen real seconds. The judge plays the robot. It has published its status
+# Your program runs as its own process, for fifteen real seconds. The judge plays the robot. It has published its status
 # before your program starts, and changes it several times. One beat comes late, and twice the heart stops for almost
 # four seconds. Each time it beats again.
 #

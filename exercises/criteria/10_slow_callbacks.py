@@ -1,12 +1,14 @@
 """How exercise 10 is judged: the heartbeat while plans are asked for, and whether each plan is the planner's own."""
 
 import math
+import random
 import statistics
+import struct
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import pairwise
+from itertools import accumulate, pairwise, product
 
 from std_msgs.msg import Float32, String
 
@@ -17,13 +19,7 @@ HEARTBEAT = topic("/robot/heartbeat", String, hz=10.0)
 PLAN = topic("/robot/plan", Float32)
 REQUESTS = "/robot/plan_request"
 
-# When (s), distance (m). Only 0.7 is in the notebook. Of those that wait, the farther one is first here and last there,
-# two are the same, and one cannot be reached; 0.0507 is very near, and comes twice in a row, for the second time to an
-# idle planner. But for 0.7 and 0.9, rounding one to whole millimeters changes its plan, and for all but 0.7 the
-# planner's twenty steps end more than TOLERANCE_RAD beside the formula. The heart beats for a while before the first.
-ASKED = ((0.9, 0.70), (1.1, 0.3083), (1.3, 0.0507), (3.7, 0.0507), (3.8, 0.5294), (3.9, 0.90), (4.0, 0.5294))
-DISTANCES = [distance for _, distance in ASKED]
-AGAIN = [0.0507, 0.5294]  # twice in a row, and twice among those that wait
+FROM_THE_NOTEBOOK_M = 0.7  # one of the distances that the notebook requests
 LINK_M = 0.4
 PLANNING_S = 0.8
 SOONEST_S = 0.78
@@ -42,7 +38,50 @@ AVERAGED = 5
 LONGEST_SILENCE_S = 0.5
 
 WATCH_S = 9.0
-WATCH = watching(wall_seconds=WATCH_S, script=[see.says(REQUESTS, Float32, ASKED)])
+
+
+def drawn(rng: random.Random) -> list[see.Part]:
+    """Seven requests: three, and four more when the planner is idle again. Before the first one the heart beats alone.
+
+    Of those that wait, the farther one is first here and last there, two are the same, and one cannot be reached. A
+    very near one comes twice in a row, for the second time to an idle planner.
+    """
+    out_of_reach = rng.randint(85, 92) / 100
+    very_near = drawn_distance(rng, 0.04, 0.09)
+    while True:
+        once, again = drawn_distance(rng, 0.2, 0.62), drawn_distance(rng, 0.2, 0.62)
+        if told_apart((very_near, once, again, FROM_THE_NOTEBOOK_M)):
+            break
+    first = [once, FROM_THE_NOTEBOOK_M]
+    rng.shuffle(first)
+    distances = [*first, very_near, very_near, again, out_of_reach, again]
+    begins = [*accumulate([rng.uniform(0.75, 0.9), rng.uniform(0.15, 0.25), rng.uniform(0.15, 0.25)])]
+    begins += accumulate([rng.uniform(3.55, 3.68), *(rng.uniform(0.08, 0.1) for _ in range(3))])
+    return [see.says(REQUESTS, Float32, list(zip(begins, distances, strict=True)))]
+
+
+def drawn_distance(rng: random.Random, least: float, most: float) -> float:
+    """A distance (m) whose plan is neither that of the formula nor that for whole millimeters.
+
+    Sent as a float of 32 bits it has the same plan.
+    """
+    while True:
+        distance = round(rng.uniform(least, most), 4)
+        [sent] = struct.unpack("f", struct.pack("f", distance))
+        plan, others = planned(distance), (bend_for(distance), planned(round(distance, 3)))
+        if planned(sent) == plan and all(abs(plan - one) > 1.15 * TOLERANCE_RAD for one in others):
+            return distance
+
+
+def told_apart(distances: Sequence[float]) -> bool:
+    """Whether no plan for one of the distances (m), nor half of it, looks like the plan for another one."""
+    bends = [planned(distance) for distance in distances]
+    return all(
+        one is other or abs(one - other) > 2.5 * ALIKE_RAD for one, other in product(bends, bends)
+    ) and all(abs(one / 2.0 - other) > 1.5 * ALIKE_RAD for one, other in product(bends, bends))
+
+
+WATCH = watching(wall_seconds=WATCH_S, script=drawn)
 
 
 @criterion(points=1, title="/robot/heartbeat carries String", needs=[program_runs])
@@ -178,13 +217,13 @@ def plans_right(recording: Recording) -> Verdict:
     nothing = see.no_message(recording, PLAN)
     if nothing is not None:
         return no_plan(recording, nothing)
-    made = plans(recording)
+    made, asked = plans(recording), requests(recording)
     return (
-        not_yet_found(made)
-        or not_its_own(made)
-        or fits_no_request(made)
-        or too_soon(made)
-        or inexact(made)
+        not_yet_found(made, asked)
+        or not_its_own(made, asked)
+        or fits_no_request(made, asked)
+        or too_soon(made, asked)
+        or inexact(made, asked)
         or see.passed(f"{see.count(len(made), 'plan')}, each as the planner finds it")
     )
 
@@ -195,8 +234,8 @@ def plans_right(recording: Recording) -> Verdict:
     needs=[plan_topic],
 )
 def all_in_order(recording: Recording) -> Verdict:
-    made = plans(recording)
-    expected = f"{len(DISTANCES)} plans for {len(DISTANCES)} requests"
+    made, asked = plans(recording), requests(recording)
+    expected = f"{len(asked)} plans for {len(asked)} requests"
     if not made:
         return see.failed(
             "all-in-order.none",
@@ -206,10 +245,10 @@ def all_in_order(recording: Recording) -> Verdict:
             "Begin with one request: does its plan arrive?",
         )
     if any(plan.of is None for plan in made):
-        return not_told_apart(made, expected)
+        return not_told_apart(made, asked, expected)
     return (
-        missing_or_twice(recording, made, expected)
-        or other_order(made)
+        missing_or_twice(recording, made, asked, expected)
+        or other_order(made, asked)
         or side_by_side(made)
         or see.passed(f"{len(made)} requests answered, in order")
     )
@@ -423,6 +462,11 @@ class Plan:
         return "" if self.of is None else metres([self.of])
 
 
+def requests(recording: Recording) -> list[float]:
+    """The distances (m) that the judge asks for, also those that were to come when the program ended."""
+    return [round(one.value["data"], 4) for one in see.script(recording, REQUESTS)]
+
+
 @see.once
 def plans(recording: Recording) -> list[Plan]:
     """The plans, in the order in which they were published."""
@@ -454,10 +498,10 @@ def metres(distances: Sequence[float]) -> str:
     return f"{see.listing([f'{distance:g}' for distance in distances])} m"
 
 
-def too_many_and_missing(made: Sequence[Plan]) -> tuple[list[float], list[float]]:
+def too_many_and_missing(made: Sequence[Plan], asked: Sequence[float]) -> tuple[list[float], list[float]]:
     """Distances (m) that were planned more often than they were requested, and less often."""
-    times, wanted = Counter(plan.of for plan in made), Counter(DISTANCES)
-    every = list(dict.fromkeys(DISTANCES))
+    times, wanted = Counter(plan.of for plan in made), Counter(asked)
+    every = list(dict.fromkeys(asked))
     return [d for d in every if times[d] > wanted[d]], [d for d in every if times[d] < wanted[d]]
 
 
@@ -466,7 +510,10 @@ EACH_RIGHT = "for each request the bend that ElbowPlanner finds for it"
 
 def no_plan(recording: Recording, nothing: Verdict) -> Verdict:
     """Not one plan arrived, for the reason of `nothing` where an error is to blame."""
-    saw, expected = f"not one plan for {len(ASKED)} requests", "a plan on /robot/plan for each request"
+    saw, expected = (
+        f"not one plan for {len(requests(recording))} requests",
+        "a plan on /robot/plan for each request",
+    )
     try_this = (
         "Wrap the work in try/except and log the error, or call result() on the future in a done callback."
     )
@@ -482,11 +529,11 @@ def no_plan(recording: Recording, nothing: Verdict) -> Verdict:
     )
 
 
-def not_yet_found(made: Sequence[Plan]) -> Verdict | None:
+def not_yet_found(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | None:
     """The first plan came before it can have been found, and is not the one that was asked for."""
     first = made[0]
     early = [plan for plan in made if plan.after < SOONEST_S and off_by(plan) > SEARCHING_RAD]
-    if len(made) > len(DISTANCES) and len(early) > 1:
+    if len(made) > len(asked) and len(early) > 1:
         return see.failed(
             "plans-right.step-by-step",
             f"a bend of {early[0].bend:.4f} rad {early[0].after:.2f} s after the request, and {len(made)} plans in all",
@@ -494,7 +541,7 @@ def not_yet_found(made: Sequence[Plan]) -> Verdict | None:
             "The bend found so far is published while the planner is still searching.",
             "Publish one plan for a request: what plan() returns when it is finished.",
         )
-    if first.of is not None or first.after >= SOONEST_S or told_by_another_measure(made) is not None:
+    if first.of is not None or first.after >= SOONEST_S or told_by_another_measure(made, asked) is not None:
         return None
     return see.failed(
         "plans-right.not-yet-found",
@@ -506,30 +553,26 @@ def not_yet_found(made: Sequence[Plan]) -> Verdict | None:
     )
 
 
-def not_its_own(made: Sequence[Plan]) -> Verdict | None:
+def not_its_own(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | None:
     """Requests got the plans of others: of the one before, or of one that overtook them on the same planner."""
     order = [plan.of for plan in made]
-    if order[1:] == DISTANCES:
+    if order[1:] == asked:
         return see.failed(
             "plans-right.one-in-advance",
-            f"a bend of {made[0].bend:.4f} rad, and then the plans for all {len(DISTANCES)} requests",
+            f"a bend of {made[0].bend:.4f} rad, and then the plans for all {len(asked)} requests",
             EACH_RIGHT,
             "A value was published before the plan for the first request, for example a start value.",
             "Publish one plan for a request: what plan() returns when it is finished.",
         )
-    if (
-        2 < len(order) <= len(DISTANCES)
-        and order[1:] == DISTANCES[: len(order) - 1]
-        and order != DISTANCES[: len(order)]
-    ):
+    if 2 < len(order) <= len(asked) and order[1:] == asked[: len(order) - 1] and order != asked[: len(order)]:
         return see.failed(
             "plans-right.one-behind",
-            f"with the second request comes the plan for the first ({metres(DISTANCES[:1])}), and so on",
+            f"with the second request comes the plan for the first ({metres(asked[:1])}), and so on",
             EACH_RIGHT,
             "The published value is the result of the previous search.",
             "Publish what plan() has just returned.",
         )
-    twice, missing = too_many_and_missing(made)
+    twice, missing = too_many_and_missing(made, asked)
     return why_mixed_up(made, twice, missing) if twice and missing else None
 
 
@@ -562,10 +605,10 @@ OTHER_MEASURES: dict[str, Callable[[float], float]] = {
 }
 
 
-def told_by_another_measure(made: Sequence[Plan]) -> str | None:
+def told_by_another_measure(made: Sequence[Plan], asked: Sequence[float]) -> str | None:
     """In which other measure all plans are right: "degrees", "half" of the angle, the "distance"; None in none."""
     for name, measured in OTHER_MEASURES.items():
-        said = [measured(distance) for distance in DISTANCES]
+        said = [measured(distance) for distance in asked]
         if all(
             any(math.isclose(plan.bend, one, rel_tol=1e-4, abs_tol=1e-4) for one in said) for plan in made
         ):
@@ -573,15 +616,15 @@ def told_by_another_measure(made: Sequence[Plan]) -> str | None:
     return None
 
 
-def fits_no_request(made: Sequence[Plan]) -> Verdict | None:
+def fits_no_request(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | None:
     """A bend belongs to no request."""
     strange = next((plan for plan in made if plan.of is None), None)
     if strange is None:
         return None
     saw = f"a bend of {strange.bend:.4f} rad, which fits none of the requests"
     return (
-        in_another_measure(told_by_another_measure(made), saw)
-        or of_its_own(made, strange, saw)
+        in_another_measure(told_by_another_measure(made, asked), saw)
+        or of_its_own(made, asked, strange, saw)
         or see.failed(
             "plans-right.fits-no-request",
             saw,
@@ -623,7 +666,7 @@ def in_another_measure(measure: str | None, saw: str) -> Verdict | None:
     return None
 
 
-def of_its_own(made: Sequence[Plan], strange: Plan, saw: str) -> Verdict | None:
+def of_its_own(made: Sequence[Plan], asked: Sequence[float], strange: Plan, saw: str) -> Verdict | None:
     """A value that comes from no search: not a number, or one besides the plans of all requests."""
     if not math.isfinite(strange.bend):
         return see.failed(
@@ -633,10 +676,10 @@ def of_its_own(made: Sequence[Plan], strange: Plan, saw: str) -> Verdict | None:
             "That is no angle: your program computes it or sets it itself, for example for a distance out of reach.",
             "Give every request to the planner, and publish what plan() returns.",
         )
-    if not too_many_and_missing(made)[1]:
+    if not too_many_and_missing(made, asked)[1]:
         return see.failed(
             "plans-right.besides",
-            f"{saw}; the plans for all {len(DISTANCES)} requests came, too",
+            f"{saw}; the plans for all {len(asked)} requests came, too",
             EACH_RIGHT,
             "Besides the plans your program publishes a value of its own: at the start, in a pause, or after a plan.",
             "Publish only what plan() has returned for a request.",
@@ -644,7 +687,7 @@ def of_its_own(made: Sequence[Plan], strange: Plan, saw: str) -> Verdict | None:
     return None
 
 
-def too_soon(made: Sequence[Plan]) -> Verdict | None:
+def too_soon(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | None:
     """A plan came sooner than it can have been worked out."""
     soon = [plan for plan in made if plan.after < SOONEST_S]
     if not soon:
@@ -652,7 +695,7 @@ def too_soon(made: Sequence[Plan]) -> Verdict | None:
     again = all(plan.turn > 1 for plan in soon)
     saw = f"the plan for {soon[0].name} {soon[0].after:.2f} s after its request"
     expected = f"a search of {PLANNING_S} s by ElbowPlanner, as it was given"
-    if again and len(made) <= len(DISTANCES):
+    if again and len(made) <= len(asked):
         return see.failed(
             "plans-right.from-memory",
             f"{saw}, for which the same had been requested before",
@@ -673,7 +716,7 @@ def too_soon(made: Sequence[Plan]) -> Verdict | None:
     )
 
 
-def inexact(made: Sequence[Plan]) -> Verdict | None:
+def inexact(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | None:
     """A plan is near what the planner finds, and not quite that."""
     off = [plan for plan in made if plan.of is not None and abs(plan.bend - planned(plan.of)) > TOLERANCE_RAD]
     if not off:
@@ -682,7 +725,7 @@ def inexact(made: Sequence[Plan]) -> Verdict | None:
     assert first.of is not None
     saw = f"a bend of {first.bend:.7f} rad for {first.name}, where the planner finds {planned(first.of):.7f} rad"
     expected = f"{EACH_RIGHT}, to {TOLERANCE_RAD:.6f} rad"
-    rounded = rounded_to(made)
+    rounded = rounded_to(made, asked)
     if rounded is not None:
         return see.failed(
             "plans-right.distance-rounded",
@@ -691,7 +734,7 @@ def inexact(made: Sequence[Plan]) -> Verdict | None:
             f"Each plan is right for the distance of its request rounded to {rounded}.",
             "Give the request's data to the planner unchanged.",
         )
-    if all(plan.bend == 0.0 and plan.of == max(DISTANCES) for plan in off):
+    if all(plan.bend == 0.0 and plan.of == max(asked) for plan in off):
         return see.failed(
             "plans-right.straight-by-hand",
             saw,
@@ -722,10 +765,10 @@ def cut_short(saw: str, expected: str) -> Verdict:
     )
 
 
-def rounded_to(made: Sequence[Plan]) -> str | None:
+def rounded_to(made: Sequence[Plan], asked: Sequence[float]) -> str | None:
     """To what all distances were rounded before they were planned: "whole cm" or "whole mm"; None if they were not."""
     for digits, name in ((2, "whole cm"), (3, "whole mm")):
-        said = [planned(round(distance, digits)) for distance in DISTANCES]
+        said = [planned(round(distance, digits)) for distance in asked]
         if all(any(abs(plan.bend - one) <= TOLERANCE_RAD for one in said) for plan in made):
             return name
     return None
@@ -734,16 +777,14 @@ def rounded_to(made: Sequence[Plan]) -> str | None:
 # --- in order -----------------------------------------------------------------------------------------------
 
 
-def not_told_apart(made: Sequence[Plan], expected: str) -> Verdict:
+def not_told_apart(made: Sequence[Plan], asked: Sequence[float], expected: str) -> Verdict:
     """Some plans fit no request. Whether all are answered in order shows in how they go up and down, or not at all."""
     bends = [plan.bend for plan in made]
-    if len(made) == len(DISTANCES) and (
-        ranks(bends) == ranks(DISTANCES) or ranks([-one for one in bends]) == ranks(DISTANCES)
-    ):
-        return see.passed(f"{len(made)} plans for {len(DISTANCES)} requests, in order")
+    if len(made) == len(asked) and ranks(asked) in (ranks(bends), ranks([-one for one in bends])):
+        return see.passed(f"{len(made)} plans for {len(asked)} requests, in order")
     return see.failed(
         "all-in-order.not-told-apart",
-        f"{see.count(len(made), 'plan')} for {len(DISTANCES)} requests; at least one plan fits no request",
+        f"{see.count(len(made), 'plan')} for {len(asked)} requests; at least one plan fits no request",
         expected,
         "As long as plans fit no request, it is impossible to tell which request they answer.",
         "First make sure that each plan is right.",
@@ -759,9 +800,11 @@ def ranks(values: Sequence[float]) -> list[int]:
     return [sum(step < value - 1e-5 for step in steps) for value in values]
 
 
-def missing_or_twice(recording: Recording, made: Sequence[Plan], expected: str) -> Verdict | None:
+def missing_or_twice(
+    recording: Recording, made: Sequence[Plan], asked: Sequence[float], expected: str
+) -> Verdict | None:
     """A request was answered more than once, or not at all."""
-    twice, missing = too_many_and_missing(made)
+    twice, missing = too_many_and_missing(made, asked)
     if missing:
         return why_missing(recording, made, missing, expected)
     if twice:
@@ -777,14 +820,14 @@ def missing_or_twice(recording: Recording, made: Sequence[Plan], expected: str) 
 
 def why_missing(recording: Recording, made: Sequence[Plan], missing: list[float], expected: str) -> Verdict:
     """The program is too slow, nothing came after a while, one kind of request is refused, or requests get lost."""
-    order = [plan.of for plan in made]
+    order, asked = [plan.of for plan in made], requests(recording)
     saw = f"{see.count(len(made), 'plan')}; one is missing for {metres(missing)}"
     error = see.ended_by_error(recording, saw, expected)
     if error is not None:
         return error
     apart = statistics.median([plan.apart for plan in made[1:]]) if len(made) > 2 else 0.0
     ready = rest_s(recording) > 2.0 * apart
-    if order == DISTANCES[: len(order)] and apart > 1.25 * PLANNING_S and not ready:
+    if order == asked[: len(order)] and apart > 1.25 * PLANNING_S and not ready:
         return see.failed(
             "all-in-order.too-slow",
             f"{len(made)} plans in {WATCH_S:g} s, typically {apart:.1f} s apart",
@@ -794,9 +837,9 @@ def why_missing(recording: Recording, made: Sequence[Plan], missing: list[float]
             "Begin the next step, or the next search, as soon as the one before is finished.",
             about_time=True,
         )
-    if len(order) > 1 and order == DISTANCES[: len(order)]:
+    if len(order) > 1 and order == asked[: len(order)]:
         return nothing_more(recording, made, saw, expected)
-    return refused(missing, saw, expected) or see.failed(
+    return refused(asked, missing, saw, expected) or see.failed(
         "all-in-order.missing",
         saw,
         expected,
@@ -808,8 +851,8 @@ def why_missing(recording: Recording, made: Sequence[Plan], missing: list[float]
 
 def rest_s(recording: Recording) -> float:
     """How long (s) the watch went on after the last plan."""
-    start = see.said(recording, REQUESTS)[0].wall - ASKED[0][0]
-    return start + WATCH_S - recording.topic(PLAN.name).arrivals[-1].published
+    first = see.said(recording, REQUESTS)[0]
+    return first.wall - first.t + WATCH_S - recording.topic(PLAN.name).arrivals[-1].published
 
 
 def nothing_more(recording: Recording, made: Sequence[Plan], saw: str, expected: str) -> Verdict:
@@ -818,7 +861,8 @@ def nothing_more(recording: Recording, made: Sequence[Plan], saw: str, expected:
     ended = see.program_ended(recording, saw, expected)
     if ended is not None:
         return ended
-    if len(made) == len(DISTANCES) - 1 and made[0].after > 1.5 * PLANNING_S:
+    one_missing = len(made) == len(requests(recording)) - 1
+    if one_missing and made[0].after > 1.5 * PLANNING_S:
         return see.failed(
             "all-in-order.with-the-next",
             f"{saw}; number 1 had come {made[0].after:.1f} s after its request",
@@ -827,7 +871,7 @@ def nothing_more(recording: Recording, made: Sequence[Plan], saw: str, expected:
             "Publish each plan as soon as plan() has returned it.",
             about_time=True,
         )
-    if len(made) == len(DISTANCES) - 1:
+    if one_missing:
         return see.failed(
             "all-in-order.last-missing",
             saw,
@@ -849,9 +893,9 @@ def nothing_more(recording: Recording, made: Sequence[Plan], saw: str, expected:
     )
 
 
-def refused(missing: list[float], saw: str, expected: str) -> Verdict | None:
+def refused(asked: Sequence[float], missing: list[float], saw: str, expected: str) -> Verdict | None:
     """Requests of one kind were not answered: those out of reach, or those that were made before."""
-    if missing == DISTANCES[:1]:
+    if missing == asked[:1]:
         return see.failed(
             "all-in-order.first-missing",
             saw,
@@ -860,7 +904,7 @@ def refused(missing: list[float], saw: str, expected: str) -> Verdict | None:
             "start value.",
             "Answer each request, also the first one.",
         )
-    if missing == [max(DISTANCES)]:
+    if missing == [max(asked)]:
         return see.failed(
             "all-in-order.out-of-reach",
             saw,
@@ -868,7 +912,8 @@ def refused(missing: list[float], saw: str, expected: str) -> Verdict | None:
             f"The arm cannot reach {metres(missing)}, and the request was not answered.",
             "Give every request to the planner. For a distance out of reach it finds the straight arm.",
         )
-    if missing in (AGAIN[:1], AGAIN):
+    again = [one for one, times in Counter(asked).items() if times > 1]
+    if missing in ([one for one, other in pairwise(asked) if one == other], again):
         return see.failed(
             "all-in-order.asked-before",
             saw,
@@ -880,15 +925,15 @@ def refused(missing: list[float], saw: str, expected: str) -> Verdict | None:
     return None
 
 
-def other_order(made: Sequence[Plan]) -> Verdict | None:
+def other_order(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | None:
     """All requests are answered, in another order."""
     order = [plan.of for plan in made if plan.of is not None]
-    if order == DISTANCES:
+    if order == asked:
         return None
     return see.failed(
         "all-in-order.other-order",
         f"plans for {metres(order)}, in this order",
-        f"the order of the requests: {metres(DISTANCES)}",
+        f"the order of the requests: {metres(asked)}",
         "Waiting requests are not taken in order (for example the newest or the nearest first), or several "
         "searches overtake each other.",
         "First in, first out: queue.Queue does that, and so does a mutually exclusive group.",

@@ -1,8 +1,10 @@
 """How exercise 11 is judged: sixty numbered touches, and when each of them is reported."""
 
 import math
+import random
 import statistics
 from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
 from std_msgs.msg import Int32
@@ -13,29 +15,9 @@ from workbook.criteria import Recording, Verdict, criterion, program_runs, topic
 TOUCH = "/robot/touch"
 SEEN = topic("/monitor/seen", Int32)
 
-SPACING_S = 0.231  # longer than the sleep of the starter, and out of step with it
-IN_A_BUNCH = 11
-QUIET_UNTIL_S = 8.1  # end of three seconds without touches
-BUNCHES = (2.3, 2.6, 5.0, QUIET_UNTIL_S)  # (s) several in one moment
+IN_A_RUN, IN_A_BUNCH = 8, 11  # touches that come one by one, and in one moment
+PAUSE_S = 2.0  # no touch for longer than that is the pause, of three seconds
 REPORTED_BY_S = 0.25  # so long after the last touch, a program is at rest
-
-
-def singles(start: float) -> list[float]:
-    """Eight moments (s), one touch at each."""
-    return [start + SPACING_S * n for n in range(8)]
-
-
-# When (s), and the number of each touch. They go past 1000, leave out one and then many, and begin again at 1 three
-# times: after 1106, after that first 1, and in the middle of the last bunch. So 1 comes twice in a row, and
-# 1 to 9 come again.
-MOMENTS = sorted([*singles(0.4), *singles(3.1), *(at for at in BUNCHES for _ in range(IN_A_BUNCH))])
-NUMBERS = [*range(1019, 1039), *range(1040, 1050), *range(1101, 1107), 1, *range(1, 15), *range(1, 10)]
-# A touch is known by its place in NUMBERS, from 0 on.
-ALONE = {place for place, at in enumerate(MOMENTS) if MOMENTS.count(at) == 1}
-AFTER_SKIPS = {place for place in range(1, len(NUMBERS)) if NUMBERS[place] > NUMBERS[place - 1] + 1}
-RESTARTS = {place for place in range(1, len(NUMBERS)) if NUMBERS[place] <= NUMBERS[place - 1]}
-KNOWN = {place for place, number in enumerate(NUMBERS) if number in NUMBERS[:place]}
-TWICE_IN_A_ROW = NUMBERS.index(1) + 1
 
 ALONE_MS = (
     10.0  # a callback needs 1 ms, on a busy machine 2 ms; one that looks every 20 ms is late by up to 20
@@ -52,10 +34,88 @@ PROCESSOR_SHARE = 0.05
 NEVER_WAITS_SHARE = 0.4
 WAITED_S = 0.1  # in the run queue: on a machine with little else to do it is a tenth of that
 
-WATCH = watching(
-    wall_seconds=9.0,
-    script=[see.says(TOUCH, Int32, list(zip(MOMENTS, NUMBERS, strict=True)))],
-)
+
+def drawn(rng: random.Random) -> list[see.Part]:
+    """Sixty touches: eight one by one, two bunches, eight one by one, a bunch, and one after a pause of three seconds.
+
+    One by one they come at intervals (s) longer than the sleep of the starter, and out of step with it.
+    """
+    spacing = rng.uniform(0.223, 0.233)
+    run, bunch = [spacing * n for n in range(IN_A_RUN)], [0.0] * IN_A_BUNCH
+    moments = [0.0]
+    for least, most, block in (
+        (0.35, 0.45, run),
+        (0.25, 0.3, bunch),
+        (0.3, 0.33, bunch),
+        (0.47, 0.52, run),
+        (0.28, 0.33, bunch),
+        (3.0, 3.1, bunch),
+    ):
+        begin = moments[-1] + rng.uniform(least, most)
+        moments += [begin + after for after in block]
+    return [see.says(TOUCH, Int32, list(zip(moments[1:], drawn_numbers(rng), strict=True)))]
+
+
+def drawn_numbers(rng: random.Random) -> list[int]:
+    """The numbers of the touches: above 1000, with one left out and then many, or the other way round.
+
+    They begin again at 1 three times: twice in a row, where touches come one by one, and in the middle of the last
+    bunch. So 1 comes twice in a row, and the first numbers come again. Those before the last restart are greater than
+    those after it. The size of a bunch is among them, but later than the first two bunches.
+    """
+    great, last = rng.randint(34, 36), rng.randint(6, 9)
+    small = 2 * IN_A_RUN + 4 * IN_A_BUNCH - great - 1 - last
+    skips = [1, rng.randint(40, 60)]
+    rng.shuffle(skips)
+    one, other = rng.randint(3, 14), rng.randint(17, great - 3)
+    first = rng.randint(1003, 1200)
+    numbers = [first + n + skips[0] * (n >= one) + skips[1] * (n >= other) for n in range(great)]
+    return [*numbers, 1, *range(1, small + 1), *range(1, last + 1)]
+
+
+WATCH = watching(wall_seconds=9.0, script=drawn)
+
+
+@dataclass(frozen=True)
+class Touches:
+    """The touches of the script, each known by its place, from 0 on: their numbers, and sets of places.
+
+    `alone`: no other one came in the same moment. `after_skips`: numbers are missing before it. `restarts`: its number
+    is no greater than the one before. `known`: its number had come before. `twice`: it has the number of the one
+    before; `after_the_pause`: the first one after it; None if there is none. `apart_s`: from one that came alone to
+    the next one.
+    """
+
+    numbers: list[int]
+    alone: set[int]
+    after_skips: set[int]
+    restarts: set[int]
+    known: set[int]
+    twice: int | None
+    after_the_pause: int | None
+    apart_s: float
+
+
+def touches(recording: Recording) -> Touches:
+    """What the judge sent, and what was still to come when the program ended."""
+    words = see.script(recording, TOUCH)
+    numbers, at = [one.value["data"] for one in words], [one.t for one in words]
+    steps = [(place, numbers[place] - numbers[place - 1]) for place in range(1, len(numbers))]
+    apart = {place: at[place] - at[place - 1] for place in range(1, len(at))}
+    alone = {
+        place for place in range(len(at)) if min(apart.get(place, 1.0), apart.get(place + 1, 1.0)) > AT_ONCE_S
+    }
+    singly = [apart[place] for place in alone if place - 1 in alone]
+    return Touches(
+        numbers,
+        alone,
+        {place for place, step in steps if step > 1},
+        {place for place, step in steps if step <= 0},
+        {place for place, number in enumerate(numbers) if number in numbers[:place]},
+        next((place for place, step in steps if step == 0), None),
+        next((place for place, pause in apart.items() if pause > PAUSE_S), None),
+        statistics.median(singly) if singly else 0.0,
+    )
 
 
 @criterion(points=1, title="It listens to /robot/touch and reports on /monitor/seen", needs=[program_runs])
@@ -71,10 +131,10 @@ def none_missed(recording: Recording) -> Verdict:
     nothing = see.no_message(recording, SEEN)
     if nothing is not None:
         return no_report(recording, nothing)
-    came = set(places_of_reports(recording))
-    missed = [place for place in range(len(NUMBERS)) if place not in came]
+    came, numbers = set(places_of_reports(recording)), touches(recording).numbers
+    missed = [place for place in range(len(numbers)) if place not in came]
     if not missed:
-        return see.passed(f"all {len(NUMBERS)} touches reported")
+        return see.passed(f"all {len(numbers)} touches reported")
     return why_missed(recording, missed)
 
 
@@ -85,10 +145,10 @@ def once_in_order(recording: Recording) -> Verdict:
     if nothing is not None:
         try_this = "Publish in the callback of the subscription."
         return see.failed(nothing.cause, "no report at all", expected, nothing.because, try_this)
-    numbers = reported(recording)
-    strange = [number for number in numbers if number not in NUMBERS]
+    numbers, sent = reported(recording), touches(recording).numbers
+    strange = [number for number in numbers if number not in sent]
     if strange:
-        return no_such_touch(strange, numbers, expected)
+        return no_such_touch(strange, numbers, sent, expected)
     early = too_early(recording)
     places = places_of_reports(recording)
     twice = sorted({n for n, place in zip(numbers, places, strict=True) if place is None} - set(early))
@@ -101,7 +161,7 @@ def once_in_order(recording: Recording) -> Verdict:
             "touch is reported again later, though nothing is new.",
             "Keep one place that reports: the callback.",
         )
-    if early and {*range(len(NUMBERS))} <= {*places}:
+    if early and {*range(len(sent))} <= {*places}:
         saw = f"{early[0]} was reported before there was a touch of this number, besides the reports of all touches"
         return see.failed("once-in-order.besides-all", saw, expected, *A_NUMBER_OF_ITS_OWN)
     if early:
@@ -112,7 +172,7 @@ def once_in_order(recording: Recording) -> Verdict:
             "The report names the touch that will come next, not the one that came.",
             "Report message.data in the callback.",
         )
-    return other_order([place for place in places if place is not None], expected) or see.passed(
+    return other_order([place for place in places if place is not None], sent, expected) or see.passed(
         f"{len(numbers)} reports, in order"
     )
 
@@ -154,7 +214,7 @@ def quick(recording: Recording) -> Verdict:
 @criterion(points=1, title="It hardly uses the processor", needs=[topics])
 def easy_on_processor(recording: Recording) -> Verdict:
     walls = [one.wall for one in see.said(recording, TOUCH)]
-    place = MOMENTS.index(QUIET_UNTIL_S)
+    place = touches(recording).after_the_pause or len(walls)
     begin, end = (walls[place - 1] + REPORTED_BY_S, walls[place]) if len(walls) > place else (None, None)
     share = see.processor_share(recording, begin, end)
     if share is None or share <= PROCESSOR_SHARE:
@@ -231,20 +291,20 @@ def moments_of_reports(recording: Recording) -> dict[int, float]:
 
     Where other numbers are reported, and as many as there were touches, the first belongs to the first, and so on.
     """
-    arrivals = recording.topic(SEEN.name).arrivals
+    arrivals, sent = recording.topic(SEEN.name).arrivals, touches(recording).numbers
     places = places_of_reports(recording)
-    if len(arrivals) == len(NUMBERS) and any(number not in NUMBERS for number in reported(recording)):
-        places = [*range(len(NUMBERS))]
+    if len(arrivals) == len(sent) and any(number not in sent for number in reported(recording)):
+        places = [*range(len(sent))]
     return {place: one.published for place, one in zip(places, arrivals, strict=True) if place is not None}
 
 
 def late_ms(recording: Recording, *, alone: bool) -> list[float]:
     """How late (ms) the touches were reported that came alone, or those that came together."""
-    moments = moments_of_reports(recording)
+    moments, those_alone = moments_of_reports(recording), touches(recording).alone
     return [
         1000.0 * (moments[place] - word.wall)
         for place, word in enumerate(see.said(recording, TOUCH))
-        if place in moments and (place in ALONE) is alone
+        if place in moments and (place in those_alone) is alone
     ]
 
 
@@ -274,7 +334,8 @@ def some(numbers: list[int]) -> str:
 
 def no_report(recording: Recording, nothing: Verdict) -> Verdict:
     """Not one report arrived, for the reason of `nothing` where an error is to blame."""
-    saw, expected = f"not one report for {len(NUMBERS)} touches", f"all {len(NUMBERS)} of them on {SEEN.name}"
+    sent = len(touches(recording).numbers)
+    saw, expected = f"not one report for {sent} touches", f"all {sent} of them on {SEEN.name}"
     try_this = "Spin the node, and publish in the callback of the subscription."
     if "Error" in nothing.saw:
         return see.failed(nothing.cause, saw, expected, nothing.because, try_this)
@@ -307,11 +368,11 @@ IN_ONE_BYTE = (
 )
 
 
-def no_such_touch(strange: list[int], numbers: list[int], expected: str) -> Verdict:
+def no_such_touch(strange: list[int], numbers: list[int], sent: list[int], expected: str) -> Verdict:
     """Numbers were reported that no touch has: those that the skin left out, cut off ones, or others."""
     saw = f"touch {strange[0]} was reported, but there was no such touch"
-    left_out = {*range(1, max(NUMBERS))} - {*NUMBERS}
-    if left_out.issuperset(strange) and set(numbers).issuperset(NUMBERS):
+    left_out = {*range(1, max(sent))} - {*sent}
+    if left_out.issuperset(strange) and set(numbers).issuperset(sent):
         return see.failed(
             "once-in-order.gap-filled",
             f"{saw}; {see.count(len(strange), 'such report')} in all",
@@ -319,25 +380,25 @@ def no_such_touch(strange: list[int], numbers: list[int], expected: str) -> Verd
             "Skipped numbers are reported as well.",
             "Report the touches that came, and nothing else.",
         )
-    if set(numbers).issuperset(NUMBERS):
+    if set(numbers).issuperset(sent):
         return see.failed(
             "once-in-order.something-else",
             f"{saw}; {see.count(len(strange), 'such report')} in all, besides those of all touches",
             expected,
             *A_NUMBER_OF_ITS_OWN,
         )
-    if cut_off(numbers):
+    if cut_off(numbers, sent):
         return see.failed("once-in-order.cut-off", saw, expected, *IN_ONE_BYTE)
     return see.failed("once-in-order.no-touch", saw, expected, *NOT_WHAT_THE_MESSAGE_SAYS)
 
 
-def other_order(places: list[int], expected: str) -> Verdict | None:
+def other_order(places: list[int], sent: list[int], expected: str) -> Verdict | None:
     """The touches were reported in another order than they came."""
-    back = [(a, b) for a, b in pairwise(places) if b < a and NUMBERS[a] != NUMBERS[b]]
+    back = [(a, b) for a, b in pairwise(places) if b < a and sent[a] != sent[b]]
     if not back:
         return None
-    saw = f"touch {NUMBERS[back[0][1]]} was reported after {NUMBERS[back[0][0]]}, which came later"
-    if all(NUMBERS[b] > NUMBERS[a] for a, b in back):
+    saw = f"touch {sent[back[0][1]]} was reported after {sent[back[0][0]]}, which came later"
+    if all(sent[b] > sent[a] for a, b in back):
         return see.failed(
             "once-in-order.sorted",
             saw,
@@ -356,22 +417,22 @@ def other_order(places: list[int], expected: str) -> Verdict | None:
     )
 
 
-def cut_off(numbers: list[int]) -> bool:
+def cut_off(numbers: list[int], sent: list[int]) -> bool:
     """Whether only the lowest byte of each number is reported."""
-    return any(number not in NUMBERS for number in numbers) and numbers == [one % 256 for one in NUMBERS]
+    return any(number not in sent for number in numbers) and numbers == [one % 256 for one in sent]
 
 
 def why_late(recording: Recording, alone: Sequence[float], saw: str, expected: str) -> Verdict:
     """Reports go out with the next touch, several together, or each by itself."""
-    typical = statistics.median(alone)
-    at = sorted(moment for place, moment in moments_of_reports(recording).items() if place in ALONE)
+    typical, sent = statistics.median(alone), touches(recording)
+    at = sorted(moment for place, moment in moments_of_reports(recording).items() if place in sent.alone)
     close = sum(b - a < AT_ONCE_S for a, b in pairwise(at))
-    if abs(typical - 1000.0 * SPACING_S) < ALONE_MS and close < MOSTLY * len(at):
+    if abs(typical - 1000.0 * sent.apart_s) < ALONE_MS and close < MOSTLY * len(at):
         return see.failed(
             "quick.with-the-next",
             saw,
             expected,
-            f"The next touch comes {1000.0 * SPACING_S:.0f} ms later: a touch is reported when the next one comes.",
+            f"The next touch comes {1000.0 * sent.apart_s:.0f} ms later: a touch is reported when the next one comes.",
             REPORT_IN_THE_CALLBACK,
             about_time=True,
         )
@@ -437,16 +498,20 @@ def why_busy(saw: str, expected: str) -> Verdict:
 
 def why_missed(recording: Recording, missed: list[int]) -> Verdict:
     """Touches were missed: something else was reported, it is too slow, it has stopped, or it polls."""
-    saw = f"{len(missed)} of {len(NUMBERS)} touches missed: {some([NUMBERS[place] for place in missed])}"
-    expected = f"each of the {len(NUMBERS)} touches reported"
+    touch = touches(recording)
+    sent = touch.numbers
+    saw = f"{len(missed)} of {len(sent)} touches missed: {some([sent[place] for place in missed])}"
+    expected = f"each of the {len(sent)} touches reported"
     numbers = reported(recording)
-    strange = [number for number in numbers if number not in NUMBERS]
+    strange = [number for number in numbers if number not in sent]
     if strange:
         saw = f"{saw}; {strange[0]} was reported, but there was no such touch"
-        if cut_off(numbers):
+        if cut_off(numbers, sent):
             return see.failed("none-missed.cut-off", saw, expected, *IN_ONE_BYTE)
         return see.failed("none-missed.no-touch", saw, expected, *NOT_WHAT_THE_MESSAGE_SAYS)
-    if particular := first_or_last(missed, saw, expected) or numbers_taken_amiss(set(missed), saw, expected):
+    if particular := first_or_last(touch, missed, saw, expected) or numbers_taken_amiss(
+        touch, set(missed), saw, expected
+    ):
         return particular
     late_ms = typically_late_ms(recording) or 0.0
     if late_ms > TOO_LATE_MS:
@@ -460,15 +525,15 @@ def why_missed(recording: Recording, missed: list[int]) -> Verdict:
             about_time=True,
         )
     place = missed[0]
-    if missed == [*range(place, len(NUMBERS))]:
-        after = f"nothing after touch {NUMBERS[place - 1]}" if place > 0 else "not one report"
+    if missed == [*range(place, len(sent))]:
+        after = f"nothing after touch {sent[place - 1]}" if place > 0 else "not one report"
         error = see.ended_by_error(recording, f"{after}: {len(missed)} missed", expected)
         if error is not None:
             return error
-    if place > 0 and missed == [*range(place, len(NUMBERS))]:
-        nothing = f"nothing after touch {NUMBERS[place - 1]}: {len(missed)} missed"
+    if place > 0 and missed == [*range(place, len(sent))]:
+        nothing = f"nothing after touch {sent[place - 1]}: {len(missed)} missed"
         return why_nothing_more(recording, nothing, expected)
-    return missed_now_and_then(missed, saw, expected)
+    return missed_now_and_then(touch, missed, saw, expected)
 
 
 def why_nothing_more(recording: Recording, nothing: str, expected: str) -> Verdict:
@@ -491,7 +556,7 @@ def why_nothing_more(recording: Recording, nothing: str, expected: str) -> Verdi
     )
 
 
-def first_or_last(missed: list[int], saw: str, expected: str) -> Verdict | None:
+def first_or_last(touch: Touches, missed: list[int], saw: str, expected: str) -> Verdict | None:
     """Only the first touch was missed, only the last, or all with numbers of a kind."""
     if missed == [0]:
         return see.failed(
@@ -501,7 +566,7 @@ def first_or_last(missed: list[int], saw: str, expected: str) -> Verdict | None:
             "Only the first touch is missing: it is treated as a test, or as a start value to compare with.",
             "Report every touch, the first one as well.",
         )
-    if missed == [MOMENTS.index(QUIET_UNTIL_S)]:
+    if missed == [touch.after_the_pause]:
         return see.failed(
             "none-missed.after-the-pause",
             f"{saw}, the first one after three seconds without touches",
@@ -509,7 +574,7 @@ def first_or_last(missed: list[int], saw: str, expected: str) -> Verdict | None:
             "After a pause, the next touch is not reported: it only wakes something up, or is taken for a start value.",
             "Report every touch, no matter how long none had come.",
         )
-    if missed == [len(NUMBERS) - 1]:
+    if missed == [len(touch.numbers) - 1]:
         return see.failed(
             "none-missed.the-last",
             saw,
@@ -517,12 +582,12 @@ def first_or_last(missed: list[int], saw: str, expected: str) -> Verdict | None:
             "Only the last touch is missing: a touch is reported when the next one comes.",
             "Report each touch in the callback that receives it.",
         )
-    return of_a_kind(missed, saw, expected)
+    return of_a_kind(touch, missed, saw, expected)
 
 
-def of_a_kind(missed: list[int], saw: str, expected: str) -> Verdict | None:
+def of_a_kind(touch: Touches, missed: list[int], saw: str, expected: str) -> Verdict | None:
     """Only touches with small numbers were missed, or only those with great ones."""
-    if missed == [*range(NUMBERS.index(1), len(NUMBERS))]:
+    if missed == [*range(min(touch.restarts, default=0), len(touch.numbers))]:
         return see.failed(
             "none-missed.smaller-numbers",
             f"{saw}: nothing after the skin began again at 1",
@@ -530,7 +595,7 @@ def of_a_kind(missed: list[int], saw: str, expected: str) -> Verdict | None:
             "Your program treats a number smaller than the one before as old.",
             "Report each touch, no matter what its number is.",
         )
-    if len(missed) > 1 and missed == [place for place, number in enumerate(NUMBERS) if number > 60]:
+    if len(missed) > 1 and missed == [place for place, number in enumerate(touch.numbers) if number > 60]:
         return see.failed(
             "none-missed.greater-numbers",
             saw,
@@ -541,10 +606,10 @@ def of_a_kind(missed: list[int], saw: str, expected: str) -> Verdict | None:
     return None
 
 
-def numbers_taken_amiss(missed: set[int], saw: str, expected: str) -> Verdict | None:
+def numbers_taken_amiss(touch: Touches, missed: set[int], saw: str, expected: str) -> Verdict | None:
     """Only touches were missed whose number is not one more than the one before, or has come before."""
     report_each = "Report each touch, no matter what its number is."
-    if TWICE_IN_A_ROW in missed and missed <= KNOWN:
+    if touch.twice in missed and missed <= touch.known:
         return see.failed(
             "none-missed.number-known",
             f"{saw}, where a number came again after the skin had begun again at 1",
@@ -552,7 +617,7 @@ def numbers_taken_amiss(missed: set[int], saw: str, expected: str) -> Verdict | 
             "Your program drops a touch as a duplicate when its number came before, or is the same as the last one.",
             report_each,
         )
-    if missed & AFTER_SKIPS and missed <= AFTER_SKIPS | RESTARTS:
+    if missed & touch.after_skips and missed <= touch.after_skips | touch.restarts:
         return see.failed(
             "none-missed.after-a-gap",
             f"{saw}, where the skin had skipped a number",
@@ -560,7 +625,7 @@ def numbers_taken_amiss(missed: set[int], saw: str, expected: str) -> Verdict | 
             "A touch is treated as an error when its number is not one more than the number before.",
             report_each,
         )
-    if NUMBERS.index(1) in missed and missed <= RESTARTS:
+    if min(touch.restarts, default=None) in missed and missed <= touch.restarts:
         return see.failed(
             "none-missed.at-the-restart",
             f"{saw}, where the skin began again at 1",
@@ -571,9 +636,9 @@ def numbers_taken_amiss(missed: set[int], saw: str, expected: str) -> Verdict | 
     return None
 
 
-def missed_now_and_then(missed: list[int], saw: str, expected: str) -> Verdict:
+def missed_now_and_then(touch: Touches, missed: list[int], saw: str, expected: str) -> Verdict:
     """Touches were missed here and there: those that came together, or any."""
-    together = sum(place not in ALONE for place in missed)
+    together = sum(place not in touch.alone for place in missed)
     if together >= MOSTLY * len(missed):
         which = "it" if len(missed) == 1 else "all of them" if together == len(missed) else "most of them"
         return see.failed(

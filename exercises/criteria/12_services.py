@@ -1,5 +1,6 @@
 """How exercise 12 is judged: what it asks, what it says of each answer, and whether its heart goes on meanwhile."""
 
+import random
 import statistics
 from bisect import bisect_left
 from collections.abc import Sequence
@@ -18,35 +19,44 @@ HEARTBEAT = topic("/robot/heartbeat", String, hz=5.0)
 WORDS = {True: "ok", False: "faulty"}
 NO_ANSWER = "no answer"
 
-# The text is for people: it says the same on both sides.
-WELL, WARM = (
-    {"success": True, "message": "all joints move"},
-    {"success": True, "message": "the left knee is warm"},
-)
-STIFF, SLOWLY = (
-    {"success": False, "message": "the left knee is stiff"},
-    {"success": False, "message": "all joints move"},
-)
 AT_ONCE, SLOW, NEVER = 0.0, 0.7, None
-# Twice the same, twice no answer, and each also for a program that leaves out a question after each call in vain.
-# After each of these calls in vain comes an answer at once: a report that waits for the earlier call is late twice.
-# Then two calls in vain in a row, and a slow answer: nothing comes between the moments when the two are given up.
-REPLIES = [
-    (WARM, AT_ONCE),
-    (WELL, SLOW),
-    (SLOWLY, SLOW),
-    (WELL, NEVER),
-    (STIFF, AT_ONCE),
-    (WELL, NEVER),
-    (WARM, AT_ONCE),
-    (WELL, NEVER),
-    (WELL, NEVER),
-    (WELL, SLOW),
-    (STIFF, AT_ONCE),
-]
-UNANSWERED = [after for _, after in REPLIES].index(NEVER) + 1
-WATCH_S = 11.5
-WATCH = watching(wall_seconds=WATCH_S, script=[see.serves(SERVICE, Trigger, REPLIES)])
+LEAST_CALLS = 4  # the fourth is the first one that may get no answer
+WATCH_S = 12.5
+JOINTS = ("left knee", "right knee", "left elbow", "right elbow", "left hip", "neck")
+
+
+def drawn(rng: random.Random) -> list[see.Part]:
+    """Twelve replies, for one call after another.
+
+    First three answers: "ok", one of the two words, and "faulty", late. So a word comes twice in a row. No answer comes
+    at once after a late one, nor late after a late "faulty". Then four calls get no answer, two of them in a row. After
+    each of the other two comes an answer at once: a report that waits for the earlier call is late twice. After the two
+    in a row comes a late one: nothing comes between the moments when they are given up. The last reply is for all calls
+    after it, too.
+    """
+    after_three = [[NEVER, AT_ONCE], [NEVER, AT_ONCE, SLOW], [NEVER, NEVER, SLOW]]
+    rng.shuffle(after_three)
+    delay, success = rng.choice(((AT_ONCE, True), (AT_ONCE, False), (SLOW, True)))
+    delays = [AT_ONCE, delay, SLOW, *(one for some in after_three for one in some), AT_ONCE]
+    successes = [True, success, False, *(rng.random() < 0.5 for _ in delays[3:-1]), False]
+    at_once = [place for place, one in enumerate(delays[:-1]) if one == AT_ONCE and place > 2]
+    successes[rng.choice(at_once)] = False
+    plain = [False, True, False, *(rng.random() < 0.5 for _ in delays[3:])]
+    replies = [
+        ({"success": success, "message": text_for(rng, success, is_plain)}, delay)
+        for success, is_plain, delay in zip(successes, plain, delays, strict=True)
+    ]
+    return [see.serves(SERVICE, Trigger, replies)]
+
+
+def text_for(rng: random.Random, success: bool, is_plain: bool) -> str:
+    """A text for people, which may be the same on both sides: one can see in it how the test went if it `is_plain`."""
+    if success is is_plain:
+        return "all joints move"
+    return f"the {rng.choice(JOINTS)} is {'warm' if success else 'stiff'}"
+
+
+WATCH = watching(wall_seconds=WATCH_S, script=drawn)
 
 SHORTEST_PERIOD_S, LONGEST_PERIOD_S = 0.9, 1.1
 LONGEST_PAUSE_S = 2.5  # after a call without an answer
@@ -114,7 +124,7 @@ def calls_arrive(recording: Recording) -> Verdict:
     if not first.ok:
         return first
     calls = asked(recording)
-    if len(calls) >= UNANSWERED:
+    if len(calls) >= LEAST_CALLS:
         return see.passed(f"{len(calls)} calls")
     return why_few_calls(recording, calls)
 
@@ -241,7 +251,7 @@ def asked(recording: Recording) -> list[CallSeen]:
 def why_few_calls(recording: Recording, calls: list[CallSeen]) -> Verdict:
     """Why so few calls came."""
     last = calls[-1]
-    expected = f"a call every second, so {UNANSWERED} or more in {WATCH_S:.0f} s"
+    expected = f"a call every second, so {LEAST_CALLS} or more in {WATCH_S:.0f} s"
     how_many = "one single call" if len(calls) == 1 else f"{len(calls)} calls"
     if recording.process.ended_by == "itself":
         return see.failed(
@@ -1081,6 +1091,9 @@ def why_not_given_up(recording: Recording, call: CallSeen, later: list[float]) -
     )
     if later and later[0] - call.t < MAY_TAKE_S - SLACK_S:
         return why_early(call, later[0])
+    late = each_late_s(recording)
+    if late is not None:
+        return why_always_late(recording, late)
     if later and later[0] - call.t < 2 * GIVEN_UP_WITHIN_S:
         return see.failed(
             "unanswered-told.late",
@@ -1142,13 +1155,10 @@ def why_forgotten(recording: Recording, call: CallSeen, saw: str) -> Verdict | N
 
 def why_never_given_up(recording: Recording, call: CallSeen, saw: str, try_this: str) -> Verdict:
     """A call got no answer, and nothing was said about it."""
-    late = each_late_s(recording)
-    if late is not None:
-        return why_always_late(recording, late)
     other = why_once_in_a_row(recording, call, saw) or why_forgotten(recording, call, saw)
     if other is not None:
         return other
-    first = asked(recording)[UNANSWERED - 1]
+    first = next(one for one in asked(recording) if one.response is None)
     if call is not first and given_up(recording, first):
         return see.failed(
             "unanswered-told.first-only",

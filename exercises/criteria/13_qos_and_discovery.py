@@ -1,8 +1,9 @@
 """How exercise 13 is judged: a robot that has spoken before the dashboard starts, and whose heart is silent twice."""
 
+import random
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import accumulate, cycle, pairwise, product
 
 from std_msgs.msg import Bool, String
 
@@ -12,41 +13,79 @@ from workbook.criteria import Recording, Verdict, criterion, program_runs, topic
 LINE = topic("/dashboard/line", String, hz=2.0)
 ALARM = topic("/dashboard/alarm", Bool)
 
-WATCH_S = 12.7
-# It was "error" before the start, and changes more often than a program that counts its messages will follow. In the
-# second silence it changes often: a watchdog that takes a status for a beat raises no alarm. The last three last so
-# long that a line must show each of them. When the alarm is due, it is "operational" in the first silence and "error"
-# in the second, and stays so until the alarm is late. When the alarm has to end, it is "error" the first time and
-# "operational" the second time.
-FIRST = "error"
-CHANGES = [
-    (2.0, "operational"),
-    (4.5, "error"),
-    (6.6, "operational"),
-    (6.8, "error"),
-    (7.25, "operational"),
-    (8.6, "error"),
-    (10.4, "operational"),
-]
-BEAT_S = 0.25
-# Two silences of more than three seconds, and between them a hiccup, which is none. A program that looks at the clock
-# five times a second looks at different moments of the two silences.
-BEAT_TIMES = [
-    *(n * BEAT_S for n in range(5)),
-    *(4.75 + n * BEAT_S for n in range(4)),
-    *(6.35 + n * BEAT_S for n in range(4)),
-    *(10.85 + n * BEAT_S for n in range(8)),
-]
+WATCH_S = 15.0
+BEAT_S, LINE_S = 0.25, 0.5
+STATUS = see.says("/robot/status", String, [], qos="latched")
+HEART = see.says("/robot/heartbeat", String, [], qos="best_effort", deadline=2 * BEAT_S)
 
-STATUS = see.says("/robot/status", String, [(see.BEFORE_START, FIRST), *CHANGES], qos="latched")
-HEART = see.says(
-    "/robot/heartbeat",
-    String,
-    [(t, f"beat {n + 1}") for n, t in enumerate(BEAT_TIMES)],
-    qos="best_effort",
-    deadline=2 * BEAT_S,
-)
-WATCH = watching(wall_seconds=WATCH_S, script=[STATUS, HEART])
+
+def drawn(rng: random.Random) -> list[see.Part]:
+    """A robot that has spoken before the start. Its heart is silent twice, and one beat is late: a hiccup.
+
+    A program that looks at the clock five times a second looks at different moments of the two silences. After the
+    second one, there is time to end an alarm.
+    """
+    while True:
+        moments = drawn_beats(rng)
+        silences = silences_between(moments)
+        (first, _), (second, ended) = silences
+        if ended > WATCH_S - 1.8 or abs((second - first) % 0.2 - 0.1) > EARLY_S:
+            continue
+        changes = drawn_changes(rng, silences)
+        if out_of_step([*(at for at, _ in changes), WATCH_S]):
+            break
+    beats = [(at, f"beat {n + 1}") for n, at in enumerate(moments) if at < WATCH_S - 0.1]
+    return [
+        replace(STATUS, lines=see.says(STATUS.topic, String, changes).lines),
+        replace(HEART, lines=see.says(HEART.topic, String, beats).lines),
+    ]
+
+
+def drawn_beats(rng: random.Random) -> list[float]:
+    """When the heart beats (s): in three groups with a silence between two, and with a hiccup in one of the first two.
+
+    The first group lasts for more than a second, also before a hiccup.
+    """
+    counts = [rng.randint(6, 18), rng.randint(4, 8), 30]
+    hiccup = rng.choice((rng.randint(5, counts[0] - 1), counts[0] + rng.randint(1, counts[1] - 1)))
+    pauses = {hiccup: rng.choice((0.85, 0.9))}
+    pauses |= {sum(counts[:group]): rng.choice((3.7, 3.75, 3.8)) for group in (1, 2)}
+    return [*accumulate(pauses.get(n, BEAT_S) if n else 0.0 for n in range(sum(counts)))]
+
+
+def drawn_changes(rng: random.Random, silences: Sequence[tuple[float, float]]) -> list[tuple[float, str]]:
+    """The status from before the start, and its changes (s): more than a program that counts to five will follow.
+
+    When an alarm is due, the status is "operational" in the first silence and "error" in the second one, and stays so
+    until the alarm is late. Then it changes before the silence ends. When the alarm has to end, it is "error" the first
+    time, and changes only when the end is late; the second time it is "operational". In the second silence it changes
+    so often that a watchdog that takes a status for a beat raises no alarm.
+    """
+    (began, ended), (again, at_last) = silences
+    changes = [
+        began + rng.uniform(0.6, 0.9),
+        ended - rng.uniform(0.2, 0.3),
+        ended + rng.uniform(1.8, 1.9),
+        again + rng.uniform(1.55, 1.65),
+        again + rng.uniform(3.26, 3.3),
+    ]
+    words = ["error", "operational"]
+    before, after = changes[0] - LASTS_S, at_last + 1.8
+    if before > 1.6 and rng.random() < 0.7:
+        changes.insert(0, rng.uniform(1.6, before))
+        words.reverse()
+    if after < WATCH_S - LASTS_S and rng.random() < 0.5:
+        changes.append(rng.uniform(after, WATCH_S - LASTS_S))
+    return list(zip([see.BEFORE_START, *changes], cycle(words), strict=False))
+
+
+def out_of_step(moments: Sequence[float]) -> bool:
+    """Whether two statuses that last come at such moments (s) that a line which follows late misses one of them."""
+    lasting = [at for at, end in pairwise(moments) if end - at > LASTS_S]
+    return any(0.2 < (one - other) % LINE_S < 0.3 for one, other in product(lasting, lasting))
+
+
+WATCH = watching(wall_seconds=WATCH_S, script=drawn)
 
 UNKNOWN = "unknown"
 WORDS = ("operational", "error", UNKNOWN)
@@ -58,6 +97,7 @@ EARLY_S = 0.02  # a True that was measured so much too early is no false alarm
 SILENCE_S = 2.0  # a pause between beats that is longer is a silence of the script
 SLOWEST_HZ, FASTEST_HZ, LONGEST_GAP_S = 1.8, 2.2, 1.25
 SHORTEST_S, LONGEST_S = 0.45, 0.55
+LASTS_S = FOLLOWS_S + LONGEST_S  # so long a status must be on a line
 NEAR_S = 0.7  # from the last line to the True that a silence of the line goes with
 
 
@@ -100,22 +140,24 @@ def status_at_once(recording: Recording) -> Verdict:
     hears = see.hears(recording, STATUS)
     if not hears.ok:
         return hears
-    until = statuses(recording)[0][1]
+    _, until, first = statuses(recording)[0]
     lines = lines_between(recording, AT_ONCE_S, until)
     if not lines:
         return see.failed(
             "status-at-once.no-line",
             f"no line between {AT_ONCE_S:.1f} s and {until:.1f} s",
-            f'"{FIRST}" on every line, from {AT_ONCE_S:g} s on',
+            f'"{first}" on every line, from {AT_ONCE_S:g} s on',
             "No line came at all in that time, so the problem is the line, not the status.",
             "First find out why the line does not come at 2 Hz.",
         )
-    wrong = next(((t, text) for t, text in lines if named(text) != [FIRST]), None)
+    wrong = next(((t, text) for t, text in lines if named(text) != [first]), None)
     if wrong is not None:
-        return why_not_at_once(recording, f'"{wrong[1]}" on {LINE.name} {wrong[0]:.1f} s after the start')
+        return why_not_at_once(
+            recording, first, f'"{wrong[1]}" on {LINE.name} {wrong[0]:.1f} s after the start'
+        )
     if all_requests(recording, "durability", "volatile"):
-        return guessed(f'"{FIRST}" on the line, and a volatile subscription to {STATUS.topic}')
-    return see.passed(f'"{FIRST}" on each of {len(lines)} lines')
+        return guessed(f'"{first}" on the line, and a volatile subscription to {STATUS.topic}')
+    return see.passed(f'"{first}" on each of {len(lines)} lines')
 
 
 @criterion(points=1, title="The line follows when the status changes", needs=[status_at_once])
@@ -250,10 +292,12 @@ def last_beat(recording: Recording, t: float) -> float:
 
 def silences(recording: Recording) -> list[tuple[float, float]]:
     """The last beat before each long silence and the first one after it (s); the end of the watch if there is none."""
-    beats = beat_times(recording)
-    return [
-        (last, first) for last, first in pairwise([*beats, recording.robot_s]) if first - last > SILENCE_S
-    ]
+    return silences_between([*beat_times(recording), recording.robot_s])
+
+
+def silences_between(moments: Sequence[float]) -> list[tuple[float, float]]:
+    """From when to when (s) no beat came for long."""
+    return [(last, first) for last, first in pairwise(moments) if first - last > SILENCE_S]
 
 
 def alarms(recording: Recording, begin: float, end: float) -> list[tuple[float, bool]]:
@@ -320,12 +364,15 @@ def alarms_with_the_status(recording: Recording) -> int:
     """How many times the alarm changed, if each time right after the status had changed likewise; otherwise 0."""
     heard = alarms(recording, AT_ONCE_S, recording.robot_s)
     changes = [(t, on) for (_, before), (t, on) in pairwise([(0.0, None), *heard]) if on != before]
-    likewise = all(
-        any(
-            0.0 <= t - begin <= 2 * EARLY_S + BEAT_S and on == (word == FIRST)
-            for begin, _, word in statuses(recording)
+    likewise = any(
+        all(
+            any(
+                0.0 <= t - begin <= 2 * EARLY_S + BEAT_S and on == (word == meant)
+                for begin, _, word in statuses(recording)
+            )
+            for t, on in changes
         )
-        for t, on in changes
+        for meant in WORDS
     )
     return len(changes) if likewise and len(changes) > 1 else 0
 
@@ -414,10 +461,10 @@ def guessed(seen: str) -> Verdict:
     )
 
 
-def why_not_at_once(recording: Recording, seen: str) -> Verdict:
-    """Why a line does not name what was said before the program started."""
-    expected = f'"{FIRST}" on every line, from {AT_ONCE_S:g} s on'
-    if FIRST in seen.lower():
+def why_not_at_once(recording: Recording, first: str, seen: str) -> Verdict:
+    """Why a line does not name the status from before the program started."""
+    expected = f'"{first}" on every line, from {AT_ONCE_S:g} s on'
+    if first in seen.lower():
         return two_words("status-at-once.two-words", seen, expected)
     if all_requests(recording, "durability", "volatile"):
         return see.failed(

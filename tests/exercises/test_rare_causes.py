@@ -12,6 +12,7 @@ from workbook.criteria import Verdict
 from workbook.exercise.conclusiveness import BUSY_MACHINE
 from workbook.exercise.definition import load_exercise
 from workbook.recording.recording import CallSeen, Recording, Said, TopicRecording
+from workbook.recording.script import Says
 
 ROOT = Path(__file__).resolve().parents[2]
 FLOAT, TEXT, NUMBERS = "std_msgs/msg/Float32", "std_msgs/msg/String", "std_msgs/msg/Int32MultiArray"
@@ -135,10 +136,16 @@ def test_13_a_line_that_follows_only_while_the_heart_beats() -> None:
     refused_for("status-follows.only-sometimes", verdict, 'named "operational" only after later changes')
 
 
+def touches_of_11() -> tuple[tuple[Said, ...], list[float], list[int]]:
+    """What the judge says in one run, the moments (s) and the numbers."""
+    [part] = load_exercise("11_polling_against_callbacks", ROOT).plan.script.parts
+    assert isinstance(part, Says)
+    said = tuple(Said(part.topic, line.at, line.at, line.value) for line in part.lines)
+    return said, [one.t for one in said], [one.value["data"] for one in said]
+
+
 def test_11_a_program_that_ends_in_a_pause_without_touches() -> None:
-    made = load_exercise("11_polling_against_callbacks", ROOT).criteria[-1].judge.__globals__
-    moments, numbers = made["MOMENTS"], made["NUMBERS"]
-    said = tuple(Said("/robot/touch", at, at, {"data": n}) for at, n in zip(moments, numbers, strict=True))
+    said, moments, numbers = touches_of_11()
     seen = on_topic("/monitor/seen", "std_msgs/msg/Int32", moments[:40], numbers[:40])
     for process, cause in ((ended_by_itself(exit=0), "ended"), (LIVING, "stops")):
         recording = replace(recorded(seen, process=process), said=said)
@@ -286,9 +293,7 @@ def test_06_the_first_call_raises(log: str, cause: str, words: str) -> None:
 
 
 def test_11_a_little_late_on_a_busy_machine() -> None:
-    made = load_exercise("11_polling_against_callbacks", ROOT).criteria[-1].judge.__globals__
-    moments, numbers = made["MOMENTS"], made["NUMBERS"]
-    said = tuple(Said("/robot/touch", at, at, {"data": n}) for at, n in zip(moments, numbers, strict=True))
+    said, moments, numbers = touches_of_11()
     late = on_topic("/monitor/seen", "std_msgs/msg/Int32", [at + 0.02 for at in moments], numbers)
     busy = replace(recorded(late), said=said, in_line_s=0.3)
     verdict = judged("11_polling_against_callbacks", "quick", busy)

@@ -1,7 +1,6 @@
 # Whoever asks while a plan is being made is ignored.
 # loses: all_in_order
 # cause: all-in-order.missing
-# says: 0.3083
 # on: starter
 # after: import math
 import threading

@@ -1,7 +1,6 @@
 # A plan is kept, and published again when the same distance is requested again.
 # loses: plans_right
 # cause: plans-right.from-memory
-# says: 0.0507 m
 # after: self.planner = ElbowPlanner()
 self.known: dict[float, float] = {}
 

@@ -1,7 +1,6 @@
 # A list as a stack: the newest request is taken first.
 # loses: all_in_order
 # cause: all-in-order.other-order
-# says: 0.7, 0.0507, 0.3083
 # on: starter
 # after: import math
 import threading

@@ -1,7 +1,6 @@
 # A distance that the arm cannot reach is not answered.
 # loses: all_in_order
 # cause: all-in-order.out-of-reach
-# says: 0.9 m
 # replaces: bend = self.planner.plan(request.data)
 if request.data > 2.0 * LINK_M:
     return

@@ -1,7 +1,6 @@
 # A list of thirty places for the touches.
 # loses: none_missed, alive_at_end
 # cause: error.exception
-# says: touch 1049
 # after: super().__init__("touch_monitor")
 self.places = [0] * 30
 

@@ -1,7 +1,6 @@
 # The thread that reports ends when no touch comes for two seconds.
 # loses: none_missed
 # cause: none-missed.stops
-# says: touch 12
 # before: import rclpy
 import queue
 import threading

@@ -1,4 +1,4 @@
-# Waits for nine beats before it ends the alarm.
+# Waits for thirty beats before it ends the alarm.
 # loses: alarm_falls
 # cause: alarm-falls.never
 # on: right/watchdog_timer.py
@@ -9,7 +9,7 @@ self.beats = 0
 # replaces:     self.silent = False
 # replaces:     self.alarm.publish(Bool(data=False))
 self.beats += 1
-if self.silent and self.beats >= 9:
+if self.silent and self.beats >= 30:
     self.silent = False
     self.alarm.publish(Bool(data=False))
 
