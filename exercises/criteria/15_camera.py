@@ -90,7 +90,7 @@ def parts(dice: random.Random) -> tuple[tuple[Part, ...], float]:
     longer = dice.randint(-2, 2), dice.randint(-2, 2), dice.randint(-4, 0)
     refused, by_turns = dice.sample(REFUSED, len(REFUSED)), dice.sample(KNOWN, len(KNOWN))
     mirrored, back = dice.choice((0.0, math.pi)), dice.random() < 0.5
-    bright, end = 20 + longer[0], mirrored + math.pi / 2 + dice.uniform(-0.5, 0.5)
+    bright, end = 20 + longer[0], mirrored + math.pi / 2 + dice.uniform(-0.9, 0.9)
     begin = end - ROLLING * (bright + 15) / RATE_HZ
     dim, bgr = (mirrored - math.pi / 2 + dice.uniform(0.3, most) for most in (0.9, 0.75))
     outward = dice.uniform(0.35, 1.2)
@@ -115,7 +115,11 @@ def parts(dice: random.Random) -> tuple[tuple[Part, ...], float]:
 def views(dice: random.Random) -> tuple[CameraView, ...]:
     """All pictures of one run, in order."""
     chosen, side = parts(dice)
-    first_stamp_s, nearer = dice.randrange(300, 900), dice.uniform(-0.9, 0.1)
+    first_stamp_s, nearer, aside = (
+        dice.randrange(300, 900),
+        dice.uniform(-0.9, 0.1),
+        dice.uniform(-0.04, 0.01),
+    )
     made: list[CameraView] = []
     for part in chosen:
         turn = part.phase - ROLLING * len(made) / RATE_HZ
@@ -132,7 +136,7 @@ def views(dice: random.Random) -> tuple[CameraView, ...]:
                         swing,
                         sway,
                         part.light[0] + (part.light[1] - part.light[0]) * share_of_part,
-                        where_to(part.ball, swing, sway, side, place / part.count),
+                        where_to(part.ball, swing, sway, aside, side, place / part.count),
                         brick,
                     ),
                     (in_ns // 10**9, in_ns % 10**9),
@@ -145,11 +149,13 @@ def views(dice: random.Random) -> tuple[CameraView, ...]:
     return tuple(made)
 
 
-def where_to(ball: str, swing: float, sway: float, side: float, part: float) -> tuple[float, float] | None:
+def where_to(
+    ball: str, swing: float, sway: float, aside: float, side: float, part: float
+) -> tuple[float, float] | None:
     """Where the ball lies at a moment (m: forward, left); None where none is. `part`: 0 to 1, from edge to edge."""
     if ball == ACROSS:
         return 0.66 + 0.24 * math.cos(2 * math.pi * part - 2.24), -0.27 * side * math.cos(math.pi * part)
-    return (0.82 + 0.06 * sway, 0.1 + 0.16 * swing) if ball else None
+    return (0.82 + 0.06 * sway, 0.1 + aside + 0.16 * swing) if ball else None
 
 
 def scene(
