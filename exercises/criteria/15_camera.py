@@ -84,8 +84,9 @@ def parts(dice: random.Random) -> tuple[tuple[Part, ...], float]:
     """The parts of one run, in order, and from which side the ball comes when it rolls across (1: from the right).
 
     Before the first encoding that is refused come all kinds but padding: a node that dies of it has shown the rest.
-    These encodings come more than a second apart: a line in the log may be throttled. Into dim light and into bgr8 the
-    ball jumps; all other times it rolls on near where it was, so that one who searches near the last ball finds it.
+    These encodings come more than a second apart, because a line in the log may be throttled. They come at no whole
+    second: a stamp that has lost its nanoseconds would name them. Into dim light and into bgr8 the ball jumps.
+    Otherwise it goes on near where it was, so that a search near the last ball finds it.
     """
     longer = dice.randint(-2, 2), dice.randint(-2, 2), dice.randint(-4, 0)
     refused, by_turns = dice.sample(REFUSED, len(REFUSED)), dice.sample(KNOWN, len(KNOWN))
@@ -103,11 +104,11 @@ def parts(dice: random.Random) -> tuple[tuple[Part, ...], float]:
         Part(20 + longer[2], ("rgb8",), 0, NO_BALL, some[0], (0.4, 1.0), NEAR),
         Part(25 - sum(longer), ("bgr8",), 0, ROLLS, bgr, (1.0, 0.5), NEAR),
         Part(4, refused[:1], 0, ROLLS, some[1], (0.8, 0.8), NEAR),
-        Part(30, by_turns, PADDING, ROLLS, padded, (0.9, 0.45), NEAR),
+        Part(31, by_turns, PADDING, ROLLS, padded, (0.9, 0.45), NEAR),
         Part(4, refused[1:2], PADDING, ROLLS, some[2], (0.9, 0.9), NEAR),
-        Part(28, KNOWN, 0, ACROSS, some[3], (0.45, 1.1), FAR),
+        Part(32, KNOWN, 0, ACROSS, some[3], (0.45, 1.1), FAR),
         Part(4, refused[2:], 0, ROLLS, some[4], (0.9, 0.9), FAR),
-        Part(15, ("bgr8",), PADDING, NO_BALL, some[5], (1.0, 0.4), FAR),
+        Part(10, ("bgr8",), PADDING, NO_BALL, some[5], (1.0, 0.4), FAR),
     )
     return found, 1.0 if back and not mirrored else -1.0
 

@@ -99,8 +99,8 @@ class Tilt:
 class Events:
     """What happens in one run. All jolts and `leaning` are over when the robot falls.
 
-    `glare_s`: when (s since the first picture) the light is so bright that the model gives up. `jolts`: the first of
-    two jolts comes last but one, six upright samples before the second one.
+    `glare_s`: when (s since the first picture) the light is so bright that the model gives up. `jolts`: the last two
+    are nine samples each, with six upright ones between them.
     """
 
     glare_s: tuple[tuple[float, float], tuple[float, float]]
@@ -121,20 +121,16 @@ class Events:
 
 
 def events(dice: random.Random) -> Events:
-    """Draw when everything happens, in tenths of a second: the fall comes before the second glare, or after it.
+    """Draw when everything happens, in tenths of a second.
 
-    After a glare, the robot neither leans nor falls for a while, and one who rests for three seconds after each
-    exception, or for five, works again before the end. When the robot falls, two more seconds come at least.
+    After a glare, the robot neither leans nor falls for a while. One who rests for three seconds after each exception,
+    or for five, works again before the end. After the fall, two more seconds come at least.
     """
+    falls = dice.randint(64, 87)
     jolted = dice.randint(6, 10)
-    glare = jolted + 11 + dice.randint(0, 5)
-    leans = glare + 11
-    if dice.random() < 0.35:
-        falls = leans + 15 + dice.randint(0, 5)
-        again = dice.randint(falls + 15, glare + 46)
-    else:
-        falls = dice.randint(glare + 46, 87)
-        again = dice.randint(glare + 32, min(glare + 46, falls - 14))
+    glare = dice.randint(jolted + 11, 24)
+    again = dice.randint(glare + 26, min(glare + 46, falls - 14))
+    leans = dice.randint(glare + 11, again - 14)
     first = 5 * jolted  # samples in a tenth of a second: five
     toward = [dice.uniform(-180.0, 180.0) for _ in range(5)]
     return Events(

@@ -52,8 +52,9 @@ def test_all_kinds_come_and_in_an_order_that_tells_mistakes_apart(pictures: Any)
     assert max(pictures.in_dim_light[0], pictures.in_good_light[0]) < pictures.without_ball[0]
     starts = [place for place in pictures.others if place - 1 not in pictures.others]
     assert sorted(pictures.views[place].encoding for place in starts) == ["8UC3", "mono16", "rgba8"]
-    assert min(b - a for a, b in pairwise(starts)) > judge()["RATE_HZ"]
+    assert min(b - a for a, b in pairwise(starts)) >= 1.1 * judge()["RATE_HZ"]  # a log may be throttled
     assert max(pictures.readable) > max(pictures.others)
+    assert all(pictures.views[place].stamp[1] != 0 for place in pictures.others)
 
 
 def test_the_ball_jumps_into_dim_light_and_into_bgr8_alone(pictures: Any) -> None:
