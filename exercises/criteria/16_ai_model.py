@@ -7,7 +7,7 @@ import statistics
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import lru_cache
 from itertools import pairwise
 from typing import Any
 
@@ -62,126 +62,222 @@ OPERATIONAL, ERROR = "operational", "error"
 WORDS_OF_THE_MODEL = re.compile(r"glare: \d+ ?% of the picture is white")
 MOST = 0.6
 """Which share of what is wrong must look like a reason."""
-SEED = 1616
-FIRST_STAMP_S = 700
+NOISE = 1616
+"""What the noise of the pictures is made from."""
 
 BEGIN_S = 0.5
 PICTURES = 330
-GLARE_S = ((3.0, 3.7), (6.2, 6.7))
-"""When (s since the first picture) the light is so bright that the model gives up."""
-# From when to when (s since the first sample), how far the robot is tilted then (°), and where to: 0° is forward, 90°
-# is to the left. It falls forward and to the left: in each of these directions alone, it is tilted by less than 60°.
-TILTS = (
-    (1.9, 2.03, 80.0, 0.0),
-    (2.3, 2.47, 75.0, -90.0),
-    (4.4, 5.8, 55.0, 90.0),
-    (5.0, 5.11, 100.0, 180.0),
-    (7.6, 8.9, 65.0, 45.0),
-    (0.0, 0.11, 70.0, 0.0),  # also the very first samples
-    (2.59, 2.77, 75.0, -90.0),  # a second jolt of nine samples, six upright ones after the first
-)
-FIRST_JOLT, SECOND_JOLT, LEANING = TILTS[1], TILTS[-1], TILTS[2]
-FALL_S, UPRIGHT_S, FALLEN_DEG = 7.6, 8.9, 65.0
 IMU_SECONDS = PICTURES / CAMERA_HZ
+FALLEN_DEG = 65.0
 
 
-def scene(seconds: float, light: float) -> Scene:
-    """The desk at a moment: the head turns from side to side, and the ball rolls."""
-    swing, sway = math.sin(2.2 * seconds + 0.4), math.cos(1.3 * seconds)
-    return Scene(
-        see.on_desk(0.84 + 0.05 * sway, 0.02 + 0.12 * swing),
-        see.on_desk(1.16, -0.06),
-        (Box((1.12, 0.36), turn=0.6), Box((1.2, -0.35), turn=-0.3)),
-        None,
-        pan=0.16 * math.sin(2.9 * seconds),
-        light=light,
-        warm=1.0 + 0.05 * sway,
-        cups=(Cup((0.86, -0.3)),),
-        plates=(Plate((0.8, 0.3)),),
+@dataclass(frozen=True)
+class Toy:
+    """Something on the desk, in a picture or in a marker: its label, and its middle (pixels)."""
+
+    label: str
+    u: float
+    v: float
+
+
+@dataclass(frozen=True)
+class Tilt:
+    """Samples of the IMU in which the robot is tilted: how far, and where to (°): 0 is forward, 90 is to the left."""
+
+    first: int
+    count: int
+    deg: float
+    toward: float
+
+    @property
+    def end(self) -> int:
+        """The first sample after them."""
+        return self.first + self.count
+
+
+@dataclass(frozen=True)
+class Events:
+    """What happens in one run. All jolts and `leaning` are over when the robot falls.
+
+    `glare_s`: when (s since the first picture) the light is so bright that the model gives up. `jolts`: the last two
+    are nine samples each, with six upright ones between them.
+    """
+
+    glare_s: tuple[tuple[float, float], tuple[float, float]]
+    jolts: tuple[Tilt, ...]
+    leaning: Tilt
+    fall: Tilt
+
+    @property
+    def fall_sample(self) -> int:
+        """The sample with which the fall is a fall: the tenth tilted one in a row."""
+        return self.fall.first + TILTED_SAMPLES - 1
+
+    def tilt_at(self, sample: int) -> tuple[float, float]:
+        """How far the robot is tilted, and where to (°): the most of what there is at that moment."""
+        tilts = (*self.jolts, self.leaning, self.fall)
+        now = [(one.deg, one.toward) for one in tilts if one.first <= sample < one.end]
+        return max(now, default=(3.0, 0.0))
+
+
+def events(dice: random.Random) -> Events:
+    """Draw when everything happens, in tenths of a second.
+
+    After a glare, the robot neither leans nor falls for a while. One who rests for three seconds after each exception,
+    or for five, works again before the end. After the fall, two more seconds come at least.
+    """
+    falls = dice.randint(64, 87)
+    jolted = dice.randint(6, 10)
+    glare = dice.randint(jolted + 11, 24)
+    again = dice.randint(glare + 26, min(glare + 46, falls - 14))
+    leans = dice.randint(glare + 11, again - 14)
+    first = 5 * jolted  # samples in a tenth of a second: five
+    toward = [dice.uniform(-180.0, 180.0) for _ in range(5)]
+    return Events(
+        ((glare / 10, (glare + 7) / 10), (again / 10, (again + 5) / 10)),
+        (
+            Tilt(0, 6, 70.0, toward[0]),  # also the very first samples
+            Tilt(first, 7, 80.0, toward[1]),
+            Tilt(5 * leans + 20, 6, 100.0, toward[2]),
+            Tilt(first + 20, 9, 75.0, toward[3]),
+            Tilt(first + 35, 9, 75.0, toward[3]),
+        ),
+        Tilt(5 * leans, 50, 55.0, toward[4]),
+        # Forward and to the left: in each of these directions alone, it is tilted by less than 60°.
+        Tilt(5 * falls, 65, FALLEN_DEG, dice.uniform(43.0, 47.0)),
     )
 
 
-def glare(seconds: float) -> bool:
-    return any(begin <= seconds < end for begin, end in GLARE_S)
+def views(dice: random.Random, glare: Callable[[float], bool]) -> tuple[CameraView, ...]:
+    """All pictures of one run, in order: toys lie on the desk, the head turns from side to side, and the ball rolls."""
+    swung, swayed, turned = (dice.uniform(0.0, 2 * math.pi) for _ in range(3))
+    side, first_stamp_s = dice.choice((-1.0, 1.0)), dice.randrange(300, 900)
 
+    def at(forward: float, left: float) -> tuple[float, float]:
+        return forward + dice.uniform(-0.02, 0.02), side * (left + dice.uniform(-0.02, 0.02))
 
-def views() -> tuple[CameraView, ...]:
-    """All pictures, in order."""
+    blue_ball = see.on_desk(*at(1.16, -0.06))
+    bricks = tuple(
+        Box(at(*place), turn=side * (turn + dice.uniform(-0.2, 0.2)))
+        for place, turn in (((1.12, 0.36), 0.6), ((1.2, -0.35), -0.3))
+    )
+    cup, plate = Cup(at(0.86, -0.3)), Plate(at(0.8, 0.3))
     made = []
     for number in range(PICTURES):
         seconds = number / CAMERA_HZ
-        light = 4.0 if glare(seconds) else 0.8 + 0.2 * math.sin(0.7 * seconds)
-        in_ns = round((FIRST_STAMP_S + seconds) * 1e9)
+        swing, sway = math.sin(2.2 * seconds + swung), math.cos(1.3 * seconds + swayed)
+        scene = Scene(
+            see.on_desk(0.84 + 0.05 * sway, side * (0.02 + 0.12 * swing)),
+            blue_ball,
+            bricks,
+            None,
+            pan=0.16 * math.sin(2.9 * seconds + turned),
+            light=4.0 if glare(seconds) else 0.8 + 0.2 * math.sin(0.7 * seconds),
+            warm=1.0 + 0.05 * sway,
+            cups=(cup,),
+            plates=(plate,),
+        )
+        in_ns = round((first_stamp_s + seconds) * 1e9)
         stamp = in_ns // 10**9, in_ns % 10**9
-        made.append(CameraView(scene(seconds, light), stamp, SEED, number, encoding="bgr8"))
+        made.append(CameraView(scene, stamp, NOISE, number, encoding="bgr8"))
     return tuple(made)
 
 
-def samples() -> list[tuple[float, dict[str, Any]]]:
-    """What the IMU says: when (s), and the fields of an Imu."""
-    dice = random.Random(SEED)
-    made = []
-    for number in range(round(IMU_SECONDS * IMU_HZ)):
-        seconds = number / IMU_HZ
-        tilt, toward = map(math.radians, tilt_at(seconds))
-        level, z = 9.81 * math.sin(tilt), 9.81 * math.cos(tilt)
-        x, y = level * math.cos(toward), level * math.sin(toward)
-        in_ns = round((FIRST_STAMP_S + seconds) * 1e9)
-        made.append(
-            (
-                BEGIN_S + seconds,
-                {
-                    "header": {
-                        "stamp": {"sec": in_ns // 10**9, "nanosec": in_ns % 10**9},
-                        "frame_id": "imu_link",
+class Run:
+    """What a program is shown in one run: pictures, and samples of the IMU. A picture is named by its place."""
+
+    def __init__(self, dice: random.Random) -> None:
+        self.events = events(dice)
+        self.views = views(dice, self.glare)
+        self.samples = self._samples(dice)
+        self.place_of = {view.stamp: place for place, view in enumerate(self.views)}
+        self.in_glare = [place for place in range(PICTURES) if self.glare(place / CAMERA_HZ)]
+        self._toys: dict[int, tuple[tuple[Toy, float], ...]] = {}
+
+    def glare(self, seconds: float) -> bool:
+        """Whether the model gives up on a picture that is taken so long after the first one."""
+        return any(begin <= seconds < end for begin, end in self.events.glare_s)
+
+    def _samples(self, dice: random.Random) -> list[tuple[float, dict[str, Any]]]:
+        """What the IMU says: when (s), and the fields of an Imu."""
+        first_stamp_s = self.views[0].stamp[0]
+        made = []
+        for number in range(round(IMU_SECONDS * IMU_HZ)):
+            seconds = number / IMU_HZ
+            tilt, toward = map(math.radians, self.events.tilt_at(number))
+            level, z = 9.81 * math.sin(tilt), 9.81 * math.cos(tilt)
+            x, y = level * math.cos(toward), level * math.sin(toward)
+            in_ns = round((first_stamp_s + seconds) * 1e9)
+            made.append(
+                (
+                    BEGIN_S + seconds,
+                    {
+                        "header": {
+                            "stamp": {"sec": in_ns // 10**9, "nanosec": in_ns % 10**9},
+                            "frame_id": "imu_link",
+                        },
+                        "linear_acceleration": {
+                            "x": x + dice.gauss(0.0, 0.15),
+                            "y": y + dice.gauss(0.0, 0.15),
+                            "z": z + dice.gauss(0.0, 0.15),
+                        },
                     },
-                    "linear_acceleration": {
-                        "x": x + dice.gauss(0.0, 0.15),
-                        "y": y + dice.gauss(0.0, 0.15),
-                        "z": z + dice.gauss(0.0, 0.15),
-                    },
-                },
+                )
             )
-        )
-    return made
+        return made
+
+    def toys(self, place: int) -> tuple[tuple[Toy, float], ...]:
+        """What can be seen in a picture, and which part of it is visible."""
+        if place not in self._toys:
+            found = see.things_seen(self.views[place].scene)
+            self._toys[place] = tuple((Toy(one.label, one.u, one.v), one.visible) for one in found)
+        return self._toys[place]
+
+    def all_toys(self, place: int) -> list[Toy]:
+        """What may be found in a picture."""
+        return [toy for toy, _ in self.toys(place)]
+
+    def whole(self, place: int) -> list[Toy]:
+        """What must be found in a picture."""
+        return [toy for toy, visible in self.toys(place) if visible >= WHOLE]
+
+    def decoy(self, place: int) -> Toy:
+        """The blue ball of a picture: nothing that is to be found."""
+        one = self.views[place].scene
+        assert one.blue_ball is not None
+        return Toy("ball", *see.seen_pixel(one.blue_ball, pan=one.pan))
 
 
-def samples_within(begin: float, end: float) -> int:
-    """How many samples of the IMU there are from one moment to another (s)."""
-    return sum(begin <= number / IMU_HZ < end for number in range(len(SAMPLES)))
+@lru_cache(maxsize=4)
+def drawn(seed: int) -> Run:
+    """The run with this seed."""
+    return Run(random.Random(seed))
 
 
-def tilt_at(seconds: float) -> tuple[float, float]:
-    """How far the robot is tilted, and where to (°): the most of what there is at that moment."""
-    now = [(tilt, toward) for begin, end, tilt, toward in TILTS if begin <= seconds < end]
-    return max(now, default=(3.0, 0.0))
+def run_of(recording: Recording) -> Run:
+    """What a program was shown. Raises ValueError where a recording does not tell: an old one."""
+    if recording.seed is None:
+        raise ValueError("this recording is older than runs that are drawn: judge the answer again")
+    return drawn(recording.seed)
 
 
-VIEWS = views()
-SAMPLES = samples()
-PLACE_OF = {view.stamp: place for place, view in enumerate(VIEWS)}
-IN_GLARE = [place for place in range(PICTURES) if glare(place / CAMERA_HZ)]
-FALL_SAMPLE = round(FALL_S * IMU_HZ) + TILTED_SAMPLES - 1
-"""The sample with which the fall is a fall: the tenth tilted one in a row."""
-UPRIGHT_SAMPLE = round(UPRIGHT_S * IMU_HZ)
-"""The first sample with which the robot is upright again after the fall."""
-AGAIN_FROM_S = [end for _, end in GLARE_S]
-
-WATCH_S = BEGIN_S + IMU_SECONDS + 0.7
-WATCH = watching(
-    wall_seconds=WATCH_S,
-    script=[
+def script(dice: random.Random) -> list[see.Part]:
+    """The pictures and samples of one run."""
+    run = Run(dice)
+    return [
         see.says(
             IMAGE.name,
             Image,
             [
                 (round(BEGIN_S + place / CAMERA_HZ, 4), see.camera_image(view))
-                for place, view in enumerate(VIEWS)
+                for place, view in enumerate(run.views)
             ],
         ),
-        see.says(IMU.name, Imu, SAMPLES),
-    ],
-)
+        see.says(IMU.name, Imu, run.samples),
+    ]
+
+
+WATCH = watching(wall_seconds=BEGIN_S + IMU_SECONDS + 0.7, script=script)
 
 
 @criterion(
@@ -269,7 +365,7 @@ def detections_come(recording: Recording) -> Verdict:
 )
 def stamps_kept(recording: Recording) -> Verdict:
     given = [answer for answer in answers(recording) if answer.things]
-    return wrong_stamps(given) or see.passed(
+    return wrong_stamps(run_of(recording), given) or see.passed(
         f"{see.count(len(given), 'message')}, each with the stamp of its picture"
     )
 
@@ -310,17 +406,18 @@ def fresh(recording: Recording) -> Verdict:
     points=2, title="The detections are right, in pictures that you have not seen", needs=[stamps_kept]
 )
 def right(recording: Recording) -> Verdict:
+    run = run_of(recording)
     given = [one for one in answers(recording) if one.things and one.place is not None]
-    known = [(one.place, one) for one in given if one.place is not None and one.place not in IN_GLARE]
+    known = [(one.place, one) for one in given if one.place is not None and one.place not in run.in_glare]
     if not known:
         return few_answers(recording, 0)
-    wrong = [(place, one) for place, one in known if not is_right(place, one)]
+    wrong = [(place, one) for place, one in known if not is_right(run, place, one)]
     saw = f"{len(known) - len(wrong)} of {len(known)} messages are right"
     if len(known) - len(wrong) >= RIGHT_SHARE * len(known):
         return see.passed(saw)
     place, one = wrong[len(wrong) // 2]
-    saw += f". Picture {place + 1} shows {listed(whole(place))}; the message says {listed(one.things)}"
-    reason = first_that_fits(REASONS, wrong) or SOMETHING_ELSE
+    saw += f". Picture {place + 1} shows {listed(run.whole(place))}; the message says {listed(one.things)}"
+    reason = first_that_fits(run, REASONS, wrong) or SOMETHING_ELSE
     return see.failed(reason.cause, saw, RIGHT_EXPECTED, reason.because, reason.try_this)
 
 
@@ -330,14 +427,15 @@ def right(recording: Recording) -> Verdict:
     needs=[detections_come],
 )
 def survives(recording: Recording) -> Verdict:
-    saw = f"for {len(IN_GLARE)} pictures the model raises RuntimeError (glare)"
+    run = run_of(recording)
+    saw = f"for {len(run.in_glare)} pictures the model raises RuntimeError (glare)"
     given = answers(recording)
     full = [one for one in given if one.things]
     return (
         silent_since_glare(recording, saw, full)
         or too_rarely(saw, full)
         or pauses(recording, saw, full)
-        or answered_glare(saw, full)
+        or answered_glare(run, saw, full)
         or said_nothing_there(recording, saw, given)
         or no_line(recording, saw)
         or see.passed(f"{saw}: logged, and the pictures after them were answered")
@@ -354,12 +452,12 @@ def fall_reported(recording: Recording) -> Verdict:
     if nothing is not None:
         return nothing
     moments = [word.wall for word in see.said(recording, IMU.name)]
-    if len(moments) <= FALL_SAMPLE:
+    what = run_of(recording).events
+    if len(moments) <= what.fall_sample:
         return never_fell(recording)
     said = [(one.published, one.value["data"]) for one in recording.topic(STATUS.name).arrivals]
     errors = [at for at, word in said if word == ERROR]
-    fallen = moments[FALL_SAMPLE]
-    begins = moments[FALL_SAMPLE - TILTED_SAMPLES + 1]
+    fallen, begins = moments[what.fall_sample], moments[what.fall.first]
     if errors and errors[0] < begins:
         return too_early(recording, errors[0], moments)
     if not errors:
@@ -371,7 +469,7 @@ def fall_reported(recording: Recording) -> Verdict:
     again = [at for at, word in said if at > errors[0] and word == OPERATIONAL]
     if again:
         return why_taken_back(
-            f'{saw}, and "{OPERATIONAL}" again {again[0] - errors[0]:.1f} s later', again[0], moments
+            f'{saw}, and "{OPERATIONAL}" again {again[0] - errors[0]:.1f} s later', again[0], moments, what
         )
     return see.passed(f"{saw}, and from then on")
 
@@ -404,15 +502,6 @@ FALL_EXPECTED = (
 
 
 @dataclass(frozen=True)
-class Toy:
-    """Something on the desk, in a picture or in a marker: its label, and its middle (pixels)."""
-
-    label: str
-    u: float
-    v: float
-
-
-@dataclass(frozen=True)
 class Answered:
     """One MarkerArray: the place of its picture (None: none, or several), its stamps (s), when it was sent (s)."""
 
@@ -424,7 +513,7 @@ class Answered:
 
 def answers(recording: Recording) -> list[Answered]:
     """What arrived on the topic of the detections, in the order in which it was published."""
-    found = []
+    found, place_of = [], run_of(recording).place_of
     for arrival in recording.topic(DETECTIONS.name).arrivals:
         markers = arrival.value["markers"]
         if not isinstance(markers, list):
@@ -437,7 +526,7 @@ def answers(recording: Recording) -> list[Answered]:
         ]
         found.append(
             Answered(
-                PLACE_OF.get(pairs[0]) if len(pairs) == 1 else None,
+                place_of.get(pairs[0]) if len(pairs) == 1 else None,
                 tuple(sec + nanosec / 1e9 for sec, nanosec in pairs),
                 tuple(things),
                 arrival.published,
@@ -470,19 +559,20 @@ def answered_hz(recording: Recording, seen: Sequence[Timed]) -> float:
 
     Of a node that a picture with glare has ended: until then. That is judged elsewhere.
     """
-    sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    run, sent = run_of(recording), [word.wall for word in see.said(recording, IMAGE.name)]
     last = max(one.place for one in seen)
-    blind = sum(end - begin for begin, end in GLARE_S if begin * CAMERA_HZ < last)
+    blind = sum(end - begin for begin, end in run.events.glare_s if begin * CAMERA_HZ < last)
     ended = seen[-1].wall if gave_up_in_glare(recording, seen) else sent[-1] + MODEL_S
     lasted = ended - seen[0].wall - blind
-    return len([one for one in seen if one.place not in IN_GLARE]) / max(lasted, 0.1)
+    return len([one for one in seen if one.place not in run.in_glare]) / max(lasted, 0.1)
 
 
 def gave_up_in_glare(recording: Recording, given: Sequence[Timed] | Sequence[Answered]) -> bool:
     """Whether the last answer came when the first pictures with glare were handed to the model, or before the end."""
     sent = [word.wall for word in see.said(recording, IMAGE.name)]
     last = max(one.wall for one in given)
-    spans = [(round(begin * CAMERA_HZ), round(end * CAMERA_HZ)) for begin, end in GLARE_S]
+    glare_s = run_of(recording).events.glare_s
+    spans = [(round(begin * CAMERA_HZ), round(end * CAMERA_HZ)) for begin, end in glare_s]
     return any(
         sent[begin] - MODEL_S <= last <= sent[min(end, len(sent) - 1)] + 2 * MODEL_S
         for begin, end in spans
@@ -586,7 +676,7 @@ def near_glare(recording: Recording, at: float) -> bool:
     sent = [word.wall for word in see.said(recording, IMAGE.name)]
     return any(
         sent[round(begin * CAMERA_HZ)] <= at <= sent[round(end * CAMERA_HZ)] + 2 * MODEL_S
-        for begin, end in GLARE_S
+        for begin, end in run_of(recording).events.glare_s
         if round(end * CAMERA_HZ) < len(sent)
     )
 
@@ -594,21 +684,21 @@ def near_glare(recording: Recording, at: float) -> bool:
 # --- stamps -------------------------------------------------------------------------------------------------
 
 
-def wrong_stamps(given: Sequence[Answered]) -> Verdict | None:
+def wrong_stamps(run: Run, given: Sequence[Answered]) -> Verdict | None:
     """What is wrong with the stamps; None if nothing is."""
     return (
-        strange_stamps(given)
+        strange_stamps(run, given)
         or several_pictures(given)
-        or later_stamps(given)
+        or later_stamps(run, given)
         or one_for_each(given)
         or answered_twice(given)
         or not_in_order(given)
     )
 
 
-def strange_stamps(given: Sequence[Answered]) -> Verdict | None:
+def strange_stamps(run: Run, given: Sequence[Answered]) -> Verdict | None:
     """Stamps that no picture had."""
-    known = {sec + nanosec / 1e9 for sec, nanosec in PLACE_OF}
+    known = {sec + nanosec / 1e9 for sec, nanosec in run.place_of}
     strange = [one for one in given if not set(one.stamps) <= known]
     if not strange:
         return None
@@ -701,16 +791,16 @@ def not_in_order(given: Sequence[Answered]) -> Verdict | None:
     )
 
 
-def later_stamps(given: Sequence[Answered]) -> Verdict | None:
+def later_stamps(run: Run, given: Sequence[Answered]) -> Verdict | None:
     """Whether detections bear the stamp of a picture that came after the one they were found in; None if not."""
-    pairs = [(one.place, one) for one in given if one.place is not None and one.place not in IN_GLARE]
+    pairs = [(one.place, one) for one in given if one.place is not None and one.place not in run.in_glare]
     moving = [(place, one) for place, one in pairs if place > 12]
     if len(moving) < 8:
         return None
 
     def apart(back: int) -> float:
         return statistics.median(
-            distance for place, one in moving for distance in distances(one.things, place - back)
+            distance for place, one in moving for distance in distances(run, one.things, place - back)
         )
 
     here = apart(0)
@@ -749,23 +839,11 @@ def last_result_again(given: Sequence[Answered], saw: str) -> Verdict | None:
 # --- whether detections are right ---------------------------------------------------------------------------
 
 
-@cache
-def toys(place: int) -> tuple[tuple[Toy, float], ...]:
-    """What can be seen in a picture, and which part of it is visible."""
-    found = see.things_seen(VIEWS[place].scene)
-    return tuple((Toy(one.label, one.u, one.v), one.visible) for one in found)
-
-
-def whole(place: int) -> list[Toy]:
-    """What must be found in a picture."""
-    return [toy for toy, visible in toys(place) if visible >= WHOLE]
-
-
-def distances(things: Iterable[Toy], place: int) -> list[float]:
+def distances(run: Run, things: Iterable[Toy], place: int) -> list[float]:
     """How far (pixels) each detection is from the nearest toy with its label; a large number where there is none."""
     found = []
     for thing in things:
-        alike = [toy for toy, _ in toys(place) if toy.label == thing.label]
+        alike = [toy for toy in run.all_toys(place) if toy.label == thing.label]
         found.append(min((apart(thing, toy) for toy in alike), default=99.0))
     return found
 
@@ -774,11 +852,11 @@ def apart(one: Toy, other: Toy) -> float:
     return math.hypot(one.u - other.u, one.v - other.v)
 
 
-def is_right(place: int, answer: Answered) -> bool:
+def is_right(run: Run, place: int, answer: Answered) -> bool:
     """Whether each toy that is seen whole is there once, and nothing else."""
-    missing = unmatched(whole(place), answer.things)
-    extra = unmatched(answer.things, [toy for toy, _ in toys(place)])
-    return not missing and not extra and len(answer.things) <= len(toys(place))
+    missing = unmatched(run.whole(place), answer.things)
+    extra = unmatched(answer.things, run.all_toys(place))
+    return not missing and not extra and len(answer.things) <= len(run.toys(place))
 
 
 def unmatched(wanted: Iterable[Toy], found: Sequence[Toy]) -> list[Toy]:
@@ -802,74 +880,68 @@ class Reason:
     cause: str
     because: str
     try_this: str
-    fits: Callable[[int, Answered], bool]
+    fits: Callable[[Run, int, Answered], bool]
 
 
-def first_that_fits(reasons: Iterable[Reason], wrong: Sequence[tuple[int, Answered]]) -> Reason | None:
+def first_that_fits(
+    run: Run, reasons: Iterable[Reason], wrong: Sequence[tuple[int, Answered]]
+) -> Reason | None:
     """The first reason that fits most of the messages that are wrong."""
     for reason in reasons:
-        if sum(reason.fits(place, one) for place, one in wrong) >= MOST * len(wrong):
+        if sum(reason.fits(run, place, one) for place, one in wrong) >= MOST * len(wrong):
             return reason
     return None
 
 
-@cache
-def decoy(place: int) -> Toy:
-    """The blue ball of a picture: nothing that is to be found."""
-    one = VIEWS[place].scene
-    assert one.blue_ball is not None
-    return Toy("ball", *see.seen_pixel(one.blue_ball, pan=one.pan))
-
-
-def colors_swapped(place: int, answer: Answered) -> bool:
+def colors_swapped(run: Run, place: int, answer: Answered) -> bool:
     """Whether the blue ball was found, and the orange toys were not."""
-    return any(apart(one, decoy(place)) <= WITHIN_PIXELS for one in answer.things) and bool(
-        unmatched(whole(place), answer.things)
+    return any(apart(one, run.decoy(place)) <= WITHIN_PIXELS for one in answer.things) and bool(
+        unmatched(run.whole(place), answer.things)
     )
 
 
-def only_the_first(place: int, answer: Answered) -> bool:
+def only_the_first(run: Run, place: int, answer: Answered) -> bool:
     """Whether one detection stands for all."""
-    return len(answer.things) == 1 and not unmatched(answer.things, [toy for toy, _ in toys(place)])
+    return len(answer.things) == 1 and not unmatched(answer.things, run.all_toys(place))
 
 
-def rows_for_columns(place: int, answer: Answered) -> bool:
+def rows_for_columns(run: Run, place: int, answer: Answered) -> bool:
     """Whether columns and rows are exchanged."""
     turned = [Toy(one.label, one.v, one.u) for one in answer.things]
-    return not unmatched(whole(place), turned)
+    return not unmatched(run.whole(place), turned)
 
 
-def at_a_corner(place: int, answer: Answered) -> bool:
+def at_a_corner(run: Run, place: int, answer: Answered) -> bool:
     """Whether each toy is there with its label, but up to the left of its middle."""
     return all(
         any(
             toy.label == one.label and 2 < toy.u - one.u < 25 and 2 < toy.v - one.v < 25
             for one in answer.things
         )
-        for toy in whole(place)
+        for toy in run.whole(place)
     )
 
 
-def wrong_labels(place: int, answer: Answered) -> bool:
+def wrong_labels(run: Run, place: int, answer: Answered) -> bool:
     """Whether there is a marker where each toy is, but some have another label."""
     unnamed = [Toy("", one.u, one.v) for one in answer.things]
-    wanted = [Toy("", one.u, one.v) for one in whole(place)]
-    return not unmatched(wanted, unnamed) and bool(unmatched(whole(place), answer.things))
+    wanted = [Toy("", one.u, one.v) for one in run.whole(place)]
+    return not unmatched(wanted, unnamed) and bool(unmatched(run.whole(place), answer.things))
 
 
-def some_extra(place: int, answer: Answered) -> bool:
+def some_extra(run: Run, place: int, answer: Answered) -> bool:
     """Whether all toys are there, and more."""
-    return not unmatched(whole(place), answer.things)
+    return not unmatched(run.whole(place), answer.things)
 
 
-def other_labels(place: int, answer: Answered) -> bool:
+def other_labels(run: Run, place: int, answer: Answered) -> bool:
     """Whether all toys are there, and markers with other labels."""
-    return some_extra(place, answer) and any(toy.label not in LABELS for toy in answer.things)
+    return some_extra(run, place, answer) and any(toy.label not in LABELS for toy in answer.things)
 
 
-def some_missing(place: int, answer: Answered) -> bool:
+def some_missing(run: Run, place: int, answer: Answered) -> bool:
     """Whether what is there is right, and something is missing."""
-    return not unmatched(answer.things, [toy for toy, _ in toys(place)])
+    return not unmatched(answer.things, run.all_toys(place))
 
 
 REASONS = (
@@ -929,7 +1001,7 @@ SOMETHING_ELSE = Reason(
     "The model did not get the picture as the camera took it, or its result was changed. A model that gets wrong "
     "pixels raises nothing: it finds other things.",
     "Draw what you hand to the model, for one picture: colors, rows and columns must be as in the picture.",
-    lambda place, answer: True,
+    lambda run, place, answer: True,
 )
 
 
@@ -980,10 +1052,11 @@ def rarely_after_the_fall(recording: Recording, seen: Sequence[Timed], saw: str)
     """Why few pictures are answered from the fall on; None if enough are."""
     sent = [word.wall for word in see.said(recording, IMAGE.name)]
     felt = [word.wall for word in see.said(recording, IMU.name)]
-    if len(felt) <= FALL_SAMPLE or sent[-1] - felt[FALL_SAMPLE] < 2.0 or gave_up_in_glare(recording, seen):
+    fall_sample = run_of(recording).events.fall_sample
+    if len(felt) <= fall_sample or sent[-1] - felt[fall_sample] < 2.0 or gave_up_in_glare(recording, seen):
         return None
-    lasted = sent[-1] + MODEL_S - felt[FALL_SAMPLE]
-    hertz = (sum(one.wall > felt[FALL_SAMPLE] for one in seen) + 1) / lasted
+    lasted = sent[-1] + MODEL_S - felt[fall_sample]
+    hertz = (sum(one.wall > felt[fall_sample] for one in seen) + 1) / lasted
     if hertz >= LEAST_HZ:
         return None
     return see.failed(
@@ -1079,10 +1152,11 @@ def why_few(recording: Recording, saw: str) -> Verdict:
 
 def silent_since_glare(recording: Recording, saw: str, given: Sequence[Answered]) -> Verdict | None:
     """Why nothing was found any more since the model raised; None if something was."""
-    sent = [word.wall for word in see.said(recording, IMAGE.name)]
+    run, sent = run_of(recording), [word.wall for word in see.said(recording, IMAGE.name)]
+    first, last = run.in_glare[0], run.in_glare[-1]
     ended = recording.process.ended_by == "itself"
-    over = len(sent) > IN_GLARE[-1] and given[-1].wall > sent[IN_GLARE[-1]] + 3 * MODEL_S
-    behind = wrong_stamps(given) is None and max(one.place or 0 for one in given) < IN_GLARE[0]
+    over = len(sent) > last and given[-1].wall > sent[last] + 3 * MODEL_S
+    behind = wrong_stamps(run, given) is None and max(one.place or 0 for one in given) < first
     if over and not ended and not behind:
         return None
     if not ended and (over or not gave_up_in_glare(recording, given)):
@@ -1099,7 +1173,7 @@ def silent_since_glare(recording: Recording, saw: str, given: Sequence[Answered]
     else:
         saw = f"{saw}, and then no picture was answered any more"
     lines = len(WORDS_OF_THE_MODEL.findall(recording.process.log))
-    if not ended and lines > 2 * sum(end - begin for begin, end in GLARE_S) / MODEL_S:
+    if not ended and lines > 2 * sum(end - begin for begin, end in run.events.glare_s) / MODEL_S:
         return see.failed(
             "survives.same-picture-again",
             f"{saw}. The log has the text of the exception {lines} times",
@@ -1156,7 +1230,7 @@ def pauses(recording: Recording, saw: str, given: Sequence[Answered]) -> Verdict
     sent = [word.wall for word in see.said(recording, IMAGE.name)]
     if not seen or statistics.median(one.age for one in seen) > MOSTLY_S:
         return None
-    for _, end in GLARE_S:
+    for _, end in run_of(recording).events.glare_s:
         over = sent[min(round(end * CAMERA_HZ), len(sent) - 1)]
         waited = min((one.wall for one in given if one.wall > over + MODEL_S / 2), default=sent[-1]) - over
         if waited > PAUSE_S:
@@ -1171,10 +1245,10 @@ def pauses(recording: Recording, saw: str, given: Sequence[Answered]) -> Verdict
     return None
 
 
-def answered_glare(saw: str, given: Sequence[Answered]) -> Verdict | None:
+def answered_glare(run: Run, saw: str, given: Sequence[Answered]) -> Verdict | None:
     """Detections for pictures on which the model gave up, where stamps tell which picture they are for."""
-    guessed = [one for one in given if one.place in IN_GLARE]
-    if not guessed or wrong_stamps(given) is not None:
+    guessed = [one for one in given if one.place in run.in_glare]
+    if not guessed or wrong_stamps(run, given) is not None:
         return None
     if not any(toy.label in LABELS for one in guessed for toy in one.things):
         return see.failed(
@@ -1197,7 +1271,7 @@ def answered_glare(saw: str, given: Sequence[Answered]) -> Verdict | None:
 def said_nothing_there(recording: Recording, saw: str, given: Sequence[Answered]) -> Verdict | None:
     """Messages without any marker, soon after a picture with glare: at other times the model may have found nothing."""
     sent = [word.wall for word in see.said(recording, IMAGE.name)]
-    glaring = [sent[place] for place in IN_GLARE if place < len(sent)]
+    glaring = [sent[place] for place in run_of(recording).in_glare if place < len(sent)]
     empty = [
         one
         for one in given
@@ -1258,15 +1332,15 @@ def never_fell(recording: Recording) -> Verdict:
 
 def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verdict:
     """Why "error" was said before the fall."""
-    second = counted_on(at, moments)
+    what = run_of(recording).events
+    second = counted_on(at, moments, what)
     if second is not None:
         return second
-    for begin, end, tilt, _ in TILTS:
-        start, stop = (moments[round(one * IMU_HZ)] for one in (begin, end))
-        if tilt > TILT_DEG and start <= at <= stop + 0.25:
+    for jolt in what.jolts:
+        if moments[jolt.first] <= at <= moments[jolt.end] + 0.25:
             return see.failed(
                 "fall-reported.on-a-jolt",
-                f'"{ERROR}" after a jolt of {samples_within(begin, end)} samples',
+                f'"{ERROR}" after a jolt of {jolt.count} samples',
                 FALL_EXPECTED,
                 "A jolt is taken for a fall: fewer than ten samples are enough. Or tilted samples are counted, and the "
                 "count does not begin again at an upright one.",
@@ -1278,16 +1352,16 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
 def why_calm_but_early(recording: Recording, at: float, moments: Sequence[float]) -> Verdict:
     """Why "error" was said before the fall, and not after a jolt."""
     sent = [word.wall for word in see.said(recording, IMAGE.name)]
-    begin, end, tilt, _ = LEANING
-    if moments[round(begin * IMU_HZ)] <= at <= moments[round(end * IMU_HZ)] + 0.25:
+    what = run_of(recording).events
+    if moments[what.leaning.first] <= at <= moments[what.leaning.end] + 0.25:
         return see.failed(
             "fall-reported.on-leaning",
-            f'"{ERROR}" while the robot leans by {tilt:g}°',
+            f'"{ERROR}" while the robot leans by {what.leaning.deg:g}°',
             FALL_EXPECTED,
             "The angle above which the robot counts as tilted is too small, or degrees and radians are mixed up.",
             f"A sample is tilted when its angle is more than {TILT_DEG:g}°.",
         )
-    for begin, end in GLARE_S:
+    for begin, end in what.glare_s:
         if sent[round(begin * CAMERA_HZ)] <= at <= sent[round(end * CAMERA_HZ)] + 5 * MODEL_S:
             return see.failed(
                 "fall-reported.on-glare",
@@ -1298,23 +1372,22 @@ def why_calm_but_early(recording: Recording, at: float, moments: Sequence[float]
             )
     return see.failed(
         "fall-reported.before",
-        f'"{ERROR}" {moments[FALL_SAMPLE] - at:.1f} s before the fall',
+        f'"{ERROR}" {moments[what.fall_sample] - at:.1f} s before the fall',
         FALL_EXPECTED,
         "Nothing had happened to the robot yet.",
         "Say which condition sets the status, and log the tilt when it is met.",
     )
 
 
-def counted_on(at: float, moments: Sequence[float]) -> Verdict | None:
+def counted_on(at: float, moments: Sequence[float], what: Events) -> Verdict | None:
     """Whether "error" came with a second jolt, soon after one of the same length that was no fall; None if not."""
-    begin, end, _, _ = SECOND_JOLT
-    if not moments[round(begin * IMU_HZ) + 3] <= at <= moments[round(end * IMU_HZ)] + 0.25:
+    first, second = what.jolts[-2:]
+    if not moments[second.first + 3] <= at <= moments[second.end] + 0.25:
         return None
-    upright = samples_within(FIRST_JOLT[1], begin)
     return see.failed(
         "fall-reported.counts-on",
-        f'"{ERROR}" at the second of two jolts of {samples_within(begin, end)} samples, with {upright} upright samples '
-        "between them",
+        f'"{ERROR}" at the second of two jolts of {second.count} samples, with {second.first - first.end} upright '
+        "samples between them",
         FALL_EXPECTED,
         "The first jolt alone was no fall for this node. So the upright samples take only a part of the count away, or "
         "tilted samples are counted within a span of time.",
@@ -1322,9 +1395,9 @@ def counted_on(at: float, moments: Sequence[float]) -> Verdict | None:
     )
 
 
-def why_taken_back(saw: str, at: float, moments: Sequence[float]) -> Verdict:
+def why_taken_back(saw: str, at: float, moments: Sequence[float], what: Events) -> Verdict:
     """Why "operational" came again after the fall, at such a moment (s)."""
-    upright = moments[min(UPRIGHT_SAMPLE, len(moments) - 1)]
+    upright = moments[min(what.fall.end, len(moments) - 1)]
     if 0.0 <= at - upright <= FOLLOWS_WITHIN_S:
         return see.failed(
             "fall-reported.taken-back",

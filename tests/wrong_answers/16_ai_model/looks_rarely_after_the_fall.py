@@ -6,4 +6,4 @@ import threading
 import time
 # after: self.answer(self.newest.get())
 if self.fallen:
-    time.sleep(0.3)
+    time.sleep(0.25)

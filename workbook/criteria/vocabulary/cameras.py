@@ -55,6 +55,9 @@ class _Fields(Mapping[str, Any]):
             "data": data,
         }
 
+    def __repr__(self) -> str:
+        return f"camera_image({self._view})"
+
     def __getitem__(self, name: str) -> Any:
         return self._all[name]
 
