@@ -28,6 +28,8 @@ from workbook.watching.watch import PATIENCE_WITH_THE_END_S, Watch
 
 SEED_BITS = 32
 REAL_LIFE_S = 8.0
+CRASHES_WITHIN_S = 1.5
+"""An end so soon (s) after the switch back to real time may be due to the switch."""
 FIELD_CHECKS_S = 2.0
 FIELD_CHECKS_PERIODS = 1.5
 WORKED_PERIODS = 3
@@ -144,19 +146,20 @@ def _real_life_s(exercise: Exercise) -> float:
 
 
 def _contradicts(case: _Case, judgement: Judgement, simulated: Recording, real: Recording) -> bool:
-    """Whether a program behaved otherwise in real time than on simulated time: its end, its rates, types or values.
+    """Whether a program behaved otherwise in real time than on simulated time: its rates, types or values.
 
-    The script is not played again. So what it makes a program publish is missing then, and only rates can be compared:
+    A program that ends some time after it is back has its own reasons, and its end is judged as any other. The script is not played again. So what it makes a program publish is missing then, and only rates can be compared:
     with those that the exercise asks for.
     """
-    if real.process.ended_by == "itself":
+    ended = real.process.ended_by == "itself"
+    if ended and real.robot_s < CRASHES_WITHIN_S:
         return True
     scripted = bool(case.exercise.plan.script)
     for topic, period in case.exercise.periods.items():
         seen = [period] if scripted else intervals_of(simulated, topic)
         if seen and rates_differ(median(seen), real, topic):
             return True
-    if scripted:
+    if scripted or ended:
         return False
     before = {result.id: result.status for result in judgement.criteria}
     return any(
