@@ -148,8 +148,8 @@ def _real_life_s(exercise: Exercise) -> float:
 def _contradicts(case: _Case, judgement: Judgement, simulated: Recording, real: Recording) -> bool:
     """Whether a program behaved otherwise in real time than on simulated time: its rates, types or values.
 
-    A program that ends some time after it is back has its own reasons, and its end is judged as any other. The script is not played again. So what it makes a program publish is missing then, and only rates can be compared:
-    with those that the exercise asks for.
+    The script is not played again. So what it makes a program publish is missing then, and only rates can be compared:
+    with those that the exercise asks for. An end is judged as any other, unless it comes right after the switch.
     """
     ended = real.process.ended_by == "itself"
     if ended and real.robot_s < CRASHES_WITHIN_S:
