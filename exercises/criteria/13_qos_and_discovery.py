@@ -70,12 +70,12 @@ def drawn_changes(rng: random.Random, silences: Sequence[tuple[float, float]]) -
         again + rng.uniform(3.26, 3.3),
     ]
     words = ["error", "operational"]
-    before, after = changes[0] - LASTS_S, at_last + 1.8
+    before, after, latest = changes[0] - LASTS_S, at_last + 1.8, WATCH_S - LASTS_S - 0.05
     if before > 1.6 and rng.random() < 0.7:
         changes.insert(0, rng.uniform(1.6, before))
         words.reverse()
-    if after < WATCH_S - LASTS_S and rng.random() < 0.5:
-        changes.append(rng.uniform(after, WATCH_S - LASTS_S))
+    if after < latest and rng.random() < 0.5:
+        changes.append(rng.uniform(after, latest))
     return list(zip([see.BEFORE_START, *changes], cycle(words), strict=False))
 
 

@@ -1,7 +1,9 @@
 """Exercise 13: whatever is drawn, each kind of mistake is told by its own cause. No program runs here."""
 
 import random
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 
 import pytest
@@ -240,10 +242,13 @@ def watched(wrong: type[Dashboard], seed: int) -> Recording:
     assert isinstance(status, Says) and isinstance(heart, Says)
     end = EXERCISE.plan.wall_s
     dashboard = wrong()
-    first = [0] if dashboard.latched else []
-    events = [(line.at, dashboard.on_status, line.value["data"]) for line in status.lines[1:]]
-    events += [(-0.2, dashboard.on_status, status.lines[n].value["data"]) for n in first]
-    happens = [(at, lambda call=call, word=word: call(word)) for at, call, word in events]
+    first, *changes = status.lines
+    statuses = [(line.at, line.value["data"]) for line in changes]
+    if dashboard.latched:
+        statuses.append((-0.2, first.value["data"]))
+    happens: list[tuple[float, Callable[[], None]]] = [
+        (at, partial(dashboard.on_status, word)) for at, word in statuses
+    ]
     happens += [(line.at, dashboard.on_beat) for line in heart.lines]
     for period, call in ((dashboard.look_s, dashboard.look), (0.5, dashboard.line)):
         begin = phases.uniform(0.0, period)
@@ -264,7 +269,7 @@ def watched(wrong: type[Dashboard], seed: int) -> Recording:
     return replace(recorded(line, alarm, *heard), said=tuple(said), robot_s=end)
 
 
-def unzipped(pairs: list[tuple[float, object]]) -> tuple[list[float], list[object]]:
+def unzipped(pairs: Sequence[tuple[float, object]]) -> tuple[list[float], list[object]]:
     return [at for at, _ in pairs], [value for _, value in pairs]
 
 
@@ -310,7 +315,7 @@ ALARM = {
 }
 
 
-ALSO = {FollowsStatus: {"no_false_alarm"}}
+ALSO: dict[type[Dashboard], set[str]] = {FollowsStatus: {"no_false_alarm"}}
 
 
 @pytest.mark.parametrize("wrong", [*STATUS, *ALARM])
