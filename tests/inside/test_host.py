@@ -169,6 +169,34 @@ def test_a_traceback_from_a_main_that_was_called_for_the_student_has_no_host_in_
     assert "host.py" not in done.stderr
 
 
+def test_a_traceback_through_what_the_host_has_wrapped_shows_the_students_line(run: Run) -> None:
+    """The host watches rclpy's Context.init, so one of its frames stands between the program and rclpy."""
+    done = run("import rclpy\nrclpy.init()\nrclpy.init()\n")
+    assert done.returncode == 1
+    assert 'answer.py", line 3, in <module>' in done.stderr
+
+
+DRIVER = "import answer\nprint('never here')\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("level = 1 / 0\n", "ZeroDivisionError"),
+        ("level = = 1\n", "SyntaxError"),
+        ("import rclpy\nrclpy.init()\nrclpy.init()\n", "line 3, in <module>"),
+    ],
+)
+def test_a_traceback_of_an_answer_has_neither_the_driver_nor_the_import_in_it(
+    text: str, shown: str, tmp_path: Path, run: Run
+) -> None:
+    (tmp_path / "driver.py").write_text(DRIVER)
+    done = run(text, host_options=("--driver", str(tmp_path / "driver.py")))
+    assert done.returncode == 1 and done.stdout == ""
+    assert shown in done.stderr and 'answer.py", line' in done.stderr
+    assert "driver.py" not in done.stderr and "importlib" not in done.stderr and "host.py" not in done.stderr
+
+
 def test_a_syntax_error_names_file_line_and_place(run: Run) -> None:
     done = run("import rclpy\nspeed = = 3\n")
     assert done.returncode == 1
