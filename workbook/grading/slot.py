@@ -106,15 +106,12 @@ def serve(
     def report(judgement: Judgement) -> None:
         send({"final": False, "judgement": judgement_to_json(judgement)})
 
-    if isolation == "sandbox":
-        lease_in_private()
-    servers = [ForkServer(trunk) for trunk in trunks] or [ForkServer()]
-    server, alternate = servers[0], servers[1] if len(servers) > 1 else None
-    tier = make_tier(isolation, ids=ids, server=server, alternate=alternate, groups=groups)
-    warm_up(isolation, server)
+    servers = [*map(ForkServer, trunks)] or [ForkServer()]
+    tier = make_tier(isolation, ids=ids, server=servers[0], alternate=servers[-1], groups=groups)
+    warm_up(isolation, servers[0])
     with contextlib.ExitStack() as stack:
-        for one in servers:
-            stack.callback(one.close)
+        for server in servers:
+            stack.callback(server.close)
         try:
             observer = stack.enter_context(Observer(tier=tier))
         except NoDomainFree as error:
@@ -157,8 +154,12 @@ def _follow(
 
 
 def warm_up(isolation: Isolation, server: ForkServer) -> None:
-    """Prepare to fork programs: in a sandbox from `server`, in other tiers from this process's own fork server."""
+    """Prepare to fork programs: in a sandbox from `server`, in other tiers from this process's own fork server.
+
+    A sandbox has a network of its own, so its leases say nothing about this process.
+    """
     if isolation == "sandbox":
+        lease_in_private()
         server.start(sandbox_environment(child_environment(0, log_folder=Path(os.devnull))))
     else:
         own_server.keep()

@@ -1,4 +1,4 @@
-"""All that the workbook reads below /proc: processes, threads, sockets, users, and processors.
+"""What the workbook reads below /proc: processes, threads, sockets, users, and processors.
 
 Functions about a process that has ended return nothing, zero or None, as each says; `read` raises OSError.
 """
@@ -11,7 +11,6 @@ _PAGE_BYTES = os.sysconf("SC_PAGE_SIZE")
 _TICK_S = 1.0 / os.sysconf("SC_CLK_TCK")
 _IDLE, _STEAL = slice(3, 5), 7  # columns of /proc/stat
 READ_BYTES = 65_536
-EPOLL = "anon_inode:[eventpoll]"
 PROC_STAT = "/proc/stat"
 UDP_TABLES = ("/proc/net/udp", "/proc/net/udp6")
 UNIX_SOCKETS = "/proc/net/unix"
@@ -117,16 +116,6 @@ def owner(pid: int) -> int | None:
     with suppress(OSError):
         return os.stat(f"/proc/{pid}").st_uid
     return None
-
-
-def running(group: Iterable[int]) -> list[int]:
-    """Those of some processes that have not ended. One that has is there until its parent asks how."""
-    found = []
-    for pid in group:
-        with suppress(OSError):
-            if stat_fields(pid)[0] not in (b"Z", b"X"):
-                found.append(pid)
-    return found
 
 
 def running_users() -> list[tuple[int, int]]:
@@ -279,31 +268,6 @@ def _peek(fd: int) -> bytes:
         return os.pread(fd, 512, 0)
     except OSError:
         return b""
-
-
-# --- descriptors ----------------------------------------------------------------------------------------------
-
-
-def descriptors(group: Iterable[int]) -> list[str]:
-    """The descriptors that these processes have open, as links; what they share counts in each of them."""
-    found: list[str] = []
-    for pid in group:
-        folder = f"/proc/{pid}/fd/"
-        with suppress(OSError):
-            found += [folder + number for number in os.listdir(folder)]
-    return found
-
-
-def descriptors_watched(links: Iterable[str], enough: int) -> int:
-    """How many descriptors the epoll instances among `links` watch. Counting ends where it is more than `enough`."""
-    watched = 0
-    for link in links:
-        with suppress(OSError):
-            if os.readlink(link) == EPOLL:
-                watched += read(link.replace("/fd/", "/fdinfo/")).count(b"tfd:")
-        if watched > enough:
-            break
-    return watched
 
 
 # --- sockets --------------------------------------------------------------------------------------------------

@@ -1,15 +1,11 @@
 """What a program takes from the machine, as far as the limits of its single processes cannot hold it back."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from contextlib import suppress
 
-from workbook.inside.proc import (
-    descriptors,
-    descriptors_watched,
-    how_many_threads,
-    memory_bytes,
-    running,
-)
+from workbook.inside.descriptors import descriptors, descriptors_watched
+from workbook.inside.proc import how_many_threads, memory_bytes, stat_fields
 from workbook.programs.tier import Confinement
 from workbook.recording.limits import ENDED_PROCESSES, Limits
 
@@ -54,6 +50,16 @@ def limit_exceeded(limits: Limits, pids: Sequence[int], confinement: Confinement
 def too_many(pids: Sequence[int], most: int) -> bool:
     """Whether more than `most` of these processes run, or far more have ended and are left."""
     return len(pids) > most and (len(pids) > most + ENDED_PROCESSES or len(running(pids)) > most)
+
+
+def running(pids: Iterable[int]) -> list[int]:
+    """Those of some processes that have not ended. One that has is there until its parent asks how."""
+    found = []
+    for pid in pids:
+        with suppress(OSError):
+            if stat_fields(pid)[0] not in (b"Z", b"X"):
+                found.append(pid)
+    return found
 
 
 def until_next_look_s(limits: Limits, pids: Sequence[int]) -> float:
