@@ -42,7 +42,7 @@ def test_the_ball_is_whole_wide_enough_and_apart_from_the_brick(pictures: Any) -
 
 
 def test_all_kinds_come_and_in_an_order_that_tells_mistakes_apart(pictures: Any) -> None:
-    assert len(pictures.views) == judge()["PICTURES"]
+    assert (len(pictures.views), len(pictures.readable)) == (judge()["PICTURES"], judge()["READABLE"])
     assert len(pictures.without_ball) <= 36  # who is silent there still keeps up
     first = pictures.first_other
     assert pictures.views[0].encoding == "rgb8" and pictures.views[first - 1].encoding == "bgr8"

@@ -235,9 +235,11 @@ def test_11_tells_how_soon_a_touch_must_be_reported_and_what_it_may_cost() -> No
 
 def test_15_tells_how_wide_the_ball_is_and_shows_it_above_and_below_the_brick() -> None:
     applied, told = constants("15_camera"), task("15_camera")
+    assert f"it publishes {applied['PICTURES']} pictures" in told
+    pictures = applied["drawn"](0)
     seen = [
-        {thing.label: thing for thing in things_seen(applied["VIEWS"][place].scene)}
-        for place in applied["WITH_BALL"]
+        {thing.label: thing for thing in things_seen(pictures.views[place].scene)}
+        for place in pictures.with_ball
     ]
     assert f"at least {min(things['ball'].width for things in seen) // 1:.0f} pixels wide" in told
     assert {things["ball"].v < things["brick"].v for things in seen} == {True, False}
@@ -265,5 +267,5 @@ def test_16_tells_how_the_heart_beats_and_what_a_fall_is() -> None:
     assert f"ten samples in a row are tilted by more than {applied['TILT_DEG']:g}°" in told
     assert f"`error` comes at most {applied['FALL_WITHIN_S']:g} s after the tenth" in told
     assert f"It sends {applied['PICTURES']} pictures" in told
-    blind = sum(end - begin for begin, end in applied["GLARE_S"])
+    blind = sum(end - begin for begin, end in applied["drawn"](0).events.glare_s)
     assert f"for {blind:.1f} s of them there is glare" in told
