@@ -2,8 +2,8 @@
 
 Topics:
     /driver/go (std_msgs/String), heard: an order, with a call on each line, such as "send_battery(42)".
-    /driver/report (std_msgs/String), published after them: a line for each call, "send_battery(42)<tab>returned" or
-        "send_battery('full')<tab>TypeError: ...", signed as a whole.
+    /driver/report (std_msgs/String), published after them: one for each call, "send_battery(42)<tab>returned" or
+        "send_battery('full')<tab>TypeError: ...", signed.
 """
 
 from collections.abc import Callable
@@ -35,7 +35,8 @@ class Driver(Node):
     def on_go(self, order: String) -> None:
         """Make every call, whatever the others did."""
         lines = [f"{call}\t{self.outcome(call)}" for call in order.data.splitlines()]
-        self.report_publisher.publish(String(data=sign(REPORT, "\n".join(lines))))
+        for line in lines:  # one message each: a recording does not keep the end of a long text
+            self.report_publisher.publish(String(data=sign(REPORT, line)))
 
     def outcome(self, call: str) -> str:
         """What became of a call, on one line."""
