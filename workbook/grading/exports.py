@@ -5,11 +5,12 @@ Formats: Gradescope's results.json (docs/specs.md of its autograder samples), Ca
 """
 
 import csv
-import html
 import io
 import json
 from collections.abc import Iterable, Sequence
 from typing import Any
+
+from markupsafe import escape
 
 from workbook.grading.grades_csv import logins, safe_cell, student_cell
 from workbook.grading.results import Result
@@ -115,7 +116,7 @@ def moodle(results: Iterable[Result], item: str) -> str:
     login = logins(result.student for result in mine)
     for result in mine:
         if result.score is not None:
-            feedback = html.escape(safe_cell(_said(result)), quote=False)
+            feedback = str(escape(safe_cell(_said(result))))
             rows.append([login[result.student], safe_cell(result.score), feedback])
     return _rows(rows)
 

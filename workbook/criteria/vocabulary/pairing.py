@@ -110,46 +110,67 @@ def pair_in_order(
     An input needs an output that belongs to it, unless it `may_be_missing` or is the only one that is `excusable`.
     What follows after the last pair must be outputs that `may_be_extra`.
     """
-
-    # Sets of outputs are whole numbers: bit j is outputs[j], or says that the first j outputs can be paired.
-    reached = (1, 0)  # by the inputs so far: without an excuse, and with the only one
-    table = []
-    for one in inputs:
-        plain, excused = reached
-        places = (j for j in _bits_of(plain | excused) if j < len(outputs) and belongs(one, outputs[j]))
-        mine, missing = sum(1 << j for j in places), may_be_missing(one)
-        excuse = not missing and plain != 0 and excusable(one)
-        reached = (
-            (plain & mine) << 1 | plain * missing,
-            (excused & mine) << 1 | excused * missing | plain * excuse,
-        )
-        if reached == (0, 0):
-            return None
-        table.append((mine, missing, excuse))
+    table = _looked_up(inputs, outputs, belongs, may_be_missing, excusable)
     last = len(outputs)
     while last > 0 and may_be_extra(outputs[last - 1]):
         last -= 1
-    plain = excused = (1 << len(outputs) + 1) - (1 << last)
-    fits = [(plain, excused)]  # after each input: from where the rest can be paired
-    for mine, missing, excuse in reversed(table):
-        fits.append(
-            (
-                (plain >> 1 & mine) | plain * missing | excused * excuse,
-                (excused >> 1 & mine) | excused * missing,
-            )
-        )
-        plain, excused = fits[-1]
-    if not plain & 1:
+    fits = None if table is None else _from_where_it_fits(table, len(outputs), last)
+    if table is None or fits is None:
         return None
     pairs: list[tuple[In, Out]] = []
     used = 0
-    for one, (mine, missing, _), rest in zip(inputs, table, fits[-2::-1], strict=True):
+    for one, (mine, missing, _), rest in zip(inputs, table, fits, strict=True):
         j = len(pairs)
         if mine >> j & 1 and rest[used] >> j + 1 & 1:
             pairs.append((one, outputs[j]))
         elif not missing:
             used = 1
     return pairs
+
+
+# Sets of outputs are whole numbers: bit j is outputs[j], or says that the first j outputs can be paired.
+_Row = tuple[int, bool, bool]
+"""Of an input: the outputs that belong to it, whether it may be missing, and whether it can be the excused one."""
+
+
+def _looked_up(
+    inputs: Sequence[In],
+    outputs: Sequence[Out],
+    belongs: Callable[[In, Out], bool],
+    may_be_missing: Callable[[In], bool],
+    excusable: Callable[[In], bool],
+) -> list[_Row] | None:
+    """A row for each input, for the outputs that can be reached; None when none can be reached any more."""
+    plain, excused = 1, 0  # reached by the inputs so far: without an excuse, and with the only one
+    table = []
+    for one in inputs:
+        places = (j for j in _bits_of(plain | excused) if j < len(outputs) and belongs(one, outputs[j]))
+        mine, missing = sum(1 << j for j in places), may_be_missing(one)
+        excuse = not missing and plain != 0 and excusable(one)
+        table.append((mine, missing, excuse))
+        plain, excused = (
+            (plain & mine) << 1 | plain * missing,
+            (excused & mine) << 1 | excused * missing | plain * excuse,
+        )
+        if not plain | excused:
+            return None
+    return table
+
+
+def _from_where_it_fits(table: Sequence[_Row], outputs: int, last: int) -> list[tuple[int, int]] | None:
+    """After each input: from where the rest can be paired, without an excuse and with it. None if the whole cannot.
+
+    `last`: from there on, all of the `outputs` may be extra.
+    """
+    plain = excused = (1 << outputs + 1) - (1 << last)
+    fits = []
+    for mine, missing, excuse in reversed(table):
+        fits.append((plain, excused))
+        plain, excused = (
+            (plain >> 1 & mine) | plain * missing | excused * excuse,
+            (excused >> 1 & mine) | excused * missing,
+        )
+    return fits[::-1] if plain & 1 else None
 
 
 def _bits_of(number: int) -> Iterator[int]:
