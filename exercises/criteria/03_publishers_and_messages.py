@@ -1,8 +1,10 @@
 """How exercise 03 is judged: each call of publish_level, and what went out on /robot/battery because of it."""
 
-from collections.abc import Collection
+import re
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from itertools import pairwise
+from random import Random
 
 from std_msgs.msg import Float32, String
 
@@ -13,62 +15,153 @@ BATTERY = topic("/robot/battery", Float32)
 REPORT = topic("/driver/report", String)
 TOLERANCE = 1e-5  # what 32 bits make of a charge with a few decimals; the task names it
 
-# What publish_level is called with, as Python writes it, and the number that must arrive.
-FLOATS = {
-    "87.25": 87.25, "99.9": 99.9, "0.1": 0.1, "100.0": 100.0, "66.66667": 66.66667, "1.0": 1.0, "0.00005": 0.00005,
-    "42.5": 42.5,
-}  # fmt: skip
-EMPTY = {"0.0": 0.0}
-OTHER_NUMBERS = {
-    "64": 64.0, "7": 7.0, "0": 0.0, "1": 1.0, "np.float32(12.5)": 12.5, "np.float64(33.25)": 33.25,
-    "np.float16(50.5)": 50.5, "np.int64(7)": 7.0, "np.int32(18)": 18.0, "np.int8(100)": 100.0, "np.float32(0.0)": 0.0,
-}  # fmt: skip
-MEANT = {**FLOATS, **EMPTY, **OTHER_NUMBERS}
-
-# What it must refuse.
-NO_NUMBERS = ("None", "'full'", "''", "[50.0]", "(50.0,)", "[]")
+COUNT = 40  # calls
+Kind = Callable[[str | None], bool]
+"""Whether an argument, as Python writes it, is of a certain kind."""
 BOOLS = ("True", "False")
-LOOK_LIKE_NUMBERS = (*BOOLS, "'50'", "' 7.5 '")
-NOT_FINITE = ("nan", "inf", "-inf", "np.float32(nan)", "np.float64(-inf)", "np.float32(-inf)")
+NO_WORDS = ("full", "empty", "none", "ok")
 
-KINDS = {
-    "'full'": "a text",
-    "''": "a text",
-    "'50'": "a text",
-    "' 7.5 '": "a text",
-    "[50.0]": "a list",
-    "[]": "a list",
-    "(50.0,)": "a tuple",
-}
-KINDS |= dict.fromkeys(("64", "7", "0", "1"), "an int") | dict.fromkeys(BOOLS, "a bool")
 
-# Numbers and misuse in turn, some twice in a row, some once more much later: what one call leaves behind shows in the
-# next one.
-CALLS = (
-    "87.25", "99.9", "99.9", "0.1", "64", "None", "np.float32(12.5)", "True", "0.0", "0.0", "'full'",
-    "np.float64(33.25)", "nan", "100.0", "'50'", "np.int64(7)", "7", "[50.0]", "0", "False", "66.66667", "inf", "1.0",
-    "-inf", "np.float16(50.5)", "np.int8(100)", "' 7.5 '", "np.int32(18)", "(50.0,)", "87.25", "np.float32(nan)",
-    "np.float32(0.0)", "1", "''", "0.00005", "np.float64(-inf)", "np.float32(-inf)", "42.5", "[]", "64",
-)  # fmt: skip
+def number_in(argument: str | None) -> float | None:
+    """The number that must arrive for an argument, as Python writes it; None if it must be refused."""
+    found = re.fullmatch(r"(?:np\.\w+\()?(\d+(?:\.\d+)?)\)?", argument or "")
+    return float(found[1]) if found else None
+
+
+def is_float(argument: str | None) -> bool:
+    """Whether this is a float of Python, and not that of an empty battery."""
+    return bool(re.fullmatch(r"\d+\.\d+", argument or "")) and not is_empty(argument)
+
+
+def is_empty(argument: str | None) -> bool:
+    return argument == "0.0"
+
+
+def is_other_number(argument: str | None) -> bool:
+    return number_in(argument) is not None and not is_float(argument) and not is_empty(argument)
+
+
+def is_no_number(argument: str | None) -> bool:
+    """Whether this is neither a number nor looks like one."""
+    return bool(argument) and all(
+        number_in(argument) is None and not kind(argument) for kind in (looks_like_number, is_not_finite)
+    )
+
+
+def looks_like_number(argument: str | None) -> bool:
+    return argument in BOOLS or bool(re.fullmatch(r"' *\d+(\.\d+)? *'", argument or ""))
+
+
+def is_not_finite(argument: str | None) -> bool:
+    return bool(re.fullmatch(r"(np\.\w+\()?-?(nan|inf)\)?", argument or ""))
+
+
+def is_wrong_type(argument: str | None) -> bool:
+    return is_no_number(argument) or looks_like_number(argument)
+
+
+def kind_of(argument: str | None) -> str:
+    """What kind of value this is, in words, where that is not obvious."""
+    kinds = {"'": "a text", "[": "a list", "(": "a tuple"}
+    if argument in BOOLS:
+        return "a bool"
+    return "an int" if (argument or "").isdecimal() else kinds.get((argument or " ")[0], "")
+
+
+def odd(rng: Random, low: int, high: int) -> int:
+    """A number of two digits that does not end in 0, as those in texts do."""
+    return 10 * rng.randint(low, high) + rng.randint(1, 9)
+
+
+def drawn_arguments(rng: Random) -> list[str]:
+    """The arguments of all calls: six numbers, then the others in any order, some of them together."""
+    first, whole, small = f"{odd(rng, 5, 9)}.25", str(odd(rng, 1, 9)), str(rng.randint(2, 9))
+    second = f"{odd(rng, 5, 9)}.{rng.choice('34679')}"
+    begin = [first, second, second, f"0.{odd(rng, 1, 9)}", whole, f"np.float32({odd(rng, 1, 4)}.5)"]
+    bools, texts = [*BOOLS], [f"'{10 * rng.randint(2, 9)}'", f"' {rng.randint(2, 9)}.5 '"]
+    rng.shuffle(bools)
+    rng.shuffle(texts)
+    within = 10 * rng.randint(2, 9)
+    long = f"{rng.randint(33, 98)}.{rng.randint(1000, 9999)}{rng.randint(1, 9)}"
+    single = [
+        bools[1], texts[1], "None", f"'{rng.choice(NO_WORDS)}'", "''", f"[{within}.0]", f"({within}.0,)", "[]",
+        first, "100.0", "1.0", long, f"0.0000{rng.randint(2, 9)}", f"{odd(rng, 1, 4)}.5",
+        whole, "0", "1", f"np.float64({odd(rng, 1, 9)}.25)", f"np.float16({rng.randint(33, 63)}.5)",
+        f"np.int32({odd(rng, 1, 9)})", f"np.int8({odd(rng, 7, 9)})", "np.float32(0.0)",
+    ]  # fmt: skip
+    # A bool, an empty battery twice, and a text: what a zero leaves behind shows in what must be refused after it.
+    units = [[bools[0], "0.0", "0.0", texts[0]], [f"np.int64({small})", small], *([one] for one in single)]
+    rng.shuffle(units)
+    # What is not finite comes behind numbers: a method that remembers wrong types may remember these, too, or not.
+    not_finite = ["np.float32(nan)", "np.float64(-inf)", "np.float32(-inf)", "nan", "inf"]
+    rng.shuffle(not_finite)
+    first_minus = min(not_finite.index(f"np.{kind}(-inf)") for kind in ("float32", "float64"))
+    not_finite.insert(rng.randint(0, first_minus), "-inf")
+    places = rng.sample(
+        [place for place, unit in enumerate(units) if number_in(unit[-1]) is not None], len(not_finite)
+    )
+    for place, argument in zip(sorted(places), not_finite, strict=True):
+        units[place].append(argument)
+    return [*begin, *(argument for unit in units for argument in unit)]
+
+
+def fits(arguments: Sequence[str]) -> bool:
+    """Whether each mistake shows as what it is in such a row of calls.
+
+    A method that sends the last number again, instead of an error, must not seem to make another mistake; and what one
+    call leaves behind must show in a float and in another number.
+    """
+    seen: list[str] = []
+    sent = 0.0
+    for argument in arguments:
+        if (
+            (is_not_finite(argument) and sent == 100.0)
+            or (argument == "True" and sent == 1.0)
+            or (is_empty(argument) and sent < 1.0 and not is_empty(seen[-1]))
+            or (argument.startswith("0.0000") and sent == 0.0)
+            or (is_no_number(argument) and sent == 0.0 and not any(map(is_no_number, seen)))
+        ):
+            return False
+        number = number_in(argument)
+        sent = sent if number is None else number
+        seen.append(argument)
+    after = {argument for before, argument in pairwise(arguments) if is_wrong_type(before)}
+    first_look_alike = next(filter(looks_like_number, arguments))
+    last_number = next(one for one in reversed(arguments) if number_in(one) is not None)
+    return (
+        first_look_alike in BOOLS
+        and any(map(is_float, after))
+        and any(map(is_other_number, after))
+        and is_float(last_number)
+        and sent > 1.0
+    )
+
+
+def drawn(rng: Random) -> list[see.Part]:
+    """Numbers and misuse in turn, some twice in a row, some once more much later."""
+    arguments = drawn_arguments(rng)
+    while not fits(arguments):
+        arguments = drawn_arguments(rng)
+    return [see.says("/driver/calls", String, [(0.0, "\n".join(arguments))], "latched")]
+
+
 AT_ONCE = 4  # the driver makes this call right after the one before, and all others 0.06 s after it
 EARLY = "sent before any call: "
 NEVER_AWAITED = "publish_level' was never awaited"  # Python's warning in the log
 MISTAKES = ("NameError", "AttributeError", "UnboundLocalError")
 
-WATCH = watching(
-    wall_seconds=5.0, script=[see.says("/driver/calls", String, [(0.0, "\n".join(CALLS))], "latched")]
-)
+WATCH = watching(wall_seconds=5.0, script=drawn)
 
 
 @criterion(points=0, title="BatteryPublisher() can be made, and every call comes back", needs=[program_runs])
 def calls_come_back(recording: Recording) -> Verdict:
-    expected = f"a class BatteryPublisher, and {len(CALLS)} calls of its publish_level that return or raise"
+    expected = f"a class BatteryPublisher, and {COUNT} calls of its publish_level that return or raise"
     said = see.driver_reports(recording, REPORT)
     trouble = next((one.removeprefix("not made: ") for one in said if one.startswith("not made: ")), None)
     if trouble is not None:
         return cannot_be_called(recording, trouble, expected)
     if "done" in said:
-        return see.passed(f"{see.count(len(CALLS), 'call')} made")
+        return see.passed(f"{see.count(COUNT, 'call')} made")
     begun = [call.argument for call in calls(recording) if call.number]
     return stopped_short(recording, begun[-1] if begun else None, expected)
 
@@ -82,7 +175,7 @@ def battery_topic(recording: Recording) -> Verdict:
 
 @criterion(points=0, title="A number that it is given is published", needs=[battery_topic])
 def sends(recording: Recording) -> Verdict:
-    numbers = [call for call in judged_calls(recording) if call.argument in MEANT]
+    numbers = [call for call in judged_calls(recording) if number_in(call.argument) is not None]
     if any(call.sent or call.later for call in numbers):
         return see.passed("numbers are published")
     if NEVER_AWAITED in recording.process.log:
@@ -99,7 +192,7 @@ def sends(recording: Recording) -> Verdict:
 
 @criterion(points=2, title="Floats arrive as they are, each of them once", needs=[sends])
 def floats_arrive(recording: Recording) -> Verdict:
-    verdict = all_arrived(recording, FLOATS, f"all floats arrived within {TOLERANCE:g}")
+    verdict = all_arrived(recording, is_float, f"all floats arrived within {TOLERANCE:g}")
     before = [*at_the_start(recording), *calls(recording)[0].later]
     if before and verdict.ok:
         return see.failed(
@@ -114,27 +207,27 @@ def floats_arrive(recording: Recording) -> Verdict:
 
 @criterion(points=1, title="0.0 arrives when the battery is really empty", needs=[sends])
 def zero_arrives(recording: Recording) -> Verdict:
-    return all_arrived(recording, EMPTY, "0.0 arrived as 0.0")
+    return all_arrived(recording, is_empty, "0.0 arrived as 0.0")
 
 
 @criterion(points=2, title="Other numbers arrive, too: int and NumPy's", needs=[sends])
 def numbers_arrive(recording: Recording) -> Verdict:
-    return all_arrived(recording, OTHER_NUMBERS, "ints and NumPy's numbers arrived with the right value")
+    return all_arrived(recording, is_other_number, "ints and NumPy's numbers arrived with the right value")
 
 
 @criterion(points=1, title="None, words, a list and a tuple are refused with an error", needs=[sends])
 def no_number_refused(recording: Recording) -> Verdict:
-    return all_refused(recording, NO_NUMBERS, "None, words, a list and a tuple raised an error")
+    return all_refused(recording, is_no_number, "None, words, a list and a tuple raised an error")
 
 
 @criterion(points=1, title="True and '50' are refused, although float() takes them", needs=[sends])
 def look_alikes_refused(recording: Recording) -> Verdict:
-    return all_refused(recording, LOOK_LIKE_NUMBERS, "bools and texts of digits raised an error")
+    return all_refused(recording, looks_like_number, "bools and texts of digits raised an error")
 
 
 @criterion(points=1, title="nan and inf are refused, although they are floats", needs=[sends])
 def not_finite_refused(recording: Recording) -> Verdict:
-    return all_refused(recording, NOT_FINITE, "nan, inf and -inf raised an error")
+    return all_refused(recording, is_not_finite, "nan, inf and -inf raised an error")
 
 
 @criterion(points=1, title="No 0.0 is sent by mistake", needs=[sends])
@@ -186,35 +279,36 @@ def is_other_than_zero(call: DriverCall) -> bool:
 
     That False is sent is judged with the bools, and that 0.1 is rounded with the floats.
     """
-    return call.complete and MEANT.get(call.argument or "", 1.0) >= 1.0 and call.argument != "False"
+    number = number_in(call.argument)
+    return call.complete and (number is None or number >= 1.0) and call.argument != "False"
 
 
 def words(call: DriverCall) -> str:
     """The call as one writes it, and what kind of value it was, then how it came back and what went out."""
-    kind = KINDS.get(call.argument or "")
+    kind = kind_of(call.argument)
     told = f"publish_level({call.argument})" + (f", {kind}," if kind else "")
     how = f"raised {call.error}" if call.how == "raised" else "came back without an error"
     sent = see.listing([as_float(one) for one in call.sent])
     return f"{told} {how}, and {f'{sent} went out' if call.sent else 'nothing went out'}"
 
 
-def all_arrived(recording: Recording, wanted: Collection[str], praise: str) -> Verdict:
+def all_arrived(recording: Recording, wanted: Kind, praise: str) -> Verdict:
     """All of these numbers arrived."""
     made = judged_calls(recording)
-    bad = next((call for call in made if call.argument in wanted and not arrived(call)), None)
+    bad = next((call for call in made if wanted(call.argument) and not arrived(call)), None)
     return see.passed(praise) if bad is None else why_not_arrived(bad, made)
 
 
-def all_refused(recording: Recording, wanted: Collection[str], praise: str) -> Verdict:
+def all_refused(recording: Recording, wanted: Kind, praise: str) -> Verdict:
     """All of these values were refused."""
     made = judged_calls(recording)
-    bad = next((call for call in made if call.argument in wanted and not refused(call)), None)
+    bad = next((call for call in made if wanted(call.argument) and not refused(call, made)), None)
     return see.passed(praise) if bad is None else why_not_refused(bad, made)
 
 
 def meant(call: DriverCall) -> float:
     """The number that the call must send."""
-    return MEANT[call.argument or ""]
+    return number_in(call.argument) or 0.0
 
 
 def arrived(call: DriverCall) -> bool:
@@ -224,14 +318,15 @@ def arrived(call: DriverCall) -> bool:
     return abs(float(call.sent[0]) - meant(call)) <= TOLERANCE
 
 
-def refused(call: DriverCall) -> bool:
+def refused(call: DriverCall, made: Sequence[DriverCall]) -> bool:
     """The call raised an error and sent nothing."""
-    return call.how == "raised" and not call.sent and not strange(call)
+    return call.how == "raised" and not call.sent and not strange(call, made)
 
 
-def strange(call: DriverCall) -> list[float]:
+def strange(call: DriverCall, made: Sequence[DriverCall]) -> list[float]:
     """What followed the call and repeats none of the numbers: who repeats these has lost the points for numbers."""
-    return [one for one in call.later if all(abs(one - number) > TOLERANCE for number in MEANT.values())]
+    numbers = {number for one in made if (number := number_in(one.argument)) is not None}
+    return [one for one in call.later if all(abs(one - number) > TOLERANCE for number in numbers)]
 
 
 def as_float(value: float) -> str:
@@ -316,7 +411,9 @@ def why_not_arrived(call: DriverCall, made: list[DriverCall]) -> Verdict:
 
 def why_dropped_at_once(call: DriverCall, made: list[DriverCall], saw: str, expected: str) -> Verdict | None:
     """Why nothing was sent in the call that came at once after another, and in the next one again; else None."""
-    after = next((one for one in made if one.number > call.number and one.argument in MEANT), None)
+    after = next(
+        (one for one in made if one.number > call.number and number_in(one.argument) is not None), None
+    )
     if call.number != AT_ONCE or after is None or not arrived(after):
         return None
     return see.failed(
@@ -335,7 +432,7 @@ def why_nothing_sent(call: DriverCall, made: list[DriverCall], saw: str, expecte
     def fail(cause: str, because: str, try_this: str) -> Verdict:
         return see.failed(cause, saw, expected, because, try_this)
 
-    numbers = [one for one in made if one.argument in MEANT]
+    numbers = [one for one in made if number_in(one.argument) is not None]
     went_well, later = (
         [one for one in numbers if arrived(one)],
         [one for one in numbers if one.number > call.number],
@@ -428,7 +525,7 @@ def why_changed(call: DriverCall, made: list[DriverCall], saw: str, expected: st
         return see.failed(cause, saw, expected, because, try_this)
 
     sent, number = float(call.sent[0]), meant(call)
-    if call.argument in OTHER_NUMBERS and sent == 0.0:
+    if is_other_number(call.argument) and sent == 0.0:
         return fail(
             "number.not-converted",
             "A float32 field needs a Python float. This build sends an int or a np.float32 as 0.0, and reports no "
@@ -442,7 +539,7 @@ def why_changed(call: DriverCall, made: list[DriverCall], saw: str, expected: st
             "battery is empty.",
             "Send the number as it is.",
         )
-    before = [one for one in made if one.number < call.number and one.argument in MEANT]
+    before = [one for one in made if one.number < call.number and number_in(one.argument) is not None]
     if before and sends_what_was_before(before[-1], call):
         return why_one_behind(saw, expected)
     if any(abs(round(number, digits) - sent) <= TOLERANCE for digits in range(5)) or int(number) == sent:
@@ -500,7 +597,7 @@ def why_number_raised(call: DriverCall, made: list[DriverCall], saw: str, expect
         )
     if meant(call) in (0.0, 1.0):
         return why_zero_raised(made, saw, expected)
-    if call.argument in OTHER_NUMBERS:
+    if is_other_number(call.argument):
         return fail(
             "number.refused",
             "Your check refuses too much: this is a number, although it is not a Python float.",
@@ -511,8 +608,8 @@ def why_number_raised(call: DriverCall, made: list[DriverCall], saw: str, expect
 
 def why_float_raised(made: list[DriverCall], saw: str, expected: str) -> Verdict:
     """Why a call with a float raised an error."""
-    refused_floats = {one.argument for one in made if one.argument in FLOATS and one.how == "raised"}
-    if refused_floats == {argument for argument, number in FLOATS.items() if number < 1.0}:
+    floats = [one for one in made if is_float(one.argument)]
+    if all((one.how == "raised") == (meant(one) < 1.0) for one in floats):
         return see.failed(
             "number.small-refused",
             saw,
@@ -533,8 +630,10 @@ def went_well_before(call: DriverCall, made: list[DriverCall]) -> bool:
     """Whether the same call arrived before, or all numbers did until some call after a refusal, and none from it on."""
     if any(one.number < call.number and one.argument == call.argument and arrived(one) for one in made):
         return True
-    numbers = [one for one in made if one.argument in MEANT]
-    first_refusal = min((one.number for one in made if one.argument not in MEANT and refused(one)), default=0)
+    numbers = [one for one in made if number_in(one.argument) is not None]
+    first_refusal = min(
+        (one.number for one in made if number_in(one.argument) is None and refused(one, made)), default=0
+    )
     first_lost = next((one.number for one in numbers if not arrived(one)), 0)
     return 1 < first_refusal < first_lost and all(
         arrived(one) == (one.number < first_lost) for one in numbers
@@ -543,11 +642,17 @@ def went_well_before(call: DriverCall, made: list[DriverCall]) -> bool:
 
 def only_after_errors(made: list[DriverCall]) -> bool:
     """Whether the numbers that did not arrive are just those that follow a refused call, or one of a certain kind."""
-    numbers = [(before, one) for before, one in pairwise(made) if one.argument in MEANT]
+    numbers = [(before, one) for before, one in pairwise(made) if number_in(one.argument) is not None]
     lost = {one.number for _, one in numbers if not arrived(one)}
-    wrong_types = (*NO_NUMBERS, *LOOK_LIKE_NUMBERS)
-    for kind in (NO_NUMBERS, LOOK_LIKE_NUMBERS, wrong_types, NOT_FINITE, (*wrong_types, *NOT_FINITE)):
-        after = {one.number for before, one in numbers if before.argument in kind and before.how == "raised"}
+    kinds: tuple[Kind, ...] = (
+        is_no_number,
+        looks_like_number,
+        is_wrong_type,
+        is_not_finite,
+        lambda argument: number_in(argument) is None,
+    )
+    for kind in kinds:
+        after = {one.number for before, one in numbers if kind(before.argument) and before.how == "raised"}
         if lost <= after and len(after) - 1 <= len(lost) > 2:
             return True
     return False
@@ -590,7 +695,11 @@ def why_not_refused(call: DriverCall, made: list[DriverCall]) -> Verdict:
     def fail(cause: str, because: str, try_this: str) -> Verdict:
         return see.failed(cause, saw, expected, because, try_this)
 
-    before = [one.sent[-1] for one in made if one.number < call.number and one.argument in MEANT and one.sent]
+    before = [
+        one.sent[-1]
+        for one in made
+        if one.number < call.number and number_in(one.argument) is not None and one.sent
+    ]
     if before and call.sent and 0.0 != before[-1] == call.sent[0]:
         return fail(
             "refusal.last-again",
@@ -603,8 +712,8 @@ def why_not_refused(call: DriverCall, made: list[DriverCall]) -> Verdict:
             "The error comes too late: the message was already sent.",
             "Check the value first, and publish in the last line of the method.",
         )
-    if not call.sent and strange(call):
-        return why_sent_later(call, saw, expected)
+    if not call.sent and strange(call, made):
+        return why_sent_later(strange(call, made)[0], saw, expected)
     if not call.sent:
         return fail(
             "refusal.silent",
@@ -612,10 +721,10 @@ def why_not_refused(call: DriverCall, made: list[DriverCall]) -> Verdict:
             "the charge was reported.",
             "Raise TypeError or ValueError, with the value in its text.",
         )
-    refused_ones = {one.argument for one in made if refused(one)}
-    if call.argument in NOT_FINITE:
+    refused_ones = {one.argument for one in made if refused(one, made)}
+    if is_not_finite(call.argument):
         return why_not_finite_sent(call, refused_ones, saw, expected)
-    if call.argument in LOOK_LIKE_NUMBERS:
+    if looks_like_number(call.argument):
         return why_look_alike_sent(call, refused_ones, saw, expected)
     return fail(
         "refusal.no-number-sent",
@@ -625,11 +734,11 @@ def why_not_refused(call: DriverCall, made: list[DriverCall]) -> Verdict:
     )
 
 
-def why_sent_later(call: DriverCall, saw: str, expected: str) -> Verdict:
+def why_sent_later(strange_one: float, saw: str, expected: str) -> Verdict:
     """Why something went out after a call that was to send nothing had come back."""
     return see.failed(
         "refusal.sent-later",
-        f"{saw}; {as_float(strange(call)[0])} went out after it had come back",
+        f"{saw}; {as_float(strange_one)} went out after it had come back",
         expected,
         "Something other than publish_level publishes, for example a timer, or publish_level publishes after it "
         "has returned.",

@@ -1,11 +1,17 @@
-"""How exercise 04 is judged: good and bad readings are said to the monitor, and its answers are compared."""
+"""How exercise 04 is judged: good and bad readings are said to the monitor, and its answers are compared.
+
+The readings are drawn for each run. What they have in common in each draw is what the causes below tell apart.
+"""
 
 import math
 import re
+from bisect import bisect
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from difflib import SequenceMatcher
+from functools import cached_property
 from itertools import pairwise
+from random import Random
 
 from std_msgs.msg import Float32, String
 
@@ -19,86 +25,234 @@ ALARM = topic("/monitor/alarm", String)
 AT_ONCE_S = 0.5  # the task names it
 SHARE_AT_ONCE = 0.9  # of the readings: the others may have been kept waiting by a busy machine
 
-# A battery that drains, is changed for a full one, runs out, and is changed again. In between the cable shakes.
-BEFORE_PAUSE = (52.0, 51.5, 51.0, 51.0, 50.25, 49.5)
-AFTER_PAUSE = (
-    49.25, -3.0, -3.0, 48.75, 100.0, 99.5, 98.75, 98.0, 97.25, 96.5, math.nan, 95.0, 94.25, 93.5, 120.0, math.inf,
-    math.nan, 92.75, 12.5, 6.25, 0.375, 0.0, -0.125, 88.0, 87.5, 100.0001220703125, 87.25,
-)  # fmt: skip
-AT_THE_SAME_MOMENT = (86.75, 86.5, 86.25, 85.75)
-AT_THE_END = (
-    85.5, 2e9, 85.25, 84.5, 84.5, 84.25, 83.75, -0.0001220703125, 83.5, 82.75, -math.inf, 81.5, 80.25, 79.75, 78.5,
-    77.25, 120.0,
-)  # fmt: skip
-READINGS = (*BEFORE_PAUSE, *AFTER_PAUSE, *AT_THE_SAME_MOMENT, *AT_THE_END)
-OTHERS = (73.0, -40.0, 72.5)  # not among the readings: an answer that passes one on has heard the other robot
-BEGIN_S, APART_S, SAME_MOMENT_S = 0.5, 0.1, 0.01
+EXAMPLE = -3.0  # the task names it
+BIT = 2.0**-13  # near 100, the smallest difference that 32 bits hold is a sixteenth of it
+LIMITS = {0.0, 100.0}
+LOW_AT_MOST = 20.0
+NEAR_LIMIT = 0.5
+JUMP = 10.0
+APART_S, MOMENT_S, SAME_MOMENT_S = 0.1, 0.05, 0.01
 PAUSE_S, OTHERS_AFTER_S = 1.0, 0.55
+EARLIEST_S, LATEST_S, LONGER_GAPS = 0.3, 0.7, 6
+
+# Which good reading is what, counted from 1. A battery drains, is changed for a full one, runs out, and is changed
+# again.
+FULL_ONE, FIRST_LOW, EMPTY_ONE, FIRST_AGAIN, LAST_GOOD = 9, 19, 22, 23, 42
+AT_ONE_MOMENT = 4
+BAD_ONES = 12
 
 
 def is_good(reading: float) -> bool:
     return 0.0 <= reading <= 100.0
 
 
-GOOD_PLACES = tuple(place for place, reading in enumerate(READINGS) if is_good(reading))
-BAD_PLACES = tuple(place for place, reading in enumerate(READINGS) if not is_good(reading))
-GOOD = tuple(READINGS[place] for place in GOOD_PLACES)
-BAD = tuple(READINGS[place] for place in BAD_PLACES)
-BELOW, ABOVE = {one for one in BAD if one < 0.0}, {one for one in BAD if one > 100.0}
-NEAR_LIMITS = {-0.125, -0.0001220703125, 100.0001220703125}
-LIMITS = {0.0, 100.0}
-INSIDE = tuple(reading for reading in GOOD if reading not in LIMITS)
-LOW_AT_MOST = 20.0
-
-# What some of the good readings have in common, by their places among the good ones.
-AFTER_BAD = {n for n, place in enumerate(GOOD_PLACES) if place and not is_good(READINGS[place - 1])}
-EQUAL_TO_LAST = {n for n, (last, one) in enumerate(pairwise(GOOD), 1) if last == one}
-JUMPS = {n for n, (last, one) in enumerate(pairwise(GOOD), 1) if abs(last - one) > 10.0}
-IN_A_MOMENT = {GOOD.index(reading) for reading in AT_THE_SAME_MOMENT}
-LOW = {n for n, reading in enumerate(GOOD) if reading <= LOW_AT_MOST}
-FIRST_AFTER_BAD = min(AFTER_BAD)
-RISEN = {n for n, reading in enumerate(GOOD) if n and reading > min(GOOD[:n])}
-SAID_BEFORE = {n for n, one in enumerate(BAD) if any(repr(one) == repr(other) for other in BAD[:n])}
-BAD_IN_A_ROW = {n for n, (last, one) in enumerate(pairwise(BAD_PLACES), 1) if one == last + 1}
+def draining(rng: Random, first: float, count: int, most: float) -> list[float]:
+    """Readings that get lower by a quarter up to `most`, all of them whole quarters."""
+    levels = [first]
+    while len(levels) < count:
+        levels.append(levels[-1] - rng.randint(1, round(4 * most)) / 4)
+    return levels
 
 
-def readings_with_times() -> list[tuple[float, float]]:
+def drawn_good_ones(rng: Random, equals: Sequence[int]) -> list[float]:
+    """All good readings, in order. Only those at `equals`, counted from 1, are equal to others: to the next ones."""
+    lows = [rng.randint(40, 79) / 4, rng.randint(8, 36) / 4, rng.randint(3, 7) / 8, 0.0]
+    good = [
+        *draining(rng, rng.randint(176, 216) / 4, FULL_ONE - 1, 1.0),
+        *draining(rng, 100.0, FIRST_LOW - FULL_ONE, 1.5),
+        *lows,
+        *draining(rng, rng.randint(304, 340) / 4, LAST_GOOD - EMPTY_ONE, 0.75),
+    ]
+    for place in equals:
+        good[place] = good[place - 1]
+    return good
+
+
+def drawn_bad_ones(rng: Random) -> list[list[float]]:
+    """Bad readings, those in a row together.
+
+    Only a first one in a row is said once more later: else an alarm could be about either.
+    """
+    above = rng.randint(420, 780) / 4
+    not_finite = [math.inf, math.nan]
+    rng.shuffle(not_finite)
+    rows = [
+        [EXAMPLE, EXAMPLE],
+        [math.nan],
+        [above, *not_finite],
+        [rng.choice((-0.125, -0.25))],
+        [100.0 + BIT],
+        [rng.randint(1, 8) * 1e9],
+        [-BIT],
+        [-math.inf],
+    ]
+    rng.shuffle(rows)
+    return [*rows, [above]]
+
+
+def fits(rows: Sequence[Sequence[float]], slots: Sequence[int]) -> bool:
+    """Whether these bad readings may come behind these good ones.
+
+    Of what is not finite, nan comes first, after an alarm: who cannot bear it ends there. Two good readings lie
+    between bad ones, so that it shows what came in place of which. And a bad reading lies between each limit and the
+    one that is hardly beyond it, because a rounded alarm may name either.
+    """
+    begins = [row[0] for row in rows if not all(map(math.isfinite, row))]
+    near = [
+        place - bisect(slots, limit - 1)
+        for limit, beyond in ((FULL_ONE, 100.0 + BIT), (EMPTY_ONE, -BIT))
+        for place in (rows.index([beyond]),)
+    ]
+    return (
+        math.isnan(begins[0])
+        and not math.isnan(rows[0][0])
+        and all(later - slot > 1 for slot, later in pairwise(slots))
+        and not {-1, 0} & {*near}
+    )
+
+
+def drawn_readings(rng: Random) -> list[tuple[float, float]]:
     """Each reading with the moment (s of robot time) at which it is said."""
-    lines, at = [], BEGIN_S
-    for group, apart, pause in (
-        (BEFORE_PAUSE, APART_S, PAUSE_S),
-        (AFTER_PAUSE, APART_S, 0.0),
-        (AT_THE_SAME_MOMENT, SAME_MOMENT_S, APART_S),
-        (AT_THE_END, APART_S, 0.0),
-    ):
-        for reading in group:
-            lines.append((round(at, 2), reading))
-            at += apart
-        at += pause
+    pause = rng.randint(3, 6)
+    at_one_moment = rng.randint(FIRST_AGAIN + 3, LAST_GOOD - 8)
+    moment = range(at_one_moment, at_one_moment + AT_ONE_MOMENT)
+    later = [n for n in range(FIRST_AGAIN + 1, LAST_GOOD - 2) if not {n, n + 1} & {*moment}]
+    equals = [rng.randint(2, 6), rng.choice(later)]
+    # Behind these no bad ones come: one in front of a limit may be clamped to it, and one beside equal ones repeated.
+    taken = {pause, FULL_ONE - 1, EMPTY_ONE - 1, moment[0] - 1, *moment}
+    taken |= {behind for n in equals for behind in (n - 1, n)}
+    early, free = ([n for n in some if n not in taken] for some in (range(3, 8), range(3, LAST_GOOD)))
+    while True:
+        rows = drawn_bad_ones(rng)
+        first = rng.choice(early)
+        others = sorted(rng.sample([n for n in free if n > first], len(rows) - 2))
+        slots = [first, *others, LAST_GOOD]
+        if fits(rows, slots):
+            break
+    longer = rng.sample([n for n in range(1, LAST_GOOD) if n != pause and n not in moment], LONGER_GAPS)
+    lines, at = [], rng.randint(round(10 * EARLIEST_S), round(10 * LATEST_S)) / 10
+    for number, reading in enumerate(drawn_good_ones(rng, equals), 1):
+        # On robot time, all that is due within one step of 0.1 s is said together.
+        before_s = SAME_MOMENT_S * (moment[-1] - number) if number in moment else 0.0
+        lines.append((at - before_s, reading))
+        at += 0.0 if number in moment[:-1] else APART_S
+        at += APART_S if number in longer or number + 1 == moment[0] else PAUSE_S if number == pause else 0.0
+        for bad in rows[slots.index(number)] if number in slots else ():
+            lines.append((at, bad))
+            at += APART_S
     return lines
 
 
-SAID_AT = readings_with_times()
-PAUSE_BEGINS_S, LAST_AT_S = SAID_AT[len(BEFORE_PAUSE) - 1][0], SAID_AT[-1][0]
-WATCH_S = LAST_AT_S + 1.4  # a timer that repeats the last alarm each second does so in this time
+def drawn(rng: Random) -> list[see.Part]:
+    """The readings of both robots. Those of the other one are no whole quarters: ours, or what is made of them, are."""
+    lines = drawn_readings(rng)
+    begin = next(at for (at, _), (later, _) in pairwise(lines) if later - at > PAUSE_S)
+    others = [
+        rng.choice((1, -3, 5)) / 8 + level
+        for level in (rng.randint(60, 80), rng.randint(-50, -30), rng.randint(60, 80))
+    ]
+    times = (begin + OTHERS_AFTER_S, begin + OTHERS_AFTER_S + 0.1, lines[-1][0] + 0.4)
+    return [
+        see.says(BATTERY_TOPIC, Float32, lines),
+        see.says(OTHER_TOPIC, Float32, [*zip(times, others, strict=True)], awaited=False),
+    ]
 
-WATCH = watching(
-    robot_seconds=WATCH_S,
-    wall_seconds=WATCH_S,
-    script=[
-        see.says(BATTERY_TOPIC, Float32, SAID_AT),
-        see.says(
-            OTHER_TOPIC,
-            Float32,
-            [
-                (PAUSE_BEGINS_S + OTHERS_AFTER_S, OTHERS[0]),
-                (PAUSE_BEGINS_S + OTHERS_AFTER_S + 0.1, OTHERS[1]),
-                (LAST_AT_S + 0.4, OTHERS[2]),
-            ],
-            awaited=False,
-        ),
-    ],
-)
+
+# A timer that repeats the last alarm each second does so in the time after the last reading.
+GAPS = LAST_GOOD + BAD_ONES - AT_ONE_MOMENT + 1 + LONGER_GAPS
+WATCH_S = LATEST_S + APART_S * GAPS + PAUSE_S + 1.4
+
+WATCH = watching(robot_seconds=WATCH_S, wall_seconds=WATCH_S, script=drawn)
+
+
+@dataclass(frozen=True)
+class Readings:
+    """The readings of one run, and what some of them have in common, by their places among the good or bad ones."""
+
+    readings: tuple[float, ...]
+    said_at: tuple[float, ...]
+    others: tuple[float, ...]
+
+    @cached_property
+    def good_places(self) -> tuple[int, ...]:
+        return tuple(place for place, reading in enumerate(self.readings) if is_good(reading))
+
+    @cached_property
+    def bad_places(self) -> tuple[int, ...]:
+        return tuple(place for place, reading in enumerate(self.readings) if not is_good(reading))
+
+    @cached_property
+    def good(self) -> tuple[float, ...]:
+        return tuple(self.readings[place] for place in self.good_places)
+
+    @cached_property
+    def bad(self) -> tuple[float, ...]:
+        return tuple(self.readings[place] for place in self.bad_places)
+
+    @property
+    def below(self) -> set[float]:
+        return {one for one in self.bad if one < 0.0}
+
+    @property
+    def above(self) -> set[float]:
+        return {one for one in self.bad if one > 100.0}
+
+    @property
+    def near_limits(self) -> set[float]:
+        return {one for one in self.bad if -NEAR_LIMIT < one < 100.0 + NEAR_LIMIT}
+
+    @property
+    def inside(self) -> tuple[float, ...]:
+        return tuple(reading for reading in self.good if reading not in LIMITS)
+
+    @property
+    def after_bad(self) -> set[int]:
+        """Good ones."""
+        return {n for n, place in enumerate(self.good_places) if place - 1 in self.bad_places}
+
+    @property
+    def equal_to_last(self) -> set[int]:
+        return {n for n, (last, one) in enumerate(pairwise(self.good), 1) if last == one}
+
+    @property
+    def jumps(self) -> set[int]:
+        return {n for n, (last, one) in enumerate(pairwise(self.good), 1) if abs(last - one) > JUMP}
+
+    @property
+    def in_a_moment(self) -> set[int]:
+        """Good ones that were said together with others."""
+        soon = {n for n, (last, one) in enumerate(pairwise(self.said_at), 1) if one - last < MOMENT_S}
+        return {n for n, place in enumerate(self.good_places) if {place, place + 1} & soon}
+
+    @property
+    def low(self) -> set[int]:
+        return {n for n, reading in enumerate(self.good) if reading <= LOW_AT_MOST}
+
+    @property
+    def risen(self) -> set[int]:
+        return {n for n, reading in enumerate(self.good) if n and reading > min(self.good[:n])}
+
+    @property
+    def said_before(self) -> set[int]:
+        """Bad ones that are equal to one before."""
+        return {n for n, one in enumerate(self.bad) if repr(one) in map(repr, self.bad[:n])}
+
+    @property
+    def bad_in_a_row(self) -> set[int]:
+        """Bad ones that follow directly after another."""
+        return {n for n, (last, one) in enumerate(pairwise(self.bad_places), 1) if one == last + 1}
+
+
+def said_readings(recording: Recording) -> Readings:
+    """What was said to the monitor, or still was to be said when it ended."""
+    words = see.script(recording, BATTERY_TOPIC)
+    others = see.script(recording, OTHER_TOPIC)
+    return Readings(
+        tuple(word.value["data"] for word in words),
+        tuple(word.t for word in words),
+        tuple(word.value["data"] for word in others),
+    )
+
 
 LONGEST_QUOTE = 60  # characters of an alarm that feedback quotes
 
@@ -132,16 +286,17 @@ def passes_on(recording: Recording) -> Verdict:
 
 @criterion(points=2, title="All good readings are passed on, at once, in the right order", needs=[passes_on])
 def in_order(recording: Recording) -> Verdict:
-    answered = passed_on(recording)
-    if answered.ours == GOOD:
+    answered, said = passed_on(recording), said_readings(recording)
+    if answered.ours == said.good:
         return at_once(recording)
     if answered.extra:
-        return why_others_came(answered)
+        return why_others_came(answered, said)
     return why_some_are_missing(recording, answered.lost)
 
 
 @criterion(points=1, title="No bad reading is passed on, and nothing is sent in its place", needs=[passes_on])
 def bad_kept_back(recording: Recording) -> Verdict:
+    said = said_readings(recording)
     answered = passed_on(recording)
     if answered.instead and set(answered.instead) <= LIMITS:
         return see.failed(
@@ -159,7 +314,7 @@ def bad_kept_back(recording: Recording) -> Verdict:
             "The node makes up a reading. A subscriber will think that it was measured.",
             "Raise the alarm, and publish nothing on this topic.",
         )
-    if len(answered.bad) > sum(map(math.isnan, BAD)) and all(map(math.isnan, answered.bad)):
+    if len(answered.bad) > sum(map(math.isnan, said.bad)) and all(map(math.isnan, answered.bad)):
         return see.failed(
             "bad-kept-back.nan-instead",
             f"{len(answered.bad)} times nan on {PASSED_ON.name}, more often than it was sent",
@@ -169,7 +324,7 @@ def bad_kept_back(recording: Recording) -> Verdict:
             "Raise the alarm, and publish nothing on this topic.",
         )
     if answered.bad:
-        return why_bad_ones_came(answered.bad)
+        return why_bad_ones_came(answered.bad, said)
     return see.passed("no bad reading was passed on, and nothing was sent in its place")
 
 
@@ -187,9 +342,10 @@ def alarms_come(recording: Recording) -> Verdict:
 
 @criterion(points=2, title="One alarm for each bad reading, with its value", needs=[alarms_come])
 def one_alarm(recording: Recording) -> Verdict:
+    said = said_readings(recording)
     found = alarms(recording)
     if found.misnamed:
-        return why_not_named(found.misnamed)
+        return why_not_named(found.misnamed, said)
     if len(found.repeated) > len(found.missed):
         return see.failed(
             "one-alarm.repeated",
@@ -201,20 +357,22 @@ def one_alarm(recording: Recording) -> Verdict:
         )
     if found.missed:
         return why_alarms_are_missing(recording, found.missed)
-    return see.passed(f"{len(BAD)} alarms for {len(BAD)} bad readings")
+    return see.passed(f"{len(said.bad)} alarms for {len(said.bad)} bad readings")
 
 
 @criterion(points=1, title="No alarm for good readings", needs=[alarms_come])
 def no_false_alarm(recording: Recording) -> Verdict:
     found = alarms(recording)
-    return why_false_alarms(found) if found.false else see.passed("none")
+    return why_false_alarms(found, said_readings(recording)) if found.false else see.passed("none")
 
 
 @criterion(points=1, title="It ignores /other_robot/battery", needs=[passes_on])
 def own_robot_only(recording: Recording) -> Verdict:
     others, about_them = passed_on(recording).others, alarms(recording).others
     if not others and not about_them:
-        return see.passed(f"{len(OTHERS)} readings of another robot, and none was passed on or reported")
+        return see.passed(
+            f"{len(said_readings(recording).others)} readings of another robot, and none was passed on or reported"
+        )
     saw = f"{shown(others[0])} on {PASSED_ON.name}" if others else f"the alarm {quoted(about_them[0])}"
     return see.failed(
         "own-robot-only.hears-others",
@@ -246,17 +404,18 @@ class Answered:
 
 def passed_on(recording: Recording) -> Answered:
     """Sort out what arrived on /monitor/battery."""
+    said = said_readings(recording)
     levels = [level for level in see.values(recording, PASSED_ON) if isinstance(level, float)]
-    others = tuple(level for level in levels if level in OTHERS)
-    bad = tuple(level for level in levels if not is_good(level) and level not in OTHERS)
-    good = [level for level in levels if is_good(level) and level not in OTHERS]
+    others = tuple(level for level in levels if level in said.others)
+    bad = tuple(level for level in levels if not is_good(level) and level not in said.others)
+    good = [level for level in levels if is_good(level) and level not in said.others]
     lost: list[int] = []
     extra: list[float] = []
     instead: list[float] = []
     ours: list[float] = []
-    for kind, i, end, j, to in SequenceMatcher(None, GOOD, good, autojunk=False).get_opcodes():
+    for kind, i, end, j, to in SequenceMatcher(None, said.good, good, autojunk=False).get_opcodes():
         came = good[j:to]
-        if kind == "insert" and len(came) <= bad_before(behind_equals(i, came)):
+        if kind == "insert" and len(came) <= bad_before(behind_equals(i, came, said), said):
             instead += came
             continue
         ours += came
@@ -268,30 +427,31 @@ def passed_on(recording: Recording) -> Answered:
     return Answered(tuple(ours), tuple(lost), tuple(extra), tuple(instead), bad, others)
 
 
-def behind_equals(place: int, came: list[float]) -> int:
+def behind_equals(place: int, came: list[float], said: Readings) -> int:
     """Where what came may stand as well: behind good readings that it is equal to."""
-    while place < len(GOOD) and {GOOD[place]} == set(came):
+    while place < len(said.good) and {said.good[place]} == set(came):
         place += 1
     return place
 
 
-def bad_before(place: int) -> int:
+def bad_before(place: int, said: Readings) -> int:
     """How many bad readings were said between the good one at `place` and the one before."""
-    last = GOOD_PLACES[place - 1] if place else -1
-    here = GOOD_PLACES[place] if place < len(GOOD) else len(READINGS)
+    last = said.good_places[place - 1] if place else -1
+    here = said.good_places[place] if place < len(said.good) else len(said.readings)
     return here - last - 1
 
 
 def at_once(recording: Recording) -> Verdict:
     """All good readings came in order; whether they came at once."""
+    said = said_readings(recording)
     said_at = [word.t for word in see.said(recording, BATTERY_TOPIC) if is_good(word.value["data"])]
     came_at = moments_of_good_ones(recording)
     late = late_ones(recording)
     if len(came_at) != len(said_at) or len(late) <= (1.0 - SHARE_AT_ONCE) * len(said_at):
-        return see.passed(f"{len(GOOD)} good readings, from {shown(GOOD[0])} to {shown(GOOD[-1])}, in order")
+        return see.passed(f"{len(said.good)} good readings, at once and in order")
     return see.failed(
         "in-order.late",
-        f"{len(late)} of {len(GOOD)} good readings came late, one of them after {max(late):.1f} s",
+        f"{len(late)} of {len(said.good)} good readings came late, one of them after {max(late):.1f} s",
         f"each good reading on {PASSED_ON.name} within {AT_ONCE_S} s",
         "Readings are collected and sent later, by a timer or in groups. Or the callback sleeps.",
         "Publish each one inside the callback, at once.",
@@ -301,10 +461,11 @@ def at_once(recording: Recording) -> Verdict:
 
 def moments_of_good_ones(recording: Recording) -> list[float]:
     """When good readings arrived on /monitor/battery (s)."""
+    said = said_readings(recording)
     return [
         arrival.t
         for arrival in recording.topic(PASSED_ON.name).arrivals
-        if arrival.value["data"] in GOOD and arrival.value["data"] not in OTHERS
+        if arrival.value["data"] in said.good and arrival.value["data"] not in said.others
     ]
 
 
@@ -340,18 +501,22 @@ class Alarms:
 
 def alarms(recording: Recording) -> Alarms:
     """Sort out the alarms: by the value that they name, or else by what was said last before they came."""
+    said = said_readings(recording)
     sent = [(str(one.value.get("data")), one.published) for one in recording.topic(ALARM.name).arrivals]
-    others = [text for text, at in sent if is_about_others(recording, text, at)]
-    own = [(text, at) for text, at in sent if not is_about_others(recording, text, at)]
-    pairs = told_apart([text for text, _ in own])
-    missed = tuple(sorted(set(range(len(BAD))) - pairs.keys()))
+    of_others = [is_about_others(recording, said, *one) for one in sent]
+    others = [text for (text, _), about in zip(sent, of_others, strict=True) if about]
+    own = [one for one, about in zip(sent, of_others, strict=True) if not about]
+    pairs = told_apart([text for text, _ in own], said.bad)
+    missed = tuple(sorted(set(range(len(said.bad))) - pairs.keys()))
     rest = [one for n, one in enumerate(own) if n not in pairs.values()]
     after_bad = [one for one in rest if not is_good(last_reading(recording, one[1]))]
-    if missed and len(own) == len(BAD) and 2 * len(after_bad) > len(rest):
-        misnamed = tuple((place, own[place][0]) for place in range(len(BAD)) if pairs.get(place) != place)
+    if missed and len(own) == len(said.bad) and 2 * len(after_bad) > len(rest):
+        misnamed = tuple(
+            (place, own[place][0]) for place in range(len(said.bad)) if pairs.get(place) != place
+        )
         return Alarms((), misnamed, (), (), tuple(others))
     due = {own[n][0] for n in pairs.values()}
-    false = [one for one in rest if is_false(recording, *one, due)]
+    false = [one for one in rest if is_false(recording, said, *one, due)]
     first_bad = min(
         (word.wall for word in see.said(recording, BATTERY_TOPIC) if not is_good(word.value["data"])),
         default=math.inf,
@@ -366,25 +531,25 @@ def alarms(recording: Recording) -> Alarms:
     )
 
 
-def told_apart(texts: Sequence[str]) -> dict[int, int]:
+def told_apart(texts: Sequence[str], bad: Sequence[float]) -> dict[int, int]:
     """As `in_turn`, without the texts that are the same for different readings: they name no reading."""
-    pairs = in_turn(texts)
+    pairs = in_turn(texts, bad)
     about: dict[str, set[str]] = {}
     for reading, text in pairs.items():
-        about.setdefault(texts[text], set()).add(repr(BAD[reading]))
+        about.setdefault(texts[text], set()).add(repr(bad[reading]))
     return {reading: text for reading, text in pairs.items() if len(about[texts[text]]) == 1}
 
 
-def in_turn(texts: Sequence[str]) -> dict[int, int]:
+def in_turn(texts: Sequence[str], bad: Sequence[float]) -> dict[int, int]:
     """For as many bad readings as possible, in their order, a text that names it: place of the reading, of the text."""
-    longest = [[0] * (len(texts) + 1) for _ in range(len(BAD) + 1)]
-    for i in reversed(range(len(BAD))):
+    longest = [[0] * (len(texts) + 1) for _ in range(len(bad) + 1)]
+    for i in reversed(range(len(bad))):
         for j in reversed(range(len(texts))):
-            both = longest[i + 1][j + 1] + 1 if names(texts[j], BAD[i]) else 0
+            both = longest[i + 1][j + 1] + 1 if names(texts[j], bad[i]) else 0
             longest[i][j] = max(both, longest[i + 1][j], longest[i][j + 1])
     pairs, i, j = {}, 0, 0
-    while i < len(BAD) and j < len(texts):
-        if names(texts[j], BAD[i]) and longest[i][j] == longest[i + 1][j + 1] + 1:
+    while i < len(bad) and j < len(texts):
+        if names(texts[j], bad[i]) and longest[i][j] == longest[i + 1][j + 1] + 1:
             pairs[i] = j
             i, j = i + 1, j + 1
         elif longest[i][j] == longest[i][j + 1]:
@@ -420,11 +585,11 @@ def names_one_of(readings: Sequence[float], text: str) -> bool:
     return any(names(text, reading) for reading in readings)
 
 
-def is_about_others(recording: Recording, text: str, published: float) -> bool:
+def is_about_others(recording: Recording, said: Readings, text: str, published: float) -> bool:
     """Whether an alarm is about the other robot. `published`: its wall time (s)."""
-    if set(numbers_in(text)) & set(OTHERS):
+    if set(numbers_in(text)) & set(said.others):
         return True
-    if names_one_of(BAD, text):
+    if names_one_of(said.bad, text):
         return False
     last = see.latest_before(((one.wall, one) for one in recording.said), published)
     return last is not None and last.topic == OTHER_TOPIC
@@ -436,13 +601,13 @@ def last_reading(recording: Recording, published: float) -> float:
     return 0.0 if last is None else float(last.value["data"])
 
 
-def is_false(recording: Recording, text: str, published: float, due: Collection[str]) -> bool:
+def is_false(recording: Recording, said: Readings, text: str, published: float, due: Collection[str]) -> bool:
     """Whether an alarm is about a good reading. `due`: the texts that are one alarm for each bad reading."""
     last = last_reading(recording, published)
-    if names_one_of(BAD, text):
+    if names_one_of(said.bad, text):
         return is_good(last) and (text not in due or names(text, last))
     # 0 and 100 are no proof: an alarm may name the limits.
-    if set(numbers_in(text)) & (set(GOOD) - LIMITS):
+    if set(numbers_in(text)) & (set(said.good) - LIMITS):
         return True
     return is_good(last)
 
@@ -457,12 +622,13 @@ def quoted(alarm: str) -> str:
 
 # --- why readings do not come as they were sent -------------------------------------------------------------
 
-EXPECTED = f"the {len(GOOD)} good readings on {PASSED_ON.name}, each once, in the order in which they came"
+EXPECTED = f"each good reading on {PASSED_ON.name}, once, in the order in which they came"
 NO_BAD_ONES = f"nothing on {PASSED_ON.name} for a bad reading"
 
 
 def why_nothing_came(recording: Recording) -> Verdict:
     """Why nothing arrived on /monitor/battery."""
+    said = said_readings(recording)
     nothing = f"nothing on {PASSED_ON.name}"
     asked = {one.durability for one in recording.topic(BATTERY_TOPIC).subscribers}
     if asked == {"transient_local"}:
@@ -478,7 +644,7 @@ def why_nothing_came(recording: Recording) -> Verdict:
         return see.failed("in-order.publisher-made-late", nothing, EXPECTED, *MADE_LATE)
     return ended_with_an_error(recording, nothing, EXPECTED) or see.failed(
         "in-order.nothing-passed-on",
-        f"{len(READINGS)} readings were sent to {BATTERY_TOPIC}, and nothing came on {PASSED_ON.name}",
+        f"{len(said.readings)} readings were sent to {BATTERY_TOPIC}, and nothing came on {PASSED_ON.name}",
         EXPECTED,
         "Either nothing spins the node, so the callback never runs, or the callback does not publish.",
         "Spin the node with rclpy.spin(node), and publish the good readings inside the callback.",
@@ -488,19 +654,20 @@ def why_nothing_came(recording: Recording) -> Verdict:
 
 def why_some_are_missing(recording: Recording, lost: tuple[int, ...]) -> Verdict:
     """Why these good readings, by their places, did not come."""
-    came = len(GOOD) - len(lost)
-    saw = f"{came} of {len(GOOD)} good readings came; the first missing one is {shown(GOOD[lost[0]])} %"
+    said = said_readings(recording)
+    came = len(said.good) - len(lost)
+    saw = f"{came} of {len(said.good)} good readings came; the first missing one is {shown(said.good[lost[0]])} %"
     return (
         ended_with_an_error(recording, saw, EXPECTED)
-        or kept_back_for_its_value(saw, set(lost))
+        or kept_back_for_its_value(said, saw, set(lost))
         or kept_back_for_what_came_before(recording, saw, set(lost))
         or lost_on_the_way(recording, saw, lost)
     )
 
 
-def kept_back_for_its_value(saw: str, lost: set[int]) -> Verdict | None:
+def kept_back_for_its_value(said: Readings, saw: str, lost: set[int]) -> Verdict | None:
     """Why the monitor did not want readings of such values; None if they have none in common."""
-    if {GOOD[place] for place in lost} <= LIMITS:
+    if {said.good[place] for place in lost} <= LIMITS:
         return see.failed(
             "in-order.limits-kept-back",
             saw,
@@ -509,7 +676,7 @@ def kept_back_for_its_value(saw: str, lost: set[int]) -> Verdict | None:
             "Use <= where you have <: 0.0 <= message.data <= 100.0.",
             about_time=True,
         )
-    if lost <= LOW:
+    if lost <= said.low:
         return see.failed(
             "in-order.low-kept-back",
             saw,
@@ -523,8 +690,9 @@ def kept_back_for_its_value(saw: str, lost: set[int]) -> Verdict | None:
 
 def kept_back_for_what_came_before(recording: Recording, saw: str, lost: set[int]) -> Verdict | None:
     """Why the monitor did not want these readings after those before them; None if nothing says so."""
+    said = said_readings(recording)
     came = passed_on(recording).ours
-    if came == all_but(AFTER_BAD):
+    if came == all_but(said.after_bad, said.good):
         return see.failed(
             "in-order.after-bad-kept-back",
             saw,
@@ -534,7 +702,7 @@ def kept_back_for_what_came_before(recording: Recording, saw: str, lost: set[int
             EACH_FOR_ITSELF,
             about_time=True,
         )
-    if came == all_but(EQUAL_TO_LAST):
+    if came == all_but(said.equal_to_last, said.good):
         return see.failed(
             "in-order.equal-kept-back",
             saw,
@@ -543,12 +711,16 @@ def kept_back_for_what_came_before(recording: Recording, saw: str, lost: set[int
             "Pass on each good reading, no matter what came before it.",
             about_time=True,
         )
-    return jumps_or_stops(saw, lost) or taken_for_bad(recording, saw, lost) or risen_kept_back(saw, lost)
+    return (
+        jumps_or_stops(said, saw, lost)
+        or taken_for_bad(recording, saw, lost)
+        or risen_kept_back(said, saw, lost)
+    )
 
 
-def jumps_or_stops(saw: str, lost: set[int]) -> Verdict | None:
+def jumps_or_stops(said: Readings, saw: str, lost: set[int]) -> Verdict | None:
     """Whether the monitor kept back what came after a jump, or all after a bad reading."""
-    if lost <= JUMPS:
+    if lost <= said.jumps:
         return see.failed(
             "in-order.jumps-kept-back",
             saw,
@@ -558,7 +730,7 @@ def jumps_or_stops(saw: str, lost: set[int]) -> Verdict | None:
             EACH_FOR_ITSELF,
             about_time=True,
         )
-    if lost == {*range(FIRST_AFTER_BAD, len(GOOD))}:
+    if lost == {*range(min(said.after_bad, default=len(said.good)), len(said.good))}:
         return see.failed(
             "in-order.stops-at-the-bad-one",
             saw,
@@ -571,10 +743,10 @@ def jumps_or_stops(saw: str, lost: set[int]) -> Verdict | None:
     return None
 
 
-def risen_kept_back(saw: str, lost: set[int]) -> Verdict | None:
+def risen_kept_back(said: Readings, saw: str, lost: set[int]) -> Verdict | None:
     """Whether the monitor kept back all that is higher than a reading before it, from some reading on."""
-    since = set(range(min(lost), len(GOOD)))
-    if lost != RISEN & since or lost == since:
+    since = set(range(min(lost), len(said.good)))
+    if lost != said.risen & since or lost == since:
         return None
     return see.failed(
         "in-order.risen-kept-back",
@@ -589,8 +761,11 @@ def risen_kept_back(saw: str, lost: set[int]) -> Verdict | None:
 
 def taken_for_bad(recording: Recording, saw: str, lost: set[int]) -> Verdict | None:
     """Whether the monitor raised alarms about the readings that are missing."""
+    said = said_readings(recording)
     alarmed = alarms(recording).false
-    of_them = [GOOD[place] for place in sorted(lost) if any(names(text, GOOD[place]) for text in alarmed)]
+    of_them = [
+        said.good[place] for place in sorted(lost) if any(names(text, said.good[place]) for text in alarmed)
+    ]
     if of_them and 2 * len(of_them) > len(lost):
         return see.failed(
             "in-order.taken-for-bad",
@@ -606,14 +781,15 @@ def taken_for_bad(recording: Recording, saw: str, lost: set[int]) -> Verdict | N
 EACH_FOR_ITSELF = "Judge each reading on its own: is it a charge from 0 to 100 %?"
 
 
-def all_but(places: set[int]) -> tuple[float, ...]:
+def all_but(places: set[int], good: Sequence[float]) -> tuple[float, ...]:
     """The good readings without those at these places."""
-    return tuple(reading for n, reading in enumerate(GOOD) if n not in places)
+    return tuple(reading for n, reading in enumerate(good) if n not in places)
 
 
 def lost_on_the_way(recording: Recording, saw: str, lost: tuple[int, ...]) -> Verdict:
     """Why these readings are missing, if not for what they say."""
-    if recording.process.ended_by == "itself" and lost == tuple(range(lost[0], len(GOOD))):
+    said = said_readings(recording)
+    if recording.process.ended_by == "itself" and lost == tuple(range(lost[0], len(said.good))):
         return see.failed(
             "in-order.ended",
             f"{saw}. Your program had already ended",
@@ -624,12 +800,17 @@ def lost_on_the_way(recording: Recording, saw: str, lost: tuple[int, ...]) -> Ve
         )
     if made_late(recording, PASSED_ON) and lost[0] == 0:
         return see.failed("in-order.first-ones-lost", saw, EXPECTED, *MADE_LATE, about_time=True)
-    return lost_at_an_end(saw, lost) or none_from_one_on(recording, saw, lost) or lost_among_others(saw, lost)
+    return (
+        lost_at_an_end(said, saw, lost)
+        or none_from_one_on(recording, saw, lost)
+        or lost_among_others(said, saw, lost)
+    )
 
 
 def none_from_one_on(recording: Recording, saw: str, lost: tuple[int, ...]) -> Verdict | None:
     """Why all came up to one reading, and none from it on; None if it is not so, or if many of them came late."""
-    if lost != tuple(range(lost[0], len(GOOD))):
+    said = said_readings(recording)
+    if lost != tuple(range(lost[0], len(said.good))):
         return None
     late = late_ones(recording)
     if len(late) <= (1.0 - SHARE_AT_ONCE) * lost[0]:
@@ -654,7 +835,7 @@ def none_from_one_on(recording: Recording, saw: str, lost: tuple[int, ...]) -> V
     return None
 
 
-def lost_at_an_end(saw: str, lost: tuple[int, ...]) -> Verdict | None:
+def lost_at_an_end(said: Readings, saw: str, lost: tuple[int, ...]) -> Verdict | None:
     """Why only the first or only the last one is missing; None if it is not so."""
     if lost == (0,):
         return see.failed(
@@ -665,7 +846,7 @@ def lost_at_an_end(saw: str, lost: tuple[int, ...]) -> Verdict | None:
             "Pass on each good reading, the first one, too.",
             about_time=True,
         )
-    if lost == (len(GOOD) - 1,):
+    if lost == (len(said.good) - 1,):
         return see.failed(
             "in-order.held-back",
             saw,
@@ -677,9 +858,9 @@ def lost_at_an_end(saw: str, lost: tuple[int, ...]) -> Verdict | None:
     return None
 
 
-def lost_among_others(saw: str, lost: tuple[int, ...]) -> Verdict:
+def lost_among_others(said: Readings, saw: str, lost: tuple[int, ...]) -> Verdict:
     """Why these are missing, and others came before and after them."""
-    if set(lost) <= IN_A_MOMENT:
+    if set(lost) <= said.in_a_moment:
         return see.failed(
             "in-order.several-at-once-lost",
             saw,
@@ -700,34 +881,34 @@ def lost_among_others(saw: str, lost: tuple[int, ...]) -> Verdict:
     )
 
 
-def made_up_first(level: float) -> Verdict:
+def made_up_first(level: float, first: float) -> Verdict:
     """All good readings came, after something that was not said."""
     return see.failed(
         "in-order.made-up-first",
-        f"{shown(level)} on {PASSED_ON.name} before the first reading, {shown(GOOD[0])}",
+        f"{shown(level)} on {PASSED_ON.name} before the first reading, {shown(first)}",
         EXPECTED,
         "The node publishes a value of its own when it starts. A subscriber will think that it was measured.",
         "Publish only inside the callback, and only the reading that it received.",
     )
 
 
-def in_other_order(ours: tuple[float, ...]) -> Verdict:
+def in_other_order(ours: tuple[float, ...], good: Sequence[float]) -> Verdict:
     """All good readings came, but not as they were said."""
-    place = next(n for n, (one, other) in enumerate(zip(ours, GOOD, strict=False)) if one != other)
+    place = next(n for n, (one, other) in enumerate(zip(ours, good, strict=False)) if one != other)
     return see.failed(
         "in-order.other-order",
-        f"{shown(ours[place])} came where {shown(GOOD[place])} should be, as reading {place + 1}",
+        f"{shown(ours[place])} came where {shown(good[place])} should be, as reading {place + 1}",
         EXPECTED,
         "Readings are collected and sent in another order, such as the newest first or sorted.",
         "Publish each one inside the callback, at once: it is called in the right order.",
     )
 
 
-def why_others_came(answered: Answered) -> Verdict:
+def why_others_came(answered: Answered, said: Readings) -> Verdict:
     """Why what came is not what was sent: changed on the way, twice, or in another order."""
     ours = answered.ours
-    strange = [level for level in ours if level not in GOOD]
-    twice = [level for level in dict.fromkeys(ours) if ours.count(level) > GOOD.count(level) > 0]
+    strange = [level for level in ours if level not in said.good]
+    twice = [level for level in dict.fromkeys(ours) if ours.count(level) > said.good.count(level) > 0]
     if set(ours) == {0.0}:
         return see.failed(
             "in-order.all-zero",
@@ -737,10 +918,10 @@ def why_others_came(answered: Answered) -> Verdict:
             "reports no error.",
             "Pass on message.data as it is: Float32(data=message.data), or publish the message itself.",
         )
-    if len(ours) > len(GOOD) and ours[-len(GOOD) :] == GOOD:
-        return made_up_first(ours[0])
+    if len(ours) > len(said.good) and ours[-len(said.good) :] == said.good:
+        return made_up_first(ours[0], said.good[0])
     if strange:
-        near = min(GOOD, key=lambda level: abs(level - strange[0]))
+        near = min(said.good, key=lambda level: abs(level - strange[0]), default=strange[0])
         return see.failed(
             "in-order.changed",
             f"{shown(strange[0])} on {PASSED_ON.name}, which was never sent; {shown(near)} was sent",
@@ -757,14 +938,14 @@ def why_others_came(answered: Answered) -> Verdict:
             "reading again.",
             "Make one subscription, and publish once in each call of the callback.",
         )
-    return in_other_order(ours)
+    return in_other_order(ours, said.good)
 
 
 INFINITE_IS_BAD = "inf is larger than every number, so it is above 100. And -inf is below 0."
 ASK_WHAT_IS_GOOD = "Ask for what is good: 0.0 <= message.data <= 100.0."
 
 
-def why_bad_ones_came(came: tuple[float, ...]) -> Verdict:
+def why_bad_ones_came(came: tuple[float, ...], said: Readings) -> Verdict:
     """Why bad readings were passed on."""
     saw = f"{shown(came[0])} on {PASSED_ON.name}"
     kinds = kinds_of(came)
@@ -777,7 +958,7 @@ def why_bad_ones_came(came: tuple[float, ...]) -> Verdict:
             "through any test that asks for what is bad.",
             "Ask for what is good: 0.0 <= message.data <= 100.0 is False for nan. Or ask math.isnan(message.data).",
         )
-    if set(came) <= NEAR_LIMITS:
+    if set(came) <= said.near_limits:
         return see.failed(
             "bad-kept-back.tolerance",
             saw,
@@ -785,7 +966,7 @@ def why_bad_ones_came(came: tuple[float, ...]) -> Verdict:
             "The limits are a little wider than 0 and 100 %, or the reading is rounded before it is compared.",
             ASK_WHAT_IS_GOOD,
         )
-    return some_of_a_kind(saw, came) or see.failed(
+    return some_of_a_kind(saw, came, said) or see.failed(
         "bad-kept-back.many-passed-on",
         f"{see.listing(list(dict.fromkeys(map(shown, came))))} on {PASSED_ON.name}",
         NO_BAD_ONES,
@@ -795,13 +976,13 @@ def why_bad_ones_came(came: tuple[float, ...]) -> Verdict:
     )
 
 
-def some_of_a_kind(saw: str, came: tuple[float, ...]) -> Verdict | None:
+def some_of_a_kind(saw: str, came: tuple[float, ...], said: Readings) -> Verdict | None:
     """Why bad readings of one kind, or on one side of the range, were passed on; None if there are others."""
     if kinds_of(came) == {"inf"}:
         return see.failed(
             "bad-kept-back.infinite-passed-on", saw, NO_BAD_ONES, INFINITE_IS_BAD, ASK_WHAT_IS_GOOD
         )
-    if set(came) in (BELOW, ABOVE):
+    if set(came) in (said.below, said.above):
         return see.failed(
             "bad-kept-back.one-limit-missing",
             saw,
@@ -809,7 +990,7 @@ def some_of_a_kind(saw: str, came: tuple[float, ...]) -> Verdict | None:
             "Only one of the two limits is checked.",
             ASK_WHAT_IS_GOOD,
         )
-    if set(came) < BELOW or set(came) < ABOVE:
+    if set(came) < said.below or set(came) < said.above:
         return see.failed(
             "bad-kept-back.other-limit",
             saw,
@@ -831,7 +1012,7 @@ def kinds_of(readings: Sequence[float]) -> set[str]:
 
 # --- why alarms are missing, or too many --------------------------------------------------------------------
 
-ONE_EACH = f"exactly one text on {ALARM.name} for each of the {len(BAD)} bad readings, with its value in it"
+ONE_EACH = f"exactly one text on {ALARM.name} for each bad reading, with its value in it"
 VALUE_AS_IT_CAME = (
     'Put the value into the text, as it came: String(data=f"bad battery reading: {message.data}").'
 )
@@ -839,6 +1020,7 @@ VALUE_AS_IT_CAME = (
 
 def why_no_alarm_came(recording: Recording) -> Verdict:
     """Why no alarm came at all."""
+    said = said_readings(recording)
     nothing = f"no alarm arrived on {ALARM.name}"
     if made_late(recording, ALARM):
         return first_alarms_lost(nothing)
@@ -849,7 +1031,7 @@ def why_no_alarm_came(recording: Recording) -> Verdict:
         return perhaps_not_called(nothing)
     return see.failed(
         "one-alarm.none",
-        f"{nothing}, and {len(BAD)} bad readings were sent",
+        f"{nothing}, and {len(said.bad)} bad readings were sent",
         ONE_EACH,
         "The callback never publishes it.",
         "Publish a String in the callback when the reading is not good.",
@@ -874,12 +1056,12 @@ def perhaps_not_called(saw: str) -> Verdict:
     )
 
 
-def why_not_named(misnamed: Sequence[tuple[int, str]]) -> Verdict:
+def why_not_named(misnamed: Sequence[tuple[int, str]], said: Readings) -> Verdict:
     """Why there is one alarm for each bad reading, and not each one names its value: half of the points."""
-    finite = [(BAD[place], text) for place, text in misnamed if math.isfinite(BAD[place])]
+    finite = [(said.bad[place], text) for place, text in misnamed if math.isfinite(said.bad[place])]
     unnamed = [(reading, text) for reading, text in finite if not names(text, reading)]
     finite = unnamed if 2 * len(unnamed) >= len(finite) else finite  # by chance, a text may name its reading
-    reading, text = finite[0] if finite else (BAD[misnamed[0][0]], misnamed[0][1])
+    reading, text = finite[0] if finite else (said.bad[misnamed[0][0]], misnamed[0][1])
     saw = f"the alarm for the bad reading {shown(reading)} says {quoted(text)}"
 
     def partly(cause: str, because: str, try_this: str = VALUE_AS_IT_CAME) -> Verdict:
@@ -894,7 +1076,7 @@ def why_not_named(misnamed: Sequence[tuple[int, str]]) -> Verdict:
             "one-alarm.value-rounded",
             "The value is rounded to a whole number, so a reading just outside of the range looks good.",
         )
-    if finite and all(names_one_of(READINGS, told) and not names(told, one) for one, told in finite):
+    if finite and all(names_one_of(said.readings, told) and not names(told, one) for one, told in finite):
         return partly(
             "one-alarm.names-another-reading",
             "The value in this text is that of another reading: of an earlier one, or the same one in each text.",
@@ -920,16 +1102,17 @@ def names_as_whole(text: str, reading: float) -> bool:
 
 def why_alarms_are_missing(recording: Recording, missed: tuple[int, ...]) -> Verdict:
     """Why no alarm came for these bad readings, by their places among the bad ones."""
-    readings = tuple(BAD[place] for place in missed)
-    saw = f"no alarm for {len(missed)} of {len(BAD)} bad readings, the first of them is {shown(readings[0])}"
+    said = said_readings(recording)
+    readings = tuple(said.bad[place] for place in missed)
+    saw = f"no alarm for {len(missed)} of {len(said.bad)} bad readings, the first of them is {shown(readings[0])}"
     ended = ended_with_an_error(recording, saw, ONE_EACH)
     if ended is not None:
         return ended
-    if made_late(recording, ALARM) and readings == BAD[: len(missed)]:
+    if made_late(recording, ALARM) and readings == said.bad[: len(missed)]:
         return first_alarms_lost(saw)
-    if len(set(passed_on(recording).lost)) > len(GOOD) // 2:
+    if len(set(passed_on(recording).lost)) > len(said.good) // 2:
         return perhaps_not_called(saw)
-    if missed == tuple(range(1, len(BAD))):
+    if missed == tuple(range(1, len(said.bad))):
         return see.failed(
             "one-alarm.first-only",
             saw,
@@ -938,7 +1121,7 @@ def why_alarms_are_missing(recording: Recording, missed: tuple[int, ...]) -> Ver
             "Publish an alarm for each bad reading, no matter what came before it.",
             about_time=True,
         )
-    if set(missed) == BAD_IN_A_ROW:
+    if set(missed) == said.bad_in_a_row:
         return see.failed(
             "one-alarm.one-in-a-row",
             saw,
@@ -947,13 +1130,14 @@ def why_alarms_are_missing(recording: Recording, missed: tuple[int, ...]) -> Ver
             "Publish an alarm for each bad reading, no matter what came before it.",
             about_time=True,
         )
-    return why_no_more_come(recording, saw, missed) or why_a_kind_is_missing(saw, missed)
+    return why_no_more_come(recording, saw, missed) or why_a_kind_is_missing(said, saw, missed)
 
 
 def why_no_more_come(recording: Recording, saw: str, missed: tuple[int, ...]) -> Verdict | None:
     """Why there are alarms for such readings at first only, or now and then; None if they are of kinds of their own."""
-    came = {repr(one) for n, one in enumerate(BAD) if n not in missed}
-    if missed == tuple(range(missed[0], len(BAD))) and recording.process.ended_by == "itself":
+    said = said_readings(recording)
+    came = {repr(one) for n, one in enumerate(said.bad) if n not in missed}
+    if missed == tuple(range(missed[0], len(said.bad))) and recording.process.ended_by == "itself":
         return see.failed(
             "one-alarm.ended",
             f"{saw}. Your program had already ended",
@@ -962,7 +1146,7 @@ def why_no_more_come(recording: Recording, saw: str, missed: tuple[int, ...]) ->
             "Spin until the program is stopped: rclpy.spin(node).",
             about_time=True,
         )
-    if set(missed) == SAID_BEFORE:
+    if set(missed) == said.said_before:
         return see.failed(
             "one-alarm.equal-once",
             saw,
@@ -971,7 +1155,7 @@ def why_no_more_come(recording: Recording, saw: str, missed: tuple[int, ...]) ->
             "Publish an alarm for each bad reading, no matter what came before it.",
             about_time=True,
         )
-    if not came & {repr(BAD[place]) for place in missed}:
+    if not came & {repr(said.bad[place]) for place in missed}:
         return None
     return see.failed(
         "one-alarm.not-each",
@@ -984,11 +1168,11 @@ def why_no_more_come(recording: Recording, saw: str, missed: tuple[int, ...]) ->
     )
 
 
-def why_a_kind_is_missing(saw: str, missed: tuple[int, ...]) -> Verdict:
+def why_a_kind_is_missing(said: Readings, saw: str, missed: tuple[int, ...]) -> Verdict:
     """Why no alarm came for bad readings of one kind, or of several."""
-    readings = tuple(BAD[place] for place in missed)
+    readings = tuple(said.bad[place] for place in missed)
     kinds = kinds_of(readings)
-    if set(readings) <= NEAR_LIMITS:
+    if set(readings) <= said.near_limits:
         return see.failed(
             "one-alarm.tolerance",
             saw,
@@ -1025,7 +1209,7 @@ def why_a_kind_is_missing(saw: str, missed: tuple[int, ...]) -> Verdict:
 
 
 DECIDE_BY_THIS_ONE = "Decide by this one reading: 0.0 <= message.data <= 100.0."
-NO_FALSE_ONES = f"no alarm for the {len(GOOD)} good readings"
+NO_FALSE_ONES = "no alarm for a good reading"
 
 
 def names_an_earlier_one(saw: str) -> Verdict:
@@ -1040,7 +1224,8 @@ def names_an_earlier_one(saw: str) -> Verdict:
 
 
 def names_a_number(text: str) -> bool:
-    return bool(numbers_in(text)) or names_one_of(BAD, text)
+    """Also one that is none, or infinite."""
+    return bool(numbers_in(text)) or names_one_of((math.nan, math.inf, -math.inf), text)
 
 
 def names_no_reading(saw: str) -> Verdict:
@@ -1074,15 +1259,17 @@ def many_false_alarms(saw: str, *, before_bad: bool) -> Verdict:
     )
 
 
-def why_false_alarms(found: Alarms) -> Verdict:
+def why_false_alarms(found: Alarms, said: Readings) -> Verdict:
     """Why there were alarms for good readings."""
     false = found.false
     saw = f"{len(false)} alarm{'s' if len(false) > 1 else ''} too many, the first is {quoted(false[0])}"
     expected = NO_FALSE_ONES
-    about_bad = [text for text in false if names_one_of(BAD, text) and not names_one_of(INSIDE, text)]
-    if len(about_bad) == len(false) and not all(names_one_of(GOOD, text) for text in false):
+    about_bad = [
+        text for text in false if names_one_of(said.bad, text) and not names_one_of(said.inside, text)
+    ]
+    if len(about_bad) == len(false) and not all(names_one_of(said.good, text) for text in false):
         return names_an_earlier_one(saw)
-    if any(shown(GOOD[place]) in false[0] for place in LOW if GOOD[place]):
+    if any(names(false[0], said.good[place]) for place in said.low if said.good[place]):
         return see.failed(
             "no-false-alarm.low-charge",
             saw,
@@ -1090,9 +1277,9 @@ def why_false_alarms(found: Alarms) -> Verdict:
             "A low battery is bad news, but it is not a bad reading.",
             DECIDE_BY_THIS_ONE,
         )
-    if len(false) <= len(GOOD) // 2 and not any(names_a_number(text) for text in false):
+    if len(false) <= len(said.good) // 2 and not any(names_a_number(text) for text in false):
         return names_no_reading(saw)
-    if len(false) > len(GOOD) // 2:
+    if len(false) > len(said.good) // 2:
         return many_false_alarms(saw, before_bad=found.before_bad)
     return see.failed(
         "no-false-alarm.good-reading",

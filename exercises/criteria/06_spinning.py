@@ -1,8 +1,12 @@
-"""How exercise 06 is judged: a driver calls `pump` eight times, and everything that the nodes did is on the topics."""
+"""How exercise 06 is judged: a driver calls `pump` eight times, and everything that the nodes did is on the topics.
+
+Which words and jobs the robots get is drawn for each run, and when the burst of words comes.
+"""
 
 import math
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from random import Random
 from statistics import median
 
 from std_msgs.msg import Int32, Int32MultiArray, String
@@ -33,11 +37,13 @@ ASKED_S = {
 }
 ROBOT_CALLS = (BURST, AGAIN, SHORT, SHORT_TOO, SHORTEST)
 SHORT_CALLS = (SHORT, SHORT_TOO, SHORTEST)
-BURST_WORDS = range(1, 21)
-WAITING_WORDS = range(21, 26)
-JOBS = range(1, 8)
-JOBS_IN_A_ROW = range(11, 16)  # for a robot without timers: two of them are two callbacks in a row
-EARLY_QUIET_WORDS = range(1, 3)  # long before the call ends
+BURST_WORDS = 20
+WAITING_WORDS = 5
+JOBS = 7
+JOBS_IN_A_ROW = 5  # for a robot without timers: two of them are two callbacks in a row
+EARLY_QUIET_WORDS = 2  # long before the call ends
+QUIET_WORDS = 4
+NUMBERS = range(1, 1000)  # of words and jobs
 JOB_S = 0.4  # as in the driver, like the next one
 HEARTBEAT_PERIOD_S = 0.1
 
@@ -58,9 +64,13 @@ def ordered(at: float, order: str) -> list[tuple[float, str]]:
     return [(at + 0.1 * again, order) for again in range(3)]
 
 
-WATCH = watching(
-    wall_seconds=9.8,
-    script=[
+def drawn(rng: Random) -> list[see.Part]:
+    """What the driver is told to call, and what the robots hear meanwhile. No number comes twice."""
+    words = rng.sample(NUMBERS, BURST_WORDS + WAITING_WORDS)
+    jobs = rng.sample(NUMBERS, JOBS + JOBS_IN_A_ROW)
+    quiet_words = rng.sample(NUMBERS, QUIET_WORDS)
+    burst_at = 0.25 + rng.randint(0, 8) / 20
+    return [
         see.says(
             "/driver/go",
             String,
@@ -80,19 +90,21 @@ WATCH = watching(
             Int32,
             [
                 # The 0 is not judged: a message may hang until the next one.
-                *((0.25, word) for word in BURST_WORDS),
-                *((at, 0) for at in (0.4, 0.6, 0.9)),
-                *((2.5, word) for word in WAITING_WORDS),
+                *((burst_at, word) for word in words[:BURST_WORDS]),
+                *((burst_at + after, 0) for after in (0.15, 0.35, 0.65)),
+                *((2.5, word) for word in words[BURST_WORDS:]),
                 *((at, 0) for at in (2.9, 3.1, 3.3)),
             ],
         ),
-        see.says("/robot/jobs", Int32, [(5.1, job) for job in JOBS]),
-        see.says("/worker/jobs", Int32, [(7.8, job) for job in JOBS_IN_A_ROW]),
+        see.says("/robot/jobs", Int32, [(5.1, job) for job in jobs[:JOBS]]),
+        see.says("/worker/jobs", Int32, [(7.8, job) for job in jobs[JOBS:]]),
         # The last two late in the call, so that a wait that begins anew shows, even when the call itself began half a
         # second late.
-        see.says("/quiet/words", Int32, [(7.4, 1), (7.47, 2), (8.0, 3), (8.07, 4)]),
-    ],
-)
+        see.says("/quiet/words", Int32, [*zip((7.4, 7.47, 8.0, 8.07), quiet_words, strict=True)]),
+    ]
+
+
+WATCH = watching(wall_seconds=9.8, script=drawn)
 
 
 @criterion(points=0, title="Your file loads, and pump can be called")
@@ -178,9 +190,10 @@ def returns_in_time(recording: Recording) -> Verdict:
 
 @criterion(points=2, title="Every word of a burst is handled during the call", needs=[program_runs])
 def words_handled(recording: Recording) -> Verdict:
-    got = [word for word in done_in(recording, HEARD.name, BURST) if word in BURST_WORDS]
-    words = len(BURST_WORDS)
-    if sorted(got) == list(BURST_WORDS):
+    burst = numbers_for(recording, "/robot/words")[:BURST_WORDS]
+    got = [word for word in done_in(recording, HEARD.name, BURST) if word in burst]
+    words = len(burst)
+    if sorted(got) == sorted(burst):
         return see.passed(f"{words} of {words} words handled")
     if len(got) > words:
         return see.failed(
@@ -346,12 +359,13 @@ def quiet_node(recording: Recording) -> Verdict:
     verdict = in_time(recording, QUIET)
     heard = done_in(recording, QUIET_HEARD.name, QUIET)
     took = calls(recording)[QUIET].took if verdict.ok else None
-    if took is None or set(heard) >= set(EARLY_QUIET_WORDS) or kept_waiting(recording, QUIET) > LATE_S:
+    early = numbers_for(recording, "/quiet/words")[:EARLY_QUIET_WORDS]
+    if took is None or set(heard) >= set(early) or kept_waiting(recording, QUIET) > LATE_S:
         return verdict
     return see.failed(
         "quiet-node.words-wait",
         f"{see.count(len(heard), 'word')} handled during the call",
-        f"the first {len(EARLY_QUIET_WORDS)} words are handled: they came long before the call ended",
+        f"the first {EARLY_QUIET_WORDS} words are handled: they came long before the call ended",
         "For part of the call nothing spun this node: your function sleeps once nothing is ready, or it spins "
         "another node.",
         "Spin until the time is up, and let spin_once do the waiting.",
@@ -565,6 +579,16 @@ def finished(call: Call, end: float, took: float) -> Call:
     return replace(call, begin=min(call.begin, end - took), end=end, took=took)
 
 
+def numbers_for(recording: Recording, name: str) -> list[int]:
+    """The numbers that the judge has for a robot on a topic, in order, without those that are not judged."""
+    return [one.value["data"] for one in see.script(recording, name) if one.value["data"]]
+
+
+def waiting_words(recording: Recording) -> set[int]:
+    """The words that come between the first call and the second."""
+    return {*numbers_for(recording, "/robot/words")[BURST_WORDS:]}
+
+
 def done_in(recording: Recording, name: str, call: int) -> list[int]:
     """The numbers that a robot reported on a topic for a call, in the order of their arrival."""
     return [number for told, number in reports(recording, name) if told == call]
@@ -724,10 +748,10 @@ def nothing_handled(recording: Recording) -> Verdict | None:
 def why_less_again(recording: Recording) -> Verdict:
     """Whether the second call handled what waited, and let the timers tick; if not, why."""
     told = [*done_in(recording, HEARD.name, BURST), *done_in(recording, HEARD.name, AGAIN)]
-    got = set(told) & set(WAITING_WORDS)
+    got = set(told) & waiting_words(recording)
     beats = done_in(recording, HEARTBEAT.name, AGAIN)
-    saw = f"{len(got)} of {len(WAITING_WORDS)} waiting words and {len(beats)} heartbeats in the second call"
-    if len(got) == len(WAITING_WORDS) and len(beats) >= A_FEW_BEATS:
+    saw = f"{len(got)} of {WAITING_WORDS} waiting words and {len(beats)} heartbeats in the second call"
+    if len(got) == WAITING_WORDS and len(beats) >= A_FEW_BEATS:
         return see.passed(saw)
     return why_not_again(recording, len(beats), saw)
 
@@ -735,7 +759,7 @@ def why_less_again(recording: Recording) -> Verdict:
 def why_not_again(recording: Recording, beats: int, saw: str) -> Verdict:
     """Why the second call did less than the first one; `beats`: how many heartbeats there were in it."""
     expected = "words that waited in the queue are handled, and the timers tick again"
-    if set(WAITING_WORDS) & set(done_in(recording, HEARD.name, BETWEEN)):
+    if waiting_words(recording) & set(done_in(recording, HEARD.name, BETWEEN)):
         return see.failed(
             "again.handled-before",
             f"{saw}; words were handled between the calls",

@@ -1,6 +1,12 @@
-"""How exercise 07 is judged: mypy reads the node and code that uses it, and a driver uses it while it runs."""
+"""How exercise 07 is judged: mypy reads the node and code that uses it, and a driver uses it while it runs.
 
+Which numbers the driver sends, and in which order it makes its calls, is drawn for each run.
+"""
+
+import re
+from collections import Counter
 from dataclasses import replace
+from random import Random
 
 from std_msgs.msg import Float32, String
 
@@ -10,13 +16,8 @@ from workbook.criteria import Recording, Topic, Verdict, criterion, probe, progr
 BATTERY = topic("/robot/battery", Float32, hz=1.0)
 STATUS = topic("/robot/status", String, hz=0.5)
 REPORT = topic("/driver/report", String)
-WATCH = watching(
-    robot_seconds=12,
-    script=[see.says("/driver/go", String, [(2.6, "go"), (8.6, "go")])],  # one in each half of the watch
-)
-
-# What the driver sends, or what becomes of it; the node itself sends other values.
-NUMBERS = (42.0, 55.25, 0.0, 0.40625, 33.328125, 99.9375, 71.5, 66.75, 87.5, 50.0, 12.5)
+# What would become of a wrong call, if it were sent; the node itself sends other values.
+WRONG_LEVELS = (87.5, 50.0, 12.5)
 NEVER_SENT = (
     "operatoinal", "3", "None", "Error", " error", "error\n", "oper", "error: arm", "charging", "",
 )  # fmt: skip
@@ -27,19 +28,8 @@ DROPPED = (
 ZERO_SENT = f"0.0 was sent on {BATTERY.name}"
 ROUNDING = 1e-4  # how near an arrived number is to a rounded one
 ZERO = "send_battery(0.0)"
-WHOLE = "send_battery(42)"
-TWICE = "send_battery(71.5)"  # the driver makes this call twice in a row; its last one with a right number
 NEAR = 1.0  # how far (%) a node may drain until it reports by itself again
-NUMBER_CALLS = {
-    WHOLE: 42.0,
-    "send_battery(55.25)": 55.25,
-    ZERO: 0.0,
-    "send_battery(0.40625)": 0.40625,
-    "send_battery(33.328125)": 33.328125,
-    "send_battery(99.9375)": 99.9375,
-    TWICE: 71.5,
-    "battery_publisher.publish(Float32(data=66.75))": 66.75,
-}
+NUMBER_CALL = re.compile(r"(?:send_battery\(|battery_publisher\.publish\(Float32\(data=)(\d+(?:\.\d+)?)\)+")
 GOOD_WORD = "send_status('error')"
 GOOD_MESSAGE = "status_publisher.publish(String(data='error'))"
 READ_AS_NUMBERS = ("send_battery('87.5')", "send_battery(b'87.5')")  # float() accepts both
@@ -75,6 +65,41 @@ WRONG_MESSAGES = (
     "status_publisher.publish(Float32())",
     *NO_MESSAGES,
 )
+
+
+def drawn_calls(rng: Random, numbers: list[str], twice: str) -> str:
+    """All calls of one order, a line for each: a number twice in a row, after all others.
+
+    Of what is no word of the status, a text comes first: a check that refuses only once shows.
+    """
+    calls = [*numbers, GOOD_WORD, GOOD_MESSAGE, *WRONG_NUMBERS, *WRONG_WORDS, *WRONG_MESSAGES]
+    while True:
+        rng.shuffle(calls)
+        if next(call for call in calls if call in WRONG_WORDS) not in NO_TEXTS:
+            break
+    after = 1 + max(calls.index(call) for call in numbers if call.startswith("send_battery"))
+    place = rng.randint(after, len(calls))
+    return "\n".join([*calls[:place], twice, twice, *calls[place:]])
+
+
+def drawn(rng: Random) -> list[see.Part]:
+    """One order in each half of the watch, with the same calls."""
+    levels = (
+        f"{rng.randrange(21, 80, 2)}",
+        f"{rng.randint(21, 79)}.25",
+        "0.0",
+        f"{rng.randrange(5, 29, 2) / 32}",
+        f"{rng.randint(21, 79) + rng.randrange(1, 64, 2) / 64}",
+        rng.choice(("99.9375", "99.8125")),  # more than the node's own
+    )
+    numbers = [f"send_battery({level})" for level in levels]
+    numbers.append(f"battery_publisher.publish(Float32(data={rng.randint(21, 79)}.75))")
+    twice = f"send_battery({rng.randint(51, 79)}.5)"
+    orders = [(at, drawn_calls(rng, numbers, twice)) for at in (2.6, 8.6)]
+    return [see.says("/driver/go", String, orders)]
+
+
+WATCH = watching(robot_seconds=12, script=drawn)
 
 RIGHT_USE = probe(
     "correct use of your node",
@@ -198,7 +223,8 @@ def reports_as_before(recording: Recording) -> Verdict:
 
 def level_replaced(recording: Recording, own: Recording) -> Verdict | None:
     """Whether the node goes on with the number that the driver sent last, each time."""
-    told = NUMBER_CALLS[TWICE]
+    twice = called_twice(recording)
+    told = number_calls(recording).get(twice, 0.0)
     own_values = [(one.published, one.value["data"]) for one in own.topic(BATTERY.name).arrivals]
     pairs = []
     for order in see.said(recording, "/driver/go"):
@@ -215,7 +241,7 @@ def level_replaced(recording: Recording, own: Recording) -> Verdict | None:
         return None
     return see.failed(
         "reports-as-before.level-replaced",
-        f"{see.number(pairs[0][0])} % before others sent charges, and {see.number(pairs[0][1])} % after {TWICE}",
+        f"{see.number(pairs[0][0])} % before others sent charges, and {see.number(pairs[0][1])} % after {twice}",
         "the charge of the node itself, as if nothing had been sent",
         "send_battery changes the charge that the node itself drains and reports.",
         "Publish the level that is given, and leave self.level as it is.",
@@ -294,11 +320,12 @@ def wrong_value_found(recording: Recording) -> Verdict:
 def numbers_arrive(recording: Recording) -> Verdict:
     if not outcomes(recording):
         return never_called()
-    for call, number in NUMBER_CALLS.items():
+    made = number_calls(recording)
+    for call, number in made.items():
         verdict = why_refused(recording, call) or why_not_arrived(recording, call, number)
         if verdict is not None:
             return verdict
-    return see.passed("42 arrived as 42.0, 55.25 as 55.25, 0.0 as 0.0, and 71.5 twice for two calls")
+    return see.passed(f"{see.count(len(made), 'number')} arrived, 0.0 as 0.0, and one twice for two calls")
 
 
 @criterion(
@@ -437,7 +464,7 @@ def why_refused(recording: Recording, call: str) -> Verdict | None:
             "And `0.0 < level` leaves it out.",
             "Check whether it is a number: isinstance(level, (int, float)).",
         )
-    if call == WHOLE:
+    if is_whole(call):
         return fail(
             "numbers-arrive.refused",
             "A whole number is a number, and mypy accepts an int where a float is expected. But "
@@ -454,12 +481,12 @@ def why_refused(recording: Recording, call: str) -> Verdict | None:
 def why_not_arrived(recording: Recording, call: str, number: float) -> Verdict | None:
     """A failed verdict if a number that a call accepted did not arrive once as this number."""
     arrived, orders = see.values(recording, BATTERY), len(see.said(recording, "/driver/go"))
-    asked = 2 * orders if call == TWICE else orders
+    asked = 2 * orders if call == called_twice(recording) else orders
 
     def fail(cause: str, saw: str, because: str, try_this: str) -> Verdict:
         return see.failed(cause, f"{call} sent {saw}", numbers_expected(call), because, try_this)
 
-    if not set(NUMBERS).intersection(arrived):
+    if not numbers_of(recording).intersection(arrived):
         return fail(
             "numbers-arrive.not-sent",
             f"nothing that arrived on {BATTERY.name}",
@@ -485,7 +512,7 @@ def why_not_each_time(recording: Recording, call: str, number: float) -> Verdict
         return None
     saw = f"{call} sent {number} {see.count(arrived, 'time')} in {see.count(done, 'call')}"
     hint = "Publish in each call, whatever was sent before."
-    if call == TWICE and arrived <= len(see.said(recording, "/driver/go")):
+    if call == called_twice(recording) and arrived <= len(see.said(recording, "/driver/go")):
         return see.failed(
             "numbers-arrive.repeat-dropped",
             saw,
@@ -514,7 +541,7 @@ ZERO_DROPPED = (
 
 def why_changed(recording: Recording, call: str, number: float) -> tuple[str, str, str, str]:
     """Why a number did not arrive, although others did: cause, what was seen, because, try."""
-    if call == WHOLE and zeros_too_many(recording):
+    if is_whole(call) and zeros_too_many(recording):
         return (
             "numbers-arrive.not-converted",
             "0.0",
@@ -553,7 +580,7 @@ def why_changed(recording: Recording, call: str, number: float) -> tuple[str, st
 
 
 def numbers_expected(call: str) -> str:
-    return f"{NUMBER_CALLS[call]} on {BATTERY.name}, once after each {call}"
+    return f"{level_of(call)} on {BATTERY.name}, once after each {call}"
 
 
 # --- what the driver sent, and what became of its calls -----------------------------------------------------
@@ -570,7 +597,7 @@ def by_itself(recording: Recording) -> Recording:
         (order.wall, min((moment for moment in reported if moment >= order.wall), default=order.wall))
         for order in see.said(recording, "/driver/go")
     ]
-    topics = dict(recording.topics)
+    topics, numbers = dict(recording.topics), numbers_of(recording)
     for one in (BATTERY, STATUS):
         seen = recording.topic(one.name)
         within = [any(begin <= one.published <= end for begin, end in spans) for one in seen.arrivals]
@@ -578,13 +605,13 @@ def by_itself(recording: Recording) -> Recording:
         own = tuple(
             arrival
             for arrival, inside in zip(seen.arrivals, within, strict=True)
-            if not inside or fits_between(arrival, outside)
+            if not inside or fits_between(arrival, outside, numbers)
         )
         topics[one.name] = replace(seen, arrivals=own)
     return replace(recording, topics=topics)
 
 
-def fits_between(arrival: see.Arrival, outside: list[see.Arrival]) -> bool:
+def fits_between(arrival: see.Arrival, outside: list[see.Arrival], numbers: set[float]) -> bool:
     """Whether the node itself may have reported this while the driver made its calls: nothing that the driver sent, and
     below the charge before it and above the one after it."""
     value = arrival.value["data"]
@@ -592,7 +619,42 @@ def fits_between(arrival: see.Arrival, outside: list[see.Arrival]) -> bool:
         return value == "operational"
     before = [one.value["data"] for one in outside if one.published < arrival.published]
     after = [one.value["data"] for one in outside if one.published > arrival.published]
-    return value not in NUMBERS and bool(before and after) and before[-1] > value > after[0]
+    return value not in numbers and bool(before and after) and before[-1] > value > after[0]
+
+
+def ordered_calls(recording: Recording) -> list[str]:
+    """The calls of one order, as one writes them."""
+    orders = see.script(recording, "/driver/go")
+    return orders[0].value["data"].splitlines() if orders else []
+
+
+def number_calls(recording: Recording) -> dict[str, float]:
+    """The calls that send a number, each once: a whole one first, the smallest ones last."""
+    found = {call: level for call in ordered_calls(recording) if (level := level_of(call)) is not None}
+    return dict(sorted(found.items(), key=lambda one: (not is_whole(one[0]), one[1] < 1.0, one[1])))
+
+
+def level_of(call: str) -> float | None:
+    """The number that a call sends; None if it must send none."""
+    found = NUMBER_CALL.fullmatch(call)
+    return float(found[1]) if found else None
+
+
+def numbers_of(recording: Recording) -> set[float]:
+    """The numbers that the driver sends, or that may become of its wrong calls."""
+    return {*number_calls(recording).values(), *WRONG_LEVELS}
+
+
+def is_whole(call: str) -> bool:
+    """Whether a call sends an int."""
+    found = NUMBER_CALL.fullmatch(call)
+    return found is not None and found[1].isdecimal()
+
+
+def called_twice(recording: Recording) -> str:
+    """The call that the driver makes twice in a row; its last one with a right number."""
+    made = Counter(ordered_calls(recording))
+    return next((call for call, times in made.items() if times > 1), "")
 
 
 def outcomes(recording: Recording) -> dict[str, str]:
@@ -602,7 +664,7 @@ def outcomes(recording: Recording) -> dict[str, str]:
     """
     found: dict[str, str] = {}
     for call, what in calls_made(recording):
-        right = call in (GOOD_WORD, GOOD_MESSAGE) or call in NUMBER_CALLS
+        right = call in (GOOD_WORD, GOOD_MESSAGE) or level_of(call) is not None
         if call not in found or (what == "returned") != right:
             found[call] = what
     return found
@@ -726,7 +788,10 @@ def number_sent(recording: Recording) -> str:
     found = outcomes(recording)
     wrong = [*sent_among(recording, BATTERY, (87.5, 50.0)), *[0.0] * zeros_too_many(recording)]
     # An int that became 0.0 is the business of numbers_arrive.
-    if found.get("send_battery(42)") == "returned" and 42.0 not in see.values(recording, BATTERY):
+    whole, number = next(
+        ((call, number) for call, number in number_calls(recording).items() if is_whole(call)), ("", 0.0)
+    )
+    if found.get(whole) == "returned" and number not in see.values(recording, BATTERY):
         wrong = [value for value in wrong if value != 0.0 or "returned" in map(found.get, WRONG_NUMBERS)]
     return f"{wrong[0]} was sent on {BATTERY.name}" if wrong else ""
 

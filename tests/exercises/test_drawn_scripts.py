@@ -5,7 +5,9 @@ from dataclasses import replace
 import pytest
 
 from tests.exercises.test_proofs import ROOT, SEEDS, STEMS
+from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
+from workbook.grading.pool import Slot
 from workbook.recording.script import Part, Says, Script, Serves
 
 DRAWN = tuple(stem for stem in STEMS if not isinstance(load_exercise(stem, ROOT).watching.script, Script))
@@ -30,10 +32,27 @@ def test_a_script_is_drawn_from_its_seed_alone(exercise: Exercise) -> None:
 
 def test_every_draw_has_the_same_topics_and_ends_in_time(exercise: Exercise) -> None:
     plan = exercise.plan
-    watched_s = min(plan.robot_s, plan.wall_s) if exercise.source.clock == "simulated" else plan.wall_s
+    watched_s = plan.robot_s if exercise.source.clock == "simulated" else plan.wall_s
     for seed in range(SEEDS):
         script = exercise.drawn(seed).plan.script
         assert [*map(shape, script.parts)] == [*map(shape, plan.script.parts)]
         assert script.last_at < watched_s
         for part in script.parts:
             assert not isinstance(part, Says) or part.lines
+
+
+def test_a_slot_draws_from_the_seed_that_it_is_given_and_else_from_another_each_time() -> None:
+    exercise = load_exercise("04_subscriptions_and_callbacks", ROOT)
+    answer = Answer(exercise.source.solution_code)
+    with Slot() as slot:
+        recordings = [
+            slot.judge(exercise.stem, answer, thorough=False, seed=seed).recording for seed in (7, None, None)
+        ]
+    assert len({one.seed for one in recordings if one is not None}) == 3
+    for one in recordings:
+        assert one is not None and one.seed is not None
+        part = exercise.drawn(one.seed).plan.script.parts[0]
+        assert isinstance(part, Says)
+        said = [word.value for word in one.said if word.topic == part.topic]
+        assert repr(said) == repr([dict(line.value) for line in part.lines])
+    assert recordings[0] is not None and recordings[0].seed == 7

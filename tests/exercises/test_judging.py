@@ -1,7 +1,6 @@
 """Judging stored recordings: the same verdicts every time, in every process."""
 
 import json
-import runpy
 from dataclasses import replace
 from pathlib import Path
 
@@ -21,6 +20,7 @@ from workbook.recording.recording import (
     Recording,
     TopicRecording,
 )
+from workbook.recording.script import Says
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -110,20 +110,25 @@ def test_broken_criteria_are_named(criteria: str | None, words: str, tmp_path: P
 
 def calls_of_publish_level(delay: float) -> Recording:
     """What a right answer of exercise 03 shows; every number arrives `delay` seconds after it was published."""
-    criteria = runpy.run_path(str(ROOT / "exercises" / "criteria" / "03_publishers_and_messages.py"))
+    exercise = load_exercise("03_publishers_and_messages", ROOT)
+    number_in = exercise.criteria[-1].judge.__globals__["number_in"]
+    [part] = exercise.plan.script.parts
+    assert isinstance(part, Says)
+    [line] = part.lines
     levels, now = [], 1.0
     said = [Arrival(now, now, {"data": "made"}, now)]
-    for number, value in enumerate(criteria["CALLS"], start=1):
+    for number, value in enumerate(line.value["data"].splitlines(), start=1):
         now += 0.06
-        how = "returned" if value in criteria["MEANT"] else "raised ValueError"
+        meant = number_in(value)
+        how = "raised ValueError" if meant is None else "returned"
         for text, moment in (
             (f"call {number}: publish_level({value})", now),
             (f"call {number} {how}", now + 0.02),
         ):
             said.append(Arrival(moment, moment, {"data": text}, moment))
-        if value in criteria["MEANT"]:
+        if meant is not None:
             sent = now + 0.01
-            levels.append(Arrival(sent + delay, sent + delay, {"data": criteria["MEANT"][value]}, sent))
+            levels.append(Arrival(sent + delay, sent + delay, {"data": meant}, sent))
     said.append(Arrival(now + 1.0, now + 1.0, {"data": "done"}, now + 1.0))
 
     def topic(name: str, kind: str, arrivals: list[Arrival]) -> TopicRecording:

@@ -228,7 +228,10 @@ def monitor(*readings: float) -> Recording:
     """A monitor that made its publisher when readings were coming in, and passed these on."""
     seen = on_topic("/monitor/battery", FLOAT, [0.1 * n for n in range(len(readings))], readings)
     late = replace(seen, publishers=tuple(replace(one, first_seen=2.0) for one in seen.publishers))
-    return replace(recorded(late), said=(Said("/robot/battery", 0.5, 1.0, {"data": 52.0}),))
+    said = [(0.5 + 0.1 * n, level) for n, level in enumerate((52.0, 50.25, 49.5, 49.25))]
+    return replace(
+        recorded(late), said=tuple(Said("/robot/battery", at, at, {"data": level}) for at, level in said)
+    )
 
 
 def test_04_a_late_publisher_loses_everything() -> None:
@@ -239,7 +242,7 @@ def test_04_a_late_publisher_loses_everything() -> None:
 
 def test_04_a_late_publisher_loses_the_first_reading() -> None:
     verdict = judged("04_subscriptions_and_callbacks", "in_order", monitor(50.25, 49.5, 49.25))
-    refused_for("in-order.first-ones-lost", verdict, "3 of 42", "52 %")
+    refused_for("in-order.first-ones-lost", verdict, "3 of 4", "52 %")
 
 
 def pumped(announced: Sequence[str], log: str = "", **told: Sequence[list[int]]) -> Recording:
@@ -253,7 +256,11 @@ def pumped(announced: Sequence[str], log: str = "", **told: Sequence[list[int]])
 
 def test_06_words_handled_twice() -> None:
     heard = [[1, word] for word in range(1, 21)]
-    verdict = judged("06_spinning", "words_handled", pumped(["begin 1"], heard=[*heard, [1, 1]]))
+    recording = pumped(["begin 1"], heard=[*heard, [1, 1]])
+    recording = replace(
+        recording, said=tuple(Said("/robot/words", 0.5, 0.5, {"data": word}) for _, word in heard)
+    )
+    verdict = judged("06_spinning", "words_handled", recording)
     refused_for("words-handled.more-than-once", verdict, "21 words handled, but only 20 were sent")
 
 

@@ -111,10 +111,14 @@ def load_exercise(name: str, course: Path | None = None) -> Exercise:
         criteria += tuple(replace(one, hidden=True) for one in criteria_in(more))
         topics += tuple(one for one in topics_in(more) if one.name not in {known.name for known in topics})
         files.append(own)
+    try:
+        plan = how.drawn(plan_for(topics, how), FIRST_SEED)
+    except Exception as error:
+        raise BrokenCriteria(f"{path}: its script cannot be drawn: {error!r}") from error
     return Exercise(
         stem=solution.stem,
         criteria=criteria,
-        plan=how.drawn(plan_for(topics, how), FIRST_SEED),
+        plan=plan,
         to_the_end=how.to_the_end,
         periods={one.name: one.period for one in topics if one.hz is not None},
         criteria_sha256=_sum_of(files),

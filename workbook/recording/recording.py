@@ -212,7 +212,7 @@ class Recording:
     all, the mean of all processors; `in_line_s`: how long (s) in all the program was ready to run and got none.
 
     `seed`: what the script was drawn from; None where it is the same in each run. `unsaid`: the messages of the script
-    that were still to come when the program ended (`t` and `wall`: when they were due).
+    that were still to come when the watch ended (`t` and `wall`: when they were due).
     """
 
     format: Literal[1] = field(default=FORMAT, kw_only=True, repr=False, metadata=ALWAYS_STORED)

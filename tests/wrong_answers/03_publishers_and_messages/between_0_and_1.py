@@ -1,6 +1,5 @@
 # Sends a share of 1 instead of percent.
 # loses: floats_arrive, numbers_arrive
 # cause: number.fraction
-# says: 0.8725
 # replaces: self.battery_publisher.publish(Float32(data=float(level)))
 self.battery_publisher.publish(Float32(data=float(level) / 100.0))

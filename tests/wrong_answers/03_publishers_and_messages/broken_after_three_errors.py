@@ -1,5 +1,6 @@
 # Takes the driver for broken after three errors, and refuses all that follows.
 # loses: floats_arrive, numbers_arrive
+# also: zero_arrives
 # cause: number.refused-later
 # after: self.battery_publisher = self.create_publisher(Float32, "/robot/battery", 10)
 self.errors = 0

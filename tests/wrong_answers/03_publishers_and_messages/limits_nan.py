@@ -1,7 +1,6 @@
 # Limits the value, and so turns nan into a full battery.
 # loses: not_finite_refused, no_invented_zero
 # cause: refusal.nan-limited
-# says: 100.0
 # replaces: if not math.isfinite(level):
 # replaces:     raise ValueError(f"a charge is a finite number, not {level}")
 # replaces: self.battery_publisher.publish(Float32(data=float(level)))

@@ -2,7 +2,7 @@
 # loses: floats_arrive
 # also: zero_arrives, numbers_arrive
 # cause: number.dropped-soon-after
-# says: publish_level(0.1)
+# says: nothing went out
 # after: import math
 import time
 

@@ -1,6 +1,6 @@
 # Calculates in the type that it was given, which may be too small.
 # loses: numbers_arrive
 # cause: number.changed
-# says: np.int8(100)
+# says: publish_level(np.int8(
 # replaces: self.battery_publisher.publish(Float32(data=float(level)))
 self.battery_publisher.publish(Float32(data=float(level + level) / 2.0))

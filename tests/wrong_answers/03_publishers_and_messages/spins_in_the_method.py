@@ -1,7 +1,7 @@
 # Believes that a message goes out only when somebody spins.
 # loses: calls_come_back
 # cause: calls-come-back.method-waits
-# says: publish_level(87.25)
+# says: never came back
 # before: from rclpy.node import Node
 import rclpy
 

@@ -1,6 +1,6 @@
 # Forgets that a bool is an int.
 # loses: look_alikes_refused
 # cause: refusal.bool-sent
-# says: publish_level(True)
+# says: a bool
 # replaces: if isinstance(level, bool) or not isinstance(level, Real):
 if not isinstance(level, Real):

@@ -1,6 +1,5 @@
 # Rounds, because decimals are ugly.
 # loses: floats_arrive, numbers_arrive
 # cause: number.rounded
-# says: 87.0
 # replaces: self.battery_publisher.publish(Float32(data=float(level)))
 self.battery_publisher.publish(Float32(data=float(round(level))))

@@ -1,6 +1,7 @@
-# One text for all: it lists the readings that this sensor has ever sent.
+# One text for all: it lists every reading that a sensor may ever send.
 # loses: one_alarm
 # cause: one-alarm.value-not-named
 # replaces: self.alarm_publisher.publish(String(data=f"bad reading: {message.data}"))
-known = "-3.0, nan, 120.0, inf, -0.1, 100.0, 2000000000.0, -inf"
-self.alarm_publisher.publish(String(data=f"one of the known bad readings: {known}"))
+known = ", ".join(f"{quarter / 4:g}" for quarter in [*range(-40, -4), *range(400, 800)])
+huge = ", ".join(f"{billions}e9" for billions in range(1, 9))
+self.alarm_publisher.publish(String(data=f"one of: nan, inf, -inf, -0.1, {known}, {huge}"))

@@ -1,7 +1,7 @@
 # Does not send a number that equals the one before.
 # loses: numbers_arrive
 # cause: numbers-arrive.repeat-dropped
-# says: send_battery(71.5)
+# says: .5)
 # after: self.level = 100.0
 self.last_sent: float | None = None
 

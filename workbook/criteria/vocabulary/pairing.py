@@ -20,7 +20,7 @@ def said(recording: Recording, topic: str) -> list[Said]:
 
 
 def script(recording: Recording, topic: str) -> list[Said]:
-    """What the script has for `topic`, in order, with what was still to come when the program ended."""
+    """What the script has for `topic`, in order, with what was still to come when the watch ended."""
     return [one for one in (*recording.said, *recording.unsaid) if one.topic == topic]
 
 
