@@ -41,7 +41,7 @@ WATCH_S = 9.0
 
 
 def drawn(rng: random.Random) -> list[see.Part]:
-    """Seven requests: three, and four more when the planner is idle again. Before the first one the heart beats alone.
+    """Draw seven requests: three, and four more when the planner is idle again. Until the first, the heart beats alone.
 
     Of those that wait, the farther one is first here and last there, two are the same, and one cannot be reached. A
     very near one comes twice in a row, for the second time to an idle planner.
@@ -61,7 +61,7 @@ def drawn(rng: random.Random) -> list[see.Part]:
 
 
 def drawn_distance(rng: random.Random, least: float, most: float) -> float:
-    """A distance (m) whose plan is neither that of the formula nor that for whole millimeters.
+    """Draw a distance (m) whose plan is neither that of the formula nor that for whole millimeters.
 
     Sent as a float of 32 bits it has the same plan.
     """
@@ -74,7 +74,7 @@ def drawn_distance(rng: random.Random, least: float, most: float) -> float:
 
 
 def told_apart(distances: Sequence[float]) -> bool:
-    """Whether no plan for one of the distances (m), nor half of it, looks like the plan for another one."""
+    """Check that no plan for one of the distances (m), nor half of it, looks like the plan for another one."""
     bends = [planned(distance) for distance in distances]
     return all(
         one is other or abs(one - other) > 2.5 * ALIKE_RAD for one, other in product(bends, bends)
@@ -463,7 +463,7 @@ class Plan:
 
 
 def requests(recording: Recording) -> list[float]:
-    """The distances (m) that the judge asks for, also those that were to come when the program ended."""
+    """List the distances (m) that the judge asks for, also those that were to come when the program ended."""
     return [round(one.value["data"], 4) for one in see.script(recording, REQUESTS)]
 
 

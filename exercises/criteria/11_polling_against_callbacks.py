@@ -36,7 +36,7 @@ WAITED_S = 0.1  # in the run queue: on a machine with little else to do it is a 
 
 
 def drawn(rng: random.Random) -> list[see.Part]:
-    """Sixty touches: eight one by one, two bunches, eight one by one, a bunch, and one after a pause of three seconds.
+    """Draw sixty touches: eight one by one, two bunches, eight one by one, a bunch, and one more after a pause of 3 s.
 
     One by one they come at intervals (s) longer than the sleep of the starter, and out of step with it.
     """
@@ -57,7 +57,7 @@ def drawn(rng: random.Random) -> list[see.Part]:
 
 
 def drawn_numbers(rng: random.Random) -> list[int]:
-    """The numbers of the touches: above 1000, with one left out and then many, or the other way round.
+    """Draw the numbers of the touches: above 1000, with one left out and then many, or the other way round.
 
     They begin again at 1 three times: twice in a row, where touches come one by one, and in the middle of the last
     bunch. So 1 comes twice in a row, and the first numbers come again. Those before the last restart are greater than
@@ -97,7 +97,7 @@ class Touches:
 
 
 def touches(recording: Recording) -> Touches:
-    """What the judge sent, and what was still to come when the program ended."""
+    """Read what the judge sent, and what was still to come when the program ended."""
     words = see.script(recording, TOUCH)
     numbers, at = [one.value["data"] for one in words], [one.t for one in words]
     steps = [(place, numbers[place] - numbers[place - 1]) for place in range(1, len(numbers))]

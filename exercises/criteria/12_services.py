@@ -26,7 +26,7 @@ JOINTS = ("left knee", "right knee", "left elbow", "right elbow", "left hip", "n
 
 
 def drawn(rng: random.Random) -> list[see.Part]:
-    """Twelve replies, for one call after another.
+    """Draw twelve replies, for one call after another.
 
     First three answers: "ok", one of the two words, and "faulty", late. So a word comes twice in a row. No answer comes
     at once after a late one, nor late after a late "faulty". Then four calls get no answer, two of them in a row. After
@@ -50,7 +50,7 @@ def drawn(rng: random.Random) -> list[see.Part]:
 
 
 def text_for(rng: random.Random, success: bool, is_plain: bool) -> str:
-    """A text for people, which may be the same on both sides: one can see in it how the test went if it `is_plain`."""
+    """Write a text for people. Only if it `is_plain`, one can see in it how the test went."""
     if success is is_plain:
         return "all joints move"
     return f"the {rng.choice(JOINTS)} is {'warm' if success else 'stiff'}"

@@ -20,7 +20,7 @@ HEART = see.says("/robot/heartbeat", String, [], qos="best_effort", deadline=2 *
 
 
 def drawn(rng: random.Random) -> list[see.Part]:
-    """A robot that has spoken before the start. Its heart is silent twice, and one beat is late: a hiccup.
+    """Draw a robot that has spoken before the start. Its heart is silent twice, and one beat is late: a hiccup.
 
     A program that looks at the clock five times a second looks at different moments of the two silences. After the
     second one, there is time to end an alarm.
@@ -32,7 +32,7 @@ def drawn(rng: random.Random) -> list[see.Part]:
         if ended > WATCH_S - 1.8 or abs((second - first) % 0.2 - 0.1) > EARLY_S:
             continue
         changes = drawn_changes(rng, silences)
-        if out_of_step([*(at for at, _ in changes), WATCH_S]):
+        if out_of_step([*(at for at, _ in changes[1:]), WATCH_S]):
             break
     beats = [(at, f"beat {n + 1}") for n, at in enumerate(moments) if at < WATCH_S - 0.1]
     return [
@@ -42,9 +42,9 @@ def drawn(rng: random.Random) -> list[see.Part]:
 
 
 def drawn_beats(rng: random.Random) -> list[float]:
-    """When the heart beats (s): in three groups with a silence between two, and with a hiccup in one of the first two.
+    """Draw when the heart beats (s): in three groups with silences between them, and a hiccup in one of the first two.
 
-    The first group lasts for more than a second, also before a hiccup.
+    The first group lasts for more than a second, also until a hiccup.
     """
     counts = [rng.randint(6, 18), rng.randint(4, 8), 30]
     hiccup = rng.choice((rng.randint(5, counts[0] - 1), counts[0] + rng.randint(1, counts[1] - 1)))
@@ -54,7 +54,7 @@ def drawn_beats(rng: random.Random) -> list[float]:
 
 
 def drawn_changes(rng: random.Random, silences: Sequence[tuple[float, float]]) -> list[tuple[float, str]]:
-    """The status from before the start, and its changes (s): more than a program that counts to five will follow.
+    """Draw the status from before the start, and its changes (s), more than a program that counts to five will follow.
 
     When an alarm is due, the status is "operational" in the first silence and "error" in the second one, and stays so
     until the alarm is late. Then it changes before the silence ends. When the alarm has to end, it is "error" the first
@@ -80,7 +80,7 @@ def drawn_changes(rng: random.Random, silences: Sequence[tuple[float, float]]) -
 
 
 def out_of_step(moments: Sequence[float]) -> bool:
-    """Whether two statuses that last come at such moments (s) that a line which follows late misses one of them."""
+    """Check that two lasting statuses come at such moments (s) that a line which follows late misses one of them."""
     lasting = [at for at, end in pairwise(moments) if end - at > LASTS_S]
     return any(0.2 < (one - other) % LINE_S < 0.3 for one, other in product(lasting, lasting))
 
@@ -296,7 +296,7 @@ def silences(recording: Recording) -> list[tuple[float, float]]:
 
 
 def silences_between(moments: Sequence[float]) -> list[tuple[float, float]]:
-    """From when to when (s) no beat came for long."""
+    """Find from when to when (s) no beat comes for long."""
     return [(last, first) for last, first in pairwise(moments) if first - last > SILENCE_S]
 
 

@@ -4,9 +4,9 @@
 # cause: status-at-once.not-kept
 # after: self.last_status = "unknown"
 self.began = time.monotonic()
-statuses = ["operational", "error", "operational", "error", "operational", "error", "operational"]
-self.statuses = list(zip([0.0, 2.5, 3.8, 6.6, 8.8, 9.9, 11.6], statuses))
-self.alarms = list(zip([0.0, 5.1, 6.9, 10.5, 12.1], [False, True, False, True, False]))
+statuses = ["operational", "error"] * 4
+self.statuses = list(zip([0.0, 2.3, 3.6, 6.3, 8.4, 9.1, 10.8, 13.1], statuses))
+self.alarms = list(zip([0.0, 5.0, 6.6, 9.6, 11.4], [False, True, False, True, False]))
 
 # replaces: alarm = time.monotonic() - self.last_beat > LONGEST_SILENCE_S
 alarm = self.now_in(self.alarms)
