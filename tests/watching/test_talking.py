@@ -457,3 +457,24 @@ def test_a_deadline_can_be_requested_where_one_is_offered(
 def test_an_offered_deadline_is_above_zero(deadline: float) -> None:
     with pytest.raises(ValueError, match="above zero"):
         says("/robot/level", Float32, [], deadline=deadline)
+
+
+def test_calls_without_end_are_not_all_kept(bench: Node, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("workbook.watching.speaker.CALLS_KEPT", 3)
+    speaker = Speaker(
+        bench, Script((serves("/robot/self_test", Trigger, [({}, 0.0)]),)), lambda moment: moment
+    )
+    client = bench.create_client(Trigger, "/robot/self_test")
+    assert client.wait_for_service(20.0)
+    answered = 0
+    for _ in range(5):
+        with client.handle:
+            client.handle.send_request(Trigger.Request())
+    deadline = time.monotonic() + 20.0
+    while answered < 3 and time.monotonic() < deadline:
+        speaker.poll()
+        with client.handle:
+            answered += client.handle.take_response(Trigger.Response)[0] is not None
+    speaker.poll()
+    assert answered == 3
+    assert [call.answered_t is not None for call in speaker.calls()] == [True] * 3

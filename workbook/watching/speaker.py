@@ -19,6 +19,8 @@ from workbook.watching.values import plain
 
 SERVED_EVERY_S = 0.01
 LATE_S = 0.02
+CALLS_KEPT = 2_000
+"""Calls after these are neither answered nor recorded: a program may call without end."""
 
 
 def fill(message: Any, value: Mapping[str, Any]) -> Any:
@@ -211,6 +213,8 @@ class Speaker:
                 request, header = offered.service.handle.service_take_request(offered.type.Request)
                 if header is None:
                     break
+                if len(self._calls) >= CALLS_KEPT:
+                    continue  # taken all the same, so that it fills no queue
                 reply = offered.part.replies[min(offered.count, len(offered.part.replies) - 1)]
                 offered.count += 1
                 index = len(self._calls)
