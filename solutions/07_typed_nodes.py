@@ -51,7 +51,7 @@
 # | 2 | mypy --strict finds nothing in your program |
 # | 2 | mypy objects to a message of the wrong type |
 # | 1 | mypy objects to a value of the wrong type, to any other word, and to a call without a value |
-# | 1 | every number arrives once for each call and as that number, including `42`, `0.0` and the same one again |
+# | 1 | every number arrives once for each call and as that number, including a whole one, `0.0`, and the same one again |
 # | 2 | at run time a wrong value or message raises an error, and nothing is sent |
 # | 1 | at run time the two words are sent, also as messages of `status_publisher`; any other word raises an error, and is not sent |
 #

@@ -695,12 +695,9 @@ def why_not_refused(call: DriverCall, made: list[DriverCall]) -> Verdict:
     def fail(cause: str, because: str, try_this: str) -> Verdict:
         return see.failed(cause, saw, expected, because, try_this)
 
-    before = [
-        one.sent[-1]
-        for one in made
-        if one.number < call.number and number_in(one.argument) is not None and one.sent
-    ]
-    if before and call.sent and 0.0 != before[-1] == call.sent[0]:
+    before = [one for one in made if one.number < call.number and number_in(one.argument) is not None]
+    last = next((one.sent[-1] for one in reversed(before) if one.sent), 0.0)
+    if call.sent and 0.0 != last == call.sent[0]:
         return fail(
             "refusal.last-again",
             "That is the number that was sent last. A subscriber will think that it was measured again.",
@@ -721,11 +718,9 @@ def why_not_refused(call: DriverCall, made: list[DriverCall]) -> Verdict:
             "the charge was reported.",
             "Raise TypeError or ValueError, with the value in its text.",
         )
-    refused_ones = {one.argument for one in made if refused(one, made)}
-    if is_not_finite(call.argument):
-        return why_not_finite_sent(call, refused_ones, saw, expected)
-    if looks_like_number(call.argument):
-        return why_look_alike_sent(call, refused_ones, saw, expected)
+    if is_not_finite(call.argument) or looks_like_number(call.argument):
+        why = why_not_finite_sent if is_not_finite(call.argument) else why_look_alike_sent
+        return why(call, {one.argument for one in made if refused(one, made)}, saw, expected)
     return fail(
         "refusal.no-number-sent",
         "A message is sent for something that is not a number. Either this build of ROS sends 0.0 for it, or your "

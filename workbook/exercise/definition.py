@@ -81,7 +81,8 @@ class Exercise:
 
     def drawn(self, seed: int) -> "Exercise":
         """The exercise with the script of one run, drawn from `seed`; itself if its script is the same in each."""
-        return replace(self, plan=self.watching.drawn(self.plan, seed))
+        plan = self.watching.drawn(self.plan, seed)
+        return self if plan is self.plan else replace(self, plan=plan)
 
 
 def load_exercise(name: str, course: Path | None = None) -> Exercise:

@@ -1,7 +1,6 @@
 # Ends the whole program when a value is bad.
 # loses: calls_come_back
 # cause: calls-come-back.program-ended
-# says: the program ended by itself at publish_level(
 # before: import math
 import sys
 

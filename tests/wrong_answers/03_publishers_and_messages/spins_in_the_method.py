@@ -1,7 +1,6 @@
 # Believes that a message goes out only when somebody spins.
 # loses: calls_come_back
 # cause: calls-come-back.method-waits
-# says: never came back
 # before: from rclpy.node import Node
 import rclpy
 

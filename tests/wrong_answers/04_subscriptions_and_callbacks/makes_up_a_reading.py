@@ -1,7 +1,6 @@
 # Repeats the last good reading, so that nobody notices.
 # loses: bad_kept_back
 # cause: bad-kept-back.replaced
-# says: in place of a bad reading
 # after: super().__init__("battery_monitor")
 self.last = 0.0
 
