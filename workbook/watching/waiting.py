@@ -84,15 +84,15 @@ def wait_for_matches(session: Session, services: ParameterServices | None = None
         spent = min(now - looked, POLL_S)
         if recorder.look():
             quiet_s = spinning_s = 0.0
-        elif session.quiescence.is_quiet():
-            quiet_s += spent
+        quiet = session.quiescence.is_quiet()
+        quiet_s += spent if quiet else 0.0
         looked = now
         if services is None:
             if _is_complete(session) or quiet_s > SETTLE_S:
                 return
         else:
             spinning = services.all_spin(recorder.present())
-            spinning_s += spent if spinning else 0.0
+            spinning_s += spent if spinning and quiet else 0.0  # another process of it may be at its start
             if _is_complete(session) and (spinning or quiet_s > UNANSWERED_S):
                 return
             if spinning_s > SPINNING_S:

@@ -85,7 +85,10 @@ class Watch:
         clock = self._session.clock
         if clock is not None or self._plan.script:
             let_it_match_us(self._session)
-        self._recorder.discard()
+        if clock is not None and self._plan.script and not self._plan.paced:
+            self._recorder.take()  # nothing may come before the script begins
+        else:
+            self._recorder.discard()
         if clock is not None:
             clock.publish()
         else:
