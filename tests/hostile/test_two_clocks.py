@@ -75,6 +75,23 @@ def test_what_a_program_does_in_real_time_counts(old: str, new: str, lost: set[s
     assert clock_of(judgement) == "wall"
 
 
+@pytest.mark.parametrize(
+    "late",
+    [
+        f"        if time.monotonic() - BEGAN > 5.0:\n            return\n{PUBLISH_STATUS}",
+        f"{PUBLISH_STATUS}        while PAIRS and time.monotonic() - BEGAN > 5.0:\n    {PUBLISH_STATUS}"
+        "            PAIRS.pop()\n",
+    ],
+    ids=["silent", "a burst"],
+)
+def test_what_a_program_does_after_some_real_seconds_counts(late: str) -> None:
+    """Most of its intervals are as they were before."""
+    head = "import time\n\nBEGAN, PAIRS = time.monotonic(), [2] * 5\n"
+    judgement = judged(head + changed(PUBLISH_STATUS, late))
+    assert {one.id for one in judgement.criteria if one.status in ("failed", "partial")} == {"status_kept"}
+    assert clock_of(judgement) == "wall"
+
+
 def test_a_program_that_sets_use_sim_time_itself_is_silent_for_a_person_too() -> None:
     own = 'parameter_overrides=[rclpy.parameter.Parameter("use_sim_time", value=True)]'
     judgement = judged(changed(SUPER, f"{SUPER}, {own}"))

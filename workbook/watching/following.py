@@ -18,6 +18,8 @@ LEAST_RATIO = 2.0
 MOST_OFF = 1.5
 """Factor between the rates of a topic in simulated and in real time: more is a finding."""
 LEAST_REAL_PERIODS = 2.5
+LONGEST_STALL_S = 2.0
+"""A busy machine may keep messages back for so long (s)."""
 ALIKE = 0.1
 """How much typical intervals may differ, as a share."""
 
@@ -49,14 +51,22 @@ def follows(phases: Sequence[Phase], times: Sequence[float], step_s: float) -> b
 
 
 def rates_differ(usual_s: float, real: Recording, topic: str) -> bool:
-    """Whether a topic came at another rate in real time than once in `usual_s` (s), by more than `MOST_OFF`.
+    """Whether a topic came at another rate in real time than once in `usual_s` (s).
 
-    Where the real seconds do not hold two or three such periods, they show nothing.
+    Its typical or its mean interval differs by more than `MOST_OFF`, or it was silent for `LEAST_REAL_PERIODS`, as a
+    topic is that has stopped. Where the real seconds do not hold so many periods, they show nothing.
     """
-    if usual_s <= 0.0 or real.robot_s < LEAST_REAL_PERIODS * usual_s:
+    few_s = LEAST_REAL_PERIODS * usual_s
+    if usual_s <= 0.0 or real.robot_s < few_s:
         return False
     intervals = intervals_of(real, topic)
-    return not intervals or not 1 / MOST_OFF <= median(intervals) / usual_s <= MOST_OFF
+    if not intervals:
+        return True
+    moments = (0.0, *(arrival.t for arrival in real.topic(topic).arrivals), real.robot_s)
+    if max(after - before for before, after in pairwise(moments)) > max(few_s, LONGEST_STALL_S):
+        return True
+    means = median(intervals), fmean(intervals)
+    return not all(1 / MOST_OFF <= mean / usual_s <= MOST_OFF for mean in means)
 
 
 def intervals_of(recording: Recording, topic: str) -> list[float]:
