@@ -1,4 +1,7 @@
-"""An answer that is right now and then, and crashes at its end so that it is tried again, gets its lowest result."""
+"""An answer that is right now and then, and sees to it that it is tried again, gets its lowest result.
+
+One crashes at its end, as if by a bug in rclpy; another one keeps all processors busy, as if others did.
+"""
 
 from pathlib import Path
 
@@ -18,6 +21,23 @@ CRASHES = """\
 import os, signal
 _shutdown = rclpy.try_shutdown
 rclpy.try_shutdown = lambda: os.kill(os.getpid(), signal.SIGSEGV)
+"""
+STARVES_ITSELF = """\
+import os, time
+
+BUSY_S = 25.0
+for _ in range(3 * len(os.sched_getaffinity(0))):
+    if os.fork() == 0:
+        until = time.monotonic() + BUSY_S
+        while time.monotonic() < until:
+            pass
+        os._exit(0)
+"""
+SPIN = "        rclpy.spin(HumanoidStatusPublisher())\n"
+POLLS = """\
+        node = HumanoidStatusPublisher()
+        while rclpy.ok():
+            rclpy.spin_once(node, timeout_sec=0.0)
 """
 
 
@@ -42,3 +62,26 @@ def test_a_crash_at_ctrl_c_buys_no_second_chance_for_a_rate(luck: str, tmp_path:
     assert len(tries) == 3, told
     assert counts.score == min(one.score or 0.0 for one in tries) < max(one.score or 0.0 for one in tries)
     assert "the lowest" in what_counts(tries).why, told
+
+
+def test_a_program_that_keeps_the_processors_busy_itself_casts_no_doubt_on_its_rate() -> None:
+    """It has no parameter services, so the wall clock judges it, and its first thread waits for a processor."""
+    exercise = load_exercise("09_joint_positions", ROOT)
+    text = exercise.source.solution_code
+    for old, new in (
+        (SPIN, POLLS),
+        ("STATUS_PERIOD_S = 1.0", "STATUS_PERIOD_S = 3.0"),
+        (
+            'super().__init__("humanoid_status_publisher"',
+            'super().__init__("humanoid_status_publisher", start_parameter_services=False',
+        ),
+    ):
+        assert text.count(old) == 1
+        text = text.replace(old, new)
+    with Observer() as observer:
+        judgement = Judge(observer).judge(exercise, Answer(STARVES_ITSELF + text))
+    recording = judgement.recording
+    assert recording is not None and recording.clock == "wall"
+    assert {one.id for one in judgement.criteria if one.status in ("failed", "partial")} == {"status_kept"}, as_text(judgement)
+    assert judgement.doubt == "", judgement.doubt
+    assert recording.in_line_s == 0.0

@@ -1,14 +1,46 @@
 """Letting real time pass while a program is recorded."""
 
+import os
 import time
 
-from workbook.inside.proc import run_queue_s
+from workbook.inside.proc import process_tree, run_queue_s, wanted_processor_s
 from workbook.watching.session import Session
 from workbook.watching.steal_time import StealTime
 
 TAKE_EVERY_S = 0.05
 LOOK_EVERY_S = 0.1
 NOTE_EVERY_S = 0.2
+OWN_LOAD_EVERY_S = 0.5
+CONSTANTLY = 0.8
+"""Share of the time in which a thread wants a processor, if it always has work."""
+
+
+class OwnLoad:
+    """What the threads of a program want of the processors, except the first thread of its process `pid`.
+
+    Where that is enough to keep all processors at work, the program itself makes its first thread wait. Whether they
+    get a processor does not matter, so a busy machine looks no different.
+    """
+
+    def __init__(self, pid: int) -> None:
+        self._pid = pid
+        self._began = time.monotonic()
+        self._before = wanted_processor_s(process_tree(pid))
+        self._wanted: dict[tuple[int, str], float] = {}
+
+    def note(self) -> None:
+        """Look at the threads; those that have ended since the last look keep what they had wanted by then."""
+        self._wanted |= wanted_processor_s(process_tree(self._pid))
+
+    def fills_the_machine(self) -> bool:
+        """Whether these threads have wanted all processors all the time, up to the last look."""
+        wanted = sum(
+            seconds - self._before.get(thread, 0.0)
+            for thread, seconds in self._wanted.items()
+            if thread != (self._pid, str(self._pid))
+        )
+        there_were = len(os.sched_getaffinity(0)) * (time.monotonic() - self._began)
+        return wanted > CONSTANTLY * there_were
 
 
 def _pause(seconds: float) -> None:
@@ -19,8 +51,9 @@ def run_wall_time(session: Session, seconds: float) -> None:
     """Record for `seconds` of real time, as long as the program runs; notes in `session.delays` what was late."""
     process, recorder, speaker, delays = session.process, session.recorder, session.speaker, session.delays
     end = time.monotonic() + seconds
-    next_take = next_look = next_note = 0.0
+    next_take = next_look = next_note = next_load = 0.0
     before = queued = run_queue_s(process.pid)
+    own_load = OwnLoad(process.pid)
     steal = StealTime()
     running = True
     while running and (left := end - time.monotonic()) > 0:
@@ -41,7 +74,11 @@ def run_wall_time(session: Session, seconds: float) -> None:
             queued = max(queued, run_queue_s(process.pid))
             delays.longest_steal = max(delays.longest_steal, steal.longest_since_last())
             next_look = time.monotonic() + LOOK_EVERY_S
-    delays.run_queue += queued - before
+        if time.monotonic() > next_load:
+            own_load.note()
+            next_load = time.monotonic() + OWN_LOAD_EVERY_S
+    if not own_load.fills_the_machine():
+        delays.run_queue += queued - before
     delays.stolen += steal.in_all()
     recorder.take()
 
