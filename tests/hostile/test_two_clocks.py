@@ -3,7 +3,7 @@
 import pytest
 
 from workbook.exercise.answers import Answer
-from workbook.exercise.definition import load_exercise
+from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.judgement import Judgement
 from workbook.exercise.judging import Judge
 from workbook.watching.observer import Observer
@@ -30,10 +30,10 @@ def changed(old: str, new: str) -> str:
     return RIGHT.replace(old, new)
 
 
-def judged(text: str) -> Judgement:
+def judged(text: str, exercise: Exercise = EXERCISE) -> Judgement:
     """Judge a program as a grader does."""
     with Observer() as observer:
-        return Judge(observer).judge(EXERCISE, Answer(text), thorough=True)
+        return Judge(observer).judge(exercise, Answer(text), thorough=True)
 
 
 def clock_of(judgement: Judgement) -> str:
@@ -88,6 +88,30 @@ def test_what_a_program_does_after_some_real_seconds_counts(late: str) -> None:
     """Most of its intervals are as they were before."""
     head = "import time\n\nBEGAN, PAIRS = time.monotonic(), [2] * 5\n"
     judgement = judged(head + changed(PUBLISH_STATUS, late))
+    assert {one.id for one in judgement.criteria if one.status in ("failed", "partial")} == {"status_kept"}
+    assert clock_of(judgement) == "wall"
+
+
+@pytest.mark.parametrize(
+    ("ready", "publish"),
+    [
+        ("", f"{PUBLISH_STATUS}        for _ in range(9 {REAL} else 0):\n    {PUBLISH_STATUS}"),
+        (
+            "        self.was_judged = False\n",
+            f'        self.was_judged |= self.get_parameter("use_sim_time").value\n'
+            f"        if not self.was_judged:\n            return\n{PUBLISH_STATUS}",
+        ),
+    ],
+    ids=["ten times as fast", "silent until it was switched once"],
+)
+def test_where_the_end_is_judged_what_a_program_does_in_real_time_counts_as_well(
+    ready: str, publish: str
+) -> None:
+    """There, another process lives in real time, and has never been switched."""
+    exercise = load_exercise("08_humanoid_status_publisher")
+    text = exercise.source.solution_code
+    assert text.count(READY) == text.count(PUBLISH_STATUS) == 1
+    judgement = judged(text.replace(READY, READY + ready).replace(PUBLISH_STATUS, publish), exercise)
     assert {one.id for one in judgement.criteria if one.status in ("failed", "partial")} == {"status_kept"}
     assert clock_of(judgement) == "wall"
 

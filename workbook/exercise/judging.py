@@ -163,8 +163,9 @@ def _contradicts(case: _Case, judgement: Judgement, simulated: Recording, real: 
         return False
     before = {result.id: result.status for result in judgement.criteria}
     return any(
-        result.status in ("failed", "partial") and not result.about_time and before[result.id] == "passed"
+        result.status in ("failed", "partial") and before[result.id] == "passed"
         for result in case.judged(real, real_life=True).criteria
+        if not (result.about_time or result.about_end)
     )
 
 
@@ -235,7 +236,9 @@ class Judge:
                 return _with_doubt(exercise, lived)
             if lived is not None:
                 case.report(lived)
-                return self._second_life(case, lived)
+                lived = self._second_life(case, lived)
+            if lived is not None:
+                return lived
             case.report(judgement_as_provisional(judgement))
             process = None
         with self._observer.watch(case.spec, _wall_plan(exercise, on_robot), "wall", process) as watch:
@@ -290,18 +293,24 @@ class Judge:
         recording = watch.finish(recording)
         return case.judged(recording, real_life=lived or recording.clock == "wall")
 
-    def _second_life(self, case: _Case, judgement: Judgement) -> Judgement:
-        """Where the end was judged on robot time: run the program again, for its real seconds."""
+    def _second_life(self, case: _Case, judgement: Judgement) -> Judgement | None:
+        """Where the end was judged on robot time: run the program again, for its real seconds.
+
+        Returns None where these contradict what was seen on simulated time, as `_live_on` does.
+        """
         recording = judgement.recording
         assert recording is not None
         spec = replace(case.spec, driver=None)
         if recording.clock == "wall":
             return _with_doubt(case.exercise, judgement)
         with self._observer.watch(spec, case.exercise.plan, "wall") as watch:
-            watch.wait_until_seen()
-            if not watch.keep_watching(REAL_LIFE_S, case.enough):
+            watch.begin_in_real_time()
+            if not watch.keep_watching(_real_life_s(case.exercise), case.enough):
                 return judgement
+            real = watch.in_real_time(recording)
             process = watch.process_record()
+        if real is None or _contradicts(case, judgement, recording, real):
+            return None
         if process.ended_by == "itself":
             recording = replace(recording, process=process)
         else:

@@ -117,7 +117,7 @@ class Watch:
 
     @property
     def is_back(self) -> bool:
-        """Whether the program has returned from simulated time to real time."""
+        """Whether what the program does now is recorded in real time, as after its return from simulated time."""
         return self._real_since is not None
 
     def with_its_life(self, recording: Recording) -> Recording:
@@ -131,7 +131,7 @@ class Watch:
         return replace(recording, topics=self._recorder.topics(self._session.robot_time(time.monotonic())))
 
     def in_real_time(self, recording: Recording) -> Recording | None:
-        """What the program did in real time after simulated time, as a recording of its own; None if there is none."""
+        """What the program has done since `is_back`, as a recording of its own; None if that is not so."""
         if self._real_since is None:
             return None
         end = self._session.robot_time(time.monotonic())
@@ -148,10 +148,13 @@ class Watch:
             findings=recording.findings,
         )
 
-    def wait_until_seen(self) -> None:
-        """Wait for the program's first publisher, without recording anything."""
+    def begin_in_real_time(self) -> None:
+        """Instead of `observe`: wait for the program's publishers, and record in real time from then on."""
         if wait_for_first_sign(self._session):
+            wait_for_matches(self._session)
             self._matched_wall = time.monotonic()
+            self._begin_watch()
+            self._real_since = 0.0
 
     def process_record(self) -> ProcessRecord:
         """What the program's process did so far."""
