@@ -253,6 +253,7 @@ def test_without_a_score_the_cell_is_empty_and_never_zero(tmp_path: Path) -> Non
         ("\t=1+1", "'=1+1"),
         ("\r\n=cmd|' /C calc'!A0", "'=cmd|' /C calc'!A0"),
         (" =1", "'=1"),
+        ("＝1+1", "'＝1+1"),
         ("\x00-1", "'-1"),
         ("\u2028=1", "'=1"),
         ("Müller, Jörg", "Müller, Jörg"),

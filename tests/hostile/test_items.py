@@ -12,7 +12,7 @@ ROOT = Path(__file__).resolve().parents[2]
 ITEMS: list[dict[str, Any]] = tomllib.loads(
     (Path(__file__).parent / "items.toml").read_text(encoding="utf-8")
 )["item"]
-COUNT = 108
+COUNT = 116
 RUN_BY_THEMSELVES = re.compile(r"tests/(?:hostile/answers|(?:right|wrong)_answers/\d\d_\w+)/\w+\.py")
 
 

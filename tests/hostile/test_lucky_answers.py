@@ -1,8 +1,11 @@
 """An answer that is right now and then, and sees to it that it is tried again, gets its lowest result.
 
-One crashes at its end, as if by a bug in rclpy; another one keeps all processors busy, as if others did.
+One crashes at its end, as if by a bug in rclpy. Others wait for a processor, as if the machine were busy: they keep all
+of them busy themselves, or let everyone else go first.
 """
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -14,6 +17,7 @@ from workbook.exercise.judging import Judge
 from workbook.feedback.text import as_text
 from workbook.grading.retries import until_sure, what_counts
 from workbook.watching.observer import Observer
+from workbook.watching.wall_time import OwnLoad
 
 ROOT = Path(__file__).resolve().parents[2]
 PERIOD = "BATTERY_PERIOD_S = 2.0"
@@ -82,6 +86,30 @@ def test_a_program_that_keeps_the_processors_busy_itself_casts_no_doubt_on_its_r
         judgement = Judge(observer).judge(exercise, Answer(STARVES_ITSELF + text))
     recording = judgement.recording
     assert recording is not None and recording.clock == "wall"
-    assert {one.id for one in judgement.criteria if one.status in ("failed", "partial")} == {"status_kept"}, as_text(judgement)
+    assert {one.id for one in judgement.criteria if one.status in ("failed", "partial")} == {"status_kept"}, (
+        as_text(judgement)
+    )
     assert judgement.doubt == "", judgement.doubt
     assert recording.in_line_s == 0.0
+
+
+@pytest.mark.parametrize(
+    ("steps_back", "is_to_blame"),
+    [
+        ("", False),
+        ("os.nice(5)", True),
+        ("os.sched_setscheduler(0, os.SCHED_IDLE, os.sched_param(0))", True),
+    ],
+)
+def test_who_lets_everyone_else_go_first_waits_by_its_own_doing(steps_back: str, is_to_blame: bool) -> None:
+    program = f"import os; {steps_back}\nprint('ready', flush=True); input()"
+    with subprocess.Popen(
+        [sys.executable, "-c", program], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as process:
+        assert process.stdout is not None and process.stdin is not None
+        process.stdout.readline()
+        load = OwnLoad(process.pid)
+        load.note()
+        process.stdin.write(b"\n")
+        process.stdin.close()
+    assert load.is_to_blame() is is_to_blame

@@ -12,7 +12,8 @@ from workbook.recording.plain_text import without_commands
 
 _CONTROL = re.compile(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+")
 _MARK = re.compile(r"\[[0-9a-f]{12}\]$")
-_FORMULA_STARTS = ("=", "+", "-", "@")
+_FORMULA_STARTS = ("=", "+", "-", "@", "＝", "＋", "－", "＠")
+"""The wide ones as well: spreadsheets take them for the others where East Asian text is typed."""
 
 
 def safe_cell(value: object) -> str:

@@ -158,6 +158,15 @@ def ran_and_waited_s(pid: int) -> tuple[float, float]:
     return ran / 1e9, waited / 1e9
 
 
+def precedence(pid: int) -> tuple[int, ...]:
+    """The nice value and the scheduling policy of the first thread of a process; empty when it has ended."""
+    try:
+        fields = stat_fields(pid)
+        return int(fields[16]), int(fields[38])
+    except (OSError, IndexError):
+        return ()
+
+
 def wanted_processor_s(pids: Iterable[int]) -> dict[tuple[int, str], float]:
     """For how long (s) each thread of some processes has run or waited for a processor: by process and thread."""
     found = {}

@@ -3,7 +3,7 @@
 import os
 import time
 
-from workbook.inside.proc import process_tree, run_queue_s, wanted_processor_s
+from workbook.inside.proc import precedence, process_tree, run_queue_s, wanted_processor_s
 from workbook.watching.session import Session
 from workbook.watching.steal_time import StealTime
 
@@ -16,10 +16,10 @@ CONSTANTLY = 0.8
 
 
 class OwnLoad:
-    """What the threads of a program want of the processors, except the first thread of its process `pid`.
+    """Whether a program itself makes the first thread of its process `pid` wait for a processor.
 
-    Where that is enough to keep all processors at work, the program itself makes its first thread wait. Whether they
-    get a processor does not matter, so a busy machine looks no different.
+    It does if its other threads want enough to keep all processors at work. Whether they get a processor does not
+    matter, so a busy machine looks no different. And it does if it has made all others go first.
     """
 
     def __init__(self, pid: int) -> None:
@@ -27,13 +27,19 @@ class OwnLoad:
         self._began = time.monotonic()
         self._before = wanted_processor_s(process_tree(pid))
         self._wanted: dict[tuple[int, str], float] = {}
+        self._steps_back = False
 
     def note(self) -> None:
         """Look at the threads; those that have ended since the last look keep what they had wanted by then."""
         self._wanted |= wanted_processor_s(process_tree(self._pid))
+        pairs = zip(precedence(self._pid), precedence(os.getpid()), strict=False)
+        self._steps_back |= any(its > ours for its, ours in pairs)
 
-    def fills_the_machine(self) -> bool:
-        """Whether these threads have wanted all processors all the time, up to the last look."""
+    def is_to_blame(self) -> bool:
+        """Whether that is so, up to the last look."""
+        return self._steps_back or self._fills_the_machine()
+
+    def _fills_the_machine(self) -> bool:
         wanted = sum(
             seconds - self._before.get(thread, 0.0)
             for thread, seconds in self._wanted.items()
@@ -77,7 +83,7 @@ def run_wall_time(session: Session, seconds: float) -> None:
         if time.monotonic() > next_load:
             own_load.note()
             next_load = time.monotonic() + OWN_LOAD_EVERY_S
-    if not own_load.fills_the_machine():
+    if not own_load.is_to_blame():
         delays.run_queue += queued - before
     delays.stolen += steal.in_all()
     recorder.take()
