@@ -23,7 +23,10 @@ import json, os, resource, signal, socket, sys, time
 
 def started_by_the_first(pid):
     # In a sandbox that waits for a program, the first process waits for another one.
-    return open(f"/proc/{pid}/stat").read().rsplit(")", 1)[1].split()[1] == "1"
+    try:
+        return open(f"/proc/{pid}/stat").read().rsplit(")", 1)[1].split()[1] == "1"
+    except OSError:  # it has just ended
+        return True
 
 def others():
     # Who stays: LTTng starts a process for a moment, some time after it was loaded.

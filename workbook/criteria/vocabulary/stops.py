@@ -50,7 +50,7 @@ _STOPS = {
     "descriptors": Stop(
         "stopped.descriptors",
         f"opened more than {ANSWER_LIMITS.descriptors} files, pipes, and sockets, waited for more than "
-        f"{ANSWER_LIMITS.watches} of them, or made the kernel keep more than {_KERNEL_MB} MB for it",
+        f"{ANSWER_LIMITS.watches}, or made the kernel keep over {_KERNEL_MB} MB",
         "A loop opens files, pipes, or sockets without end, or it registers them with a selector again and again.",
         "Close each file that you open, for example with a `with` statement.",
     ),
