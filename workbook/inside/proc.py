@@ -158,26 +158,6 @@ def ran_and_waited_s(pid: int) -> tuple[float, float]:
     return ran / 1e9, waited / 1e9
 
 
-def precedence(pid: int) -> tuple[int, ...]:
-    """The nice value and the scheduling policy of the first thread of a process; empty when it has ended."""
-    try:
-        fields = stat_fields(pid)
-        return int(fields[16]), int(fields[38])
-    except (OSError, IndexError):
-        return ()
-
-
-def wanted_processor_s(pids: Iterable[int]) -> dict[tuple[int, str], float]:
-    """For how long (s) each thread of some processes has run or waited for a processor: by process and thread."""
-    found = {}
-    for pid in pids:
-        for task in tasks(pid):
-            with suppress(OSError, ValueError):
-                ran, waited, *_ = map(int, read(f"{thread_folder(pid, task)}/schedstat").split())
-                found[pid, task] = (ran + waited) / 1e9
-    return found
-
-
 def resident_bytes(pid: int) -> int:
     """Memory of a process, with all that it shares; zero when it has ended."""
     try:

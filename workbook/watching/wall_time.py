@@ -2,8 +2,10 @@
 
 import os
 import time
+from collections.abc import Iterable
+from contextlib import suppress
 
-from workbook.inside.proc import precedence, process_tree, run_queue_s, wanted_processor_s
+from workbook.inside.proc import process_tree, read, run_queue_s, stat_fields, tasks, thread_folder
 from workbook.watching.session import Session
 from workbook.watching.steal_time import StealTime
 
@@ -13,6 +15,26 @@ NOTE_EVERY_S = 0.2
 OWN_LOAD_EVERY_S = 0.5
 CONSTANTLY = 0.8
 """Share of the time in which a thread wants a processor, if it always has work."""
+
+
+def precedence(pid: int) -> tuple[int, ...]:
+    """The nice value and the scheduling policy of the first thread of a process; empty when it has ended."""
+    try:
+        fields = stat_fields(pid)
+        return int(fields[16]), int(fields[38])
+    except (OSError, IndexError):
+        return ()
+
+
+def wanted_processor_s(pids: Iterable[int]) -> dict[tuple[int, str], float]:
+    """For how long (s) each thread of some processes has run or waited for a processor: by process and thread."""
+    found = {}
+    for pid in pids:
+        for task in tasks(pid):
+            with suppress(OSError, ValueError):
+                ran, waited, *_ = map(int, read(f"{thread_folder(pid, task)}/schedstat").split())
+                found[pid, task] = (ran + waited) / 1e9
+    return found
 
 
 class OwnLoad:
