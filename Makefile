@@ -16,13 +16,13 @@ BOOTSTRAP = "$(PYTHON)" -I workbook/lab/bootstrap.py $(CHOSEN)
 HAVE_PYTHON = command -v "$(PYTHON)" >/dev/null || { \
 	echo "make: $(PYTHON) was not found. Python 3.11 to 3.14 is needed; see 'A suitable Python' in environment.md." >&2; exit 1; }
 
-.PHONY: help env lab progress test bench model mutants notebooks notebooks-check lint lock clean
+.PHONY: help env lab progress test test-all bench model mutants notebooks notebooks-check lint lock clean
 
 help:  ## list the commands
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | while IFS="$$(printf '\t')" read -r name what; do \
 		printf '  make %-16s %s\n' "$$name" "$$what"; done
 
-env:  ## create the environment in .venv, or bring it up to date (EXTRAS=torch adds PyTorch, =tensorflow Keras, =farm dask)
+env:  ## create the environment in .venv, or bring it up to date (EXTRAS=torch adds PyTorch, =tensorflow Keras, =farm dask, =similar copydetect)
 	@$(HAVE_PYTHON)
 	@$(BOOTSTRAP) --extras "$(EXTRAS)"
 
@@ -32,10 +32,15 @@ lab: env  ## open the lessons in JupyterLab, creating the environment first (ARG
 progress: env  ## show what you have read, predicted and solved so far
 	@$(VENV)/workbook progress
 
-test:  ## prove everything: what CI runs (ARGS='--only pytest' for a part)
+test:  ## prove the core of everything (ARGS='--only pytest' for a part)
+	@$(HAVE_PYTHON)
+	@$(BOOTSTRAP) --extras dev,farm,similar
+	@$(VENV)/python tests/run.py $(ARGS)
+
+test-all:  ## prove everything: what CI runs
 	@$(HAVE_PYTHON)
 	@$(BOOTSTRAP) --extras dev,farm
-	@$(VENV)/python tests/run.py $(ARGS)
+	@$(VENV)/python tests/run.py --all $(ARGS)
 
 lint:  ## check style and types only
 	@$(HAVE_PYTHON)

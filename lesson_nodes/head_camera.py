@@ -4,6 +4,7 @@ Run it with ``python -m lesson_nodes.head_camera`` and end it with Ctrl-C.
 """
 
 import math
+import time
 from array import array
 from typing import Any
 
@@ -17,10 +18,12 @@ from std_msgs.msg import Float32MultiArray
 
 from workbook.scenes.desk import DeskCamera
 from workbook.scenes.encodings import encoded
+from workbook.scenes.painting import Picture
 from workbook.scenes.pinhole import Pinhole
 from workbook.scenes.scene import Box, Scene, on_desk
 
 PERIOD_S = 1 / 30
+LONGEST_WAIT_S = 0.5
 WIDTH = 640
 SEED = 15
 TOPIC = "/camera/image"
@@ -44,6 +47,16 @@ def light_at(seconds: float) -> float:
     return 0.75 + 0.3 * math.sin(0.6 * seconds)
 
 
+def scene_at(seconds: float, joints: tuple[float, ...] = AT_REST) -> Scene:
+    """What there is to see at a moment, with the robot's joints at these angles (rad)."""
+    return Scene(ball_at(seconds), None, BRICKS, joints, joints[0], light_at(seconds))
+
+
+def frame(number: int, width: int = WIDTH) -> Picture:
+    """The frame of that number without a camera node: RGB, with head and arms at rest."""
+    return DeskCamera(pinhole(width), SEED).picture(scene_at(number * PERIOD_S), number)
+
+
 class HeadCamera(Node):
     """Publishes what the robot sees; `settings` go to the Node. The same seed brings the same pictures.
 
@@ -63,6 +76,9 @@ class HeadCamera(Node):
         padding (int): Unused bytes at the end of each row.
         seed (int): Which noise the sensor has.
         jpeg_quality (int): Quality of the compressed pictures, from 1 to 100; 0: none are published.
+        waits (bool): The next picture waits for joint positions that came after the last one, at most 0.5 s. On a busy
+            computer, pictures would otherwise be old by chance.
+        frozen (int): Number of the one frame that is published again and again; below 0: the ball rolls.
 
     Raises:
         ValueError: The period is not a positive number, or the width or the encoding is none that there is.
@@ -82,6 +98,9 @@ class HeadCamera(Node):
         self.padding: int = self.declare_parameter("padding", 0).value
         self.camera = DeskCamera(pinhole(width), self.declare_parameter("seed", SEED).value)
         self.jpeg_quality: int = self.declare_parameter("jpeg_quality", 0).value
+        self.frozen: int = self.declare_parameter("frozen", -1).value
+        self.waits: bool = self.declare_parameter("waits", False).value
+        self.waiting_since: float | None = None
         self.joints: tuple[float, ...] = AT_REST
         self.count = 0
         self.image_publisher = self.create_publisher(Image, TOPIC, qos_profile_sensor_data)
@@ -89,21 +108,28 @@ class HeadCamera(Node):
             CompressedImage, f"{TOPIC}/compressed", qos_profile_sensor_data
         )
         self.create_subscription(Float32MultiArray, "/robot/joint_positions", self.on_joints, 10)
-        self.timer = self.create_timer(self.period_s, self.publish_picture)
+        self.timer = self.create_timer(self.period_s, self.take_picture)
 
     def on_joints(self, message: Float32MultiArray) -> None:
         """Move head and hands."""
         if len(message.data) == len(AT_REST) and all(map(math.isfinite, message.data)):
             self.joints = tuple(message.data)
+            self.waiting_since = None
+
+    def take_picture(self) -> None:
+        """Publish a picture, unless the last one still waits for joint positions."""
+        now = time.monotonic()
+        if self.waiting_since is None or now - self.waiting_since >= LONGEST_WAIT_S:
+            self.waiting_since = now if self.waits else None
+            self.publish_picture()
 
     def publish_picture(self) -> None:
         """Publish what the camera sees now, with the time at which it saw it."""
         image = Image()
         image.header.stamp = self.get_clock().now().to_msg()
         image.header.frame_id = "head_camera_optical_frame"
-        seconds = self.count * self.period_s
-        scene = Scene(ball_at(seconds), None, BRICKS, self.joints, self.joints[0], light_at(seconds))
-        picture = self.camera.picture(scene, self.count)
+        number = self.count if self.frozen < 0 else self.frozen
+        picture = self.camera.picture(scene_at(number * self.period_s, self.joints), number)
         data, image.step = encoded(picture, self.encoding, self.padding)
         image.data = array("B", data)  # a field takes this as it is, and copies any other bytes one by one
         image.height, image.width = picture.shape[:2]

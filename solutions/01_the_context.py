@@ -18,30 +18,29 @@
 # %% [markdown]
 # # Exercise 01 · A guard that shuts down cleanly
 #
-# The night guard of the museum is finished, except for its `main()`. At six in the morning the day shift presses
-# Ctrl-C. Last week the robot then froze in the middle of a step, with both arms in the air, and its screen showed a
-# crash report. On Tuesday the graph still showed a guard that had ended long before. Write a `main()` that ends the
+# The museum's night guard is finished, except for its `main()`. At six in the morning, the day shift presses Ctrl-C.
+# Last week, the robot then froze in the middle of a step, with both arms in the air, and its screen showed a crash
+# report. On Tuesday, the graph still listed a guard whose program had ended long before. Write a `main()` that ends the
 # night properly.
 #
-# **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
-# [01](../notebooks/01_the_context.ipynb).
+# **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson [01](../notebooks/01_the_context.ipynb).
 #
 # ## What to build
 #
 # | when | what happens |
 # |---|---|
-# | at the start | one node, `/night_guard`, is on the graph, and no other node |
-# | all night | it walks its rounds and logs each of them, until it is stopped |
-# | on Ctrl-C | `park()` is called, which logs `arms parked` |
-# | then | the program ends by itself: exit code 0, no traceback, no node left |
+# | at the start | exactly one node is on the graph: `/night_guard` |
+# | all night | the guard walks its rounds and logs each of them, until the program is stopped |
+# | on Ctrl-C | the program calls `park()`, which prints `arms parked` |
+# | then | the program ends on its own: exit code 0, no traceback, no node left |
 #
-# The class `NightGuard` is given. `park()` needs no ROS, so you may call it after the context is shut down. Do not call
-# it before the night is over: a guard with folded arms cannot guard anything.
+# The class `NightGuard` is given. `park()` doesn't use ROS, so you may call it after the context is shut down. Don't
+# call it before Ctrl-C, because a guard with folded arms can't guard anything.
 #
 # ## What is judged
 #
-# Your program runs as its own process for about 4 s. In this time it has to log at least 4 lines, the last of them in
-# the last 1.5 s. Then it gets the signal that Ctrl-C sends.
+# Your program runs in its own process for about 4 s. During this time, it has to log at least 4 lines, the last of them
+# within the last 1.5 s. Then the judge sends it the signal that Ctrl-C sends.
 #
 # | points | criterion |
 # |---:|---|
@@ -52,7 +51,7 @@
 # | 3 | Ctrl-C ends it with exit code 0 and no traceback |
 # | 2 | its node is gone from the graph |
 #
-# **Not part of it:** SIGTERM, topics, what the guard says on its rounds, and whether it parks more than once.
+# **Not part of it:** SIGTERM, topics, the guard's log messages on its rounds, and how often it parks.
 # %% [answer]
 """A guard that walks through the museum at night, and parks its arms when the night is over."""
 
@@ -106,19 +105,19 @@ def main(args: list[str] | None = None) -> None:
 if __name__ == "__main__":
     main()
 # %% [hint]
-# Run the starter with `%start`, then `%stop`, and read what it prints from the bottom up. Which line of `main()` did
-# Python reach last? A line that must always run needs a place that Python always reaches.
+# Run the starter with `%start`, stop it with `%stop`, and read its output from the bottom up. Which line of `main()`
+# did Python reach last? Code that must always run belongs in a block that Python always reaches.
 #
-# The Python tutorial shows that place in [its chapter on
+# The Python tutorial shows such a block in [its chapter on
 # errors](https://docs.python.org/3/tutorial/errors.html#defining-clean-up-actions).
 # %% [hint]
-# - `rclpy.spin(guard)` does not return on Ctrl-C. It raises `KeyboardInterrupt`. On SIGTERM it raises
-#   `ExternalShutdownException`, from `rclpy.executors`. One `except` catches both: `except (A, B):`. (If another thread
-#   shuts the context down, `rclpy.spin` may also simply return.)
-# - Code in `finally` runs after the `except`, and also after any other error.
-# - On Ctrl-C rclpy shuts the context down by itself, at about the same time as the exception is raised. After that,
-#   `rclpy.shutdown()` would raise an error; `rclpy.try_shutdown()` does not.
-# - Let `main()` return. `os._exit()` and a second Ctrl-C leave a ghost of the node on the graph.
+# - On Ctrl-C, `rclpy.spin(guard)` doesn't return. It raises `KeyboardInterrupt`. On SIGTERM, it raises
+#   `ExternalShutdownException` from `rclpy.executors`. A single `except` clause can catch both: `except (A, B):`. (If
+#   another thread shuts the context down, `rclpy.spin` may also simply return.)
+# - Code in `finally` runs after the `except` block. It also runs after any other exception.
+# - On Ctrl-C, rclpy shuts the context down on its own, at about the same time as Python raises the exception. After
+#   that, `rclpy.shutdown()` would raise an exception, but `rclpy.try_shutdown()` doesn't.
+# - Let `main()` return. If you call `os._exit()` or press Ctrl-C a second time, a ghost of the node stays on the graph.
 # %% [hint]
 # ```python
 # rclpy.init(args=args)
@@ -135,15 +134,16 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **`if rclpy.ok(): rclpy.shutdown()`** instead of `rclpy.try_shutdown()`. This shows more clearly what is meant.
-#   Something else may shut the context down between the check and the call, and on Ctrl-C a thread of rclpy does just
-#   that. `try_shutdown()` has the same gap inside. In both, it very rarely matters.
+# - **`if rclpy.ok(): rclpy.shutdown()`** instead of `rclpy.try_shutdown()`. This states the intention more clearly. But
+#   the context may be shut down between the check and the call, and on Ctrl-C, one of rclpy's threads does just that.
+#   `try_shutdown()` has the same gap inside. In both versions, the gap very rarely matters.
 # - **`contextlib.suppress(KeyboardInterrupt, ExternalShutdownException)`** around the spin. This is two lines shorter,
-#   and good if there is nothing to do in the `except`. The clean-up code then simply follows, so other errors skip it.
-# - **Parking in `destroy_node`.** Override it in the class, park there and call `super().destroy_node()`. A user of
-#   your class cannot forget it. But a reader of `main()` no longer sees that the arms will move.
-# - **`SignalHandlerOptions.NO`.** The context stays up after Ctrl-C, so the guard could still publish "parked". You
-#   need this when the last action uses ROS. Then something, such as this timer, must wake up the spin, and SIGTERM ends
-#   the program at once.
-# - **Only `except KeyboardInterrupt`.** Full marks here. But on SIGTERM the program would end with a traceback, after
-#   its arms were parked. Catching the second exception takes only half a line.
+#   and a good choice if the `except` block would be empty. But with the clean-up code simply placed after it, any other
+#   exception skips the clean-up.
+# - **Parking in `destroy_node`.** Override the method in the class, park there, and call `super().destroy_node()`. Then
+#   users of your class can't forget to park. But readers of `main()` no longer see that the arms will move.
+# - **`SignalHandlerOptions.NO`.** The context stays valid after Ctrl-C, so the guard could still publish "parked". You
+#   need this option if the last action uses ROS. But then something has to wake up the spin, such as the timer in this
+#   program. Also, SIGTERM then ends the program immediately.
+# - **Only `except KeyboardInterrupt`.** This gets full credit here. But on SIGTERM, the program would park the arms and
+#   then end with a traceback. Catching the second exception takes only half a line.

@@ -17,43 +17,44 @@
 # %% [markdown]
 # # Exercise 02 · An eye in the back of the head
 #
-# Your humanoid looks ahead. People walk up from behind and frighten it, or it frightens them. So it gets a second
-# camera, in the back of its head. It is the same model, and the manufacturer's driver always calls its node `camera`.
-# You may not edit the driver: the next update would overwrite your change. But the two nodes must not have duplicate
-# names, and their names must show that they belong to this robot.
+# Your humanoid can only see what's in front of it. So people who walk up from behind startle it, or it startles them.
+# That's why it gets a second camera, in the back of its head. The second camera is the same model as the first, and the
+# manufacturer's driver always calls its node `camera`. An edited driver would not last, because the next update would
+# overwrite your change. But the two nodes must not have duplicate names, and their names must show that they belong to
+# this robot.
 #
-# **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
-# [02](../notebooks/02_nodes.ipynb).
+# **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson [02](../notebooks/02_nodes.ipynb).
 #
 # ## What to build
 #
-# Two nodes from the class `CameraDriver`, in one program:
+# Create two nodes from the class `CameraDriver`, in one program:
 #
-# | node | its pictures, 2 Hz | its fault reports, 1 Hz |
+# | node | its images, 2 Hz | its fault reports, 1 Hz |
 # |---|---|---|
 # | `/robot/camera` | `/robot/camera/frame` | `/robot/faults` |
 # | `/robot/rear_camera` | `/robot/rear_camera/frame` | `/robot/faults` |
 #
-# All these names follow from the names of the two nodes, because the driver uses private and relative names. Both
-# cameras report on one topic, so each report begins with the name of its camera: `rear_camera: none`. Change
-# `make_cameras`. Do not change the class; `main` needs no change either.
+# The topic names follow from the names of the two nodes, because the driver uses private and relative names. Both
+# cameras report on one topic, so each report begins with its camera's name: `rear_camera: none`. All that is
+# missing belongs into `make_cameras`: the class and `main` work as they are.
 #
 # ## What is judged
 #
-# Your program runs as its own process. Another process reads the graph and the topics. A rate may be 20 % higher or
-# lower than asked, and no gap may be longer than 1.5 periods.
+# Your program runs in its own process, and another process reads the graph and the topics. A rate may be 20 % higher or
+# lower than specified, and no gap may be longer than 1.5 periods.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/camera` is on the graph, once |
 # | 2 | `/robot/rear_camera` is on the graph, once |
-# | 1 | pictures of the front camera come at 2 Hz |
-# | 2 | pictures of the rear camera come at 2 Hz |
+# | 1 | images from the front camera arrive at 2 Hz |
+# | 2 | images from the rear camera arrive at 2 Hz |
 # | 1 | both report on `/robot/faults`, each once a second |
-# | 2 | no other node is there: no duplicate, no third node, none outside of `/robot` |
+# | 2 | no other node is on the graph: no duplicate, no third node, none outside of `/robot` |
 # | 1 | the program is still running when the judge stops watching |
 #
-# **Not part of it:** what is in the pictures, launch files, and how your program ends.
+# **Not part of it:** the content of the images, launch files, how your program ends, and the text of the driver. The
+# judge sees what the driver does, and not whether you changed or copied it.
 # %% [answer]
 """Two cameras on one robot, in front and in the back, with one driver."""
 
@@ -66,7 +67,7 @@ from std_msgs.msg import String
 
 
 class CameraDriver(Node):
-    """The driver of the manufacturer, version 3.1. Please do not edit: updates replace this class.
+    """The driver of the manufacturer, version 3.1. The next update replaces this class.
 
     `settings` go to the Node as they are: namespace, cli_args and so on.
     """
@@ -124,16 +125,16 @@ if __name__ == "__main__":
 #
 # node_list()
 # %% [hint]
-# There are two questions. Where does a node get its namespace from? And how do you give a node another name if you
-# cannot change the line with its name? Lesson 02 does both in its third experiment. Check your work with `node_list()`
-# after `%start`.
+# This exercise asks two questions. How does a node get its namespace? And how do you rename a node if you can't change
+# the line that contains its name? Lesson 02 answers both in its third experiment. After `%start`, check your work with
+# `node_list()`.
 # %% [hint]
-# - `CameraDriver(...)` passes all its keyword arguments to `Node`. `Node` knows `namespace=` and `cli_args=`.
-# - `cli_args` is what you would type in a terminal, as a list of words: first `"--ros-args"`, then `"-r"`, then the
+# - `CameraDriver(...)` passes all of its keyword arguments to `Node`, which accepts `namespace=` and `cli_args=`.
+# - `cli_args` is a list of the words that you would type in a terminal: first `"--ros-args"`, then `"-r"`, then the
 #   rule.
-# - The rule for the name of a node is `__node:=new_name`, with two underscores, `:=` and no spaces. The new name has no
-#   slash; `namespace=` sets the part before it.
-# - Return every node that you create in the list; otherwise nothing spins it.
+# - The rule for a node's name is `__node:=new_name`, with two underscores, `:=`, and no spaces. The new name has no
+#   slash, because `namespace=` sets the part before it.
+# - Put every node that you create into the returned list. Otherwise, no executor spins it.
 #
 # [Passing arguments to nodes](https://docs.ros.org/en/jazzy/How-To-Guides/Node-arguments.html)
 # %% [hint]
@@ -146,13 +147,16 @@ if __name__ == "__main__":
 # ## Other good ways
 #
 # - **Remap the namespace as well:** `cli_args=["--ros-args", "-r", "__ns:=/robot", "-r", "__node:=rear_camera"]`. This
-#   is useful when a class takes `cli_args` but no namespace. Here `namespace=` is shorter.
-# - **The namespace for the whole program:** `rclpy.init(args=["--ros-args", "-r", "__ns:=/robot"])`, or the same in the
-#   terminal or the launch file. This is best on a real robot, because the code then does not contain the robot's name.
-#   But arguments given to `init` replace those of the command line; put `sys.argv` before them.
-# - **Two processes, one camera each.** This is the usual way in ROS: start the driver twice, each time with its own
-#   `--ros-args`. If one crashes, the other continues. It costs one more process. Each takes about 60 MB.
-# - **A context per camera,** each with its own arguments. This is for classes that take only a context.
-# - **A subclass that calls `super().__init__(...)` with other settings.** This is fine, and the subclass can have a
-#   clear name. But it cannot change the word "camera" either, so it still needs `cli_args`.
-# - **Copy the class and edit the copy.** This works until the next update. Then one camera uses an old version.
+#   is useful if a class accepts `cli_args` but no namespace. Here, `namespace=` is shorter.
+# - **Set the namespace for the whole program:** `rclpy.init(args=["--ros-args", "-r", "__ns:=/robot"])`, or the same
+#   arguments in the terminal or the launch file. With the namespace in the terminal or the launch file, the code
+#   doesn't contain the robot's name, which is best on a real robot. But arguments passed to `init` replace the
+#   command-line arguments, so put `sys.argv` before them.
+# - **Two processes, one camera each.** This is the usual way in ROS: start the driver twice, each time with different
+#   `--ros-args`. If one process crashes, the other continues. The price is a second process, and each takes about 60
+#   MB.
+# - **A context per camera,** each with its own arguments. Use this for classes that accept only a context.
+# - **A subclass that calls `super().__init__(...)` with different settings.** This works, and the subclass can have a
+#   descriptive name. But it can't change the word "camera" either, so it still needs `cli_args`.
+# - **Copy the class and edit the copy.** This works until the next update. After that, one camera runs an old version
+#   of the driver.

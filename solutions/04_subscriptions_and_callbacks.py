@@ -18,11 +18,12 @@
 # %% [markdown]
 # # Exercise 04 · A monitor for the battery
 #
-# The guide robot has a new battery sensor, and a bad cable. Most readings are right. But sometimes the cable shakes,
-# and the sensor publishes a charge that no battery can have. Last week the robot believed it and lay down in the middle
-# of the hall. The cable cannot be replaced until spring. So you write a monitor: it subscribes to the sensor, passes on
-# possible readings, and raises an alarm for impossible ones. The rest of the robot then subscribes to the monitor. A
-# second robot works in the same hall, with the same kind of sensor. Your monitor must ignore it.
+# The guide robot has a new battery sensor and a bad cable. Most readings are correct. But sometimes the cable shakes,
+# and then the sensor publishes a charge that no battery can have. Last week, the robot relied on such a reading and lay
+# down in the middle of the hall. The cable can't be replaced until spring. So you write a monitor that subscribes to
+# the sensor, passes on possible readings, and raises an alarm for impossible ones. The robot's other programs then
+# subscribe to the monitor. A second robot with the same kind of sensor works in the same hall. Your monitor must ignore
+# that robot's sensor.
 #
 # **About 25 minutes · difficulty 2 of 5 · 10 points.** You need lesson
 # [04](../notebooks/04_subscriptions_and_callbacks.ipynb).
@@ -34,7 +35,7 @@
 # | topic | type | your node | content |
 # |---|---|---|---|
 # | `/robot/battery` | `Float32` | subscribes | charge in percent, about ten times a second, sometimes four at the same moment |
-# | `/monitor/battery` | `Float32` | publishes | each good reading: the same number, at once (within 0.5 s), in the same order |
+# | `/monitor/battery` | `Float32` | publishes | each good reading: the same number, right away (within 0.5 s), in the same order |
 # | `/monitor/alarm` | `String` | publishes | one text for each bad reading, with its value in it, such as `bad reading: -3.0`; one decimal is enough |
 #
 # | a reading is | when | your node |
@@ -46,8 +47,9 @@
 #
 # ## What is judged
 #
-# Your program runs as its own process. The judge publishes about fifty readings on `/robot/battery`, good and bad ones,
-# and a few on `/other_robot/battery`. Then it compares what your program published with these readings.
+# Your program runs as a separate process. The judge publishes about fifty readings on `/robot/battery`, good and bad
+# ones, and a few on `/other_robot/battery`. Then it compares these readings with the messages that your program
+# published.
 #
 # | points | criterion |
 # |---:|---|
@@ -134,23 +136,24 @@ if __name__ == "__main__":
 # await run(desk, seconds=8, until=lambda: desk.done)
 # print(desk.table())
 # %% [hint]
-# Begin with the subscription. Let its callback only call `self.get_logger().info(str(message.data))`. Start the program
-# and look at what comes. Which values can be a charge? Then answer two questions, for one message at a time: is it
-# good? Where does it go?
+# Begin with the subscription. At first, let its callback only call `self.get_logger().info(str(message.data))`. Start
+# the program and read its log. Which of the logged values can be a charge? Then answer two questions about a single
+# message: is it good, and where should it go?
 #
-# What a topic is, and how nodes use it: [About topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html)
+# More about topics, and how nodes use them: [About
+# topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html)
 # %% [hint]
 # - You need three lines in `__init__`: `self.create_publisher(type, topic, depth)` twice, and
 #   `self.create_subscription(type, topic, self.on_battery, depth)` once. Pass the method without parentheses. Create
-#   the publishers here and not in the callback: subscriptions need a moment to find them.
-# - In the callback, publish at once. The callback is called once for each message, in the right order, so you need no
-#   list, no loop and no timer.
-# - Try `float("nan") < 0`, `float("nan") > 100` and `float("nan") == float("nan")` in a cell. Which condition gives the
-#   right result for `nan`, too?
+#   the publishers here, not in the callback, because subscriptions need a moment to discover them.
+# - In the callback, publish right away. rclpy calls the callback once for each message, in the right order, so you
+#   don't need a list, a loop, or a timer.
+# - Try `float("nan") < 0`, `float("nan") > 100`, and `float("nan") == float("nan")` in a cell. Which condition gives
+#   the right result for `nan`, too?
 #
-# What a node offers: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
+# All methods of a node: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
 # %% [hint]
-# The node with gaps:
+# The node, with gaps to fill in:
 #
 # ```python
 # self.battery_publisher = self.create_publisher(Float32, "/monitor/battery", 10)
@@ -169,19 +172,19 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **Publish the message that came, or a new one.** `publish(message)` passes on the same message: no copy, and no
-#   field can be forgotten. `publish(Float32(data=message.data))` shows more clearly what is sent, and stays right if
-#   the two types differ one day.
-# - **Ask what is bad.** `math.isnan(x) or x < 0.0 or x > 100.0` is right as well. But you must think of every kind of
-#   bad reading. A test for good readings also covers the kinds that you did not think of.
-# - **Early return.** `if not good: alarm; return` keeps the usual case at the left margin. This is useful as soon as
-#   there is more than one kind of alarm.
-# - **Two nodes**, one that passes on and one that warns, each with a subscription of its own. Each can then be replaced
-#   or restarted alone. But the rule for good readings is needed in two places, so put it into one function.
-# - **A callback with two arguments**, `on_battery(self, message, info)`, if the alarm should say when the reading was
-#   sent. This task does not need the second argument.
-# - **Collect in the callback, publish in a timer.** This works if no reading is lost in between. But late readings are
-#   of little use, and you must keep the order yourself. Do this only when subscribers must not receive too many
-#   messages.
-# - **A message type for a real robot.** `sensor_msgs/BatteryState` has fields for charge, voltage, current and
-#   whether a battery is present. `Float32` has none of these; it is fine for learning.
+# - **Publish the received message or a new one.** `publish(message)` passes on the same message, so nothing is copied
+#   and you can't forget a field. `publish(Float32(data=message.data))` shows more clearly which value is sent. It also
+#   stays correct if the two topics ever get different types.
+# - **Test for bad readings.** `math.isnan(x) or x < 0.0 or x > 100.0` is correct, too, but you must think of every kind
+#   of bad reading. A test for good readings also rejects the kinds that you didn't think of.
+# - **Return early.** With `if not good: alarm; return`, the usual case stays at the left margin. This pays off as soon
+#   as there is more than one kind of alarm.
+# - **Use two nodes.** One node passes readings on and the other raises alarms, each with its own subscription. You can
+#   then replace or restart each node separately. But both need the rule for good readings, so put it into one function.
+# - **Write a callback with two arguments.** `on_battery(self, message, info)` is useful if the alarm should include the
+#   time when the reading was sent. This task doesn't need the second argument.
+# - **Collect in the callback, and publish in a timer.** This works if you don't lose any readings in between. But
+#   delayed readings are less useful, and you must keep the order yourself. Do this only when subscribers must not
+#   receive too many messages.
+# - **Use a richer message type on a real robot.** `sensor_msgs/BatteryState` has fields for the charge, the voltage,
+#   the current, and whether a battery is present. `Float32` has only one number, but that's enough for learning.

@@ -17,10 +17,10 @@
 # %% [markdown]
 # # Exercise 05 · Three rhythms in one robot
 #
-# Your humanoid leaves the workshop for its first walk. An operator far away wants to know three things. Is it alive?
-# One heartbeat a second is enough. Is there charge left? A battery changes slowly, so every two seconds is enough. Is
-# it about to fall? A fall is over in a second, so the tilt of its body must come five times a second. Three rates, one
-# node.
+# Your humanoid leaves the workshop for its first walk. An operator far away needs three pieces of information. Is the
+# robot alive? One heartbeat a second is enough. How much charge is left? The battery level changes slowly, so a message
+# every two seconds is enough. Is the robot about to fall? A fall takes only a second, so the operator needs the body's
+# tilt five times a second. Your node publishes all three, each at its own rate.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
 # [05](../notebooks/05_timers.ipynb).
@@ -33,9 +33,9 @@
 # | `/robot/battery` | `Float32` | 0.5 Hz | charge in percent |
 # | `/robot/tilt` | `Float32` | 5 Hz | how far the body leans, in rad |
 #
-# The message types are those of `std_msgs.msg`. The heartbeat is given. You add battery and tilt, and you choose their
-# values: any floats, but they must be floats. (An `int` arrives as 0.0, or crashes the node with the Ubuntu packages of
-# ROS.) Only the rates are judged.
+# The message types are those of `std_msgs.msg`. The starter already publishes the heartbeat. You add the battery and
+# the tilt. You can choose their values, as long as they are floats. (An `int` arrives as 0.0 here; with the Ubuntu
+# packages of ROS, it may crash the node.) Only the rates are judged.
 #
 # ## What is judged
 #
@@ -137,22 +137,22 @@ def main(args: list[str] | None = None) -> None:
 if __name__ == "__main__":
     main()
 # %% [hint]
-# The heartbeat already has everything you need: a publisher, a timer, and a method that publishes. Look at these three.
-# What is different for each new topic? Mind the unit: the task gives messages per second, but a timer needs the seconds
-# between two messages.
+# The starter's heartbeat already has every part that you need: a publisher, a timer, and a method that publishes. Look
+# at these three parts. How do they differ for each new topic? Watch the units: the task gives messages per second, but
+# a timer needs the seconds between two messages.
 #
-# Nodes, topics and the rest: [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html)
+# Nodes, topics, and more: [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html)
 # %% [hint]
-# - The period is 1 divided by the frequency: `1 / 0.5` for the battery, `1 / 5` for the tilt. The slow one gets
-#   the large number.
-# - `self.create_timer(period, self.publish_battery)`: pass the method without `()`. With `()` you would call it at
-#   once, and pass what it returns.
-# - Timers are independent. You can create as many as you like, one line each.
-# - `Float32(data=0.0)`: a float, not an int. `Float32(data=100)` would arrive as 0.0.
+# - The period is 1 divided by the frequency: `1 / 0.5` for the battery, `1 / 5` for the tilt. The lower frequency has
+#   the longer period.
+# - In `self.create_timer(period, self.publish_battery)`, pass the method without `()`. With `()`, you'd call it right
+#   away and pass its return value.
+# - Timers are independent of each other. You can create as many as you like, with one line each.
+# - Pass a float to the message, as in `Float32(data=0.0)`. An int, as in `Float32(data=100)`, would arrive as 0.0.
 #
-# What a node offers: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
+# All methods of a node: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
 # %% [hint]
-# One of the two, with gaps. The other has the same shape.
+# Here's the battery's code, with gaps. The tilt's code has the same structure.
 #
 # ```python
 # BATTERY_PERIOD_S = ___
@@ -170,14 +170,15 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **One timer that counts.** A single 5 Hz timer publishes the tilt each time, the heartbeat every 5th time and the
-#   battery every 10th. All three then always keep in step. But the rates now depend on each other: for a heartbeat at
-#   0.7 Hz you would have to rewrite it.
-# - **Write `1 / 5` instead of `0.2`.** `TILT_HZ = 5.0` and `create_timer(1.0 / TILT_HZ, ...)` shows in the code what
-#   the task says in words. This is good when other people will change the rate.
-# - **Keep the timer.** `self.tilt_timer = self.create_timer(...)` is not needed to keep the timer: the node keeps it.
-#   It is useful when you want to `cancel()` or `reset()` it later.
-# - **Three nodes, one rate each.** This is right when the parts have different jobs or may fail separately. For three
-#   timers it is too much.
-# - **A loop with `sleep`.** This works for one rate, but drifts. With three rates you must compute yourself what is
-#   next, and when. That is the timer's job.
+# - **Use one timer that counts.** A single 5 Hz timer publishes the tilt at each tick, the heartbeat at every 5th tick,
+#   and the battery at every 10th. So all three always stay in step. But now the rates depend on each other: a heartbeat
+#   at 0.7 Hz would force you to rewrite the timer.
+# - **Write `1 / 5` instead of `0.2`.** With `TILT_HZ = 5.0` and `create_timer(1.0 / TILT_HZ, ...)`, the code shows the
+#   same number as the task. This is useful if other people will change the rate.
+# - **Store the timer in an attribute.** You don't need `self.tilt_timer = self.create_timer(...)` to keep the timer
+#   alive, because the node stores it. An attribute is useful if you want to call the timer's `cancel()` or `reset()`
+#   later.
+# - **Use three nodes with one rate each.** This is right if the parts have different jobs or may fail independently.
+#   For three timers, it's too much.
+# - **Write a loop with `sleep`.** This works for one rate, but it drifts. With three rates, you must compute which
+#   message is due next, and when. That's the timers' job.

@@ -18,10 +18,10 @@
 # %% [markdown]
 # # Exercise 06 · Spin for a given time
 #
-# Your humanoid stands in a test stand. The test stand is an ordinary Python program. It moves an arm, lets the robot
-# work for a second and a half, reads a gauge, and lets it work for another second. It cannot use `rclpy.spin`, because
-# that does not return. It needs a function that *spins a node for some seconds and then returns*. The function is
-# called `pump`, because it keeps callbacks flowing like a pump.
+# Your humanoid stands in a test stand, which an ordinary Python program controls. The program moves an arm, lets the
+# robot work for 1.5 s, reads a gauge, and lets the robot work for another second. It can't use `rclpy.spin`, because
+# that call doesn't return. Instead, it needs a function that *spins a node for some seconds and then returns*. The
+# function is called `pump`, because it keeps callbacks flowing like a pump.
 #
 # **About 25 minutes · difficulty 3 of 5 · 10 points.** You need lesson [06](../notebooks/06_spinning.ipynb).
 #
@@ -38,11 +38,12 @@
 #
 # ## What is judged
 #
-# A driver imports your file and calls `pump` eight times, for 0.05 s to 2.1 s. Its robot has a heartbeat (10 Hz), looks
-# around (2 Hz), repeats each word that it receives, and has slow jobs of 0.4 s. A second robot is quiet: it has no
-# timer, and receives four words, two of them near the end. A third one has only slow jobs. All robots publish what
-# they do. The driver publishes when each call begins and ends, and what the call changed on the node. It also says
-# whether a thread of the call goes on after it. (A thread of a pool that only waits for work does not count.)
+# A driver imports your file and calls `pump` eight times, for 0.05 s to 2.1 s. It uses three robots. The first one has
+# a heartbeat (10 Hz), looks around (2 Hz), repeats each word that it receives, and has slow jobs of 0.4 s. The second
+# robot is quiet: it has no timer, and it receives four words, two of them near the end. The third robot has only slow
+# jobs. All robots publish a message for each thing that they do. The driver publishes when each call begins and ends,
+# and what the call changed on the node. It also reports whether a thread of the call keeps running afterward. (A pool
+# thread that only waits for work doesn't count.)
 #
 # | points | criterion |
 # |---:|---|
@@ -105,23 +106,23 @@ def pump(node: Node, seconds: float) -> None:
 # picture = strip(watcher.rows, periods={"heartbeats": 0.1}, end=3.0, noun="marks")
 # show(picture, "start and end of the call, the heartbeats of the robot, and the words that it handled")
 # %% [hint]
-# The starter waits for one callback and then returns. What would you do by hand? Look at the clock, let the robot do
-# one thing, look at the clock again. That is a loop. Two questions decide whether it is a good one: what ends it, and
-# how long may each iteration wait at most?
+# The starter waits for one callback and then returns. How would you do the job by hand? You'd look at the clock, run
+# one callback, and look at the clock again. That's a loop. Two questions determine whether the loop is a good one:
+# which condition ends it, and how long may each iteration wait at most?
 #
-# What spinning is: [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html)
+# How spinning works: [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html)
 # %% [hint]
-# - The end is a time, not a number of iterations: `time.monotonic() + seconds`, computed once, before the loop.
-#   `time.monotonic()` is a clock that is never set back.
-# - An iteration that may wait longer than the time left returns too late from a quiet node. An iteration that may not
-#   wait at all (`timeout_sec=0`) keeps the processor busy.
-# - `timeout_sec=None`, no timeout, or a *negative* one waits forever. So compute the time left once, and check it
-#   before you use it.
-# - The node is not yours, so leave it as it is: no `destroy_node`, no `shutdown`, no thread that keeps running.
+# - The loop ends at a point in time, not after a number of iterations. Compute `time.monotonic() + seconds` once,
+#   before the loop. `time.monotonic()` is a clock that is never set back.
+# - If an iteration may wait longer than the time left, `pump` returns too late from a quiet node. If an iteration may
+#   not wait at all (`timeout_sec=0`), the loop keeps the processor busy.
+# - With `timeout_sec=None`, without a timeout, or with a *negative* one, `spin_once` waits forever if nothing becomes
+#   ready. So compute the time left once per iteration, and check it before you use it.
+# - The node isn't yours, so leave it as it is: no `destroy_node`, no `shutdown`, and no thread that keeps running.
 #
 # The calls: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
 # %% [hint]
-# The whole function, with gaps:
+# The whole function, with gaps to fill in:
 #
 # ```python
 # def pump(node: Node, seconds: float) -> None:
@@ -130,31 +131,33 @@ def pump(node: Node, seconds: float) -> None:
 #         rclpy.spin_once(node, timeout_sec=min(left, ___))
 # ```
 #
-# `:=` gives a value a name in the middle of an expression. Without it, compute `left` before the loop and again at the
-# end of its body.
+# `:=` assigns a value to a name in the middle of an expression. Without `:=`, compute `left` before the loop and again
+# at the end of the loop's body.
 #
-# Where this is used for real, in tests: [Writing basic tests with
+# How real tests use this: [Writing basic tests with
 # Python](https://docs.ros.org/en/jazzy/Tutorials/Intermediate/Testing/Python.html)
 # %% [alternatives]
 # ## Other good ways
 #
-# - **Slices without `min`.** `while time.monotonic() < end: rclpy.spin_once(node, timeout_sec=0.05)`. This is simpler,
-#   and late by one slice at most. Twenty wake-ups a second cost almost nothing, and between two slices the program can
-#   do something else.
-# - **`timeout_sec=left`.** This is shorter, has no needless wake-up, and gets full marks here. But with a different
-#   timeout in each call, the executor starts again with the first timer each time. If that timer takes longer than its
-#   period, it runs in every iteration, and messages wait forever. The lesson shows it.
-# - **`rclpy.spin_until_future_complete(node, Future(), timeout_sec=seconds)`.** Nothing completes this future, so the
-#   timeout ends the spin. It is one line, and rclpy does the loop with the clock. But the reader has to know the trick.
-# - **A timer that completes a future after `seconds`.** This is elegant when an event ends the spin anyway. Destroy the
-#   timer after that, or it keeps firing and ends the next call early.
-# - **A `SingleThreadedExecutor` of your own.** `rclpy.spin_once(node)` uses the global executor and adds and removes
-#   the node each time. With your own executor you add it once, which is faster when there is a lot to do. Two calls in
-#   two threads then do not disturb each other. At the end, remove the node and shut the executor down; the node stays.
-# - **A `MultiThreadedExecutor`.** Do not use it for this. Its `shutdown` does not wait for callbacks that already run
-#   in its threads. A callback that is cut off leaves its callback group locked, and then no callback of the node runs
-#   any more.
-# - **Another thread that spins, and `sleep(seconds)` here.** This works if you shut the executor down and join the
-#   thread before you return. But more can go wrong, and callbacks run in a thread that the caller does not expect.
-# - **`node.get_clock()` instead of `time.monotonic()`.** Then `seconds` are simulated time, and in a simulation at
-#   double speed the call takes half as long. Sometimes this is what you want. This task uses real time.
+# - **Leave out `min`.** `while time.monotonic() < end: rclpy.spin_once(node, timeout_sec=0.05)` is simpler, and it
+#   returns late by at most one timeout. Twenty wake-ups a second cost almost nothing. Between two calls, the program
+#   can do other work.
+# - **Pass `timeout_sec=left`.** This is shorter, avoids needless wake-ups, and gets full credit here. But with a
+#   different timeout in each call, the executor starts over with the first timer each time. If that timer's callback
+#   takes longer than its period, it runs in every iteration, and messages wait forever. The lesson shows this case.
+# - **Call `rclpy.spin_until_future_complete(node, Future(), timeout_sec=seconds)`.** Nothing completes this future, so
+#   the timeout ends the spinning. You write only one line, and rclpy runs the loop with the clock. But readers of your
+#   code have to know the trick.
+# - **Create a timer that completes a future after `seconds`.** This is elegant if an event ends the spinning anyway.
+#   Destroy the timer afterward; otherwise, it keeps firing and ends the next call early.
+# - **Use your own `SingleThreadedExecutor`.** `rclpy.spin_once(node)` uses the global executor, and adds and removes
+#   the node in each call. With your own executor, you add the node once, which is faster if many callbacks are ready.
+#   Also, two calls in two threads don't interfere with each other. At the end, remove the node and shut down the
+#   executor, but don't destroy the node.
+# - **Don't use a `MultiThreadedExecutor` here.** Its `shutdown` doesn't wait for callbacks that are already running in
+#   its threads. A callback that is cut off leaves its callback group locked, and then none of the node's callbacks run
+#   anymore.
+# - **Spin in another thread, and call `sleep(seconds)` here.** This works if you shut down the executor and join the
+#   thread before you return. But more can go wrong, and callbacks run in a thread that the caller doesn't expect.
+# - **Use `node.get_clock()` instead of `time.monotonic()`.** Then `seconds` are simulated time, so the call takes half
+#   as long in a simulation at double speed. Sometimes that's the right choice, but this task uses real time.

@@ -1,49 +1,52 @@
 # ---
 # exercise: 07_typed_nodes
-# title: A report that cannot be misused
+# title: A report that can't be misused
 # minutes: 30
 # difficulty: 3
 # kind: static
 # clock: simulated
 # objectives:
 #   - annotate a node so that mypy --strict reports nothing
-#   - give a publisher a type, so that a wrong message is an error before the robot runs
-#   - name the allowed words with Literal
-#   - check at run time what hints cannot check
+#   - give a publisher a type, so that mypy reports a wrong message before the robot runs
+#   - list the allowed words with Literal
+#   - check values at run time, where hints have no effect
 # out_of_scope:
 #   - how the program ends on Ctrl-C (lesson 01 judges that)
 #   - subscriptions, services and parameters
-#   - True, nan and the numbers of NumPy (exercise 03 judges those)
-#   - other type checkers; they may accept what mypy reports
+#   - True, nan, and NumPy's numbers (exercise 03 judges those)
+#   - other type checkers; they may accept code that mypy rejects
 # ---
 # %% [markdown]
-# # Exercise 07 · A report that cannot be misused
+# # Exercise 07 · A report that can't be misused
 #
-# The node below reports battery and status of your humanoid, and it works. From next week, two other teams will call
-# it: charging calls `send_battery`, the planner calls `send_status`. They do not know you or your code. In a trial last
-# night one of them sent `"full"`, and the dashboard showed 0 %. Change the node so that it rejects misuse loudly. mypy
-# must report it while they type. When they do not use mypy, the node itself must raise an error.
+# The node below reports your humanoid's battery and status, and it works. From next week on, two other teams will call
+# its methods: the charging team calls `send_battery`, and the planning team calls `send_status`. They don't know you or
+# your code. In last night's trial, one of them sent `"full"`, and the dashboard showed 0 %. Change the node so that
+# misuse can't go unnoticed. mypy must report it as soon as they check their code. If they don't use mypy, the node
+# itself must raise an exception.
 #
 # **About 30 minutes · difficulty 3 of 5 · 10 points.** You need lesson [07](../notebooks/07_typed_nodes.ipynb).
 #
 # ## What to build
 #
-# Keep all names; other code uses them.
+# Keep all names, because other code uses them.
 #
 # | in `RobotReport` | accepts | does |
 # |---|---|---|
-# | `battery_publisher` | has `publish`, for a `Float32` and nothing else | sends on `/robot/battery` |
-# | `status_publisher` | has `publish`, for a `String` and nothing else | sends on `/robot/status` |
-# | `send_battery(level)` | a number, such as `55.25`, `42` or `0.0` | sends it as a float; anything else raises an error and sends nothing |
-# | `send_status(word)` | exactly `"operational"` or `"error"` | sends it; anything else raises an error and sends nothing |
+# | `battery_publisher` | has `publish`, for a `Float32` and nothing else | publishes on `/robot/battery` |
+# | `status_publisher` | has `publish`, for a `String` and nothing else | publishes on `/robot/status` |
+# | `send_battery(level)` | a number, such as `55.25`, `42` or `0.0` | publishes it as a float; raises an exception for anything else and publishes nothing |
+# | `send_status(word)` | exactly `"operational"` or `"error"` | publishes it; raises an exception for anything else and publishes nothing |
 #
-# The node still reports by itself: the battery at 1 Hz, the status at 0.5 Hz, each within 20 %. It is never silent for
-# more than one and a half periods. What others send changes neither the charge nor the word that it reports.
+# The node still publishes its own reports: the battery at 1 Hz and the status at 0.5 Hz, each within 20 %. It is never
+# silent for more than one and a half periods. Other teams' calls don't change the charge or the status that the node
+# itself reports.
 #
 # ## What is judged
 #
-# mypy checks your program, in strict mode and with the stubs of this course. Then it checks code that uses your node
-# correctly, and code that misuses it. After that your node runs, and is used and misused again.
+# First, mypy checks your program in strict mode, with this course's stubs. Then it checks code that uses your node
+# correctly, and code that misuses it. After that, your node runs, and the judge calls its methods, correctly and
+# incorrectly.
 #
 # | points | criterion |
 # |---:|---|
@@ -51,18 +54,21 @@
 # | 2 | mypy --strict finds nothing in your program |
 # | 2 | mypy objects to a message of the wrong type |
 # | 1 | mypy objects to a value of the wrong type, to any other word, and to a call without a value |
-# | 1 | every number arrives once for each call and as that number, including a whole one, `0.0`, and the same one again |
-# | 2 | at run time a wrong value or message raises an error, and nothing is sent |
-# | 1 | at run time the two words are sent, also as messages of `status_publisher`; any other word raises an error, and is not sent |
+# | 1 | each call with a number publishes that number once, including a whole number, `0.0`, and the same number again |
+# | 2 | at run time, a wrong value or message raises an exception, and nothing is published |
+# | 1 | at run time, the two words are published, also as messages of `status_publisher`; any other word raises an exception and isn't published |
 #
-# The judge ignores `# type: ignore`, and you may not write `Any`: neither makes the node safer.
+# The judge ignores `# type: ignore`, and you may not write `Any`, because neither makes the node safer.
 #
-# **Not part of it:** how the program ends on Ctrl-C, subscriptions, services, parameters. You decide what happens to
-# `True`, `nan` and NumPy's numbers (exercise 03 was about those), and to charges below 0 or above 100. The judge creates
-# a `RobotReport` itself and never calls your `main()`. It watches for 12 s: if your node's battery is empty later, it
-# never sees that.
+# **Not part of it:**
+#
+# - how the program ends on Ctrl-C, subscriptions, services, parameters
+# - `True`, `nan`, and NumPy's numbers (exercise 03 was about those), and charges below 0 or above 100. You decide what
+#   happens to them.
+# - your `main()`. The judge creates a `RobotReport` itself. It watches for 12 s, so it never sees a battery that is
+#   empty later.
 # %% [answer]
-"""Reports battery and status of a humanoid. Others send through it, too, and cannot get the types wrong unnoticed."""
+"""Report a humanoid's battery and status. Other code sends through this node, too, and wrong types are noticed."""
 
 # [solution]
 from typing import Literal, Protocol, TypeVar, get_args
@@ -86,25 +92,25 @@ Taken = TypeVar("Taken", contravariant=True)
 
 
 class Sends(Protocol[Taken]):
-    """Whatever publishes messages of one type, and of no other."""
+    """An object that publishes messages of one type and no others."""
 
     def publish(self, msg: Taken) -> None: ...
 
 
 def make_publisher(node: Node, kind: type[Message], topic: str, depth: int = 10) -> Sends[Message]:
-    """A publisher that knows which messages it takes: those of `kind`."""
+    """Create a publisher that, to mypy, accepts only messages of type `kind`."""
     return node.create_publisher(kind, topic, depth)
 
 
 # [starter]
 # |
-# | # TODO 2: a Protocol with a publish method for one type of message, and a function that creates such a publisher
+# | # TODO 2: a Protocol with a publish method for one message type, and a function that creates such a publisher
 # | # TODO 3: a type for the two words of the status
 # |
 # |
 # [end]
 class RobotReport(Node):
-    """Reports the charge in percent and one word on how the robot is.
+    """Report the battery's charge in percent and the robot's status as one word.
 
     Topics:
         /robot/battery (std_msgs/Float32), 1 Hz: charge in percent.
@@ -133,7 +139,7 @@ class RobotReport(Node):
         """Send a charge in percent.
 
         Raises:
-            TypeError: it is no number.
+            TypeError: `level` isn't a number.
         """
         if not isinstance(level, (int, float)):
             raise TypeError(f"a charge is a number of percent, not {level!r}")
@@ -143,7 +149,7 @@ class RobotReport(Node):
         """Send one of the two agreed words.
 
         Raises:
-            ValueError: it is another one.
+            ValueError: `word` is any other word.
         """
         if word not in get_args(Status):
             raise ValueError(f"a status is one of {get_args(Status)}, not {word!r}")
@@ -169,7 +175,7 @@ class RobotReport(Node):
     # |
     # | def send_battery(self, level):
     # |     """Send a charge in percent."""
-    # |     # TODO 5: raise a TypeError for what is not a number, and send nothing; send a whole number as a float
+    # |     # TODO 5: raise a TypeError for anything but a number, and send nothing; send a whole number as a float
     # |     self.battery_publisher.publish(Float32(data=level))
     # |
     # | def send_status(self, word):
@@ -184,7 +190,7 @@ def main() -> None:
 # [starter]
 # | def main():
 # [end]
-    """Run the node until Ctrl-C or a request to end."""
+    """Run the node until Ctrl-C or a request to shut down."""
     rclpy.init()
     try:
         rclpy.spin(RobotReport())
@@ -204,24 +210,24 @@ if __name__ == "__main__":
 # %% [hint]
 # There are three checks. Take them one at a time.
 #
-# - **mypy on your own program.** The cell under *Watch it run* shows all its messages. It does not check functions
-#   without hints, so begin with `-> None`.
-# - **mypy on the others' programs.** They use four names of your node. What does mypy know about each of them?
-#   `reveal_type(self.battery_publisher)` in your program tells you.
-# - **Run time.** What does `send_battery("full")` do when mypy is not used? And `send_battery(42)`?
+# - **mypy on your program.** The cell under *Watch it run* shows all of mypy's messages. Without hints, mypy doesn't
+#   check a function's body, so begin with `-> None`.
+# - **mypy on the other teams' programs.** They use four names of your node. What does mypy know about each of them? Put
+#   `reveal_type(self.battery_publisher)` into your program, and mypy tells you.
+# - **Run time.** What does `send_battery("full")` do if the caller doesn't use mypy? And `send_battery(42)`?
 #
-# What mypy understands: [typing, in the documentation of Python](https://docs.python.org/3/library/typing.html)
+# The types that mypy understands: [typing, in Python's documentation](https://docs.python.org/3/library/typing.html)
 # %% [hint]
-# - To mypy, a publisher of rclpy accepts every message. So do not annotate your attribute as a `Publisher`. Describe
-#   what you need: something with `publish` for one type. That is a `Protocol`, as in the lesson. One for each message is
-#   enough.
-# - For all messages at once: a function with `kind: type[Message]` that returns `Sends[Message]` (optional notebook
-#   07, deeper).
-# - For two words and no other, use `Literal["operational", "error"]`. `get_args` returns the words at run time.
-# - The hint `float` accepts `42`. The message then sends 0.0, or with the Ubuntu packages may crash the program. And
-#   `float("87.5")` accepts a text. So check first (`isinstance`), then convert.
+# - To mypy, an rclpy publisher accepts every message. So don't annotate your attribute as a `Publisher`. Describe what
+#   you need: an object with a `publish` method for one type. That's a `Protocol`, as in the lesson. One for each
+#   message type is enough.
+# - To cover all message types at once, write a function with `kind: type[Message]` that returns `Sends[Message]`
+#   (optional notebook 07, deeper).
+# - To allow two words and no others, use `Literal["operational", "error"]`. `get_args` returns the words at run time.
+# - The hint `float` also accepts `42`. The message would then contain 0.0, or the program may crash with the Ubuntu
+#   packages. And `float("87.5")` accepts a string. So check first (`isinstance`), then convert.
 #
-# Nodes, publishers and messages: [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html)
+# Nodes, publishers, and messages: [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html)
 # %% [hint]
 # ```python
 # Status = Literal[___, ___]
@@ -248,16 +254,16 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **Annotate the attribute, without the function.**
-#   `self.battery_publisher: Sends[Float32] = self.create_publisher(Float32, ...)`. This is shorter, but the type is
-#   written twice, and mypy does not notice when the two differ: `create_publisher` accepts any class.
-# - **A class of your own around the publisher,** `class TypedPublisher(Generic[Message])`, which checks at run time
-#   what it is given. It is more code, but can do more: convert, count, limit. It is right when every node of a project
-#   uses it.
-# - **Check in one place.** `Float32(data=level, check_fields=True)` lets the message itself refuse a text, and an int
-#   as well, so convert first. The error is an AssertionError, and `python -O` switches the check off. Your own `raise`
-#   stays.
-# - **An Enum for the words,** `class Status(StrEnum)`. The words are then available at run time. Callers must write
-#   `Status.ERROR`; a plain `"error"` is an error to mypy. In this task, callers write plain words.
-# - **Newer Python, newer ROS.** From Python 3.12 on you can write `class Sends[M](Protocol)`, without type variables.
-#   In newer ROS versions `Publisher` itself is generic, and `Publisher[Float32]` does what `Sends[Float32]` does here.
+# - **Annotate the attribute, without a function.** Write `self.battery_publisher: Sends[Float32] =
+#   self.create_publisher(Float32, ...)`. This is shorter, but you write the type twice. mypy doesn't notice when the
+#   two differ, because `create_publisher` accepts any class.
+# - **Write your own class around the publisher,** such as `class TypedPublisher(Generic[Message])`, and let it check
+#   its argument at run time. It's more code, but it can do more: convert, count, or limit. It's worth the effort when
+#   all nodes of a project use it.
+# - **Check in one place.** With `Float32(data=level, check_fields=True)`, the message itself rejects a string. It also
+#   rejects an int, so convert first. The exception is an AssertionError, and `python -O` switches the check off. Your
+#   own `raise` stays.
+# - **Use an Enum for the words,** `class Status(StrEnum)`. The words are then available at run time, too. Callers must
+#   write `Status.ERROR`, because mypy reports a plain `"error"` as an error. In this task, callers write plain words.
+# - **Newer Python, newer ROS.** From Python 3.12 on, you can write `class Sends[M](Protocol)`, without type variables.
+#   In newer ROS versions, `Publisher` itself is generic, and `Publisher[Float32]` does the job of `Sends[Float32]`.

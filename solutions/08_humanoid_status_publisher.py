@@ -18,10 +18,10 @@
 # %% [markdown]
 # # Exercise 08 · The humanoid status publisher
 #
-# The night shift has left you a note: *"A colleague cleaned up the status publisher yesterday. It starts, it logs, it
+# The night shift left you a note: *"A colleague cleaned up the status publisher yesterday. It starts, it logs, and it
 # looks fine. But the dashboard says the battery is at 0 %, although the robot walks around. The battery topic is busier
-# than it should be. And the service manager reports a crash every time we stop it."* Three complaints, three bugs. Fix
-# them. The rest of the program is right.
+# than it should be. And the service manager reports a crash every time we stop the program."* These three complaints
+# come from three bugs. Fix them. The rest of the program is correct.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
 # [08](../notebooks/08_humanoid_status_publisher.ipynb).
@@ -31,14 +31,14 @@
 # | topic | type | rate | content |
 # |---|---|---|---|
 # | `/robot/status` | `String` | 1 Hz | `operational` while the battery has charge, `error` once it is empty |
-# | `/robot/battery` | `Float32` | 0.5 Hz | percent, from 100 downwards, never below 0, never rising |
+# | `/robot/battery` | `Float32` | 0.5 Hz | percent, starting at 100, never below 0, never rising |
 #
-# On Ctrl-C the program ends with exit code 0 and without a traceback.
+# On Ctrl-C, the program ends with exit code 0 and without a traceback.
 #
 # ## What is judged
 #
-# Your program runs as its own process, for 36 s of robot time. The judge looks at what it publishes, and how it ends
-# after the signal that Ctrl-C sends.
+# Your program runs in its own process for 36 s of robot time. The judge checks the messages that it publishes, and how
+# it ends after the signal that Ctrl-C sends.
 #
 # | points | criterion |
 # |---:|---|
@@ -49,19 +49,19 @@
 # | 1 | the program runs until it is told to end |
 # | 3 | Ctrl-C ends it with exit code 0 and no traceback |
 #
-# First run the program below as it is: the dashboard shows two of the complaints, `%check` the third. You may change
-# three places or write the program again.
+# First, run the program below without changing it. The dashboard shows two of the complaints, and `%check` shows the
+# third. You may change three places or rewrite the program.
 #
-# The battery of this program is old: it is empty within half a minute, so that the judge also sees the word change. The
-# word may change as soon as the last charge above 0 is published. It must have changed when the battery reports 0 for
-# the second time.
+# This program simulates an old battery that's empty within half a minute, so that the judge also sees the status
+# change. The status may change to `error` as soon as the last charge above 0 is published. It must have changed by the
+# time the battery topic reports 0 for the second time.
 #
-# Steps need not be equal, and charges may be rounded. So the first charge may lie 1 % and one and a half of the largest
-# steps below 100 %. If your program does not follow robot time, the judge may miss its first messages. Then 1 % and four
-# steps are allowed.
+# The steps needn't be equal, and you may round the charge. So the first charge may be up to 1 % plus one and a half of
+# the largest steps below 100 %. If your program doesn't follow robot time, the judge may miss its first messages. In
+# that case, 1 % plus four steps are allowed.
 #
-# **Not part of it:** new topics, real batteries, signals other than the one that Ctrl-C sends, what you log, and how
-# fast the battery drains. (If yours lasts longer than the judge watches, the judge never sees it empty.)
+# **Not part of it:** new topics, real batteries, signals other than the one that Ctrl-C sends, your log messages, and
+# how fast the battery drains. (If yours lasts longer than the judge watches, the judge never sees it empty.)
 # %% [answer]
 """A humanoid robot that reports its state once a second and its battery every two seconds."""
 
@@ -148,25 +148,26 @@ if __name__ == "__main__":
 # %start
 # view = await watch_status(seconds=10)
 # %% [hint]
-# Do not read the code yet. Look at the dashboard, and work on one complaint at a time.
+# Don't read the code yet. Watch the dashboard, and work on one complaint at a time.
 #
-# - **0 %.** The log says 92 %, the topic says 0. So the level is right in `self.battery_level` but wrong in the
+# - **0 %.** The log shows 92 %, but the topic carries 0. So the level is right in `self.battery_level` and wrong in the
 #   message. Which single line is between the two?
 # - **Too busy.** Count the battery messages in ten seconds. How many should there be at 0.5 Hz?
 # - **The crash.** `%check` shows the last lines of the log after Ctrl-C. Read the very last one first.
 #
-# What a publisher and a timer do, step by step: [Writing a simple publisher and
+# This tutorial builds a publisher and a timer step by step: [Writing a simple publisher and
 # subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)
 # %% [hint]
-# - **0 %.** Ask Python: `type(round(92.4))`. Then look up which Python type a `float32` field needs. (`round` with a
-#   second argument returns another type.)
-# - **Too busy.** `create_timer` takes a *period* in seconds. The comment beside the number gives a *frequency*. One is
-#   1 divided by the other.
-# - **The crash.** On Ctrl-C rclpy shuts the context down by itself. What does the program do with the context after
-#   that? rclpy has a second function, which raises no error then: its name begins with `try_`. And `spin` may raise a
-#   second exception: `rclpy.executors.ExternalShutdownException`.
+# - **0 %.** Run `type(round(92.4))` in Python. Then look up which Python type a `float32` field needs. (With a second
+#   argument, `round` returns a different type.)
+# - **Too busy.** `create_timer` takes a *period* in seconds, but the comment next to the number gives a *frequency*.
+#   The period is 1 divided by the frequency.
+# - **The crash.** On Ctrl-C, rclpy shuts the context down on its own. Which call does the program make on the context
+#   after that? rclpy has a second function that raises no exception in this case; its name begins with `try_`. And
+#   `spin` may raise a second exception: `rclpy.executors.ExternalShutdownException`.
 #
-# Field types and their Python types: [About interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html)
+# Field types and their Python types: [About
+# interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html)
 # %% [hint]
 # The three places, with gaps:
 #
@@ -187,19 +188,19 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **`float(round(self.battery_level))`.** This sends whole percents, but as a float. `round(level, 1)` also returns a
-#   float. It is better to send the number unchanged and to round it where it is *displayed*. A subscriber may need the
-#   decimals.
-# - **Test `rclpy.ok()` before `rclpy.shutdown()`.** `if rclpy.ok(): rclpy.shutdown()` does the same as
+# - **`float(round(self.battery_level))`.** This publishes whole percents, but as a float. `round(level, 1)` also
+#   returns a float. It's better to publish the exact number and round it where it's *displayed*, because a subscriber
+#   may need the decimals.
+# - **Check `rclpy.ok()` before `rclpy.shutdown()`.** `if rclpy.ok(): rclpy.shutdown()` does the same as
 #   `try_shutdown()`, with more code.
-# - **`destroy_node()` in `finally`.** This is not wrong: it may be called after the context is shut down. But it is not
-#   needed, because the process ends. It matters in a program that continues without the node.
-# - **No `ExternalShutdownException`.** On Ctrl-C `spin` raises `KeyboardInterrupt`, and catching it is enough here. It
-#   raises the other exception when something else has shut the context down. That happens on SIGTERM from a service
-#   manager, for example, or when the program was started with Ctrl-C ignored. Catch both, and you need not think about
-#   the cause.
-# - **`signal_handler_options=SignalHandlerOptions.NO` in `rclpy.init`.** Then rclpy does not handle signals, the
-#   context is still up after Ctrl-C, and a plain `rclpy.shutdown()` is right. This is useful for a last message:
-#   `/robot/status` can be published only while the context is up.
-# - **`sensor_msgs/msg/BatteryState`.** This is what a real robot publishes: voltage, current, charge from 0 to 1 and
-#   the health of the cells, with a time stamp. `Float32` does not even say that the unit is percent.
+# - **`destroy_node()` in `finally`.** This isn't wrong, because you may call it after the context is shut down. But it
+#   isn't needed here, because the process ends. It matters in a program that continues without the node.
+# - **No `ExternalShutdownException`.** On Ctrl-C, `spin` raises `KeyboardInterrupt`, so catching that exception is
+#   enough here. `spin` raises the other exception if something else shut the context down. Examples are a SIGTERM from
+#   a service manager, or a program that was started with Ctrl-C ignored. If you catch both, you don't need to think
+#   about the cause.
+# - **`signal_handler_options=SignalHandlerOptions.NO` in `rclpy.init`.** With this option, rclpy doesn't handle
+#   signals. So the context is still valid after Ctrl-C, and a plain `rclpy.shutdown()` is right. Use it if you need a
+#   last message, because `/robot/status` can be published only while the context is valid.
+# - **`sensor_msgs/msg/BatteryState`.** Real robots publish this type. It contains the voltage, the current, the charge
+#   from 0 to 1, the health of the cells, and a time stamp. `Float32` doesn't even state that the unit is percent.

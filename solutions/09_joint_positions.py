@@ -18,13 +18,12 @@
 # %% [markdown]
 # # Exercise 09 · The joint positions
 #
-# Your humanoid already reports how it is: *operational*, battery at 97 %. But no one can see what its body is doing.
-# The operator's screen draws a robot with twelve joints, and it does not move, because no node publishes the angles.
-# Give the status publisher a third topic, so that the figure on the screen moves with the robot.
+# Your humanoid already reports its state: *operational*, battery at 97 %. But the operator can't see how its body
+# moves. The operator's screen draws a robot with twelve joints, and that figure stands still, because no node publishes
+# the joint angles. Add a third topic to the status publisher, so that the figure on the screen moves with the robot.
 #
-# **About 25 minutes · difficulty 2 of 5 · 10 points.** You need lesson
-# [09](../notebooks/09_joint_positions.ipynb), and from
-# [08](../notebooks/08_humanoid_status_publisher.ipynb) the status publisher that the starter below repeats.
+# **About 25 minutes · difficulty 2 of 5 · 10 points.** You need lesson [09](../notebooks/09_joint_positions.ipynb). The
+# starter below repeats the status publisher from lesson [08](../notebooks/08_humanoid_status_publisher.ipynb).
 #
 # ## What to build
 #
@@ -34,20 +33,20 @@
 # | `/robot/status` (as it is) | `String` | 1 Hz | `operational` while the battery has charge, `error` once it is empty |
 # | `/robot/battery` (as it is) | `Float32` | 0.5 Hz | percent, 0 to 100, falling, never rising |
 #
-# The figure on the screen takes the twelve angles in this order:
+# The figure on the screen expects the twelve angles in this order:
 #
 # - neck, waist
 # - left shoulder, left elbow, right shoulder, right elbow
 # - left hip, left knee, left ankle
 # - right hip, right knee, right ankle
 #
-# The message types are those of `std_msgs.msg`. You choose how the simulated joints move: a sine, a random walk, a wave
-# of the hand. At least two joints must change from message to message. (One message in four may repeat the one before,
-# when a movement reverses.)
+# The message types are from `std_msgs.msg`. You choose how the simulated joints move: a sine wave, a random walk, or a
+# waving hand. At least two joints must change from message to message. (One message in four may repeat the previous
+# one, when a movement reverses.)
 #
 # ## What is judged
 #
-# Your program runs as its own process for 26 s of robot time, and only what it publishes counts.
+# Your program runs in its own process for 26 s of robot time. The judge checks only the messages that it publishes.
 #
 # | points | criterion |
 # |---:|---|
@@ -60,15 +59,15 @@
 # | 1 | `/robot/battery` is as it was (0.4 to 0.6 Hz, no gap over 3 s; falling) |
 # | 1 | the program is still running when the judge stops watching |
 #
-# First of all, the program must start. If it never creates a publisher, the feedback says why, and the rest is not
-# judged. The program may have any form: one class, several nodes, another executor.
+# First of all, the program must start. If it never creates a publisher, the feedback explains why, and the rest isn't
+# judged. You may structure the program in any way: one class, several nodes, or another executor.
 #
 # **Not part of it:**
 #
 # - motors, real encoders, URDF, other topics
 # - which value belongs to which joint
-# - the charge at which the battery begins, and how fast it drains. (If yours lasts longer than the judge watches, the
-#   judge never sees it empty.)
+# - the battery's initial charge, and how fast it drains. (If yours lasts longer than the judge watches, the judge never
+#   sees it empty.)
 # - how your program ends on Ctrl-C
 # %% [answer]
 """The humanoid status publisher: state, battery and the angles of twelve joints."""
@@ -182,12 +181,12 @@ if __name__ == "__main__":
 # %% [markdown]
 # ## Three questions to think about
 #
-# Lesson [09](../notebooks/09_joint_positions.ipynb) measures all three. Say what you expect before you
-# look.
+# Lesson [09](../notebooks/09_joint_positions.ipynb) answers all three with measurements. Write down your own answers
+# before you look.
 #
-# 1. Should the joint positions come faster or slower than the battery level? Why?
-# 2. What would another node do with these angles, and how would it read them?
-# 3. What happens when you publish them at 100 Hz instead of 0.5 Hz?
+# 1. Should the joint positions be published faster or slower than the battery level? Why?
+# 2. What would another node do with these angles, and how would it receive them?
+# 3. What happens if you publish them at 100 Hz instead of 0.5 Hz?
 # %% [live]
 # from workbook.lesson import watch_robot
 #
@@ -195,21 +194,19 @@ if __name__ == "__main__":
 # await watch_robot(seconds=8)
 
 # %% [hint]
-# The battery already does everything you need: it has a publisher, a timer and a method that fills a message. Find
-# these three places in the code. What is different for the joints in each? Mind the timer: it needs a waiting time, but
-# the task gives a rate.
+# The battery topic already has everything that you need: a publisher, a timer, and a method that fills a message. Find
+# these three places in the code. How does each of them differ for the joints? Be careful with the timer: it takes a
+# period, but the task specifies a rate.
 #
 # How topics work: [About topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html)
 # %% [hint]
-# - `from std_msgs.msg import Float32MultiArray`; its field `data` takes a list of floats.
-# - `self.create_publisher(type, name, 10)`: write the name with its slash, `/robot/joint_positions`.
-# - `self.create_timer(period, method)`: the period is 1 divided by the rate, in seconds. Pass the method
-#   without `()`.
-# - A list of twelve: `[... for joint in range(12)]`. `math.sin` stays between −1 and 1, well inside ±π.
-#   Feed it something that changes: a counter, or `self.get_clock().now().nanoseconds / 1e9`, the time in
-#   seconds.
+# - Import `Float32MultiArray` from `std_msgs.msg`. Its field `data` takes a list of floats.
+# - `self.create_publisher(type, name, 10)`: write the name with its leading slash, `/robot/joint_positions`.
+# - `self.create_timer(period, method)`: the period in seconds is 1 divided by the rate. Pass the method without `()`.
+# - A list of twelve values: `[... for joint in range(12)]`. `math.sin` stays between −1 and 1, well within ±π. Its
+#   argument must change over time, so use a counter or the time in seconds: `self.get_clock().now().nanoseconds / 1e9`.
 #
-# What a node offers: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
+# The node's methods are listed in the [rclpy documentation](https://docs.ros.org/en/jazzy/p/rclpy).
 # %% [hint]
 # The body of the new method, with gaps:
 #
@@ -229,20 +226,21 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **One timer instead of three.** A single 1 Hz timer with a counter publishes the status each time, battery and
-#   joints every second time. There are fewer parts, and battery and joints always come together. But all rates now
-#   depend on each other: for joints at 0.7 Hz you would have to rewrite it.
-# - **A counter instead of the clock.** `self.step += 1` and `math.sin(0.6 * self.step)` is simpler, and gives the same
-#   numbers in every run, which is good for tests. But at 100 Hz this robot would move two hundred times as fast.
-# - **Composition instead of a subclass.** `node = rclpy.create_node("humanoid_status_publisher")`, held by a class of
-#   your own that does not inherit from `Node`. Your attributes can then never collide with those of `Node`, and the
-#   simulation can be tested without ROS. But most code that you will read uses a subclass.
-# - **NumPy.** `np.sin(...)` computes all joints at once. Turn the array into plain floats with `.tolist()`. This is a
-#   good habit: a `np.float32` in a plain `Float32` message is silently sent as 0.0, or crashes the program with the
-#   Ubuntu packages.
-# - **`array.array("f", ...)`.** `data` becomes this type anyway, and a subscriber gets it. For twelve numbers there is
-#   no noticeable difference; for a million it is more than a hundred times faster than a list.
-# - **`sensor_msgs/msg/JointState`.** This is what a real robot uses. `Float32MultiArray` does not say which number is
-#   which joint, in what unit, or when it was measured, so both sides must agree on it elsewhere. For that reason, the
-#   plain types of `std_msgs` have been deprecated since ROS 2 Foxy: fine for learning, but not for a lasting design.
-#   `JointState` has names, positions, velocities and a time stamp. A later lesson switches to it.
+# - **One timer instead of three.** A single 1 Hz timer with a counter publishes the status on every tick, and the
+#   battery and joints on every second tick. The program has fewer parts, and the battery and joints are always
+#   published together. But now all rates depend on each other: for joints at 0.7 Hz, you'd have to rewrite the program.
+# - **A counter instead of the clock.** `self.step += 1` and `math.sin(0.6 * self.step)` is simpler. It also produces
+#   the same numbers in every run, which is good for tests. But at 100 Hz, this robot would move two hundred times as
+#   fast.
+# - **Composition instead of a subclass.** A class that doesn't inherit from `Node` holds
+#   `node = rclpy.create_node("humanoid_status_publisher")`. Your attributes then can't collide with those of `Node`,
+#   and you can test the simulation without ROS. But most code that you'll read uses a subclass.
+# - **NumPy.** `np.sin(...)` computes all joints in one call. Convert the array to plain floats with `.tolist()`. This
+#   is a good habit: a `np.float32` in a plain `Float32` message is silently sent as 0.0, or crashes the program with
+#   the Ubuntu packages.
+# - **`array.array("f", ...)`.** rclpy converts `data` to this type anyway, and subscribers receive it. For twelve
+#   numbers, there's no noticeable difference. For a million, it's more than a hundred times faster than a list.
+# - **`sensor_msgs/msg/JointState`.** Real robots use this type. `Float32MultiArray` doesn't state which number belongs
+#   to which joint, its unit, or when it was measured, so both sides must agree on that elsewhere. For that reason, the
+#   plain types in `std_msgs` have been deprecated since ROS 2 Foxy: fine for learning, but not for a lasting design.
+#   `JointState` has names, positions, velocities, and a time stamp. A later lesson switches to it.

@@ -6,62 +6,61 @@
 # kind: program
 # clock: wall
 # objectives:
-#   - run slow work where it holds up nothing else
+#   - run slow work where it doesn't delay other callbacks
 #   - let two callbacks of one node run at the same time, and only those two
-#   - keep results right when several requests come at once
+#   - keep results correct when several requests arrive at the same time
 # out_of_scope:
 #   - a faster planner; do not change it
-#   - services and actions, which are made for requests (lesson 12)
+#   - services and actions, which are designed for requests (lesson 12)
 #   - what happens after the nine seconds, how the program ends, and how the code is written
 # ---
 # %% [markdown]
 # # Exercise 10 · A heart that beats while the robot plans
 #
-# Your humanoid serves tea. Before it stretches its arm, a planner computes how far to bend the elbow, and asks the
-# collision checker at every step. One plan takes 0.8 s. Meanwhile the safety system expects a heartbeat ten times a
-# second. When none comes for half a second, it cuts the power. So every time a guest asks for tea, the robot goes limp.
-# Run the planner where it does not stop the heartbeat.
+# Your humanoid serves tea. Before it stretches its arm, a planner computes how far to bend the elbow, and at every
+# step, it queries the collision checker. One plan takes 0.8 s. But the safety system expects a heartbeat ten times a
+# second, and if none arrives for half a second, it cuts the power. So whenever a guest asks for tea, the robot goes
+# limp. Run the planner where it doesn't stop the heartbeat.
 #
-# **About 30 minutes · difficulty 3 of 5 · 10 points.** You need lesson
-# [10](../notebooks/10_slow_callbacks.ipynb).
+# **About 30 minutes · difficulty 3 of 5 · 10 points.** You need lesson [10](../notebooks/10_slow_callbacks.ipynb).
 #
 # ## What to build
 #
 # | topic | direction | type | rate | content |
 # |---|---|---|---:|---|
 # | `/robot/heartbeat` | published | `String` | 10 Hz | a sign of life, for example `alive` |
-# | `/robot/plan_request` | received | `Float32` | | wanted distance from the shoulder to the hand, in m |
-# | `/robot/plan` | published | `Float32` | | the bend of the elbow for this distance, in rad |
+# | `/robot/plan_request` | received | `Float32` | | requested distance from the shoulder to the hand, in m |
+# | `/robot/plan` | published | `Float32` | | the elbow's bend for this distance, in rad |
 #
-# - Every request is answered by one plan, in the order of the requests. Sometimes four requests come within half a
-#   second. Then they must wait their turn, but none may be lost. There is one collision checker, so only one search
-#   runs at a time.
-# - A distance that was requested before is a new request, and is planned again. For a distance that the arm cannot
-#   reach, the planner finds the straight arm; that is the plan.
-# - `ElbowPlanner` is given. **Leave it as it is.** It waits most of the time and does not keep the processor busy. It
-#   can hold only one search: two searches at once on one planner overwrite each other.
+# - Publish one plan for every request, in the order of the requests. Sometimes four requests arrive within half a
+#   second. Then they must wait their turn, but none may be lost. There is only one collision checker, so only one
+#   search may run at a time.
+# - If a distance has been requested before, it's still a new request, and it's planned again. For a distance that the
+#   arm can't reach, the planner finds the straight arm. Publish that plan.
+# - `ElbowPlanner` is given. **Don't change it.** Most of the time it waits, so it doesn't keep the processor busy. It
+#   can hold only one search: two searches at the same time on one planner overwrite each other.
 # - You may change everything else.
 #
 # ## What is judged
 #
-# Your program runs as its own process for nine real seconds. The judge sends seven requests in the first four seconds,
-# and watches what comes back. A plan that has not come after nine seconds is missing.
+# Your program runs in its own process for nine real seconds. The judge sends seven requests in the first four seconds
+# and records the plans that your program publishes. A plan that hasn't arrived after nine seconds is missing.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `/robot/heartbeat` carries `String` |
-# | 2 | 90 % to 110 % of the heartbeats come; typically there are 0.095 to 0.105 s between two (the mean over five), while plans are made, too |
+# | 2 | 90 % to 110 % of the heartbeats come; typically there are 0.095 to 0.105 s between two (the mean over five), even while the robot plans |
 # | 2 | never more than 0.5 s without a heartbeat |
 # | 1 | the program subscribes to `/robot/plan_request` and publishes `Float32` on `/robot/plan` |
-# | 2 | each plan is what `ElbowPlanner` finds, to 0.000001 rad, and comes 0.78 s after its request, or later |
-# | 1 | every request is answered by one plan, in order, one search at a time |
+# | 2 | each plan is the one that `ElbowPlanner` finds, to 0.000001 rad, and comes 0.78 s after its request, or later |
+# | 1 | there is one plan for every request, in order, one search at a time |
 # | 1 | the program is still running when the judge stops watching |
 #
-# **Not part of it:** a faster planner, services, and what the text of a heartbeat says. What happens after the nine
-# seconds, and how your program ends on Ctrl-C, are not judged either. `ElbowPlanner` is judged by what it finds and
-# how long it takes.
+# **Not part of it:** a faster planner, services, the text of a heartbeat, anything after the nine seconds, and how your
+# program ends on Ctrl-C. The judge can't see whether you changed `ElbowPlanner`. It sees only what the planner finds
+# and how long that takes.
 # %% [answer]
-"""A humanoid that shows its heartbeat, and plans the bend of its elbow when asked."""
+"""Publish a humanoid's heartbeat, and plan its elbow's bend on request."""
 
 import math
 import time
@@ -81,10 +80,10 @@ LINK_M = 0.4  # upper arm and forearm are equally long
 
 
 class ElbowPlanner:
-    """Finds the bend of the elbow that brings the hand to a distance from the shoulder. Leave it as it is.
+    """Find the elbow's bend that brings the hand to a distance from the shoulder. Don't change this class.
 
-    It halves the range in which the bend must lie, again and again. It remembers one search: begin the next one only
-    when the one before is finished.
+    Each step halves the range in which the bend must lie. A planner holds one search: begin the next one only when the
+    previous one has finished.
     """
 
     STEPS = 20
@@ -96,7 +95,7 @@ class ElbowPlanner:
         self._low, self._high = 0.0, math.pi  # rad; 0 is a straight arm
 
     def step(self) -> None:
-        """One step of the search. Waits for the collision checker."""
+        """Do one step of the search. This waits for the collision checker."""
         time.sleep(self.STEP_S)
         middle = (self._low + self._high) / 2.0
         if 2.0 * LINK_M * math.cos(middle / 2.0) > self._distance:
@@ -105,11 +104,11 @@ class ElbowPlanner:
             self._high = middle
 
     def bend(self) -> float:
-        """The bend found so far, in rad."""
+        """Return the bend found so far, in rad."""
         return (self._low + self._high) / 2.0
 
     def plan(self, distance: float) -> float:
-        """A whole search: returns the bend (rad) for a distance (m), after 0.8 s."""
+        """Do a whole search: return the bend (rad) for a distance (m), after 0.8 s."""
         self.begin(distance)
         for _ in range(self.STEPS):
             self.step()
@@ -117,11 +116,11 @@ class ElbowPlanner:
 
 
 class TeaRobot(Node):
-    """Beats ten times a second, and plans its elbow when asked.
+    """Publish ten heartbeats a second, and plan the elbow's bend on request.
 
     Topics:
         /robot/heartbeat (std_msgs/String), 10 Hz: "alive".
-        /robot/plan (std_msgs/Float32): the bend of the elbow in rad, one for each request.
+        /robot/plan (std_msgs/Float32): the elbow's bend in rad, one for each request.
 
     Subscriptions:
         /robot/plan_request (std_msgs/Float32): distance of the hand from the shoulder in m.
@@ -134,7 +133,7 @@ class TeaRobot(Node):
         self.plan_publisher = self.create_publisher(Float32, "/robot/plan", 10)
         self.create_timer(HEARTBEAT_PERIOD_S, self.beat)
         # [solution]
-        # A group of its own: planning may run beside the heartbeat, but never two plans at once.
+        # A separate group: planning may run while the heartbeat does, but two plans never run at the same time.
         planning = MutuallyExclusiveCallbackGroup()
         self.create_subscription(
             Float32, "/robot/plan_request", self.on_request, 10, callback_group=planning
@@ -144,11 +143,11 @@ class TeaRobot(Node):
         # [end]
 
     def beat(self) -> None:
-        """Show that the robot is well."""
+        """Publish a sign of life."""
         self.heartbeat_publisher.publish(String(data="alive"))
 
     def on_request(self, request: Float32) -> None:
-        """Plan the elbow for the distance asked for. This takes 0.8 s."""
+        """Plan the elbow's bend for the requested distance. This takes 0.8 s."""
         # [solution]
         bend = self.planner.plan(request.data)
         # [starter]
@@ -193,26 +192,26 @@ if __name__ == "__main__":
 #     asking.publish(Float32(data=distance))
 # topic_hz("/robot/heartbeat", seconds=3)
 # %% [hint]
-# Count what needs a thread. The heartbeat needs one for a moment, ten times a second. The planner needs one for 0.8 s
-# at a time. How many threads does `rclpy.spin` have? And if there were two: would rclpy be *allowed* to run `beat`
-# while `on_request` runs?
+# Count the callbacks that need a thread. The heartbeat needs one for a moment, ten times a second. The planner needs
+# one for 0.8 s at a time. How many threads does `rclpy.spin` use? And if there were two, would rclpy be *allowed* to
+# run `beat` while `on_request` runs?
 #
-# Two things are missing, and each of them alone changes nothing.
+# Your program lacks two things, and neither of them helps without the other.
 #
-# How callbacks run, and how many at once: [About
+# How callbacks run, and how many at the same time: [About
 # executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html)
 # %% [hint]
 # There are two good places for slow work. Choose one.
 #
-# - **A callback group.** `create_subscription(..., callback_group=MutuallyExclusiveCallbackGroup())` for the slow
-#   callback, and a `MultiThreadedExecutor(num_threads=2)` that spins. Do not use a reentrant group: a second search
-#   would then start on the same planner while the first one still runs.
+# - **A callback group.** Pass `callback_group=MutuallyExclusiveCallbackGroup()` to `create_subscription` for the slow
+#   callback. Then spin the node with a `MultiThreadedExecutor(num_threads=2)`. Don't use a reentrant group, because a
+#   second search would start on the same planner while the first one is still running.
 # - **A worker.** The callback only puts the distance into a `queue.Queue` and returns. A `threading.Thread` takes one
-#   distance after another out of it, plans, and publishes. `publish` may be called from any thread.
+#   distance after another from the queue, plans, and publishes. You may call `publish` from any thread.
 #
 # More on groups: [Using callback groups](https://docs.ros.org/en/jazzy/How-To-Guides/Using-callback-groups.html)
 # %% [hint]
-# The first way, with gaps:
+# Here's the first way with gaps:
 #
 # ```python
 # # in __init__
@@ -231,19 +230,19 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **A worker thread with a queue.** The callback returns at once, and `rclpy.spin` may stay as it is. The queue can
-#   hold more than the ten requests of the subscription, and you can check how long it is. You can also check whether
-#   the oldest request is still wanted. But you must take care of the thread: its errors, and its end.
-# - **`ThreadPoolExecutor(max_workers=1)`.** The same in one line: `self.pool.submit(self.work, request.data)`. With one
-#   worker the order is kept. Check the future that `submit` returns, or errors are lost silently.
-# - **One step at a time.** A timer calls `planner.step()` and returns; after the last step it publishes. There are no
-#   threads and no locks, and you can stop a search halfway. It works because a step takes 0.04 s, less than the period
-#   of the heartbeat. Few libraries let you split their work into steps.
-# - **Two processes.** Use one node for the heartbeat and another for the planner. Then nothing in the planner can stop
-#   the heartbeat: not even a crash, or Python code that computes without a pause. This is the right way for the safety
-#   of a real robot.
-# - **The group for the heartbeat.** It does not matter which of the two gets its own group, as long as they are not in
-#   the same group.
-# - **A reentrant group with a lock.** This works, but the order in which threads get a lock is not defined, so the
-#   order of the plans is left to chance. Each waiting request also holds a thread of the executor. With enough of them,
-#   none is left for the heartbeat.
+# - **A worker thread with a queue.** The callback returns right away, and `rclpy.spin` may stay. The queue can hold
+#   more than the ten requests of the subscription, and you can check its length. You can also check whether the oldest
+#   request is still wanted. But you have to take care of the thread: its errors and its end.
+# - **`ThreadPoolExecutor(max_workers=1)`.** This is the same idea in one line: `self.pool.submit(self.work,
+#   request.data)`. With a single worker, the plans stay in order. Check the future that `submit` returns, or errors are
+#   lost silently.
+# - **One step at a time.** A timer callback calls `planner.step()` and returns. After the last step, it publishes the
+#   plan. You need no threads and no locks, and you can stop a search halfway. This works because a step takes 0.04 s,
+#   less than the heartbeat's period. But few libraries let you split their work into steps.
+# - **Two processes.** Use one node for the heartbeat and another for the planner, each in its own process. Then nothing
+#   in the planner can stop the heartbeat: not even a crash, or Python code that computes without a pause. For a real
+#   robot's safety, this is the right way.
+# - **The group for the heartbeat.** Either callback can get its own group, as long as the two aren't in the same group.
+# - **A reentrant group with a lock.** This works, but the order in which threads get a lock isn't defined. So the order
+#   of the plans is left to chance. Each waiting request also occupies a thread of the executor. With enough waiting
+#   requests, no thread is left for the heartbeat.

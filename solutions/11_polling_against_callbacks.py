@@ -1,26 +1,26 @@
 # ---
 # exercise: 11_polling_against_callbacks
-# title: A monitor that does not poll
+# title: A monitor that doesn't poll
 # minutes: 20
 # difficulty: 2
 # kind: program
 # clock: wall
 # objectives:
 #   - recognize polling in a program that almost works
-#   - let a callback act on each message when it comes
-#   - let spin do the waiting
+#   - handle each message in a callback, as soon as it arrives
+#   - leave the waiting to spin
 # out_of_scope:
-#   - what happens after a touch was reported
-#   - messages that are lost between programs (lesson 13)
+#   - what happens after a touch has been reported
+#   - messages that get lost between programs (lesson 13)
 #   - how the program ends, and how the code is written
 # ---
 # %% [markdown]
-# # Exercise 11 · A monitor that does not poll
+# # Exercise 11 · A monitor that doesn't poll
 #
-# The hand of your humanoid has a skin that feels touches and numbers them. A monitor passes each number on to the grip
-# control, which must let go before the egg breaks. But the log shows missing numbers, and some touches reach the grip
-# control after the shell has cracked. You open the program, and find a loop that polls: it looks at the last touch five
-# times a second. Change the program so that it does not poll.
+# Your humanoid's hand has a touch-sensitive skin that gives each touch a number. A monitor forwards every number to the
+# grip control, which must let go before the egg breaks. But the log shows missing numbers, and some touches reach the
+# grip control only after the shell has cracked. You open the program and find a loop that polls: five times a second,
+# it checks which touch arrived last. Rewrite the program so that it doesn't poll.
 #
 # **About 20 minutes · difficulty 2 of 5 · 10 points.** You need lesson
 # [11](../notebooks/11_polling_against_callbacks.ipynb).
@@ -30,32 +30,32 @@
 # | topic | direction | type | content |
 # |---|---|---|---|
 # | `/robot/touch` | received | `Int32` | the number of a touch, such as 7 |
-# | `/monitor/seen` | published | `Int32` | the same number, for each touch, once, at once |
+# | `/monitor/seen` | published | `Int32` | the number of each touch, once, as soon as the touch arrives |
 #
-# Touches may come alone, or a dozen at once, and then none for some seconds. The skin began to count long before your
-# monitor started. It sometimes skips a number, and starts again at 1 each time it is switched on. So a number may come
-# again, and is a new touch then. Report what comes, and nothing else.
+# Touches can arrive one at a time, or a dozen at the same moment, and then there may be none for several seconds. The
+# skin started counting long before your monitor did. It sometimes skips a number, and it restarts at 1 whenever it is
+# switched on. So a number can come up again, and then it stands for a new touch. Report exactly the touches that
+# arrive, and nothing else.
 #
 # ## What is judged
 #
-# Your program runs as its own process for nine seconds. The judge sends 60 touches and records what comes back, and
-# when. For three seconds it sends none.
+# Your program runs in its own process for nine seconds. The judge publishes 60 touches, with one pause of three
+# seconds. It records which reports your program publishes, and when.
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | it subscribes to `/robot/touch` and reports on `/monitor/seen`, both `Int32` |
+# | 1 | the program subscribes to `/robot/touch` and publishes on `/monitor/seen`, both `Int32` |
 # | 3 | no touch is missed |
-# | 2 | no touch is reported twice, and all are reported in order |
+# | 2 | no touch is reported twice, and the reports are in order |
 # | 2 | of the touches that come alone, three in four are reported within 10 ms; of those that come together, half within 200 ms |
 # | 1 | while no touch comes, the program uses less than 5 % of a processor |
 # | 1 | the program is still running when the judge stops watching |
 #
-# **Not part of it:** what the grip control does, lost messages, longer pauses than three seconds, and how your program
-# ends on Ctrl-C. When your program starts, the judge does not see a report that is published before its subscription is
-# connected. It also cannot see whether a loop polls a hundred times a second or a callback is called, but you should
-# remove the polling.
+# **Not part of it:** the grip control, lost messages, pauses longer than three seconds, and how your program ends on
+# Ctrl-C. The judge also misses any report that your program publishes before the judge's subscription is connected. And
+# it can't distinguish a loop that polls a hundred times a second from a callback. Remove the polling anyway.
 # %% [answer]
-"""A monitor that reports each touch of the hand."""
+"""Report each touch of the hand."""
 
 # [solution]
 import rclpy
@@ -71,13 +71,13 @@ from std_msgs.msg import Int32
 
 
 class TouchMonitor(Node):
-    """Reports each touch of the hand.
+    """Report each touch of the hand.
 
     Topics:
-        /monitor/seen (std_msgs/Int32): the number of the touch.
+        /monitor/seen (std_msgs/Int32): the touch's number.
 
     Subscriptions:
-        /robot/touch (std_msgs/Int32): the number of the touch.
+        /robot/touch (std_msgs/Int32): the touch's number.
     """
 
     def __init__(self) -> None:
@@ -87,21 +87,21 @@ class TouchMonitor(Node):
         self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)
         # [starter]
         # | self.create_subscription(Int32, "/robot/touch", self.on_touch, 100)
-        # | self.last = 0  # the touch that came last
+        # | self.last = 0  # the touch that arrived last
         # | self.reported = 0  # the touch that was reported last
         # [end]
 
     # [solution]
     def on_touch(self, touch: Int32) -> None:
-        """Report the touch, as soon as it comes."""
+        """Report the touch as soon as it arrives."""
         self.seen_publisher.publish(Int32(data=touch.data))
     # [starter]
     # | def on_touch(self, touch: Int32) -> None:
-    # |     """Keep the touch until the loop looks at it."""
+    # |     """Store the touch until the loop checks it."""
     # |     self.last = touch.data
     # |
     # | def look(self) -> None:
-    # |     """Report the last touch, if it is a new one."""
+    # |     """Report the last touch if it's new."""
     # |     if self.last != self.reported:
     # |         self.reported = self.last
     # |         self.seen_publisher.publish(Int32(data=self.reported))
@@ -120,7 +120,7 @@ def main(args: list[str] | None = None) -> None:
         rclpy.try_shutdown()
 # [starter]
 # | def receive(monitor: TouchMonitor) -> None:
-# |     """Let the monitor receive, in a thread beside the loop."""
+# |     """Spin the monitor in a second thread, so that it receives touches while the loop runs."""
 # |     try:
 # |         rclpy.spin(monitor)
 # |     except ExternalShutdownException:
@@ -134,7 +134,7 @@ def main(args: list[str] | None = None) -> None:
 # |     receiving = threading.Thread(target=receive, args=(monitor,))
 # |     receiving.start()
 # |     try:
-# |         while rclpy.ok():  # TODO: do not poll
+# |         while rclpy.ok():  # TODO: don't poll
 # |             monitor.look()
 # |             time.sleep(0.2)
 # |     except KeyboardInterrupt:
@@ -165,21 +165,21 @@ if __name__ == "__main__":
 # await run(hand, seconds=1)
 # print("touches 1 to 10, seen:", seen)
 # %% [hint]
-# Follow one touch through the program. It arrives, and `on_touch` is called at once, for each touch. So far all is
-# well. What does `on_touch` do with it? Which function reports it, and when? Everything that goes wrong goes wrong
-# between these two.
+# Follow one touch through the program. When it arrives, rclpy calls `on_touch` right away, once for each touch. So far,
+# so good. What does `on_touch` do with the touch? Which function reports it, and when? Everything that goes wrong
+# happens between these two functions.
 #
-# What a subscription does when a message comes: [About
+# What a subscription does when a message arrives: [About
 # topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html)
 # %% [hint]
-# - `on_touch` gets the message. It can publish: `self.seen_publisher.publish(...)` works in any callback.
-# - Then you no longer need `last`, `reported` and `look`, or the loop in `main`.
-# - Without the loop, the main thread can do what the other thread does. Then you need only one thread.
-# - Keep the depth of 100: a dozen touches may wait at the same time.
+# - `on_touch` receives the message, and it may publish, too: `self.seen_publisher.publish(...)` works in any callback.
+# - Then you no longer need `last`, `reported`, `look`, or the loop in `main`.
+# - Without the loop, the main thread can spin the node itself, so one thread is enough.
+# - Keep the queue depth of 100, because a dozen touches may be waiting at the same time.
 #
 # What a node offers: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
 # %% [hint]
-# The rest of the program, with gaps:
+# Here's the rest of the program with gaps:
 #
 # ```python
 #     def on_touch(self, touch: Int32) -> None:
@@ -201,15 +201,16 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **`self.create_subscription(Int32, "/robot/touch", self.seen_publisher.publish, 100)`.** The message is passed on
-#   unchanged, without a method in between. This is short, and right as long as nothing has to be done with the message.
+# - **`self.create_subscription(Int32, "/robot/touch", self.seen_publisher.publish, 100)`.** The publisher's own method
+#   is the callback, so each message is forwarded unchanged. This is short, and it's right as long as the message needs
+#   no processing.
 # - **A queue and a worker thread.** `on_touch` puts the number into a `queue.Queue`, and a thread that waits in `get()`
-#   reports it. `get()` does not poll either: it sleeps until something is there. This is right when reporting takes
-#   long (lesson 10). For one `publish` it is not needed.
-# - **A loop around `spin_once(timeout_sec=1.0)`.** `spin_once` waits inside, so this is quick and uses no processor
-#   time. `rclpy.spin` is the same loop.
-# - **A condition variable.** You can keep the loop of the starter: let it wait in `condition.wait()` instead of
-#   `sleep`, and let the callback notify it. With a list of all touches it misses nothing. But much can go wrong, for
-#   little gain.
-# - **A faster loop.** It is quicker and uses more processor time, but it still misses touches that come together. No
+#   reports it. This isn't polling: `get()` sleeps until the queue has an item. It's right when reporting takes long
+#   (lesson 10), but you don't need it for a single `publish`.
+# - **A loop around `spin_once(timeout_sec=1.0)`.** `spin_once` waits for messages, so this loop reacts fast and uses no
+#   CPU time while it waits. `rclpy.spin` is the same kind of loop.
+# - **A condition variable.** You can keep the starter's loop if it waits in `condition.wait()` instead of `sleep`, and
+#   the callback notifies it. With a list of all touches, it misses none. But there's little to gain, and much that can
+#   go wrong.
+# - **A faster loop.** It reports sooner and uses more CPU time, but it still misses touches that arrive together. No
 #   sleep is short enough.

@@ -7,69 +7,72 @@
 # clock: wall
 # objectives:
 #   - call a service from a timer without holding up the node
-#   - report each answer as soon as it comes, and only once
-#   - give up on a call that is not answered, and continue with the next
+#   - report each response as soon as it arrives, and only once
+#   - give up on a request that gets no response, and continue with the next one
 # out_of_scope:
 #   - offering a service; another program offers the self-test
-#   - waiting until the service is there; it already is
+#   - waiting until the service is available; it already is
 #   - how the program ends (lesson 01 judges that) and how the code is written
 # ---
 # %% [markdown]
 # # Exercise 12 · A self-test every second
 #
-# The humanoid can test itself. When its service `/robot/self_test` is called, it moves each joint a little and reports
-# whether all is well. Usually the answer comes at once. Sometimes it takes a while. And sometimes the motor controller
-# restarts at the wrong moment, and no answer ever comes. You write the node that calls the service once a second and
-# reports the result to the control room. The control room also needs a heartbeat from your node, five times a second,
-# and switches the robot off when the heartbeat stops. So whatever happens to a call, the heartbeat must continue.
+# The humanoid can test itself: when its service `/robot/self_test` is called, it moves each joint a little and responds
+# with the result. Usually, the response arrives right away. Sometimes it takes a while. And sometimes the motor
+# controller restarts at the wrong moment, and there is never a response. You write the node that calls the service once
+# a second and reports each result to the control room. The control room also expects a heartbeat from your node five
+# times a second, and it switches the robot off when the heartbeat stops. So whatever happens to a call, the heartbeat
+# must continue.
 #
-# **About 25 minutes · difficulty 3 of 5 · 10 points.** You need lesson
-# [12](../notebooks/12_services.ipynb).
+# **About 25 minutes · difficulty 3 of 5 · 10 points.** You need lesson [12](../notebooks/12_services.ipynb).
 #
 # ## What to build
 #
-# | name | type | what |
+# | name | type | use |
 # |---|---|---|
 # | `/robot/self_test` | service, `std_srvs/srv/Trigger` | your node calls it once a second |
 # | `/robot/health` | topic, `String` | one message for each call: `ok`, `faulty` or `no answer` |
-# | `/robot/heartbeat` | topic, `String` | 5 Hz, whatever happens; any text. It is given |
+# | `/robot/heartbeat` | topic, `String` | 5 Hz, whatever happens; any text. The starter has it already |
 #
-# - Publish `ok` when the field `success` of the response is true, `faulty` when it is not. (The text in `message` is
-#   for people, and the same text may come with both.) Report each answer when it comes, at most 0.8 s later, and only
-#   once. Report it even when it is the same as the one before.
-# - An answer may take 0.8 s. If it has not come one second after the call, it will never come. Then publish
-#   `no answer`, once for each such call: no earlier than 0.8 s and no later than 2 s after the call. Then continue with
-#   the next calls. (While you wait for an answer, you may skip one call.)
+# - When a response arrives, publish `ok` if its field `success` is true, and `faulty` otherwise. (The field `message`
+#   is meant for people. The same text may come with either result.) Report each response when it comes, at most 0.8 s
+#   later, and only once. Report it even if it's the same as the one before.
+# - A response may take 0.8 s. If it hasn't arrived one second after the call, it never will. Then publish `no answer`,
+#   once for each such call: no earlier than 0.8 s and no later than 2 s after the call. After that, continue with the
+#   next calls. (While you wait for a response, you may skip one call.)
 #
 # ## What is judged
 #
-# Your program runs as its own process for twelve and a half real seconds. The judge offers the service: it answers some
-# calls at once, some after 0.7 s, and some never.
+# Your program runs in its own process for twelve and a half real seconds. The judge offers the service. It responds to
+# some calls right away, to some after 0.7 s, and to some never.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | the program is still running when the judge stops watching |
 # | 1 | calls of `/robot/self_test` arrive, again and again |
-# | 1 | they come once a second, even after a call without an answer |
-# | 1 | `/robot/health` exists, carries `String`, and says only the three words |
-# | 2 | each answer is reported: right, in time and once |
-# | 2 | `no answer` is reported in time, and only for calls that got no answer |
-# | 2 | the heartbeat comes at 5 Hz, even while a call waits for its answer |
+# | 1 | there is one call per second, even after a call without a response |
+# | 1 | `/robot/health` exists, carries `String`, and carries only the three words |
+# | 2 | each response is reported: correctly, in time, and once |
+# | 2 | `no answer` is reported in time, and only for calls that got no response |
+# | 2 | the heartbeat comes at 5 Hz, even while a call waits for its response |
 #
-# These tolerances allow for busy machines. Once a second means typically 0.9 to 1.1 s from one call to the next. At
-# most one pause is over 1.4 s, and none reaches 2.5 s. One exception: after a call without an answer, each pause may be
-# up to 2.5 s. In all, there is at most one call for every 0.9 s (rounded, and not counting the first). A report may be
-# 0.1 s later than stated above, and one of them 0.8 s later. A `no answer` may be 0.3 s later, or 0.1 s earlier. Where
-# every `no answer` is early, 0.03 s is the limit. 5 Hz means 90 % to 110 % of the beats, typically one every 0.18 to
-# 0.22 s. The last one comes at most 0.9 s before the end. While calls are open, 60 % of the beats are enough.
+# These tolerances allow for busy machines:
 #
-# The program may have any form: callbacks, `await`, threads, several nodes.
+# - **Once a second** means typically 0.9 to 1.1 s from one call to the next. At most one pause is over 1.4 s, and none
+#   reaches 2.5 s. One exception: after a call without a response, each pause may be up to 2.5 s. In all, there is at
+#   most one call for every 0.9 s (rounded, and not counting the first).
+# - **A report** may be 0.1 s later than stated above, and one of them 0.8 s later. A `no answer` may be 0.3 s later, or
+#   0.1 s earlier. Where every `no answer` is early, 0.03 s is the limit.
+# - **5 Hz** means 90 % to 110 % of the beats, typically one every 0.18 to 0.22 s. The last one comes at most 0.9 s
+#   before the end. While calls are open, 60 % of the beats are enough.
 #
-# **Not part of it:** offering a service, waiting for the service to appear, and what the text of a heartbeat says.
-# How your program ends on Ctrl-C is not judged either. Nor is a `no answer` in the first 2.5 s: it may belong to a call
-# that was sent before the judge was connected.
+# You may structure the program in any way: with callbacks, `await`, threads, or several nodes.
+#
+# **Not part of it:** offering a service, waiting until the service is available, the text of a heartbeat, and how your
+# program ends on Ctrl-C. A `no answer` in the first 2.5 s isn't judged either, because it may belong to a call that was
+# sent before the judge was connected.
 # %% [answer]
-"""Calls the self-test of the robot once a second, and reports the result to the control room."""
+"""Call the robot's self-test once a second, and report each result to the control room."""
 
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -89,7 +92,7 @@ ASK_PERIOD_S = 1.0
 
 
 class HealthMonitor(Node):
-    """Asks for a self-test again and again, and reports each result.
+    """Request a self-test once a second, and report each result.
 
     Topics:
         /robot/heartbeat (std_msgs/String), 5 Hz: "alive".
@@ -115,12 +118,12 @@ class HealthMonitor(Node):
         # [end]
 
     def beat(self) -> None:
-        """Say that this node lives."""
+        """Publish a sign of life."""
         self.heartbeat_publisher.publish(String(data="alive"))
 
     # [solution]
     def ask(self) -> None:
-        """Give up the last call if it is still open, then send the next request. Does not wait."""
+        """Give up on the last call if it's still open, then send the next request. Don't wait for the response."""
         if self.open_call is not None:
             self.self_test.remove_pending_request(self.open_call)
             self.report("no answer")
@@ -128,7 +131,7 @@ class HealthMonitor(Node):
         self.open_call.add_done_callback(self.on_answer)
 
     def on_answer(self, future: Future) -> None:
-        """Report the result, unless this call has been given up."""
+        """Report the result, unless we've given up on this call."""
         if future is not self.open_call:
             return
         self.open_call = None
@@ -139,8 +142,8 @@ class HealthMonitor(Node):
         self.health_publisher.publish(String(data=health))
 
     # [starter]
-    # | # TODO 4: the method that your timer calls. It sends the request, and returns at once.
-    # | # TODO 5: what runs when the answer comes? And what notices that there is none?
+    # | # TODO 4: the method that your timer calls. It sends the request and returns right away.
+    # | # TODO 5: which method runs when the response arrives? And which one notices that none has arrived?
     # |
     # [end]
 
@@ -167,24 +170,26 @@ if __name__ == "__main__":
 # %start
 # # When your node publishes: topic_echo("/robot/health", count=5, timeout=10)
 # %% [hint]
-# The heartbeat and the request share one thread. So the method that sends the request must not wait: not with `call()`,
-# not in a loop, not in a spin. It sends the request and returns. Something else must run when the answer comes.
+# The heartbeat and the requests share one thread. So the method that sends a request must not wait: not in `call()`,
+# not in a loop, and not in a spin function. It sends the request and returns. Other code must run when the response
+# arrives.
 #
-# What about an answer that never comes? Nothing calls your code for it. But one method of your node already runs once a
-# second. What could it check?
+# And if no response ever arrives? Then rclpy calls none of your methods for it. But one method of your node already
+# runs once a second. What could it check?
 #
 # Services and clients: [About services](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Services.html)
 # %% [hint]
-# - `future = self.self_test.call_async(Trigger.Request())` sends the request and gives you a future at once.
-# - `future.add_done_callback(self.on_answer)`: rclpy calls `self.on_answer(future)` when the answer is there. Its
-#   `future.result()` is the response, with the fields `success` and `message`.
-# - Store the future in an attribute. If that future is still open when the timer fires again, its time is up.
-# - A call that you have given up on should not call you back later: `self.self_test.remove_pending_request(future)`.
+# - `future = self.self_test.call_async(Trigger.Request())` sends the request and returns a future right away.
+# - After `future.add_done_callback(self.on_answer)`, rclpy calls `self.on_answer(future)` when the response has
+#   arrived. `future.result()` is then the response, with the fields `success` and `message`.
+# - Store the future in an attribute. If it's still there when the timer fires again, the call has run out of time.
+# - After you've given up on a call, its late response should no longer call your method. Use
+#   `self.self_test.remove_pending_request(future)`.
 #
-# Why not simply `call()`: [Synchronous vs. asynchronous service
+# Why you can't simply use `call()`: [Synchronous vs. asynchronous service
 # clients](https://docs.ros.org/en/jazzy/How-To-Guides/Sync-Vs-Async.html)
 # %% [hint]
-# The two methods, with gaps:
+# Here are the two methods with gaps:
 #
 # ```python
 # def ask(self) -> None:
@@ -204,20 +209,21 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **`await` in a callback of its own group.** `response = await self.self_test.call_async(...)` reads in order, from
-#   request to response. The client needs a different callback group from the callback that waits, and the heartbeat
-#   must not be in that group either. `await` has no timeout: a second timer must `cancel()` the future, or the method
-#   waits forever.
-# - **`call(request, timeout_sec=0.9)` with threads.** This is the shortest code: it waits, and returns `None` when
-#   nothing came. It needs a thread that only waits, a `MultiThreadedExecutor`, and the right callback groups for timer,
-#   client and heartbeat. In your own thread, outside all callbacks, it is simpler still.
-# - **Look at the future from time to time.** The heartbeat runs five times a second and can check `future.done()`. This
-#   needs no done callback and no group, but an answer may be reported up to 0.2 s later.
-# - **Several calls open at a time.** With a dictionary from future to the time of the call, you can send the next
-#   request while an old one is still open. You need this when answers may take longer than the period. Then think about
-#   the order: an old answer may come after a new one.
-# - **`spin_until_future_complete` in the callback.** Do not do this. In the default group it never gets the answer.
-#   With its own group it gets the answer, but it spins the node a second time from inside. It takes the node away from
-#   its executor, and then nothing spins the node.
-# - **A topic instead.** If the robot published its health once a second, no requests would be needed, and any number of
-#   nodes could subscribe. Use a service when the work is done only on request.
+# - **`await` in a callback with its own group.** With `response = await self.self_test.call_async(...)`, the code reads
+#   in order, from request to response. The client needs a different callback group than the callback that waits, and
+#   the heartbeat must not be in that callback's group either. `await` has no timeout, so a second timer must `cancel()`
+#   the future, or the method waits forever.
+# - **`call(request, timeout_sec=0.9)` with threads.** This is the shortest code: `call` waits, and it returns `None` if
+#   no response arrives in time. It occupies a thread while it waits. So it needs a `MultiThreadedExecutor` and the
+#   right callback groups for the timer, the client, and the heartbeat. In a thread of your own, outside of all
+#   callbacks, it's simpler still.
+# - **Check the future regularly.** The heartbeat's callback runs five times a second, so it can check `future.done()`.
+#   You need no done callback and no group, but you may report a response up to 0.2 s late.
+# - **Several open calls.** Store each future with the time of its call in a dictionary. Then you can send the next
+#   request while an older one is still open. You need this when responses may take longer than the period. Consider the
+#   order, because the response to an older request may arrive after a newer one.
+# - **`spin_until_future_complete` in the callback.** Don't do this. In the default group, the client never receives the
+#   response. With a group of its own, it does. But the call removes the node from its executor, and after that, nothing
+#   spins the node.
+# - **A topic instead.** If the robot published its health once a second, you'd need no requests, and any number of
+#   nodes could subscribe. Use a service when the work is to be done only on request.

@@ -7,27 +7,26 @@
 # clock: wall
 # objectives:
 #   - request the right QoS for each topic
-#   - receive the last status at once, although it was published before the program started
-#   - notice a silence, which calls no callback
+#   - receive the last status right away, although it was published before the program started
+#   - detect a silence, although no message calls a callback
 #   - keep the last message for subscriptions that come even later
 # out_of_scope:
 #   - what the robot should do after an alarm
-#   - liveliness and lifespan, and settings of one DDS implementation
+#   - liveliness and lifespan, and settings that only one DDS implementation has
 #   - how the program ends on Ctrl-C (lesson 01 judges that)
 # ---
 # %% [markdown]
 # # Exercise 13 · The late dashboard
 #
-# The night nurse comes on duty and switches on the dashboard of the ward robot. The robot has been up for hours. It
-# published `operational` this morning, and has not needed to publish its status again. The nurse wants to see it *now*.
-# And if the robot's heartbeat stops in the middle of the night, the dashboard must raise an alarm within three seconds.
-# It must not raise one for every short delay, or she will soon ignore it. And an alarm must not last forever: when the
-# heart beats again, it is over.
+# The night nurse comes on duty and starts the ward robot's dashboard. The robot has been running for hours. It
+# published `operational` this morning, and its status hasn't changed since then. The nurse wants to see that status
+# *now*. If the robot's heartbeat stops in the middle of the night, the dashboard must raise an alarm within three
+# seconds. It must not raise one for every short delay, or the nurse will soon ignore it. And an alarm must not last
+# forever: when the heart beats again, the alarm is over.
 #
-# **About 30 minutes · difficulty 3 of 5 · 10 points.** You need lesson
-# [13](../notebooks/13_qos_and_discovery.ipynb).
+# **About 30 minutes · difficulty 3 of 5 · 10 points.** You need lesson [13](../notebooks/13_qos_and_discovery.ipynb).
 #
-# ## What there is
+# ## The robot's topics
 #
 # | topic | type | what the robot publishes | what QoS it offers |
 # |---|---|---|---|
@@ -38,42 +37,42 @@
 #
 # | topic | type | when | content |
 # |---|---|---|---|
-# | `/dashboard/line` | `String` | 2 Hz, always | the last status that it has received, for example `status: error`; `unknown` until the first one arrives; never two of these words in one line |
+# | `/dashboard/line` | `String` | 2 Hz, always | the last status that the dashboard has received, for example `status: error`; `unknown` until the first one arrives; never two of these words in one line |
 # | `/dashboard/alarm` | `Bool` | when it changes, or more often | see below; kept for late subscriptions |
 #
-# At most 1 s after the start, the line must show a status from before the program started. A new status must be there
-# at most 0.8 s after the robot has published it.
+# At most 1 s after the start, the line must show a status that was published before the program started. A new status
+# must appear at most 0.8 s after the robot has published it.
 #
-# The alarm is raised (`True`) when no beat has come for about 2 s. It is raised no earlier than 1 s and no later than 3
-# s after the last beat. It lasts until the heart beats again, and ends (`False`) at most 1.5 s after that. Before the
-# first beat it may have any value.
+# The alarm is raised (`True`) when no beat has arrived for about 2 s. It is raised no earlier than 1 s and no later
+# than 3 s after the last beat. It lasts until the heart beats again, and ends (`False`) at most 1.5 s after that.
+# Before the first beat, the alarm may have either value.
 #
 # ## What is judged
 #
-# Your program runs as its own process, for fifteen real seconds. The judge plays the robot. It has published its status
-# before your program starts, and changes it several times. One beat comes late, and twice the heart stops for almost
-# four seconds. Each time it beats again.
+# Your program runs as its own process, for fifteen real seconds. The judge plays the robot. It has published its
+# status before your program starts, and it changes the status several times. One beat comes late, and the heartbeat
+# stops twice, for almost four seconds each time. After each stop, the heart beats again.
 #
 # | points | criterion |
 # |---:|---|
 # | 1 | `/dashboard/line` exists and carries `String` |
-# | 1 | the line comes at 2 Hz, and continues during an alarm |
-# | 2 | it shows at once the status from before it started |
+# | 1 | the line is published at 2 Hz, even during an alarm |
+# | 2 | right away, the line shows the status from before the start |
 # | 1 | the line follows when the status changes |
-# | 1 | it receives the heartbeat |
+# | 1 | the program receives the heartbeat |
 # | 1 | `/dashboard/alarm` carries `Bool`, and is kept for late subscriptions (reliable, transient local) |
 # | 1 | the alarm is raised within 3 s of silence |
-# | 1 | no alarm before it is due |
+# | 1 | the alarm isn't raised too early |
 # | 1 | the alarm ends when the heart beats again |
 #
 # These tolerances allow for busy machines. 2 Hz means 1.8 to 2.2 Hz, typically one line every 0.45 to 0.55 s, and no
-# silence over 1.25 s. Alarms may be raised, and end, 0.2 s later than stated above. Your program counts as started when the
-# judge has found its topics.
+# silence over 1.25 s. Alarms may be raised, and end, 0.2 s later than stated above. Your program counts as started
+# when the judge has discovered its topics.
 #
 # **Not part of it:**
 #
-# - what the line says in the first second, and whether it comes then. (The judge's robot has published its status
-#   before, so the judge never sees `unknown`.)
+# - the line's content in the first second, and whether there is a line by then. (The judge's robot has published its
+#   status before, so the judge never sees `unknown`.)
 # - whether the alarm is published more often than it changes
 # - how your program ends
 # %% [answer]
@@ -172,26 +171,27 @@ if __name__ == "__main__":
 #     print(message.data)
 # stop(heartbeat)
 # %% [hint]
-# There are two topics with two offers, so you need two QoS profiles. Look at the table *What there is*. For each row:
-# what do you need, and is it no more than the robot offers? A plain `10` requests reliable, and no earlier messages.
+# There are two topics with two different offers, so you need two QoS profiles. Look at the table *The robot's
+# topics*. For each row, decide what you need, and check that the robot offers at least that. A plain `10` requests
+# reliable, and it doesn't request earlier messages.
 #
-# The alarm needs something else. A callback is called when a message comes. During the silence none comes. What in a
-# node calls your code without a message?
+# The alarm needs something else. rclpy calls a subscription's callback when a message arrives, but during the
+# silence, none arrives. What else in a node can call your code?
 #
 # All policies with their defaults: [About quality of service
 # settings](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html)
 # %% [hint]
-# - **Status at once:** `QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)` for the subscription. Use the
-#   same profile for the publisher of your alarm, for the same reason.
-# - **Heartbeat:** `reliability=ReliabilityPolicy.BEST_EFFORT`, or `qos_profile_sensor_data`.
-# - **Silence:** either a timer that compares `time.monotonic()` with the time of the last beat, or
+# - **The earlier status:** Use `QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)` for the
+#   subscription. Use the same profile for the publisher of your alarm, because other subscriptions may be late, too.
+# - **The heartbeat:** Use `reliability=ReliabilityPolicy.BEST_EFFORT`, or `qos_profile_sensor_data`.
+# - **The silence:** Use a timer that compares `time.monotonic()` with the time of the last beat, or
 #   `SubscriptionEventCallbacks(deadline=...)`. If you request a deadline, it must not be shorter than the offered 0.5
-#   s. Its event comes again and again until the next beat.
-# - **The end of the alarm:** there is no event for it. The alarm ends when a beat comes.
+#   s. Its event occurs again and again until the next beat.
+# - **The end of the alarm:** There's no event for it. The alarm ends when a beat arrives.
 #
 # Publishers and subscriptions with their QoS: [rclpy](https://docs.ros.org/en/jazzy/p/rclpy)
 # %% [hint]
-# With gaps:
+# Here's the solution with gaps:
 #
 # ```python
 # STATE_QOS = QoSProfile(depth=1, durability=DurabilityPolicy.___)
@@ -214,27 +214,27 @@ if __name__ == "__main__":
 #             self.alarm_publisher.publish(Bool(data=___))
 # ```
 #
-# `QoSProfile`, `DurabilityPolicy` and `ReliabilityPolicy` come from `rclpy.qos`. Why late subscriptions need them:
+# `QoSProfile`, `DurabilityPolicy`, and `ReliabilityPolicy` come from `rclpy.qos`. Why late subscriptions need them:
 # [About quality of service
 # settings](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html)
 # %% [alternatives]
 # ## Other good ways
 #
-# - **The deadline event.** `QoSProfile(..., deadline=Duration(seconds=2.0))` and
+# - **The deadline event.** Use `QoSProfile(..., deadline=Duration(seconds=2.0))` and
 #   `event_callbacks=SubscriptionEventCallbacks(deadline=self.on_missed)`. The middleware measures the time, so your
-#   node needs no clock. But the publisher must offer a deadline, or you receive nothing at all, and only a line in the
-#   log tells you. The deadline starts with the first message.
-# - **A timer that is reset.** `self.watchdog = self.create_timer(2.0, self.on_silence)`, and `self.watchdog.reset()` at
-#   every beat. It fires only when it was not reset for 2 s. This is short and clear. It also fires if no beat ever
-#   came.
+#   node needs no clock. But the publisher must offer a deadline. If it doesn't, you receive nothing at all, and only
+#   one line in the log tells you so. Also, DDS measures the deadline only from the first message.
+# - **A timer that is reset.** Create `self.watchdog = self.create_timer(2.0, self.on_silence)`, and call
+#   `self.watchdog.reset()` at every beat. The timer fires only if it hasn't been reset for 2 s. This is short and
+#   clear. It also fires if there was never a beat.
 # - **`last_beat = None` until the first beat,** and no alarm before it. A dashboard that starts before the robot then
-#   raises no alarm. This gets full marks here. But a heart that stopped before the dashboard started is then never
-#   reported.
-# - **Publish the alarm on every tick,** changed or not. Then a subscriber can distinguish "all is well" from "the
-#   dashboard is dead", and a lost message does no harm. Publishing only on change, with transient local, needs fewer
-#   messages. Many robots do both.
+#   raises no alarm. This gets full marks here. But if the heartbeat stopped before the dashboard started, the
+#   dashboard never reports that.
+# - **Publish the alarm on every tick,** even if it hasn't changed. Then a subscriber can distinguish "all is well"
+#   from "the dashboard is dead", and a lost message does no harm. Publishing only changes, with transient local,
+#   needs fewer messages. Many robots do both.
 # - **`self.get_clock().now()` instead of `time.monotonic()`.** It follows simulated time, so the node works in
-#   simulation and can be tested at twenty times the speed. On a real robot this clock may be set while it runs;
-#   `time.monotonic()` never jumps.
-# - **Liveliness.** This policy reports whether the *program* of the publisher still runs, not whether its messages
-#   come. It does not notice a heartbeat that stops in a running program.
+#   simulation, and you can test it at twenty times real-time speed. On a real robot, this clock may be adjusted while
+#   the node runs, but `time.monotonic()` never jumps.
+# - **Liveliness.** This policy reports whether the publisher's *program* is still running, not whether its messages
+#   arrive. So it doesn't detect a heartbeat that stops in a running program.

@@ -6,78 +6,91 @@
 # kind: program
 # clock: wall
 # objectives:
-#   - turn the bytes of an Image into pixels, whatever its encoding and its step
-#   - find a ball by its color and its outline, in light that changes
-#   - turn a pixel into a direction, and give it the stamp of its picture
-#   - say that there is no ball, and refuse what the node cannot read
+#   - turn an Image's bytes into pixels, whatever its encoding and step
+#   - find a ball by its color and shape in changing light
+#   - turn a pixel into a direction, and stamp it with its image's stamp
+#   - report that there's no ball, and refuse unreadable images
 # out_of_scope:
 #   - how far away the ball is, and where it will be next
-#   - lenses that bend straight lines (`CameraInfo` describes them)
+#   - lens distortion (`CameraInfo` describes it)
 #   - a ball that is partly hidden
 #   - how the program ends (lesson 01 judges that)
 # ---
 # %% [markdown]
 # # Exercise 15 · Eyes on the ball
 #
-# A ball rolls over the desk, and the robot should look at it. Its camera works, and takes 30 pictures a second. The
-# node between the camera and the neck is missing. It finds the ball in each picture, and says in which direction it
-# lies. If it reports a ball that is not there, the robot reaches into the void. So the node must also say when there
-# is no ball.
+# A ball rolls across the desk, and the robot should look at it. The camera works and takes 30 images a second, but the
+# node between the camera and the neck is missing. That node finds the ball in each image and publishes the ball's
+# direction. If it reports a ball that isn't there, the robot reaches into the void. So the node must also report when
+# there's no ball.
 #
 # **About 45 minutes · difficulty 4 of 5 · 10 points.** You need lesson [15](../notebooks/15_camera.ipynb).
 #
 # ## What to build
 #
-# One program that is spun until Ctrl-C ends it.
+# Write one program that is spun until Ctrl-C ends it.
 #
 # | topic | type | your node | content |
 # |---|---|---|---|
-# | `/camera/image` | `Image` | listens | 30 pictures a second, 160 columns by 120 rows |
-# | `/robot/ball_direction` | `Vector3Stamped` | speaks | for each picture that it can read, one direction |
+# | `/camera/image` | `Image` | subscribes | 30 images a second, 160 columns by 120 rows |
+# | `/robot/ball_direction` | `Vector3Stamped` | publishes | one direction for each image that it can read |
 #
-# `Image` is in `sensor_msgs.msg`, `Vector3Stamped` in `geometry_msgs.msg`.
+# `Image` is in `sensor_msgs.msg`, `Vector3Stamped` in `geometry_msgs.msg`. The judge publishes its images with reliable,
+# volatile QoS and a depth of 100. The starter requests best effort, which is compatible with that. It also works with
+# real cameras, which often offer only best effort.
 #
-# **The scene.** The ball is orange. On the desk there are also a blue ball and a brick that is just as orange as the
-# ball. The brick lies anywhere: farther away than the ball, or nearer. The robot's own gray hands come into view. The
-# light changes between bright and dim (40 % as bright), and gets a little warmer or colder. There is at most one orange
+# **The scene.** The ball is orange. On the desk, there are also a blue ball and a brick that's just as orange as the
+# ball. The brick can be farther away than the ball, or nearer. But the two never overlap in the image, so you'll never
+# see an orange ball in front of an orange brick. The robot's own gray hands come into view. There is at most one orange
 # ball, and it is never partly hidden. It is at least 11 pixels wide.
+#
+# **The light.** Its brightness ranges from 40 % to 110 % of a bright day's. Its color gets a little warmer or colder.
 #
 # **The camera.** It follows the pinhole model, with a focal length of 140 pixels. Column 79.5, row 59.5 looks straight
 # ahead, where (0, 0) is the middle of the pixel at the upper left.
 #
 # | your node | so that |
 # |---|---|
-# | publishes the direction of the ball as a vector of length 1 | x to the right, y down, z forward; the length is within 0.02 |
-# | is right | each direction is within 1.0° of the middle of the ball |
-# | says "no ball" where there is none | the vector is (0, 0, 0) |
-# | keeps the stamp of the picture | each answer has the header's stamp of its picture |
-# | keeps up with 30 pictures a second | at least 80 % of them are answered, each once; typically within 0.1 s, and nine of ten within 0.4 s |
-# | reads `rgb8` and `bgr8` | the order of the colors is that of the encoding; it may change from picture to picture |
-# | obeys `step` | the rows of some pictures have 32 unused bytes at their end |
-# | refuses every other encoding | nothing is published for the picture, a line in the log names the encoding, and the node lives on |
+# | publishes the ball's direction as a vector of length 1 | x points right, y down, z forward |
+# | is accurate | each direction points to the middle of the ball |
+# | reports "no ball" if there is none | the vector is (0, 0, 0) |
+# | copies the image's stamp | each direction's header has the stamp of its image |
+# | keeps up with 30 images a second | most of them are answered right away, each once |
+# | reads `rgb8` and `bgr8` | the encoding gives the order of the colors; it may change from image to image |
+# | obeys `step` | the rows of some images have 32 unused bytes at their end |
+# | refuses every other encoding | nothing is published for the image, a line in the log names the encoding, and the node keeps running |
 #
 # ## What is judged
 #
-# Your program runs as a process of its own. The judge is the camera: it publishes 195 pictures that you have not seen,
-# of the kind above. Some are encoded as something else. It knows where the ball is, and compares.
+# Your program runs as its own process. The judge is the camera: it publishes 195 images that you haven't seen. Some of
+# them have another encoding. The judge knows where the ball is and compares.
 #
 # | points | criterion |
 # |---:|---|
-# | 1 | it listens to `/camera/image`, with the type `Image`, and `/robot/ball_direction` carries `Vector3Stamped` |
-# | 1 | each direction has the stamp of its picture, and each picture has one direction |
-# | 1 | it keeps up with 30 pictures a second |
-# | 1 | it refuses other encodings with a line in the log, and lives on |
-# | 2 | in good light, an `rgb8` picture leads to the right direction |
-# | 1 | the same in changing light |
-# | 1 | the same for `bgr8` |
-# | 1 | the same for rows with padding |
-# | 1 | where there is no ball, it says so |
+# | 1 | it subscribes to `/camera/image` with the type `Image`, and publishes `Vector3Stamped` on `/robot/ball_direction` |
+# | 1 | each direction has the stamp of its image, and each image has one direction |
+# | 1 | it keeps up with 30 images a second |
+# | 1 | it refuses other encodings with a line in the log, and keeps running |
+# | 2 | in good light, the direction for an `rgb8` image is correct |
+# | 1 | in changing light, the direction is correct |
+# | 1 | for `bgr8`, the direction is correct |
+# | 1 | for rows with padding, the direction is correct |
+# | 1 | if there is no ball, it reports that |
 #
-# "Good light" means bright light and no padding. Changing light and padding are judged only when the direction is
-# right in good light. Padding is judged in both encodings. But in `bgr8` it counts only when the direction is right for
-# `bgr8` without padding.
+# Changing light and padding are judged only if the direction is correct in good light. Padding is judged in both
+# encodings. But in `bgr8` it counts only if the direction is correct for `bgr8` without padding.
 #
 # **Not part of it:** how far away the ball is, lenses, a ball that is partly hidden, and how your program ends.
+#
+# **Tolerances**
+#
+# | requirement or term | limit |
+# |---|---|
+# | length of the vector | it is within 0.02 of 1 |
+# | accuracy | each direction is within 1.0° of the middle of the ball |
+# | share of answers | at least 80 % of the readable images are answered |
+# | delay | at least half of the answers come within 0.1 s of their image, and nine of ten within 0.4 s |
+# | good light | at least 70 % as bright as a bright day, and no padding |
 # %% [answer]
 """Looks at the pictures of a camera, and publishes in which direction the orange ball lies."""
 
@@ -119,7 +132,7 @@ def find_ball(image: Image) -> tuple[float, float] | None:
     return None
     # [starter]
     # | # TODO 1: turn image.data into pixels; mind image.step and image.encoding
-    # | # TODO 2: find what is orange, and which part of that is round
+    # | # TODO 2: find the orange pixels, and the round outline among them
     # | return CENTER
     # [end]
 
@@ -158,7 +171,7 @@ class BallTracker(Node):
             self.get_logger().error(f"I cannot read {image.encoding}", throttle_duration_sec=1.0)
             return
         # [starter]
-        # | # TODO 4: refuse an encoding that you cannot read
+        # | # TODO 4: refuse an encoding that you can't read
         # [end]
         answer = Vector3Stamped(header=image.header)
         ball = find_ball(image)
@@ -166,7 +179,7 @@ class BallTracker(Node):
         if ball is not None:
             answer.vector.x, answer.vector.y, answer.vector.z = direction(*ball)
         # [starter]
-        # | # TODO 5: what is published where there is no ball?
+        # | # TODO 5: what do you publish if there is no ball?
         # | answer.vector.x, answer.vector.y, answer.vector.z = direction(*ball)
         # [end]
         self.publisher.publish(answer)
@@ -194,10 +207,10 @@ if __name__ == "__main__":
 # %start
 # start(head_camera, width=160)
 # init()
-# scope = fresh(BallScope)  # writes down the pictures, and the directions that your node publishes
+# scope = fresh(BallScope)  # records the images, and the directions that your node publishes
 # await run(scope, seconds=10, until=lambda: len(scope.directions) >= 60)
 # stop(head_camera)
-# print("pictures:", len(scope.pictures), "directions:", len(scope.directions))
+# print("images:", len(scope.pictures), "directions:", len(scope.directions))
 # if scope.pictures:
 #     fig, axes = figure(4.2, 3.2)
 #     stamp, picture = scope.pictures[-1]
@@ -206,23 +219,23 @@ if __name__ == "__main__":
 #     if ball is not None and ball[2] > 0:
 #         axes.plot(79.5 + 140 * ball[0] / ball[2], 59.5 + 140 * ball[1] / ball[2], "+", color="white", ms=16)
 #     axes.grid(False)
-#     show(fig, "the last picture of the camera, with a cross where your node sees the ball")
+#     show(fig, "the camera's last image, with a cross at the ball's position according to your node")
 # %% [hint]
-# Take one picture first. How many bytes does a row of it have, and how many of them are pixels? Then ask what makes an
-# orange pixel orange: not its brightness, because that changes with the light. And what makes a ball a ball, and not a
-# brick?
+# Start with a single image. How many bytes does one of its rows have, and how many of those bytes are pixels? Then ask
+# how you can recognize an orange pixel. Its brightness won't help, because that changes with the light. And what
+# distinguishes a ball from a brick?
 #
-# What OpenCV can do with colors: [Changing colorspaces](https://docs.opencv.org/4.x/df/d9d/tutorial_py_colorspaces.html)
+# Colors in OpenCV: [Changing colorspaces](https://docs.opencv.org/4.x/df/d9d/tutorial_py_colorspaces.html)
 # %% [hint]
-# - `np.frombuffer(image.data, np.uint8).reshape(image.height, image.step)` has one row for each row of the picture,
-#   padding included. Cut the padding off, then reshape to `(height, width, 3)`.
+# - `np.frombuffer(image.data, np.uint8).reshape(image.height, image.step)` has one row of bytes for each image row,
+#   including the padding. Cut off the padding, then reshape to `(height, width, 3)`.
 # - `cv2.cvtColor(pixels, cv2.COLOR_RGB2HSV)` separates hue and saturation from brightness. There is a constant for BGR,
 #   too.
-# - `cv2.inRange` marks the pixels in a range, `cv2.findContours` their outlines.
-# - A ball fills most of the smallest circle around it (`cv2.minEnclosingCircle`). A brick does not.
-# - A new `Vector3Stamped` already says "no ball". Its header comes from the picture.
+# - `cv2.inRange` marks the pixels in a range, and `cv2.findContours` finds their outlines.
+# - A ball fills most of its smallest enclosing circle (`cv2.minEnclosingCircle`). A brick doesn't.
+# - A new `Vector3Stamped` holds the vector (0, 0, 0), so it already means "no ball". Copy its header from the image.
 #
-# What `step` means: [sensor_msgs/Image](https://docs.ros.org/en/jazzy/p/sensor_msgs/msg/Image.html)
+# The field `step`: [sensor_msgs/Image](https://docs.ros.org/en/jazzy/p/sensor_msgs/msg/Image.html)
 # %% [hint]
 # The steps, with gaps:
 #
@@ -245,11 +258,11 @@ if __name__ == "__main__":
 # %% [alternatives]
 # ## Other good ways
 #
-# - **NumPy alone.** `red > 1.8 * green` and `green > 1.8 * blue` compare colors by their ratios, which hardly change
-#   with the light. Connected pixels are then found with `scipy.ndimage.label`.
-# - **Other color spaces.** In Lab or YCrCb, brightness has a channel of its own, too.
-# - **Another measure of roundness.** 4π · area / perimeter² is 1 for a circle; a comparison of width and height is
-#   coarser, but enough for this brick.
-# - **A search near the last place.** It is faster, and it can go on for a while when the ball is hidden. But then the
-#   node must notice that it has lost the ball.
-# - **A small neural network** finds balls that no rule describes. Lesson 16 does that.
+# - **NumPy and SciPy only.** `red > 1.8 * green` and `green > 1.8 * blue` compare color ratios, which hardly change
+#   with the light. `scipy.ndimage.label` then finds connected pixels.
+# - **Other color spaces.** Lab and YCrCb also have a separate channel for brightness.
+# - **Another measure of roundness.** 4π · area / perimeter² is 1 for a circle. Comparing width and height is coarser,
+#   but good enough for this brick.
+# - **A search near the ball's last position.** It's faster, and it can continue for a while if the ball is hidden. But
+#   then the node must notice that it has lost the ball.
+# - **A small neural network** finds balls that no rule describes. Lesson 16 uses one.

@@ -30,16 +30,16 @@ from workbook.exercise.answers import Answer, read_answer
 from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.judgement import Judgement
 from workbook.grading.judges import Job
-from workbook.grading.local import judge_all
-from workbook.grading.pool import Slot
 from workbook.grading.single import best_isolation
+from workbook.grading.slots.client import Slot
+from workbook.grading.slots.scheduler import judge_all
 from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.isolation.sandbox import SandboxTier
 from workbook.isolation.tiers import Isolation
+from workbook.programs.fork_client import ForkServer
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
 from workbook.programs.tier import Tier
-from workbook.programs.warm_start import ForkServer
 from workbook.recording.recording import Recording
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment
@@ -204,7 +204,7 @@ def warm(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]:
         wrong = cards(slot, wrong_answer(WRONG_RATE), size.runs)
         threads = [cards(slot, right_answer(name), size.runs) for name in NEVER_AT_REST]
     times = [seconds for seconds, recording in right if recording.clock == "simulated"]
-    speeds = [one.robot_s / seconds for seconds, one in right if one.clock == "simulated"]
+    speeds = [one.simulated_s / seconds for seconds, one in right if one.clock == "simulated"]
     if not times:
         raise SystemExit("bench: this machine is too busy for robot time; every run went to the wall clock")
     yield of_times("%check on a warm slot, until the card shows", times, 0.7)
@@ -236,10 +236,10 @@ def cards(slot: Slot, answer: Answer, times: int) -> list[tuple[float, Recording
         def report(judgement: Judgement, shown: list[float] = shown) -> None:
             if not judgement.provisional:
                 shown.append(time.monotonic())
-                slot.enough()
+                slot.cancel_soak()
 
         began = time.monotonic()
-        judgement = slot.judge(STEM, answer, thorough=True, report=report)
+        judgement = slot.judge(STEM, answer, soak=True, report=report)
         if judgement.recording is None:
             raise SystemExit(f"bench: not judged: {judgement.reason}")
         if run:  # the first one fills the caches
@@ -263,7 +263,7 @@ def steadiness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
     flips: Counter[str] = Counter()
     on_the_wall = ours = 0
     busy, had = machine_busy()
-    for job, judgement in judge_all(jobs, slots, thorough=False):
+    for job, judgement in judge_all(jobs, slots, soak=False):
         if judgement.status != "graded":
             ours += 1
             print(f"  not judged: {judgement.reason}", file=sys.stderr)
@@ -324,7 +324,7 @@ def fairness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]
     with every_processor_busy():
         for number, (job, judgement) in enumerate(judge_all(jobs, slots, isolation=isolation), start=1):
             full += judgement.full_marks
-            doubts += bool(judgement.doubt)
+            doubts += bool(judgement.inconclusive_reason)
             ours += judgement.status != "graded"
             recording = judgement.recording
             on_the_wall += recording is not None and recording.clock == "wall"
@@ -355,7 +355,7 @@ def fairness(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figure]
 
 def tell_unfair(number: int, name: str, judgement: Judgement) -> None:
     """Say what a right answer lost, and keep its recording."""
-    print(f"  {name}: {judgement.reason or ''} {judgement.doubt}", file=sys.stderr)
+    print(f"  {name}: {judgement.reason or ''} {judgement.inconclusive_reason}", file=sys.stderr)
     for one in judgement.criteria:
         if one.status in ("failed", "partial"):
             print(f"    {one.id}: saw {one.saw}; expected {one.expected}", file=sys.stderr, flush=True)
@@ -407,16 +407,14 @@ def throughput(size: Size, exercise: Exercise, answer: Answer) -> Iterator[Figur
         "processor time of starting a slot", f"{slot_cpu:.2f} s", values={"cpu_s": round(slot_cpu, 4)}
     )
     slots = SLOTS_PER_CORE[exercise.source.clock] * CORES
-    for word in ("plain", "thorough"):
+    for word in ("plain", "soak"):
         number = size.answers
         before = cpu_of_children()
         began = time.monotonic()
         jobs = [Job(one, STEM, answer) for one in range(number)]
         passed = sum(
             judgement.full_marks
-            for _, judgement in judge_all(
-                jobs, slots, thorough=word == "thorough", isolation=isolation, fills=True
-            )
+            for _, judgement in judge_all(jobs, slots, soak=word == "soak", isolation=isolation, fills=True)
         )
         per_minute = 60 * number / (time.monotonic() - began)
         cpu = (cpu_of_children() - before) / number

@@ -18,10 +18,11 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, settings
 
+from tests.exercises.tried_again import lines_of
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.source import stems
-from workbook.grading.pool import standby
-from workbook.programs.warm_start import own_server
+from workbook.grading.slots.pool import warm_slots
+from workbook.programs.fork_client import own_server
 
 PROOFS = "test_proofs"
 BROWSER_LESSONS = "test_browser_lessons"
@@ -70,9 +71,9 @@ gc.disable()  # until all tests are there: to collect garbage among them would t
 @pytest.fixture(autouse=True)
 def no_spare_slot() -> Iterator[None]:
     """No test judges in a slot that another one has left: what it changes of slots would have no effect."""
-    standby.close()  # a fixture of the file may have left one
+    warm_slots.close()  # a fixture of the file may have left one
     yield
-    standby.close()
+    warm_slots.close()
 
 
 @pytest.fixture
@@ -176,3 +177,14 @@ def _await_proofs(over: Path, items: Sequence[pytest.Item]) -> None:
     if any(map(is_proof, items)):
         while not over.exists() and time.monotonic() < deadline:
             time.sleep(LOOK_EVERY_S)
+
+
+# --- what the summary says ------------------------------------------------------------------------------------
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Tell how many proofs needed more than one try, by exercise."""
+    told = lines_of(report for reports in terminalreporter.stats.values() for report in reports)
+    if told:
+        terminalreporter.section("answers that needed more than one try")
+        terminalreporter.write("".join(f"{line}\n" for line in told))

@@ -1,5 +1,6 @@
 """Everything that `make test` proves, in order; pytest's own summary comes last.
 
+`--all` is `make test-all`: every answer, every lesson in the browser, and whatever else is marked `whole`.
 `python tests/run.py --only lint` (or style, types, notebooks, collection, pytest) runs a part. How busy the processors
 were meanwhile is in `artifacts/processors.tsv`.
 With CI=true a skipped test that `.ci/allowed_skips` does not list is a failure.
@@ -52,8 +53,10 @@ class Step:
     alone: tuple[str, ...] = ()
 
 
-def steps(jobs: str = JOBS) -> list[Step]:
+def steps(jobs: str = JOBS, *, whole: bool = False) -> list[Step]:
     """Quick ones first; pytest last, because its summary is what a person looks for. `jobs`: its workers."""
+    from workbook.lab.health import chromium
+
     python = sys.executable
     found = [
         Step("ruff check", "style", (python, "-m", "ruff", "check", ".")),
@@ -69,7 +72,9 @@ def steps(jobs: str = JOBS) -> list[Step]:
     found.append(Step("tests can be collected", "collection", collect, quiet=True))
     tested = ARTIFACTS / "pytest.xml"
     spread = ("-n", jobs)
-    tests = (python, "-m", "pytest", f"--junitxml={tested}")
+    in_browser = "not outside_browser" if chromium() is not None else ""
+    which = ("-m", in_browser if whole else "not whole")
+    tests = (python, "-m", "pytest", *which, f"--junitxml={tested}")
     alone = (*tests, "--last-failed", "--last-failed-no-failures=none", "-n", "0")
     found.append(Step("pytest", "pytest", (*tests, *spread), tested, alone=alone))
     return found
@@ -286,10 +291,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--jobs", type=int, default=int(JOBS), help="workers of pytest (default: %(default)s)"
     )
+    parser.add_argument("--all", action="store_true", help="the whole run: also what is marked `whole`")
     options = parser.parse_args(arguments)
     # In the background of a shell script Ctrl-C is ignored, by us and by every program that a test would interrupt.
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    plan = chosen(steps(str(options.jobs)), options.only)
+    plan = chosen(steps(str(options.jobs), whole=options.all), options.only)
     lacking = missing_tools() if any(step.group == "pytest" for step in plan) else []
     for line in lacking:
         print(f"! {line}")

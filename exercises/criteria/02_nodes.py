@@ -7,7 +7,7 @@ from std_msgs.msg import String
 import workbook.criteria as see
 from workbook.criteria import Recording, Topic, Verdict, criterion, program_runs, topic, watching
 
-WATCH = watching(robot_seconds=20, wall_seconds=6.5)
+WATCH = watching(simulated_seconds=20, wall_seconds=6.5)
 
 FRONT, REAR = "/robot/camera", "/robot/rear_camera"
 FRONT_FRAME = topic(f"{FRONT}/frame", String, hz=2.0)
@@ -32,12 +32,12 @@ def rear_node(recording: Recording) -> Verdict:
     return see.on_the_graph(recording, REAR, beside=[FRONT], how=f"{how} Then return both cameras.")
 
 
-@criterion(points=1, title="The front camera takes pictures at 2 Hz", needs=[front_node])
+@criterion(points=1, title="The front camera publishes images at 2 Hz", needs=[front_node])
 def front_pictures(recording: Recording) -> Verdict:
     return pictures_of(recording, FRONT_FRAME, FRONT)
 
 
-@criterion(points=2, title="The rear camera takes pictures at 2 Hz", needs=[rear_node])
+@criterion(points=2, title="The rear camera publishes images at 2 Hz", needs=[rear_node])
 def rear_pictures(recording: Recording) -> Verdict:
     return pictures_of(recording, REAR_FRAME, REAR)
 
@@ -58,7 +58,7 @@ def shared_faults(recording: Recording) -> Verdict:
     return see.passed("both cameras report their faults once a second")
 
 
-@criterion(points=2, title="No other node is there", needs=[program_runs])
+@criterion(points=2, title="There is no other node", needs=[program_runs])
 def nobody_else(recording: Recording) -> Verdict:
     expected = f"{FRONT} and {REAR}, each once, and no other node"
     duplicates = sorted(node.name for node in recording.nodes if node.most > 1 and node.name in (FRONT, REAR))
@@ -195,7 +195,7 @@ def reports(recording: Recording, camera: str) -> Recording:
 def reports_of(recording: Recording, camera: str, frames: Topic) -> Verdict:
     """The fault reports of one camera come once a second. `frames`: its pictures.
 
-    Whether its reports follow robot time, its pictures tell: each camera may have a clock of its own.
+    Whether its reports follow simulated time, its pictures tell: each camera may have a clock of its own.
     """
     own = reports(recording, camera)
     verdict = replace(see.rate(own, replace(FAULTS, hz=REPORTS_HZ)), pace_of=frames.name)

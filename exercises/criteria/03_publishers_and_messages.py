@@ -142,7 +142,7 @@ def drawn(rng: Random) -> list[see.Part]:
     arguments = drawn_arguments(rng)
     while not fits(arguments):
         arguments = drawn_arguments(rng)
-    return [see.says("/driver/calls", String, [(0.0, "\n".join(arguments))], "latched")]
+    return [see.publish("/driver/calls", String, [(0.0, "\n".join(arguments))], "latched")]
 
 
 AT_ONCE = 4  # the driver makes this call right after the one before, and all others 0.06 s after it
@@ -153,7 +153,7 @@ MISTAKES = ("NameError", "AttributeError", "UnboundLocalError")
 WATCH = watching(wall_seconds=5.0, script=drawn)
 
 
-@criterion(points=0, title="BatteryPublisher() can be made, and every call comes back", needs=[program_runs])
+@criterion(points=0, title="BatteryPublisher() can be created, and every call returns", needs=[program_runs])
 def calls_come_back(recording: Recording) -> Verdict:
     expected = f"a class BatteryPublisher, and {COUNT} calls of its publish_level that return or raise"
     said = see.driver_reports(recording, REPORT)
@@ -176,7 +176,7 @@ def battery_topic(recording: Recording) -> Verdict:
     return see.publishes(silent, BATTERY)
 
 
-@criterion(points=0, title="A number that it is given is published", needs=[battery_topic])
+@criterion(points=0, title="A number passed to it is published", needs=[battery_topic])
 def sends(recording: Recording) -> Verdict:
     numbers = [call for call in judged_calls(recording) if number_in(call.argument) is not None]
     if any(call.sent or call.later for call in numbers):
@@ -193,7 +193,7 @@ def sends(recording: Recording) -> Verdict:
     return why_not_arrived(numbers[0], numbers)
 
 
-@criterion(points=2, title="Floats arrive as they are, each of them once", needs=[sends])
+@criterion(points=2, title="Floats arrive unchanged, each of them once", needs=[sends])
 def floats_arrive(recording: Recording) -> Verdict:
     verdict = all_arrived(recording, is_float, f"all floats arrived within {TOLERANCE:g}")
     before = [*at_the_start(recording), *calls(recording)[0].later]
@@ -218,17 +218,17 @@ def numbers_arrive(recording: Recording) -> Verdict:
     return all_arrived(recording, is_other_number, "ints and NumPy's numbers arrived with the right value")
 
 
-@criterion(points=1, title="None, words, a list and a tuple are refused with an error", needs=[sends])
+@criterion(points=1, title="None, strings, a list, and a tuple are rejected with an error", needs=[sends])
 def no_number_refused(recording: Recording) -> Verdict:
     return all_refused(recording, is_no_number, "None, words, a list and a tuple raised an error")
 
 
-@criterion(points=1, title="True and '50' are refused, although float() takes them", needs=[sends])
+@criterion(points=1, title="True and '50' are rejected, although float() accepts them", needs=[sends])
 def look_alikes_refused(recording: Recording) -> Verdict:
     return all_refused(recording, looks_like_number, "bools and texts of digits raised an error")
 
 
-@criterion(points=1, title="nan and inf are refused, although they are floats", needs=[sends])
+@criterion(points=1, title="nan and inf are rejected, although they are floats", needs=[sends])
 def not_finite_refused(recording: Recording) -> Verdict:
     return all_refused(recording, is_not_finite, "nan, inf and -inf raised an error")
 
@@ -362,7 +362,9 @@ def cannot_be_called(recording: Recording, trouble: str, expected: str) -> Verdi
 
 def ordered_by_another(recording: Recording, is_done: bool, expected: str) -> Verdict | None:
     """A failed verdict if the driver made other calls than the judge ordered, or fewer; None if it did not."""
-    asked = [line for one in see.said(recording, "/driver/calls") for line in one.value["data"].splitlines()]
+    asked = [
+        line for one in see.published(recording, "/driver/calls") for line in one.value["data"].splitlines()
+    ]
     made = {
         call.number: call.argument for call in calls(recording) if call.argument is not None and call.number
     }

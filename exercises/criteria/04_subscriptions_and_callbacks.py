@@ -112,7 +112,7 @@ def fits(rows: Sequence[Sequence[float]], slots: Sequence[int]) -> bool:
 
 
 def drawn_readings(rng: Random) -> list[tuple[float, float]]:
-    """Each reading with the moment (s of robot time) at which it is said."""
+    """Each reading with the moment (s of simulated time) at which it is said."""
     pause = rng.randint(3, 6)
     at_one_moment = rng.randint(FIRST_AGAIN + 3, LAST_GOOD - 8)
     moment = range(at_one_moment, at_one_moment + AT_ONE_MOMENT)
@@ -132,7 +132,7 @@ def drawn_readings(rng: Random) -> list[tuple[float, float]]:
     longer = rng.sample([n for n in range(1, LAST_GOOD) if n != pause and n not in moment], LONGER_GAPS)
     lines, at = [], rng.randint(round(10 * EARLIEST_S), round(10 * LATEST_S)) / 10
     for number, reading in enumerate(drawn_good_ones(rng, equals), 1):
-        # On robot time, all that is due within one step of 0.1 s is said together.
+        # On simulated time, all that is due within one step of 0.1 s is said together.
         before_s = SAME_MOMENT_S * (moment[-1] - number) if number in moment else 0.0
         lines.append((at - before_s, reading))
         at += 0.0 if number in moment[:-1] else APART_S
@@ -153,8 +153,8 @@ def drawn(rng: Random) -> list[see.Part]:
     ]
     times = (begin + OTHERS_AFTER_S, begin + OTHERS_AFTER_S + 0.1, lines[-1][0] + 0.4)
     return [
-        see.says(BATTERY_TOPIC, Float32, lines),
-        see.says(OTHER_TOPIC, Float32, [*zip(times, others, strict=True)], awaited=False),
+        see.publish(BATTERY_TOPIC, Float32, lines),
+        see.publish(OTHER_TOPIC, Float32, [*zip(times, others, strict=True)], awaited=False),
     ]
 
 
@@ -162,7 +162,7 @@ def drawn(rng: Random) -> list[see.Part]:
 GAPS = LAST_GOOD + BAD_ONES - AT_ONE_MOMENT + 1 + LONGER_GAPS
 WATCH_S = LATEST_S + APART_S * GAPS + PAUSE_S + 1.4
 
-WATCH = watching(robot_seconds=WATCH_S, wall_seconds=WATCH_S, script=drawn)
+WATCH = watching(simulated_seconds=WATCH_S, wall_seconds=WATCH_S, script=drawn)
 
 
 @dataclass(frozen=True)
@@ -257,7 +257,7 @@ def said_readings(recording: Recording) -> Readings:
 LONGEST_QUOTE = 60  # characters of an alarm that feedback quotes
 
 
-@criterion(points=1, title="It listens to /robot/battery, type Float32", needs=[program_runs])
+@criterion(points=1, title="It subscribes to /robot/battery, type Float32", needs=[program_runs])
 def listens(recording: Recording) -> Verdict:
     return see.listens(recording, topic(BATTERY_TOPIC, Float32))
 
@@ -277,14 +277,16 @@ def battery_topic(recording: Recording) -> Verdict:
     return verdict
 
 
-@criterion(points=0, title="It passes readings on", needs=[listens, battery_topic])
+@criterion(points=0, title="It forwards readings", needs=[listens, battery_topic])
 def passes_on(recording: Recording) -> Verdict:
     if see.values(recording, PASSED_ON):
         return see.passed("readings come")
     return why_nothing_came(recording)
 
 
-@criterion(points=2, title="All good readings are passed on, at once, in the right order", needs=[passes_on])
+@criterion(
+    points=2, title="All good readings are forwarded, right away, in the right order", needs=[passes_on]
+)
 def in_order(recording: Recording) -> Verdict:
     answered, said = passed_on(recording), said_readings(recording)
     if answered.ours == said.good:
@@ -294,7 +296,9 @@ def in_order(recording: Recording) -> Verdict:
     return why_some_are_missing(recording, answered.lost)
 
 
-@criterion(points=1, title="No bad reading is passed on, and nothing is sent in its place", needs=[passes_on])
+@criterion(
+    points=1, title="No bad reading is forwarded, and nothing is sent instead of it", needs=[passes_on]
+)
 def bad_kept_back(recording: Recording) -> Verdict:
     said = said_readings(recording)
     answered = passed_on(recording)
@@ -445,7 +449,7 @@ def bad_before(place: int, said: Readings) -> int:
 def at_once(recording: Recording) -> Verdict:
     """All good readings came in order; whether they came at once."""
     said = said_readings(recording)
-    said_at = [word.t for word in see.said(recording, BATTERY_TOPIC) if is_good(word.value["data"])]
+    said_at = [word.t for word in see.published(recording, BATTERY_TOPIC) if is_good(word.value["data"])]
     came_at = moments_of_good_ones(recording)
     late = late_ones(recording)
     if len(came_at) != len(said_at) or len(late) <= (1.0 - SHARE_AT_ONCE) * len(said_at):
@@ -472,7 +476,7 @@ def moments_of_good_ones(recording: Recording) -> list[float]:
 
 def late_ones(recording: Recording) -> list[float]:
     """How late (s) those good readings came that came late, if none is missing before the last one that came."""
-    said_at = [word.t for word in see.said(recording, BATTERY_TOPIC) if is_good(word.value["data"])]
+    said_at = [word.t for word in see.published(recording, BATTERY_TOPIC) if is_good(word.value["data"])]
     delays = [came - said for said, came in zip(said_at, moments_of_good_ones(recording), strict=False)]
     return [delay for delay in delays if delay > AT_ONCE_S]
 
@@ -522,7 +526,7 @@ def alarms(recording: Recording) -> Alarms:
     false = [one for one in rest if is_false(recording, said, *one, due)]
     set_of_false = set(false)
     first_bad = min(
-        (word.wall for word in see.said(recording, BATTERY_TOPIC) if not is_good(word.value["data"])),
+        (word.wall for word in see.published(recording, BATTERY_TOPIC) if not is_good(word.value["data"])),
         default=math.inf,
     )
     return Alarms(
@@ -597,13 +601,13 @@ def is_about_others(recording: Recording, said: Readings, text: str, published: 
         return True
     if names_one_of(said.bad, text):
         return False
-    last = see.latest_before(((one.wall, one) for one in recording.said), published)
+    last = see.latest_before(((one.wall, one) for one in recording.published), published)
     return last is not None and last.topic == OTHER_TOPIC
 
 
 def last_reading(recording: Recording, published: float) -> float:
     """The reading that was said last before an alarm was published; 0 before the first one."""
-    last = see.latest_before(((one.wall, one) for one in see.said(recording, BATTERY_TOPIC)), published)
+    last = see.latest_before(((one.wall, one) for one in see.published(recording, BATTERY_TOPIC)), published)
     return 0.0 if last is None else float(last.value["data"])
 
 
@@ -648,7 +652,7 @@ def why_nothing_came(recording: Recording) -> Verdict:
         )
     if made_late(recording, PASSED_ON):
         return see.failed("in-order.publisher-made-late", nothing, EXPECTED, *MADE_LATE)
-    return ended_with_an_error(recording, nothing, EXPECTED) or see.failed(
+    return see.program_ended(recording, nothing, EXPECTED) or see.failed(
         "in-order.nothing-passed-on",
         f"{len(said.readings)} readings were sent to {BATTERY_TOPIC}, and nothing came on {PASSED_ON.name}",
         EXPECTED,
@@ -1030,7 +1034,7 @@ def why_no_alarm_came(recording: Recording) -> Verdict:
     nothing = f"no alarm arrived on {ALARM.name}"
     if made_late(recording, ALARM):
         return first_alarms_lost(nothing)
-    ended = ended_with_an_error(recording, nothing, ONE_EACH)
+    ended = see.program_ended(recording, nothing, ONE_EACH)
     if ended is not None:
         return ended
     if not see.values(recording, PASSED_ON):
@@ -1308,7 +1312,7 @@ MADE_LATE = (
 def made_late(recording: Recording, one: Topic) -> bool:
     """Whether the publisher was made only when readings were coming in already."""
     seen = recording.topic(one.name).publishers
-    first_said = min((word.t for word in recording.said), default=0.0)
+    first_said = min((word.t for word in recording.published), default=0.0)
     return bool(seen) and all(publisher.first_seen > first_said for publisher in seen)
 
 

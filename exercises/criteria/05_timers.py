@@ -1,4 +1,4 @@
-"""How exercise 05 is judged: a minute of robot time, and how often each topic spoke in it."""
+"""How exercise 05 is judged: a minute of simulated time, and how often each topic spoke in it."""
 
 from std_msgs.msg import Float32, String
 
@@ -6,7 +6,7 @@ import workbook.criteria as see
 from workbook.criteria import Recording, Topic, Verdict, criterion, program_runs, topic, watching
 
 # A minute, because the task promises one.
-WATCH = watching(robot_seconds=60, steps_per_period=5)
+WATCH = watching(simulated_seconds=60, steps_per_period=5)
 
 HEARTBEAT = topic("/robot/heartbeat", String, hz=1.0)
 BATTERY = topic("/robot/battery", Float32, hz=0.5)

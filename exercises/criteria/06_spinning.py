@@ -72,7 +72,7 @@ def drawn(rng: Random) -> list[see.Part]:
     quiet_words = rng.sample(NUMBERS, QUIET_WORDS)
     burst_at = 0.25 + rng.randint(0, 8) / 20
     return [
-        see.says(
+        see.publish(
             "/driver/go",
             String,
             [
@@ -86,7 +86,7 @@ def drawn(rng: Random) -> list[see.Part]:
                 *ordered(8.4, "8 worker 0.08"),
             ],
         ),
-        see.says(
+        see.publish(
             "/robot/words",
             Int32,
             [
@@ -97,11 +97,11 @@ def drawn(rng: Random) -> list[see.Part]:
                 *((at, 0) for at in (2.9, 3.1, 3.3)),
             ],
         ),
-        see.says("/robot/jobs", Int32, [(5.1, job) for job in jobs[:JOBS]]),
-        see.says("/worker/jobs", Int32, [(7.8, job) for job in jobs[JOBS:]]),
+        see.publish("/robot/jobs", Int32, [(5.1, job) for job in jobs[:JOBS]]),
+        see.publish("/worker/jobs", Int32, [(7.8, job) for job in jobs[JOBS:]]),
         # The last two late in the call, so that a wait that begins anew shows, even when the call itself began half a
         # second late.
-        see.says("/quiet/words", Int32, [*zip((7.4, 7.47, 8.0, 8.07), quiet_words, strict=True)]),
+        see.publish("/quiet/words", Int32, [*zip((7.4, 7.47, 8.0, 8.07), quiet_words, strict=True)]),
     ]
 
 
@@ -135,10 +135,11 @@ def returns(recording: Recording) -> Verdict:
     call = calls(recording)[BURST]
     if call.end is not None:
         return see.passed("it came back")
-    return see.failed(
+    expected = f"pump(node, {ASKED_S[BURST]}) comes back"
+    return see.program_ended(recording, "the first call never came back", expected) or see.failed(
         "returns.never",
         f"not back {recording.wall_s - call.begin - ASKED_S[BURST]:.1f} s after its time was up",
-        f"pump(node, {ASKED_S[BURST]}) comes back",
+        expected,
         "rclpy.spin and executor.spin return only when ROS is shut down. Or your loop never reaches its end time: "
         "`seconds` is in seconds, and time.process_time() stands still while it waits.",
         "Use rclpy.spin_once(node, timeout_sec=...) in a loop that checks the clock.",
@@ -146,7 +147,7 @@ def returns(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=1, title="It comes back when the time is up: not earlier, not later", needs=[returns])
+@criterion(points=1, title="It returns when the time is up: not earlier, not later", needs=[returns])
 def returns_in_time(recording: Recording) -> Verdict:
     lost = not_made(recording, BURST)
     if lost is not None:
@@ -230,7 +231,7 @@ def words_handled(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=1, title="The timers keep their rate meanwhile", needs=[returns])
+@criterion(points=1, title="The timers keep their rate during the call", needs=[returns])
 def timers_tick(recording: Recording) -> Verdict:
     asked = ASKED_S[BURST]
     wanted = round(asked / HEARTBEAT_PERIOD_S)
@@ -355,7 +356,7 @@ def short_calls_late(recording: Recording) -> bool:
     return not short or min(short) > LATE_S
 
 
-@criterion(points=1, title="It comes back in time from a node that has almost nothing to do", needs=[returns])
+@criterion(points=1, title="It returns on time for a node that has almost nothing to do", needs=[returns])
 def quiet_node(recording: Recording) -> Verdict:
     verdict = in_time(recording, QUIET)
     heard = done_in(recording, QUIET_HEARD.name, QUIET)
@@ -374,7 +375,7 @@ def quiet_node(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=1, title="It leaves the processor alone while it waits", needs=[returns])
+@criterion(points=1, title="It uses hardly any CPU time while it waits", needs=[returns])
 def easy_on_the_processor(recording: Recording) -> Verdict:
     made = {number: call for number, call in calls(recording).items() if call.end is not None}
     # The quiet robot has nothing to do. What the callbacks of the other cost depends on the executor and the machine.
@@ -409,7 +410,7 @@ def polls_with_timers(recording: Recording, quiet: float) -> Verdict | None:
 
 
 @criterion(
-    points=1, title="After it has come back, no callback runs, and the node is as it was", needs=[returns]
+    points=1, title="After it has returned, no callback runs, and the node is unchanged", needs=[returns]
 )
 def nothing_left_running(recording: Recording) -> Verdict:
     running = spins_on(recording)
@@ -655,7 +656,7 @@ def not_made(recording: Recording, number: int) -> Verdict | None:
     expected = f"pump(node, {ASKED_S[number]}) comes back when the time is up"
     call = calls(recording).get(number)
     if call is None:
-        return see.failed(
+        return see.program_ended(recording, "this call was never made", expected) or see.failed(
             "call.never-begun",
             "the call before it never came back",
             expected,
@@ -685,7 +686,7 @@ def in_time(recording: Recording, number: int, extra: float = 0.0) -> Verdict:
         open_s = recording.wall_s - call.begin
         if open_s < asked + extra + LATE_S:
             return see.passed("the judge stopped watching before its time was up")
-        return still_open(asked, open_s)
+        return still_open(recording, asked, open_s)
     if call.took < asked - EARLY_S:
         return (
             ended_by_what_was_left(recording, number, call.took)
@@ -886,12 +887,13 @@ TIME_THAT_IS_LEFT = (
 )
 
 
-def still_open(asked: float, open_s: float) -> Verdict:
+def still_open(recording: Recording, asked: float, open_s: float) -> Verdict:
     """The call was not back when the watch ended, `open_s` seconds after its begin."""
-    return see.failed(
+    expected = f"back after {asked} s"
+    return see.program_ended(recording, "this call never came back", expected) or see.failed(
         "in-time.not-back",
         f"not back {open_s - asked:.1f} s after its time was up",
-        f"back after {asked} s",
+        expected,
         "spin_once without a timeout waits until there is something to do, possibly forever. A timeout that "
         "starts again after each callback may also add up.",
         TIME_THAT_IS_LEFT,

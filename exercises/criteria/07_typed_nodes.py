@@ -96,10 +96,10 @@ def drawn(rng: Random) -> list[see.Part]:
     numbers.append(f"battery_publisher.publish(Float32(data={rng.randint(21, 79)}.75))")
     twice = f"send_battery({rng.randint(51, 79)}.5)"
     orders = [(at, drawn_calls(rng, numbers, twice)) for at in (2.6, 8.6)]
-    return [see.says("/driver/go", String, orders)]
+    return [see.publish("/driver/go", String, orders)]
 
 
-WATCH = watching(robot_seconds=12, script=drawn)
+WATCH = watching(simulated_seconds=12, script=drawn)
 
 RIGHT_USE = probe(
     "correct use of your node",
@@ -227,7 +227,7 @@ def level_replaced(recording: Recording, own: Recording) -> Verdict | None:
     told = number_calls(recording).get(twice, 0.0)
     own_values = [(one.published, one.value["data"]) for one in own.topic(BATTERY.name).arrivals]
     pairs = []
-    for order in see.said(recording, "/driver/go"):
+    for order in see.published(recording, "/driver/go"):
         before = [value for at, value in own_values if at < order.wall]
         after = [value for at, value in own_values if at >= order.wall]
         if not before or not after:
@@ -250,7 +250,7 @@ def level_replaced(recording: Recording, own: Recording) -> Verdict | None:
 
 def error_kept(recording: Recording, own: Recording) -> Verdict | None:
     """Whether the node itself says "error" from the driver's first calls on, although its battery has charge."""
-    first = min((order.wall for order in see.said(recording, "/driver/go")), default=None)
+    first = min((order.wall for order in see.published(recording, "/driver/go")), default=None)
     words = [(one.published, one.value["data"]) for one in own.topic(STATUS.name).arrivals]
     if first is None or 0.0 in see.values(own, BATTERY):
         return None
@@ -314,7 +314,7 @@ def wrong_value_found(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="Every number arrives as that number, a whole one and a repeated one too",
+    title="Every number arrives unchanged, even a whole number or a repeated one",
     needs=[program_runs],
 )
 def numbers_arrive(recording: Recording) -> Verdict:
@@ -330,7 +330,7 @@ def numbers_arrive(recording: Recording) -> Verdict:
 
 @criterion(
     points=2,
-    title="At run time, too, a wrong value or message raises an error, and nothing is sent",
+    title="At run time, too, a wrong value or message raises an exception, and nothing is published",
     needs=[program_runs],
 )
 def refuses_wrong_types(recording: Recording) -> Verdict:
@@ -344,7 +344,7 @@ def refuses_wrong_types(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="At run time, too, the two words are sent, and any other raises an error",
+    title="At run time, too, the two words are published, and any other raises an exception",
     needs=[program_runs],
 )
 def refuses_wrong_words(recording: Recording) -> Verdict:
@@ -480,7 +480,7 @@ def why_refused(recording: Recording, call: str) -> Verdict | None:
 
 def why_not_arrived(recording: Recording, call: str, number: float) -> Verdict | None:
     """A failed verdict if a number that a call accepted did not arrive once as this number."""
-    arrived, orders = see.values(recording, BATTERY), len(see.said(recording, "/driver/go"))
+    arrived, orders = see.values(recording, BATTERY), len(see.published(recording, "/driver/go"))
     asked = 2 * orders if call == called_twice(recording) else orders
 
     def fail(cause: str, saw: str, because: str, try_this: str) -> Verdict:
@@ -512,7 +512,7 @@ def why_not_each_time(recording: Recording, call: str, number: float) -> Verdict
         return None
     saw = f"{call} sent {number} {see.count(arrived, 'time')} in {see.count(done, 'call')}"
     hint = "Publish in each call, whatever was sent before."
-    if call == called_twice(recording) and arrived <= len(see.said(recording, "/driver/go")):
+    if call == called_twice(recording) and arrived <= len(see.published(recording, "/driver/go")):
         return see.failed(
             "numbers-arrive.repeat-dropped",
             saw,
@@ -595,7 +595,7 @@ def by_itself(recording: Recording) -> Recording:
     reported = [one.published for one in recording.topic(REPORT.name).arrivals]
     spans = [
         (order.wall, min((moment for moment in reported if moment >= order.wall), default=order.wall))
-        for order in see.said(recording, "/driver/go")
+        for order in see.published(recording, "/driver/go")
     ]
     topics, numbers = dict(recording.topics), numbers_of(recording)
     for one, kind in ((BATTERY, float), (STATUS, str)):

@@ -9,7 +9,9 @@ from workbook.criteria import Recording, Verdict, criterion, program_runs, topic
 
 STATUS = topic("/robot/status", String, hz=1.0)
 BATTERY = topic("/robot/battery", Float32, hz=0.5)
-WATCH = watching(robot_seconds=36, to_the_end=True)  # the battery of the starter is empty after 30 s at most
+WATCH = watching(
+    simulated_seconds=36, to_the_end=True
+)  # the battery of the starter is empty after 30 s at most
 
 
 @criterion(points=1, title="/robot/battery carries Float32", needs=[program_runs])
@@ -17,9 +19,7 @@ def battery_topic(recording: Recording) -> Verdict:
     return see.publishes(recording, BATTERY)
 
 
-@criterion(
-    points=2, title="The charge of the battery really arrives: from 100 % downwards", needs=[battery_topic]
-)
+@criterion(points=2, title="The battery's charge really arrives, falling from 100 %", needs=[battery_topic])
 def battery_arrives(recording: Recording) -> Verdict:
     return see.all_of(
         see.really_arrives(recording, BATTERY),

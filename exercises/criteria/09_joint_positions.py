@@ -7,7 +7,7 @@ from std_msgs.msg import Float32, Float32MultiArray, String
 import workbook.criteria as see
 from workbook.criteria import Recording, Verdict, criterion, program_runs, topic, watching
 
-WATCH = watching(robot_seconds=26)
+WATCH = watching(simulated_seconds=26)
 
 JOINTS = topic("/robot/joint_positions", Float32MultiArray, hz=0.5)
 STATUS = topic("/robot/status", String, hz=1.0)

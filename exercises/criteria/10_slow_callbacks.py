@@ -57,7 +57,7 @@ def drawn(rng: random.Random) -> list[see.Part]:
     distances = [*first, very_near, very_near, again, out_of_reach, again]
     begins = [*accumulate([rng.uniform(0.75, 0.9), rng.uniform(0.15, 0.25), rng.uniform(0.15, 0.25)])]
     begins += accumulate([rng.uniform(3.55, 3.68), *(rng.uniform(0.08, 0.1) for _ in range(3))])
-    return [see.says(REQUESTS, Float32, list(zip(begins, distances, strict=True)))]
+    return [see.publish(REQUESTS, Float32, list(zip(begins, distances, strict=True)))]
 
 
 def drawn_distance(rng: random.Random, least: float, most: float) -> float:
@@ -108,13 +108,15 @@ def heartbeat_share(recording: Recording) -> Verdict:
             "Let one timer of 0.1 s publish the heartbeat, and nothing else.",
         )
     if beats.share < LEAST_SHARE:
-        error = see.ended_by_error(recording, saw, f"at least {LEAST_SHARE:.0%}, at 10 Hz")
-        return error or why_beats_are_missing(recording, beats, saw)
+        ended = see.program_ended(recording, saw, f"at least {LEAST_SHARE:.0%}, at 10 Hz")
+        return ended or why_beats_are_missing(recording, beats, saw)
     return uneven(recording) or see.passed(saw)
 
 
 @criterion(
-    points=2, title="The heartbeat never stops for long, not even during a plan", needs=[heartbeat_topic]
+    points=2,
+    title="The heartbeat never stops for long, not even while the robot plans",
+    needs=[heartbeat_topic],
 )
 @see.needs_messages(HEARTBEAT)
 def heartbeat_gap(recording: Recording) -> Verdict:
@@ -203,7 +205,7 @@ def held_up_once(where: str, expected: str) -> Verdict:
 
 
 @criterion(
-    points=1, title="It listens to /robot/plan_request and answers on /robot/plan", needs=[program_runs]
+    points=1, title="It subscribes to /robot/plan_request and publishes on /robot/plan", needs=[program_runs]
 )
 def plan_topic(recording: Recording) -> Verdict:
     return see.all_of(
@@ -212,7 +214,7 @@ def plan_topic(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=2, title="Each plan is right, and was really computed by the planner", needs=[plan_topic])
+@criterion(points=2, title="Each plan is correct, and the planner really computed it", needs=[plan_topic])
 def plans_right(recording: Recording) -> Verdict:
     nothing = see.no_message(recording, PLAN)
     if nothing is not None:
@@ -230,14 +232,14 @@ def plans_right(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="Every request is answered by one plan, in the order of the requests, one search at a time",
+    title="There is one plan for every request, in the order of the requests, one search at a time",
     needs=[plan_topic],
 )
 def all_in_order(recording: Recording) -> Verdict:
     made, asked = plans(recording), requests(recording)
     expected = f"{len(asked)} plans for {len(asked)} requests"
     if not made:
-        return see.failed(
+        return see.program_ended(recording, "no plan at all", expected) or see.failed(
             "all-in-order.none",
             "no plan at all",
             expected,
@@ -470,7 +472,7 @@ def requests(recording: Recording) -> list[float]:
 @see.once
 def plans(recording: Recording) -> list[Plan]:
     """The plans, in the order in which they were published."""
-    said = [(one.wall, round(one.value["data"], 4)) for one in see.said(recording, REQUESTS)]
+    said = [(one.wall, round(one.value["data"], 4)) for one in see.published(recording, REQUESTS)]
     arrivals = sorted(recording.topic(PLAN.name).arrivals, key=lambda one: one.published)
     made: list[Plan] = []
     turns: Counter[float | None] = Counter()
@@ -519,13 +521,18 @@ def no_plan(recording: Recording, nothing: Verdict) -> Verdict:
     )
     if "Error" in nothing.saw:
         return see.failed(nothing.cause, saw, expected, nothing.because, try_this)
-    return see.asks_for_other_qos(recording, REQUESTS, saw, expected) or see.failed(
-        "plans-right.none",
-        saw,
-        expected,
-        "The work was handed over but never done, or it failed silently. An exception in a thread pool stays in "
-        "its future until someone asks for the result.",
-        try_this,
+    ended = see.program_ended(recording, saw, expected)
+    return (
+        ended
+        or see.asks_for_other_qos(recording, REQUESTS, saw, expected)
+        or see.failed(
+            "plans-right.none",
+            saw,
+            expected,
+            "The work was handed over but never done, or it failed silently. An exception in a thread pool stays in "
+            "its future until someone asks for the result.",
+            try_this,
+        )
     )
 
 
@@ -839,19 +846,24 @@ def why_missing(recording: Recording, made: Sequence[Plan], missing: list[float]
         )
     if len(order) > 1 and order == asked[: len(order)]:
         return nothing_more(recording, made, saw, expected)
-    return refused(asked, missing, saw, expected) or see.failed(
-        "all-in-order.missing",
-        saw,
-        expected,
-        "Requests that came while a plan was being computed are lost: refused, overwritten by newer ones, or "
-        "dropped from a queue that is too short.",
-        "Keep requests that must wait: in a queue.Queue, or in the subscription's own queue with a depth of 10.",
+    ended = see.program_ended(recording, saw, expected)
+    return (
+        ended
+        or refused(asked, missing, saw, expected)
+        or see.failed(
+            "all-in-order.missing",
+            saw,
+            expected,
+            "Requests that came while a plan was being computed are lost: refused, overwritten by newer ones, or "
+            "dropped from a queue that is too short.",
+            "Keep requests that must wait: in a queue.Queue, or in the subscription's own queue with a depth of 10.",
+        )
     )
 
 
 def rest_s(recording: Recording) -> float:
     """How long (s) the watch went on after the last plan."""
-    first = see.said(recording, REQUESTS)[0]
+    first = see.published(recording, REQUESTS)[0]
     return first.wall - first.t + WATCH_S - recording.topic(PLAN.name).arrivals[-1].published
 
 

@@ -53,7 +53,7 @@ def drawn(rng: random.Random) -> list[see.Part]:
     ):
         begin = moments[-1] + rng.uniform(least, most)
         moments += [begin + after for after in block]
-    return [see.says(TOUCH, Int32, list(zip(moments[1:], drawn_numbers(rng), strict=True)))]
+    return [see.publish(TOUCH, Int32, list(zip(moments[1:], drawn_numbers(rng), strict=True)))]
 
 
 def drawn_numbers(rng: random.Random) -> list[int]:
@@ -118,7 +118,9 @@ def touches(recording: Recording) -> Touches:
     )
 
 
-@criterion(points=1, title="It listens to /robot/touch and reports on /monitor/seen", needs=[program_runs])
+@criterion(
+    points=1, title="It subscribes to /robot/touch and publishes on /monitor/seen", needs=[program_runs]
+)
 def topics(recording: Recording) -> Verdict:
     return see.all_of(
         see.listens(recording, topic(TOUCH, Int32)),
@@ -138,7 +140,7 @@ def none_missed(recording: Recording) -> Verdict:
     return why_missed(recording, missed)
 
 
-@criterion(points=2, title="None is reported twice, and all in order", needs=[topics])
+@criterion(points=2, title="No touch is reported twice, and the reports are in order", needs=[topics])
 def once_in_order(recording: Recording) -> Verdict:
     expected = EACH_ONCE
     nothing = see.no_message(recording, SEEN)
@@ -177,7 +179,7 @@ def once_in_order(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=2, title="A report comes within a few milliseconds", needs=[topics])
+@criterion(points=2, title="Reports come within a few milliseconds", needs=[topics])
 def quick(recording: Recording) -> Verdict:
     expected = (
         f"of the touches that come alone, three in four within {ALONE_MS:g} ms; of those that come together, half "
@@ -211,9 +213,9 @@ def quick(recording: Recording) -> Verdict:
     return see.passed(f"typically {typical:.1f} ms")
 
 
-@criterion(points=1, title="It hardly uses the processor", needs=[topics])
+@criterion(points=1, title="It uses hardly any CPU time", needs=[topics])
 def easy_on_processor(recording: Recording) -> Verdict:
-    walls = [one.wall for one in see.said(recording, TOUCH)]
+    walls = [one.wall for one in see.published(recording, TOUCH)]
     place = touches(recording).after_the_pause or len(walls)
     begin, end = (walls[place - 1] + REPORTED_BY_S, walls[place]) if len(walls) > place else (None, None)
     share = see.processor_share(recording, begin, end)
@@ -221,7 +223,7 @@ def easy_on_processor(recording: Recording) -> Verdict:
         return see.passed("hardly any processor time" if share is None else f"{share:.0%} of a processor")
     expected = f"less than {PROCESSOR_SHARE:.0%}: while no touch comes, there is nothing to do"
     saw = f"{share:.1%} of a processor while no touch came"
-    if share < NEVER_WAITS_SHARE < share + recording.in_line_s / recording.robot_s:
+    if share < NEVER_WAITS_SHARE < share + recording.in_line_s / recording.simulated_s:
         return see.failed(
             "easy-on-processor.wants-more",
             f"{saw}. It was ready to use more, and waited for a busy processor for {recording.in_line_s:.1f} s in all",
@@ -267,7 +269,7 @@ def places_of_reports(recording: Recording) -> list[int | None]:
     touch that was reported last (of two in a row with one number the second), otherwise the latest. None if there is
     none.
     """
-    words = see.said(recording, TOUCH)
+    words = see.published(recording, TOUCH)
     found: list[int | None] = []
     taken: set[int | None] = set()
     last = -1
@@ -303,7 +305,7 @@ def late_ms(recording: Recording, *, alone: bool) -> list[float]:
     moments, those_alone = moments_of_reports(recording), touches(recording).alone
     return [
         1000.0 * (moments[place] - word.wall)
-        for place, word in enumerate(see.said(recording, TOUCH))
+        for place, word in enumerate(see.published(recording, TOUCH))
         if place in moments and (place in those_alone) is alone
     ]
 
@@ -317,7 +319,7 @@ def typically_late_ms(recording: Recording) -> float | None:
 def too_early(recording: Recording) -> list[int]:
     """The numbers that were reported before they came for the first time."""
     first: dict[int, float] = {}
-    for one in see.said(recording, TOUCH):
+    for one in see.published(recording, TOUCH):
         first.setdefault(one.value["data"], one.wall)
     return [
         number

@@ -84,6 +84,7 @@ LEAST_DUE = 1.0  # of fewer beats nothing can be told
 SHORTEST_BEAT_S, LONGEST_BEAT_S = 0.18, 0.22
 STOPPED_S = 0.9
 EDGE_S = 0.05
+FEW_CALLS = 2  # fewer calls after the last beat do not show that the rest goes on
 AT_ONCE_S = 0.05  # from one report to the next
 EARLY_S = 0.1  # what was asked before the watch began waited for it; how long, nobody knows
 FIRST_SECONDS_S = 2.5  # a call from before the watch may be given up until then
@@ -94,7 +95,7 @@ def alive_at_end(recording: Recording) -> Verdict:
     verdict = see.alive_at_end(recording)
     if "'NoneType' object has no attribute 'success'" not in verdict.saw:
         return verdict
-    waited = [recording.robot_s - call.t for call in asked(recording) if call.answered_t is None]
+    waited = [recording.simulated_s - call.t for call in asked(recording) if call.answered_t is None]
     if max(waited, default=0.0) > MAY_TAKE_S:
         return see.failed(
             "alive-at-end.result-of-none",
@@ -106,7 +107,7 @@ def alive_at_end(recording: Recording) -> Verdict:
         )
     last = max(asked(recording), key=lambda call: call.t, default=None)
     if last is not None and last.answered_t is not None:
-        lag = recording.robot_s - last.answered_t
+        lag = recording.simulated_s - last.answered_t
         if lag > WAITED_IN_VAIN_S:
             return waited_in_vain(verdict, lag)
     return see.failed(
@@ -131,14 +132,14 @@ def calls_arrive(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="It calls once a second, and continues after a call without an answer",
+    title="It calls once a second, and continues after a call without a response",
     needs=[calls_arrive, alive_at_end],
 )
 def asks_every_second(recording: Recording) -> Verdict:
     calls = [call for call in asked(recording) if call.t >= EARLY_S]
     times = [call.t for call in calls]
     pauses = [
-        (b - a, call) for (a, b), call in zip(pairwise([*times, recording.robot_s]), calls, strict=True)
+        (b - a, call) for (a, b), call in zip(pairwise([*times, recording.simulated_s]), calls, strict=True)
     ]
     long = [
         (pause, call)
@@ -147,7 +148,9 @@ def asks_every_second(recording: Recording) -> Verdict:
     ]
     if any(pause > LONGEST_PAUSE_S for pause, _ in long):
         return why_a_pause(recording, *max(long, key=lambda one: one[0]))
-    typical = statistics.median(b - a for a, b in pairwise(times)) if len(times) > 1 else recording.robot_s
+    typical = (
+        statistics.median(b - a for a, b in pairwise(times)) if len(times) > 1 else recording.simulated_s
+    )
     if typical < SHORTEST_PERIOD_S:
         return why_too_often(recording, calls, typical)
     if typical > LONGEST_PERIOD_S or len(long) > PAUSES:
@@ -157,7 +160,7 @@ def asks_every_second(recording: Recording) -> Verdict:
     return see.passed(f"{len(times)} calls, typically {typical:.1f} s apart")
 
 
-@criterion(points=1, title="/robot/health carries String and says only the three words", needs=[program_runs])
+@criterion(points=1, title="/robot/health carries String, and only the three words", needs=[program_runs])
 def health_topic(recording: Recording) -> Verdict:
     exists = see.publishes(recording, HEALTH)
     if not exists.ok or not recording.topic(HEALTH.name).arrivals:
@@ -166,7 +169,9 @@ def health_topic(recording: Recording) -> Verdict:
 
 
 @criterion(
-    points=2, title="Each answer is reported: right, in time and once", needs=[calls_arrive, health_topic]
+    points=2,
+    title="Each response is reported: correctly, in time, and once",
+    needs=[calls_arrive, health_topic],
 )
 def results_told(recording: Recording) -> Verdict:
     fitting = told_answers(recording)
@@ -180,7 +185,7 @@ def results_told(recording: Recording) -> Verdict:
 
 @criterion(
     points=2,
-    title='"no answer" is reported in time, and only for calls that got no answer',
+    title='"no answer" is reported in time, and only for calls that got no response',
     needs=[calls_arrive, health_topic, alive_at_end],
 )
 def unanswered_told(recording: Recording) -> Verdict:
@@ -264,11 +269,11 @@ def why_few_calls(recording: Recording, calls: list[CallSeen]) -> Verdict:
     blamed = see.failed_by_error(recording, how_many, expected)
     if blamed is not None:
         return blamed
-    if last.answered_t is not None and recording.robot_s - last.t > LONGEST_PAUSE_S:
+    if last.answered_t is not None and recording.simulated_s - last.t > LONGEST_PAUSE_S:
         return why_no_more(recording, last, how_many, expected)
     return see.failed(
         "calls-arrive.too-few",
-        f"{how_many} in {recording.robot_s:.0f} s",
+        f"{how_many} in {recording.simulated_s:.0f} s",
         expected,
         "The timer that sends the requests is too slow, or something holds it up.",
         "create_timer(1.0, self.ask), and let ask() return at once.",
@@ -328,8 +333,8 @@ def why_nothing_more(asked_t: float, answered_t: float, reported: bool, words: t
 
 def is_alive(recording: Recording) -> bool:
     """Whether anything at all was published in the last second of the watch."""
-    ends = [topic.arrivals[-1].t for topic in recording.published() if topic.arrivals]
-    return max(ends, default=0.0) > recording.robot_s - 1.0
+    ends = [topic.arrivals[-1].t for topic in recording.with_publishers() if topic.arrivals]
+    return max(ends, default=0.0) > recording.simulated_s - 1.0
 
 
 def why_a_pause(recording: Recording, longest: float, before: CallSeen) -> Verdict:
@@ -339,7 +344,7 @@ def why_a_pause(recording: Recording, longest: float, before: CallSeen) -> Verdi
     if blamed is not None:
         return blamed
     earlier = next((call for call in asked(recording) if call.response is None), before)
-    to_the_end = before.t + longest >= recording.robot_s - EDGE_S
+    to_the_end = before.t + longest >= recording.simulated_s - EDGE_S
     if before.response is None and to_the_end and earlier is not before:
         return see.failed(
             "asks-every-second.stops-at-a-later-one",
@@ -377,10 +382,11 @@ def why_a_pause_after_an_answer(recording: Recording, longest: float, before: Ca
             "Forget the call that was given up, and send the next request when it is due.",
             about_time=True,
         )
-    if before.t + longest >= recording.robot_s - EDGE_S:
+    if before.t + longest >= recording.simulated_s - EDGE_S:
         return see.failed(
             "asks-every-second.stops",
-            f"{len(asked(recording))} calls, the last one at {before.t:.1f} s, none until {recording.robot_s:.1f} s",
+            f"{len(asked(recording))} calls, the last one at {before.t:.1f} s, none until "
+            f"{recording.simulated_s:.1f} s",
             ONCE_A_SECOND,
             "The requests stop, although the last call was answered: they are counted, the timer is canceled, or "
             "the callback that sends them does not return.",
@@ -436,7 +442,7 @@ def why_seldom(recording: Recording, typical: float, long: list[tuple[float, Cal
 
 def why_too_often(recording: Recording, calls: list[CallSeen], typical: float) -> Verdict:
     """Why calls come typically sooner than they should: several at once, after an answer, or by a short period."""
-    how_many = f"{len(asked(recording))} calls in {recording.robot_s:.0f} s"
+    how_many = f"{len(asked(recording))} calls in {recording.simulated_s:.0f} s"
     groups = sizes_of_groups(calls)
     together = statistics.mode(groups)
     if together > 1 and groups.count(together) > MOSTLY * len(groups):
@@ -563,7 +569,7 @@ def answers_in(recording: Recording) -> list[Answer]:
             WORDS[call.response["success"]],
             call.t < EARLY_S
             or call.answered_t - call.t > MAY_COME_UNTIL_S
-            or call.answered_t > recording.robot_s - TOLD_WITHIN_S - LONG_SLACK_S,
+            or call.answered_t > recording.simulated_s - TOLD_WITHIN_S - LONG_SLACK_S,
         )
         for call in asked(recording)
         if call.answered_t is not None
@@ -577,12 +583,12 @@ def told_answers(recording: Recording, edge_s: float = 0.0) -> list[tuple[Answer
     On a very busy machine one slow answer may be given up a moment too early. Answers in the last `edge_s` of the watch
     may be without a report.
     """
-    last = recording.robot_s - TOLD_WITHIN_S - LONG_SLACK_S
+    last = recording.simulated_s - TOLD_WITHIN_S - LONG_SLACK_S
     return see.pair_in_order(
         answers_in(recording),
         told(recording, *WORDS.values()),
         belongs=lambda answer, said: said[1] == answer.word and -EARLY_S <= said[0] - answer.at <= BELONGS_S,
-        may_be_missing=lambda answer: answer.may_be_missing or answer.at > recording.robot_s - edge_s,
+        may_be_missing=lambda answer: answer.may_be_missing or answer.at > recording.simulated_s - edge_s,
         may_be_extra=lambda said: said[0] > last or said[0] < EARLY_S,
         excusable=lambda answer: given_up_a_moment_early(recording, answer),
     )
@@ -1019,7 +1025,7 @@ def given_up_in_vain(recording: Recording) -> tuple[list[CallSeen], list[float]]
     left = sorted(t for t, _ in told(recording, NO_ANSWER))
     silent = [call for call in asked(recording) if call.response is None]
     may_come_later = [
-        call for call in silent if call.t >= recording.robot_s - GIVEN_UP_WITHIN_S - LONG_SLACK_S
+        call for call in silent if call.t >= recording.simulated_s - GIVEN_UP_WITHIN_S - LONG_SLACK_S
     ]
     untold = []
     for call in silent[: len(silent) - len(may_come_later)]:
@@ -1259,7 +1265,7 @@ def open_for_long(recording: Recording) -> list[tuple[float, float]]:
     spans = [
         (call.t, call.t + MAY_COME_UNTIL_S if call.answered_t is None else call.answered_t)
         for call in asked(recording)
-        if EARLY_S <= call.t < recording.robot_s - 1.0
+        if EARLY_S <= call.t < recording.simulated_s - 1.0
     ]
     return [(begin + EDGE_S, end - EDGE_S) for begin, end in spans if end - begin > SLOW / 2]
 
@@ -1303,16 +1309,17 @@ def stops_for_good(recording: Recording) -> Verdict | None:
     """A failed verdict when no beat comes any more towards the end; None otherwise."""
     end = recording.topic(HEARTBEAT.name).arrivals[-1].t
     typical = see.beats(recording, HEARTBEAT).typical_s
-    if recording.robot_s - end <= max(STOPPED_S, 1.5 * typical):
+    if recording.simulated_s - end <= max(STOPPED_S, 1.5 * typical):
         return None
-    saw = f"the last beat came at {end:.1f} s, then none until {recording.robot_s:.1f} s"
+    saw = f"the last beat came at {end:.1f} s, then none until {recording.simulated_s:.1f} s"
     blamed = see.failed_by_error(recording, saw, FIVE_HERTZ)
     if blamed is not None:
         return blamed
-    if not any(call.t > end + EDGE_S for call in asked(recording)):
+    later = sum(call.t > end + EDGE_S for call in asked(recording))
+    if later < FEW_CALLS:
         return see.failed(
             "heartbeat-steady.stops",
-            f"{saw}; nor did a call come after it",
+            f"{saw}; {'one call came after it, and then no other' if later else 'nor did a call come after it'}",
             FIVE_HERTZ,
             "Nothing spins the node any more. Either a callback waits for an answer that cannot be handled while it "
             "waits, or the loop that spins the node has ended.",
@@ -1321,7 +1328,7 @@ def stops_for_good(recording: Recording) -> Verdict | None:
         )
     return see.failed(
         "heartbeat-steady.stops-alone",
-        f"{saw}, while calls went on",
+        f"{saw}; after it came {later} calls",
         FIVE_HERTZ,
         "The rest of the program continues, but the heartbeat does not. Its timer is canceled or destroyed, it "
         "stops after some number of beats, or its thread has ended.",

@@ -15,8 +15,8 @@ ALARM = topic("/dashboard/alarm", Bool)
 
 WATCH_S = 15.0
 BEAT_S, LINE_S = 0.25, 0.5
-STATUS = see.says("/robot/status", String, [], qos="latched")
-HEART = see.says("/robot/heartbeat", String, [], qos="best_effort", deadline=2 * BEAT_S)
+STATUS = see.publish("/robot/status", String, [], qos="latched")
+HEART = see.publish("/robot/heartbeat", String, [], qos="best_effort", deadline=2 * BEAT_S)
 
 
 def drawn(rng: random.Random) -> list[see.Part]:
@@ -36,8 +36,8 @@ def drawn(rng: random.Random) -> list[see.Part]:
             break
     beats = [(at, f"beat {n + 1}") for n, at in enumerate(moments) if at < WATCH_S - 0.1]
     return [
-        replace(STATUS, lines=see.says(STATUS.topic, String, changes).lines),
-        replace(HEART, lines=see.says(HEART.topic, String, beats).lines),
+        replace(STATUS, lines=see.publish(STATUS.topic, String, changes).lines),
+        replace(HEART, lines=see.publish(HEART.topic, String, beats).lines),
     ]
 
 
@@ -135,7 +135,9 @@ def line_rate(recording: Recording) -> Verdict:
     )
 
 
-@criterion(points=2, title="It shows at once the status from before it started", needs=[line_topic, runs_on])
+@criterion(
+    points=2, title="It shows right away the status from before it started", needs=[line_topic, runs_on]
+)
 def status_at_once(recording: Recording) -> Verdict:
     hears = see.hears(recording, STATUS)
     if not hears.ok:
@@ -206,7 +208,7 @@ def alarm_kept(recording: Recording) -> Verdict:
 def alarm_raised(recording: Recording) -> Verdict:
     took = []
     for number, (began, ended) in enumerate(silences(recording)):
-        if recording.robot_s < began + NOT_AFTER_S + SLACK_S:
+        if recording.simulated_s < began + NOT_AFTER_S + SLACK_S:
             continue
         raised = [t - began for t, on in alarms(recording, began, ended) if on]
         was_on = [on for _, on in alarms(recording, 0.0, began)][-1:] == [True]
@@ -218,7 +220,7 @@ def alarm_raised(recording: Recording) -> Verdict:
     return see.passed(f"raised {see.listing(took)} after the last beat")
 
 
-@criterion(points=1, title="No alarm before it is due", needs=[alarm_topic, hears_heartbeat, runs_on])
+@criterion(points=1, title="The alarm isn't raised too early", needs=[alarm_topic, hears_heartbeat, runs_on])
 def no_false_alarm(recording: Recording) -> Verdict:
     calm_from = AT_ONCE_S
     for began, ended in silences(recording):
@@ -231,22 +233,22 @@ def no_false_alarm(recording: Recording) -> Verdict:
         if early:
             return why_false_alarm(*early[0], first_alarm(recording, early[0][0]))
         # The alarm of this silence may last until it is taken back: whether it is, `alarm_falls` judges.
-        taken_back = [t for t, on in alarms(recording, ended, recording.robot_s) if not on]
-        calm_from = taken_back[0] if taken_back else recording.robot_s
+        taken_back = [t for t, on in alarms(recording, ended, recording.simulated_s) if not on]
+        calm_from = taken_back[0] if taken_back else recording.simulated_s
     return see.passed("no alarm while the heart beats, nor in the first second of silence")
 
 
 @criterion(points=1, title="The alarm ends when the heart beats again", needs=[alarm_raised, no_false_alarm])
 def alarm_falls(recording: Recording) -> Verdict:
     for number, (began, ended) in enumerate(silences(recording)):
-        during = alarms(recording, began, min(ended, recording.robot_s))
+        during = alarms(recording, began, min(ended, recording.simulated_s))
         raised = next((t for t, on in during if on), None)
         fell = next((t for t, on in during if raised is not None and t > raised and not on), None)
         if fell is not None:
             return why_fell_in_silence(fell - began, just_after_a_status(recording, fell))
-        if ended + FALLS_WITHIN_S + SLACK_S > recording.robot_s:
+        if ended + FALLS_WITHIN_S + SLACK_S > recording.simulated_s:
             continue
-        fell = next((t for t, on in alarms(recording, ended, recording.robot_s) if not on), None)
+        fell = next((t for t, on in alarms(recording, ended, recording.simulated_s) if not on), None)
         if fell is None or fell - ended > FALLS_WITHIN_S + SLACK_S:
             if fell is not None and just_after_a_status(recording, fell):
                 return why_waits_for_a_status(fell - ended)
@@ -275,14 +277,14 @@ def lines_between(recording: Recording, begin: float, end: float) -> list[tuple[
 
 def statuses(recording: Recording) -> list[tuple[float, float, str]]:
     """From when to when (s) each status held, and its word; the first one from the begin of the watch on."""
-    said = [(max(0.0, one.t), str(one.value["data"])) for one in see.said(recording, STATUS.topic)]
-    ends = [*(t for t, _ in said[1:]), recording.robot_s]
+    said = [(max(0.0, one.t), str(one.value["data"])) for one in see.published(recording, STATUS.topic)]
+    ends = [*(t for t, _ in said[1:]), recording.simulated_s]
     return [(begin, end, word) for (begin, word), end in zip(said, ends, strict=True)]
 
 
 def beat_times(recording: Recording) -> list[float]:
     """When the heart beat (s)."""
-    return [one.t for one in see.said(recording, HEART.topic)]
+    return [one.t for one in see.published(recording, HEART.topic)]
 
 
 def last_beat(recording: Recording, t: float) -> float:
@@ -292,7 +294,7 @@ def last_beat(recording: Recording, t: float) -> float:
 
 def silences(recording: Recording) -> list[tuple[float, float]]:
     """The last beat before each long silence and the first one after it (s); the end of the watch if there is none."""
-    return silences_between([*beat_times(recording), recording.robot_s])
+    return silences_between([*beat_times(recording), recording.simulated_s])
 
 
 def silences_between(moments: Sequence[float]) -> list[tuple[float, float]]:
@@ -308,7 +310,7 @@ def alarms(recording: Recording, begin: float, end: float) -> list[tuple[float, 
 
 def line_gaps(recording: Recording) -> list[tuple[float, float]]:
     """The long silences of the line, from when to when (s)."""
-    start, end = recording.topic(LINE.name).window or (0.0, recording.robot_s)
+    start, end = recording.topic(LINE.name).window or (0.0, recording.simulated_s)
     times = [start, *(one.t for one in recording.topic(LINE.name).arrivals), end]
     return [(last, following) for last, following in pairwise(times) if following - last > LONGEST_GAP_S]
 
@@ -353,7 +355,7 @@ def status_ended_an_alarm(recording: Recording) -> float | None:
     """When (s) an alarm ended in a silence of the heart, just when the status changed; None if none did."""
     for began, ended in silences(recording):
         during = alarms(recording, began, ended)
-        raised = next((t for t, on in during if on), recording.robot_s)
+        raised = next((t for t, on in during if on), recording.simulated_s)
         for t, on in during:
             if t > raised and not on and just_after_a_status(recording, t):
                 return t
@@ -362,7 +364,7 @@ def status_ended_an_alarm(recording: Recording) -> float | None:
 
 def alarms_with_the_status(recording: Recording) -> int:
     """How many times the alarm changed, if each time right after the status had changed likewise; otherwise 0."""
-    heard = alarms(recording, AT_ONCE_S, recording.robot_s)
+    heard = alarms(recording, AT_ONCE_S, recording.simulated_s)
     changes = [(t, on) for (_, before), (t, on) in pairwise([(0.0, None), *heard]) if on != before]
     likewise = any(
         all(
@@ -386,7 +388,7 @@ def why_silent(recording: Recording) -> Verdict | None:
     if with_a_status:
         return see.failed(
             "line-rate.only-with-a-status",
-            f"{see.count(with_a_status, 'line')} in {recording.robot_s:.1f} s, each just after the robot published "
+            f"{see.count(with_a_status, 'line')} in {recording.simulated_s:.1f} s, each just after the robot published "
             "its status",
             TWO_HERTZ,
             "The line is published in the callback of the status, which is called only when the status changes.",
@@ -397,7 +399,7 @@ def why_silent(recording: Recording) -> Verdict | None:
     blamed = see.failed_by_error(recording, f"no line {times}", TWO_HERTZ) if gaps else None
     if blamed is not None:
         return blamed
-    raised = [t for t, on in alarms(recording, 0.0, recording.robot_s) if on]
+    raised = [t for t, on in alarms(recording, 0.0, recording.simulated_s) if on]
     if gaps and all(any(-EARLY_S <= t - last <= NEAR_S for t in raised) for last, _ in gaps):
         return see.failed(
             "line-rate.stops-with-the-alarm",
@@ -425,12 +427,12 @@ def also_with_each_beat(recording: Recording) -> Verdict | None:
     lines = [one.t for one in recording.topic(LINE.name).arrivals]
     with_a_beat = [beat for beat in beats if any(0.0 <= t - beat <= 2 * EARLY_S for t in lines)]
     others = [t for t in lines if not any(0.0 <= t - beat <= 2 * EARLY_S for beat in beats)]
-    if len(with_a_beat) < 0.8 * len(beats) or len(others) < SLOWEST_HZ * recording.robot_s / 2:
+    if len(with_a_beat) < 0.8 * len(beats) or len(others) < SLOWEST_HZ * recording.simulated_s / 2:
         return None
     return see.failed(
         "line-rate.also-with-each-beat",
-        f"{len(lines)} lines in {recording.robot_s:.1f} s. A line came with {len(with_a_beat)} of {len(beats)} beats, "
-        f"and {len(others)} lines came at other times",
+        f"{len(lines)} lines in {recording.simulated_s:.1f} s. A line came with {len(with_a_beat)} of {len(beats)} "
+        f"beats, and {len(others)} lines came at other times",
         TWO_HERTZ,
         "Two places publish the line: a timer, and the callback of the heartbeat.",
         "Let the timer alone publish the line. In the callback, only store what you need.",
@@ -552,7 +554,7 @@ def why_followed_late(
             about_time=True,
         )
     if not followed and any(
-        word in named(text) for _, text in lines_between(recording, end, recording.robot_s)
+        word in named(text) for _, text in lines_between(recording, end, recording.simulated_s)
     ):
         return see.failed(
             "status-follows.only-sometimes",

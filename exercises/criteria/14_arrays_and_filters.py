@@ -5,8 +5,9 @@ import operator
 import random
 import statistics
 from collections import Counter
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import wraps
 from itertools import pairwise
 from typing import Any
 
@@ -119,10 +120,10 @@ BEGIN_S = 0.5
 SAID_AT = tuple(round(BEGIN_S + place * PERIOD_S, 2) for place in range(len(SAMPLES)))
 WATCH_S = SAID_AT[-1] + 1.0
 WATCH = watching(
-    robot_seconds=WATCH_S,
+    simulated_seconds=WATCH_S,
     wall_seconds=WATCH_S,
     script=[
-        see.says(
+        see.publish(
             RAW.name,
             JointState,
             [
@@ -141,7 +142,7 @@ WATCH = watching(
 )
 
 
-@criterion(points=1, title="It listens to /encoders/joint_states, type JointState", needs=[program_runs])
+@criterion(points=1, title="It subscribes to /encoders/joint_states, type JointState", needs=[program_runs])
 def listens(recording: Recording) -> Verdict:
     return see.listens(recording, RAW)
 
@@ -165,7 +166,7 @@ def answers_come(recording: Recording) -> Verdict:
     if recording.topic(FILTERED.name).arrivals:
         return see.passed("answers come")
     nothing = f"{len(SAMPLES)} messages were sent to {RAW.name}, and nothing came on {FILTERED.name}"
-    return see.failed_by_error(recording, nothing, ONE_EACH, about_time=True) or see.failed(
+    return see.ended_or_error(recording, nothing, ONE_EACH) or see.failed(
         "answers-come.nothing",
         nothing,
         ONE_EACH,
@@ -176,14 +177,40 @@ def answers_come(recording: Recording) -> Verdict:
     )
 
 
+Judges = Callable[[Recording], Verdict]
+
+
+def needs_messages_known(judge: Judges) -> Judges:
+    """Judge only where each answer has an angle for each joint, and it can be told which message it is for."""
+
+    @wraps(judge)
+    def judge_if_known(recording: Recording) -> Verdict:
+        given = answers(recording)
+        if any(len(answer.angles) != len(JOINTS) for answer in given):
+            return see.not_judged("some answers do not have an angle for each joint")
+        if any(answer.place is None for answer in given):
+            return see.not_judged("it cannot be told which message each answer is for")
+        return judge(recording)
+
+    return judge_if_known
+
+
 @criterion(
-    points=1, title="Each answer has the stamp, the names and an angle for each joint", needs=[answers_come]
+    points=1, title="Each answer has the stamp, the names, and an angle for each joint", needs=[answers_come]
 )
 def labels_kept(recording: Recording) -> Verdict:
-    given = answers(recording)
+    given = answers_as_they_came(recording)
     strange = [answer for answer in given if answer.place is None]
     if strange:
         return why_strange_stamps(strange, len(given))
+    if len(given) > STARTING and len({answer.stamp_s for answer in given}) == 1:
+        return see.failed(
+            "labels-kept.one-stamp",
+            f"all {see.count(len(given), 'answer')} have the same stamp, {given[0].stamp_s:.2f} s",
+            BOARD_STAMPS,
+            "The header of one message is kept, and used for all answers.",
+            "Copy the header of the message that you answer, in each call: answer.header = message.header.",
+        )
     others = [answer for answer in given if answer.names != JOINTS]
     if others:
         return why_other_names(others, len(given))
@@ -199,7 +226,8 @@ def labels_kept(recording: Recording) -> Verdict:
     return see.passed(f"{see.count(len(given), 'answer')} with stamp, names and {len(JOINTS)} angles")
 
 
-@criterion(points=2, title="Every message is answered once, at once, in order", needs=[labels_kept])
+@criterion(points=2, title="Every message is answered once, right away, in order", needs=[answers_come])
+@needs_messages_known
 def every_one_answered(recording: Recording) -> Verdict:
     places = [answer.place for answer in answers(recording) if answer.place is not None]
     times = Counter(places)
@@ -235,8 +263,8 @@ def why_repeated(twice: Sequence[int], times: Mapping[int, int]) -> Verdict | No
             "every-one-answered.repeated-at-restart",
             f"{saw}: the first message after a restart",
             ONE_EACH,
-            "At a restart two lines publish: the one that begins anew, and the one that publishes every answer.",
-            "Only fill the memory when you begin anew, and let one line publish all answers.",
+            "At a restart, two lines publish: the one that begins again, and the one that publishes every answer.",
+            "When you begin again, only fill the state, and let one line publish all answers.",
         )
     if all(place + 1 in NAN_AT and place + 1 not in times for place in twice):
         return see.failed(
@@ -249,7 +277,8 @@ def why_repeated(twice: Sequence[int], times: Mapping[int, int]) -> Verdict | No
     return None
 
 
-@criterion(points=0, title="It filters", needs=[labels_kept])
+@criterion(points=0, title="It filters", needs=[answers_come])
+@needs_messages_known
 def filters(recording: Recording) -> Verdict:
     beside = why_beside(recording)
     if beside is not None:
@@ -270,9 +299,9 @@ def filters(recording: Recording) -> Verdict:
         "filters.passes-through",
         "the angles come out as they went in",
         LITTLE_LEFT,
-        "The filter is not used, or its memory is made anew in each call, so that it begins again with each message. "
-        "Or it runs to and fro over the last messages (filtfilt), and at their end it has nothing to look ahead to.",
-        "Keep the memory of the filter in an attribute of the node, and give it back to the filter in each call.",
+        "The filter isn't used, or its state is reset in every call. Or you run filtfilt, which needs samples on "
+        "both sides, but the newest message has none after it.",
+        "Keep the filter's state in an attribute of the node, and give it back to the filter in each call.",
     )
 
 
@@ -280,7 +309,7 @@ def filters(recording: Recording) -> Verdict:
 def noise_reduced(recording: Recording) -> Verdict:
     found = noise_left(recording, STEADY)
     if found is None:
-        return too_few("noise-reduced.too-few-answers")
+        return too_few("noise-reduced.too-few-answers", recording)
     whole, left = found
     if not all(math.isfinite(one) for one in left):
         return no_numbers("noise-reduced.no-number")
@@ -293,7 +322,7 @@ def noise_reduced(recording: Recording) -> Verdict:
             LITTLE_LEFT,
             "The filter has not reached the joint. It still remembers where the joint was before, it began with "
             "zeros, or its result is no longer used.",
-            "At a restart, fill the memory of the filter with the first message, and go on as before.",
+            "At a restart, fill the filter's state with the first message, and go on as before.",
         )
     if whole > MOST_NOISE or max(left) > MOST_NOISE_OF_ONE:
         return why_noisy(recording, whole, left)
@@ -304,7 +333,7 @@ def noise_reduced(recording: Recording) -> Verdict:
 def delay_bounded(recording: Recording) -> Verdict:
     behind = delays_of(recording, MOVING, 1.0)
     if behind is None:
-        return too_few("delay-bounded.too-few-answers")
+        return too_few("delay-bounded.too-few-answers", recording)
     if not all(map(math.isfinite, behind)):
         return no_numbers("delay-bounded.no-number")
     whole_s = of_all(behind)
@@ -328,7 +357,7 @@ def begins_near(recording: Recording) -> Verdict:
     return near_at_start(recording, 0, None)
 
 
-@criterion(points=1, title="It notices the restart, and begins anew", needs=[filters])
+@criterion(points=1, title="It notices the restart and begins again", needs=[filters])
 def restart_noticed(recording: Recording) -> Verdict:
     for number, start in enumerate(STARTS[1:]):
         verdict = near_at_start(recording, start[0], SAMPLES[start[0] - 1].truth)
@@ -345,11 +374,11 @@ def why_not_noticed(recording: Recording, verdict: Verdict, number: int) -> Verd
     if old:
         return see.failed(
             "restart-noticed.some-joints",
-            f"{verdict.saw}. At the restart, other joints began anew, but not {see.listing(old)}",
+            f"{verdict.saw}. At the restart, other joints began again, but not {see.listing(old)}",
             verdict.expected,
-            "Only joints whose angle jumped far begin anew, or only some joints have a memory that is filled anew. A "
-            "joint may also be turned a little.",
-            "Tell the restart by the stamp alone, and begin anew with all joints.",
+            "Only joints whose angle jumped far begin again, or your code fills the state of only some joints "
+            "again. A joint may also have been turned only a little.",
+            "Detect the restart by the stamp alone, and begin again with all joints.",
         )
     late = why_one_late_start(recording, verdict) if number == 0 else None
     if late is not None:
@@ -357,18 +386,18 @@ def why_not_noticed(recording: Recording, verdict: Verdict, number: int) -> Verd
     if number > 0 and verdict.cause == REMEMBERS[0]:
         return see.failed(
             "restart-noticed.first-only",
-            f"{verdict.saw}. After the first restart, the filter had begun anew",
+            f"{verdict.saw}. After the first restart, the filter had begun again",
             verdict.expected,
             "The second restart goes unnoticed: a flag is never cleared, the step back must be large, or the joints "
             "must have jumped far. This time they were turned only a little. The stamp "
             f"went back from {stamp_of(RESTART_AGAIN - 1):.2f} s to {stamp_of(RESTART_AGAIN):.2f} s.",
-            "Compare each stamp with the one before it, and begin anew whenever it is smaller.",
+            "Compare each stamp with the one before it, and begin again whenever it's smaller.",
         )
     if not begins_anew_each_second(recording):
         return verdict
     return see.failed(
         "restart-noticed.nanosec-alone",
-        f"{verdict.saw}. But at each full second the filter began anew",
+        f"{verdict.saw}. But at each full second the filter began again",
         verdict.expected,
         "The stamps are compared by their nanosec alone, which begins again with each second. The restart went "
         "unnoticed, because nanosec happened to increase at that moment.",
@@ -386,9 +415,9 @@ def why_one_late_start(recording: Recording, verdict: Verdict) -> Verdict | None
         "restart-noticed.one-late",
         f"{verdict.saw}. The answers after that are where the joints are",
         verdict.expected,
-        "The filter begins anew one message too late. The first answer after the restart is made of the old memory, or "
-        "it is the result of the message before.",
-        "Compare the stamps first, fill the memory again with this message, and then filter and publish.",
+        "The filter begins again one message too late. The first answer after the restart is computed from the "
+        "old state, or it's the previous message's result.",
+        "Compare the stamps first, fill the state again with this message, and then filter and publish.",
     )
 
 
@@ -425,7 +454,8 @@ def why_nan_out(bad: Sequence[int], last: int) -> Verdict | None:
             f"a NaN came in with {shown(min(NAN_AT))}; {see.count(len(bad), 'answer')} since then say NaN, the last "
             f"of them for {shown(bad[-1])}",
             FINITE,
-            "NaN got into the memory of the filter. Whatever is computed from NaN is NaN, so there it stays.",
+            "A NaN got into the filter's state. Every later result is computed from that state, so every later "
+            "result is NaN.",
             NAN_OUT,
         )
     if not set(bad) <= set(NAN_AT):
@@ -434,8 +464,8 @@ def why_nan_out(bad: Sequence[int], last: int) -> Verdict | None:
             f"{see.count(len(bad), 'answer')} went out with a NaN, the first of them for {shown(bad[0])}. Only "
             f"{see.count(len(NAN_AT), 'message')} came in with one",
             FINITE,
-            "NaN got into the memory of the filter, and stays until it falls out at the end of the window. A "
-            "comparison such as angle == math.nan never finds it: NaN is not equal to itself.",
+            "A NaN got into the filter's state, and stays there until it leaves the window. A comparison such as "
+            "angle == math.nan never finds it: NaN isn't equal to itself.",
             NAN_OUT,
         )
     if bad:
@@ -443,7 +473,7 @@ def why_nan_out(bad: Sequence[int], last: int) -> Verdict | None:
             "survives-nan.passed-on",
             f"{see.count(len(bad), 'answer')} with NaN, the first of them for {shown(bad[0])}",
             FINITE,
-            "NaN goes through to the answer.",
+            "The NaN is passed through to the answer.",
             NAN_OUT,
         )
     return None
@@ -456,9 +486,9 @@ def why_second_nan(bad: Sequence[int]) -> Verdict:
         f"{see.count(len(bad), 'answer')} with NaN, the first of them for {shown(bad[0])}: the second message with NaN "
         "in a row from the same joint. A single NaN did no harm",
         FINITE,
-        "NaN is replaced by what the encoder gave in the message before, which may be NaN itself. Or only one NaN in a "
+        "Your code replaces NaN with the previous message's value, which may be NaN itself. Or only one NaN in a "
         "row is replaced.",
-        "Remember the last good angle of each joint, after NaN has been replaced: a NaN never gets there.",
+        "Store each joint's last good angle after you've replaced NaN, so that the stored angle is never NaN.",
     )
 
 
@@ -470,7 +500,7 @@ LITTLE_LEFT = (
     "at each joint"
 )
 FINITE = f"{len(JOINTS)} finite angles in each answer"
-BOARD_STAMPS = "the stamp of the message that it answers, as it came"
+BOARD_STAMPS = "the unchanged stamp of the message that it answers"
 
 
 @dataclass(frozen=True)
@@ -485,7 +515,23 @@ class Answered:
 
 
 def answers(recording: Recording) -> list[Answered]:
-    """What arrived on the topic of the answers, in order."""
+    """What arrived, in order. Where stamps do not tell which message an answer is for, the order of the answers does.
+
+    That takes one answer for each message. Until a program ends, there is one for each message as well.
+    """
+    given = answers_as_they_came(recording)
+    known = all(answer.place is not None for answer in given)
+    if known and len({answer.place for answer in given}) > 1:
+        return given
+    heard = len(see.published(recording, RAW.name))
+    ended = recording.process.ended_by == "itself"
+    if len(given) != heard and not (ended and len(given) < heard):
+        return given
+    return [replace(answer, place=place) for place, answer in enumerate(given)]
+
+
+def answers_as_they_came(recording: Recording) -> list[Answered]:
+    """What arrived on the topic of the answers, in order, with the place that its stamp tells."""
     found = []
     for arrival in recording.topic(FILTERED.name).arrivals:
         if not isinstance(arrival.value, dict):
@@ -601,7 +647,7 @@ def why_late_back(recording: Recording, forth_s: float) -> Verdict | None:
         f"the first one, all together were {forth_s:.2f} s behind",
         f"at most {LONGEST_DELAY_S} s in each movement, and at most {LONGEST_DELAY_OF_ONE_S} s at each joint",
         "The filter changes on the way: its window grows, or it follows more slowly after a NaN.",
-        "Keep the weights of the filter as they are, also after a NaN.",
+        "Keep the filter's weights unchanged, even after a NaN.",
     )
 
 
@@ -630,35 +676,35 @@ Words = tuple[str, str, str]
 """A cause, the likely reason, and one thing to try."""
 OTHER_THAN_NAN: Words = (
     "survives-nan.other-angle",
-    "In the place of NaN, the filter gets a number that has nothing to do with the joint, such as 0. Or joints "
-    "without NaN are changed as well.",
-    "Put the last good angle of the same joint in its place, and leave the other joints alone.",
+    "Instead of NaN, the filter gets a number that is unrelated to the joint, such as 0. Or joints without NaN "
+    "are changed as well.",
+    "Replace it with the same joint's last good angle, and leave the other joints alone.",
 )
 
 ZEROS_AT_START: Words = (
     "begins-near.swings-in",
-    "The filter begins with zeros in its memory, and needs a while to get away from there.",
-    "Fill the memory with the first message: for sosfilt, zi = sosfilt_zi(sos) times the first angle.",
+    "The filter's state begins with zeros, and it takes a while to move away from them.",
+    "Fill the state with the first message: for sosfilt, zi = sosfilt_zi(sos) times the first angle.",
 )
 ELSEWHERE_AT_START: Words = (
     "begins-near.elsewhere",
-    "At the start, the memory of the filter does not hold the angles of the first message.",
-    "Fill the memory with the first message, for each joint by itself.",
+    "At the start, the filter's state doesn't contain the first message's angles.",
+    "Fill the state with the first message, for each joint by itself.",
 )
 REMEMBERS: Words = (
     "restart-noticed.remembers",
-    "The joints were turned while the board was off. The filter still remembers where they were before.",
-    "When a stamp is earlier than the previous one, fill the filter's memory again, as at the start.",
+    "The joints were turned while the board was off. The filter's state still contains the earlier angles.",
+    "When a stamp is earlier than the previous one, fill the filter's state again, as at the start.",
 )
 ZEROS_AGAIN: Words = (
     "restart-noticed.zeros",
-    "After the restart, there are zeros in the memory of the filter, or in its answers.",
-    "Fill the memory with the first message after the restart, by the same lines as at the start.",
+    "After the restart, there are zeros in the filter's state or in its answers.",
+    "Fill the state with the first message after the restart, by the same lines as at the start.",
 )
 ELSEWHERE_AGAIN: Words = (
     "restart-noticed.elsewhere",
-    "After the restart, the memory of the filter does not hold the angles of the first message since then.",
-    "When a stamp is earlier than the previous one, fill the filter's memory again, as at the start.",
+    "After the restart, the filter's state doesn't contain the angles of the first message since then.",
+    "When a stamp is earlier than the previous one, fill the filter's state again, as at the start.",
 )
 
 
@@ -667,7 +713,7 @@ def near(recording: Recording, places: Sequence[int], words: Words) -> Verdict:
     by_place = first_answers(recording)
     known = [place for place in places if place in by_place]
     if 2 * len(known) < len(places):
-        return too_few(TOO_FEW)
+        return too_few(TOO_FEW, recording)
     bad = first_far(by_place, known)
     if bad is None:
         return see.passed(f"within {NEAR_RAD} rad at every joint")
@@ -770,15 +816,15 @@ def lost_after_nan(recording: Recording) -> Verdict | None:
             "survives-nan.follows-slowly",
             f"{saw}. In the first movement the answers were {of_all(behind):.2f} s behind",
             f"an angle within {FOLLOWS_RAD} rad of the joint when it moves again",
-            "Since the NaN, the filter follows more slowly than before.",
-            "Keep the weights of the filter as they are, also after a NaN.",
+            "After the NaN, the filter follows more slowly than before.",
+            "Keep the filter's weights unchanged, even after a NaN.",
         )
     return see.failed(
         "survives-nan.not-followed",
         saw,
         f"an angle within {FOLLOWS_RAD} rad of the joint when it moves again",
-        "NaN got into the memory of the filter, and there it stays. What is published in its place, such as 0 or the "
-        "last answer, only hides it. Or a joint that gave NaN once is held from then on.",
+        "A NaN got into the filter's state, and it stays there. The value that you publish instead, such as 0 or "
+        "the last answer, only hides it. Or a joint that gave NaN once is held from then on.",
         "Replace each NaN before the filter, not after it: put in the last good angle of that joint. "
         "np.isfinite is False for a NaN.",
     )
@@ -787,10 +833,10 @@ def lost_after_nan(recording: Recording) -> Verdict | None:
 def at_once(recording: Recording) -> Verdict:
     """All messages were answered, in order; whether at once.
 
-    Robot time waits for a callback that sleeps or computes. So there the real time from each message to its answer
+    Simulated time waits for a callback that sleeps or computes. So there the real time from each message to its answer
     counts, and who takes longer than a period is judged in real time.
     """
-    said_at = [word.t for word in see.said(recording, RAW.name)]
+    said_at = [word.t for word in see.published(recording, RAW.name)]
     took_s = real_seconds(recording)
     if recording.clock == "simulated" and took_s > PERIOD_S:
         return see.failed(
@@ -798,7 +844,7 @@ def at_once(recording: Recording) -> Verdict:
             f"an answer takes {took_s:.2f} s on average, and a message comes every {PERIOD_S} s",
             f"typically within {TYPICALLY_S} s, and {SHARE_AT_ONCE:.0%} of them within {AT_ONCE_S} s",
             "The callback sleeps or takes long to compute.",
-            "Take the sleep out of the callback: it is called for each message, and answers it at once.",
+            "Remove the sleep from the callback, so that each call answers its message right away.",
             about_time=True,
         )
     waited = [answer.t - at for at, answer in zip(said_at, answers(recording), strict=False)]
@@ -813,7 +859,7 @@ def at_once(recording: Recording) -> Verdict:
         f"typically within {TYPICALLY_S} s, and {SHARE_AT_ONCE:.0%} of them within {AT_ONCE_S} s",
         "Messages are collected and answered later, by a timer or in groups. Or the callback sleeps, or takes long to "
         "compute.",
-        "Publish each answer inside the callback, at once, and let nothing in it sleep.",
+        "Publish each answer in the callback, right away, and don't sleep there.",
         about_time=True,
     )
 
@@ -821,7 +867,7 @@ def at_once(recording: Recording) -> Verdict:
 def real_seconds(recording: Recording) -> float:
     """How long (s of real time) an answer takes on average; all messages were answered, in order."""
     arrivals = recording.topic(FILTERED.name).arrivals
-    pairs = zip(see.said(recording, RAW.name), arrivals, strict=False)
+    pairs = zip(see.published(recording, RAW.name), arrivals, strict=False)
     return statistics.fmean(arrival.published - word.wall for word, arrival in pairs)
 
 
@@ -837,7 +883,7 @@ def why_strange_stamps(strange: list[Answered], given: int) -> Verdict:
             "labels-kept.no-stamp",
             saw.format("0 s"),
             BOARD_STAMPS,
-            "A new message is published, and its header was never filled in.",
+            "Your code publishes a new message without filling in its header.",
             "Copy the header: answer.header = message.header.",
         )
     if len(strange) <= 3 and given > len(SAMPLES) // 2:
@@ -845,8 +891,8 @@ def why_strange_stamps(strange: list[Answered], given: int) -> Verdict:
             "labels-kept.extra-message",
             saw.format(f"{strange[0].stamp_s:g} s"),
             f"on {FILTERED.name} only answers, each with {BOARD_STAMPS}",
-            "Beside its answers, the node publishes a message that answers none, such as a first, empty one when it "
-            "starts.",
+            "In addition to its answers, the node publishes a message that answers none, such as an empty one at "
+            "the start.",
             "Publish in the callback of the subscription only.",
         )
     if all(any(int(one) == sec for sec, _ in PLACE_OF) for one in stamps) and len(stamps) < given:
@@ -861,8 +907,8 @@ def why_strange_stamps(strange: list[Answered], given: int) -> Verdict:
         "labels-kept.own-stamp",
         saw.format(f"{strange[0].stamp_s:.2f} s"),
         BOARD_STAMPS,
-        "The node stamps its answers with its own clock. But the stamp says when an angle was measured, not when it "
-        "was published.",
+        "The node stamps its answers with its own clock. But the stamp must tell when an angle was measured, not "
+        "when it was published.",
         "Copy the header: answer.header = message.header.",
     )
 
@@ -876,7 +922,8 @@ def why_other_names(others: list[Answered], given: int) -> Verdict:
             "labels-kept.no-names",
             f"no names in {len(others)} of {see.count(given, 'answer')}",
             expected,
-            "A new message is published, and its names were never filled in. Nobody knows which angle is whose.",
+            "Your code publishes a new message without filling in the names. So a subscriber can't know which "
+            "angle belongs to which joint.",
             "Copy them: answer.name = message.name.",
         )
     if sorted(names) == sorted(JOINTS):
@@ -884,15 +931,16 @@ def why_other_names(others: list[Answered], given: int) -> Verdict:
             "labels-kept.other-order",
             f"the first name is {names[0]}, but in the message it was {JOINTS[0]}",
             expected,
-            "The names are sorted, or come out of a set. An angle belongs to the name at the same position.",
-            "Copy them as they came: answer.name = message.name.",
+            "Your code sorts the names, or takes them from a set. An angle belongs to the name at the same "
+            "position.",
+            "Copy them unchanged: answer.name = message.name.",
         )
     return see.failed(
         "labels-kept.other-names",
         f"{see.count(len(names), 'name')}, the first is {names[0]}",
         expected,
         "The names are the node's own, or only some of them.",
-        "Copy them as they came: answer.name = message.name.",
+        "Copy them unchanged: answer.name = message.name.",
     )
 
 
@@ -911,7 +959,9 @@ def why_missing(recording: Recording, missing: list[int]) -> Verdict:
             error.because,
             error.try_this,
         )
-    by_place, words = first_answers(recording), see.said(recording, RAW.name)
+    if missing[-1] == len(SAMPLES) - 1 and (ended := see.program_ended(recording, saw, ONE_EACH)) is not None:
+        return ended
+    by_place, words = first_answers(recording), see.published(recording, RAW.name)
     waited = [by_place[place].t - word.t for place, word in enumerate(words) if place in by_place]
     typical = statistics.median(waited) if waited else 0.0
     if typical > AT_ONCE_S:
@@ -920,7 +970,7 @@ def why_missing(recording: Recording, missing: list[int]) -> Verdict:
             f"{saw}. Those that came were typically {typical:.1f} s after their messages",
             ONE_EACH,
             "The callback sleeps or computes longer than the time between two messages, so they pile up.",
-            "Take the sleep out of the callback: it is called for each message, and answers it at once.",
+            "Remove the sleep from the callback, so that each call answers its message right away.",
             about_time=True,
         )
     return missing_for_a_reason(saw, missing) or see.failed(
@@ -950,7 +1000,7 @@ def missing_for_a_reason(saw: str, missing: list[int]) -> Verdict | None:
     if missing == [*range(missing[0], len(SAMPLES))] and missing[0] > RESTART:
         return see.failed(
             "every-one-answered.held-back",
-            f"{saw}, and with it all that came after it",
+            f"{saw}, and so were all messages after it",
             ONE_EACH,
             "The filter looks ahead: it answers a message only when later ones have come, and after the last one none "
             "comes.",
@@ -976,8 +1026,8 @@ def missing_after_a_start(saw: str, missing: list[int]) -> Verdict | None:
             "every-one-answered.first-left-out",
             f"{saw}; after a start, the answers begin late",
             ONE_EACH,
-            "The filter waits until its memory is full, or the first messages only fill it.",
-            "Fill every place in the memory with the first message, and answer from the first message on.",
+            "The filter waits until its state is full, or the first messages only fill it.",
+            "Fill the whole state with the first message, and answer from the first message on.",
             about_time=True,
         )
     return None
@@ -1022,15 +1072,15 @@ def why_beside(recording: Recording) -> Verdict | None:
             f"{saw}; every angle is a whole number",
             expected,
             "The angles go through an array of whole numbers, such as np.zeros(12, dtype=int), or through int().",
-            "Make the array with np.zeros(12), which holds numbers with a fraction.",
+            "Make the array with np.zeros(12), which holds floats.",
         )
     return why_all_beside(means, saw, expected) or see.failed(
         "filters.mixes-joints",
         saw,
         expected,
-        "The answer for one joint is made of the angles of others. All joints share one memory, or the filter runs "
+        "The answer for one joint is made of the angles of others. All joints share one state, or the filter runs "
         "along the joints and not along time, or angles and names are in another order.",
-        "Give each joint a memory of its own. In an array of messages, time is axis 0, and the joints are axis 1.",
+        "Give each joint its own state. In an array of messages, time is axis 0, and the joints are axis 1.",
     )
 
 
@@ -1040,10 +1090,10 @@ def why_all_beside(means: Sequence[float], saw: str, expected: str) -> Verdict |
     if max(beside) - min(beside) <= NOISE_RAD:
         return see.failed(
             "filters.offset",
-            f"{saw}; the answers for all joints are about {statistics.fmean(beside):+.2f} rad beside them",
+            f"{saw}; the answers for all joints are off by about {statistics.fmean(beside):+.2f} rad",
             expected,
             "The same number is added to every angle, or subtracted from it.",
-            "Publish the result of the filter as it is.",
+            "Publish the filter's result unchanged.",
         )
     gain = sum(one * at for one, at in zip(means, FIRST_POSE, strict=True)) / sum(
         at * at for at in FIRST_POSE
@@ -1062,8 +1112,8 @@ def why_scaled(saw: str, expected: str, gain: float) -> Verdict:
             "filters.nothing-left",
             f"{saw}; all answers are about 0",
             expected,
-            "What is constant is taken away with the noise, for example because a mean is subtracted. Or the "
-            "array that is published was never filled.",
+            "The filter removes the constant part along with the noise, for example because it subtracts a mean. "
+            "Or the array that is published was never filled.",
             advice,
         )
     return see.failed(
@@ -1071,7 +1121,7 @@ def why_scaled(saw: str, expected: str, gain: float) -> Verdict:
         f"{saw}; all answers are about {gain:.2g} times the angle",
         expected,
         "The weights of the filter do not add up to 1, or the angles are in another unit. Or the filter began at "
-        "zero and is still on its way a second later.",
+        "zero and still hasn't arrived a second later.",
         advice,
     )
 
@@ -1098,10 +1148,10 @@ def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verd
             "noise-reduced.none",
             saw,
             LITTLE_LEFT,
-            "The memory of the filter is not carried on from call to call, so each call begins with what it remembered "
-            "at the start. Or something after the filter adds as much noise as the filter removes.",
-            "Give the filter in each call the memory that it handed back in the last one, and publish its result as it "
-            "is.",
+            "The filter's state isn't kept between calls, so each call begins with the initial state. Or "
+            "something after the filter adds as much noise as the filter removes.",
+            "In each call, pass the filter the state that it returned in the last one, and publish its result "
+            "unchanged.",
         )
     return why_unlike(saw, left) or see.failed(
         "noise-reduced.too-little",
@@ -1109,8 +1159,8 @@ def why_noisy(recording: Recording, whole: float, left: Sequence[float]) -> Verd
         LITTLE_LEFT,
         "The filter lets too much through: its window is too short, its cutoff frequency too high, or its weight for "
         "new measurements too large.",
-        "A moving average of N messages leaves 1/sqrt(N) of the noise. Let it look back farther, and look at the delay "
-        "again.",
+        "A moving average of N messages leaves 1/sqrt(N) of the noise. Use more past messages, and then check the "
+        "delay again.",
     )
 
 
@@ -1139,16 +1189,16 @@ def why_begun_anew(recording: Recording, saw: str) -> Verdict | None:
                 "noise-reduced.not-after-restart",
                 f"before the restart, {first[0]:.0%} of the noise is left, and after it {last[0]:.0%}",
                 LITTLE_LEFT,
-                "After the restart nothing is filtered: each message looks like a restart, because the last stamp is "
-                "not updated. Or the memory is discarded at the restart, and not kept from then on.",
-                "Store the stamp of every message. Begin anew at a stamp that is smaller than the one before, and "
-                "filter as usual after that.",
+                "After the restart nothing is filtered: each message looks like a restart, because the last stamp "
+                "is not updated. Or the state is discarded at the restart, and not kept from then on.",
+                "Store the stamp of every message. Begin again at a stamp that's smaller than the previous one, "
+                "and filter as usual after that.",
             )
     if not begins_anew_each_second(recording):
         return None
     return see.failed(
         "noise-reduced.begins-anew",
-        f"{saw}; at each full second the filter begins anew, and an unfiltered angle comes out",
+        f"{saw}; at each full second the filter begins again, and an unfiltered angle comes out",
         LITTLE_LEFT,
         "The stamps are compared by their nanosec alone, which begins again with each second.",
         "Compare both parts together: (sec, nanosec) as a pair, or sec * 10**9 + nanosec.",
@@ -1196,7 +1246,7 @@ def why_rounded(saw: str, expected: str) -> Verdict:
         f"{saw}; every angle is a multiple of 0.1 rad",
         expected,
         "The angles are rounded. They look calm, but each of them may be off by up to 0.05 rad.",
-        "Publish the result of the filter as it is.",
+        "Publish the filter's result unchanged.",
     )
 
 
@@ -1229,8 +1279,8 @@ def why_held(recording: Recording, saw: str) -> Verdict | None:
         return None
     return see.failed(
         "noise-reduced.held-after-restart",
-        f"{saw}; after the restart, the answers for {see.count(len(held), 'joint')} of {len(JOINTS)} do not change "
-        f"any more, {held[0]} first",
+        f"{saw}; after the restart, the answers for {see.count(len(held), 'joint')} of {len(JOINTS)} no longer "
+        f"change, {held[0]} first",
         LITTLE_LEFT,
         "These joints are no longer filtered: a joint that gave NaN is held from then on, or new measurements no "
         "longer count after the restart.",
@@ -1264,11 +1314,12 @@ def as_they_went_in(raw: Sequence[int]) -> str:
     return f"{len(raw)} joints of {len(JOINTS)} come out as they went in, {JOINTS[raw[0]]} first"
 
 
-def too_few(cause: str) -> Verdict:
+def too_few(cause: str, recording: Recording) -> Verdict:
     """Nothing can be said, because most answers are missing."""
-    return see.failed(
+    saw = "fewer than half of the messages that count for this criterion were answered"
+    return see.program_ended(recording, saw, "an answer to each") or see.failed(
         cause,
-        "fewer than half of the messages that count for this criterion were answered",
+        saw,
         "an answer to each",
         "Without answers, the filter cannot be judged.",
         "First make sure that every message is answered.",
@@ -1282,6 +1333,6 @@ def no_numbers(cause: str) -> Verdict:
         cause,
         "NaN or infinity in answers to messages without any",
         FINITE,
-        "The memory of the filter holds NaN, or the filter divides by zero.",
-        "Look at the first answer that is not finite, and at what the filter remembers by then.",
+        "The filter's state contains NaN, or the filter divides by zero.",
+        "Look at the first answer that is not finite, and at the filter's state at that moment.",
     )

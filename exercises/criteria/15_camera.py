@@ -6,7 +6,7 @@ import statistics
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, wraps
 from typing import Any
 
 from geometry_msgs.msg import Vector3Stamped
@@ -41,6 +41,8 @@ NEAR_DEG = 2.5
 MOST = 0.6
 """Which share of what is wrong must look like a reason."""
 PADDING = 32
+LEAST_KNOWN = 0.2
+"""Which share of some pictures must be answered to judge the directions. Ten answers a second are more than that."""
 SOME = 0.05
 """Who finds fewer of the balls says (0, 0, 0) whatever there is."""
 BRIGHT = 0.7
@@ -246,14 +248,14 @@ def drawn(seed: int) -> Pictures:
 def shown_to(recording: Recording) -> Pictures:
     """The pictures that a program was shown. Raises ValueError where a recording does not tell: an old one."""
     if recording.seed is None:
-        raise ValueError("this recording is older than pictures that are drawn for each run: judge it again")
+        raise ValueError("this recording is older than images that are drawn for each run: judge it again")
     return drawn(recording.seed)
 
 
 def script(dice: random.Random) -> list[see.Part]:
     """The pictures of one run, one after the other."""
     return [
-        see.says(
+        see.publish(
             IMAGE.name,
             Image,
             [
@@ -270,7 +272,7 @@ WATCH = watching(wall_seconds=BEGIN_S + PICTURES / RATE_HZ + 1.0, script=script)
 
 @criterion(
     points=1,
-    title="It listens to /camera/image (Image), and /robot/ball_direction carries Vector3Stamped",
+    title="It subscribes to /camera/image (Image), and /robot/ball_direction carries Vector3Stamped",
     needs=[program_runs],
 )
 def topics(recording: Recording) -> Verdict:
@@ -281,12 +283,13 @@ def topics(recording: Recording) -> Verdict:
 def answers_come(recording: Recording) -> Verdict:
     if recording.topic(DIRECTION.name).arrivals:
         return see.passed("directions come")
-    nothing = f"{PICTURES} pictures were sent to {IMAGE.name}, and nothing came on {DIRECTION.name}"
-    return see.failed_by_error(recording, nothing, ONE_EACH, about_time=True) or see.failed(
+    nothing = f"{PICTURES} images were sent to {IMAGE.name}, and nothing came on {DIRECTION.name}"
+    return see.ended_or_error(recording, nothing, ONE_EACH) or see.failed(
         "answers-come.nothing",
         nothing,
         ONE_EACH,
-        "Nobody spins the node, its callback does not publish, or it has not finished its first picture.",
+        "No code spins the node, its callback doesn't publish, or the callback is still working on its first "
+        "image.",
         "Spin the node with rclpy.spin(node), and publish inside the callback.",
         about_time=True,
     )
@@ -294,7 +297,7 @@ def answers_come(recording: Recording) -> Verdict:
 
 @criterion(
     points=1,
-    title="Each direction has the stamp of its picture, and each picture one direction",
+    title="Each direction has its image's stamp, and each image gets one direction",
     needs=[answers_come],
 )
 def stamps_kept(recording: Recording) -> Verdict:
@@ -306,19 +309,38 @@ def stamps_kept(recording: Recording) -> Verdict:
     wrong = shifted(pictures, given) or why_repeated(pictures, given)
     if wrong is not None:
         return wrong
-    return see.passed(f"{see.count(len(given), 'direction')}, each with the stamp of a picture")
+    return see.passed(f"{see.count(len(given), 'direction')}, each with the stamp of an image")
 
 
-@criterion(points=1, title="It keeps up with 30 pictures a second", needs=[stamps_kept])
+Judges = Callable[[Recording], Verdict]
+
+
+def needs_pictures(judge: Judges) -> Judges:
+    """Judge only where the stamps tell which picture each direction is for. Whether any picture was answered twice
+    does not matter."""
+
+    @wraps(judge)
+    def judge_if_known(recording: Recording) -> Verdict:
+        given = answers(recording)
+        strange = any(answer.place is None for answer in given) or only_whole_seconds(given)
+        if strange or shifted(shown_to(recording), given) is not None:
+            return see.not_judged("the stamps do not tell which image each direction is for")
+        return judge(recording)
+
+    return judge_if_known
+
+
+@criterion(points=1, title="It keeps up with 30 images a second", needs=[answers_come])
+@needs_pictures
 def keeps_up(recording: Recording) -> Verdict:
-    pictures, said_at = shown_to(recording), [word.wall for word in see.said(recording, IMAGE.name)]
+    pictures, said_at = shown_to(recording), [word.wall for word in see.published(recording, IMAGE.name)]
     by_place = first_answers(recording)
     waited = [by_place[place].wall - said_at[place] for place in by_place]
     answered = [place for place in pictures.readable if place in by_place]
     share, typical = len(answered) / len(pictures.readable), statistics.median(waited)
     late = sum(one > AT_ONCE_S for one in waited)
     saw = (
-        f"{len(answered)} of {len(pictures.readable)} pictures were answered, typically {typical:.2f} s after they "
+        f"{len(answered)} of {len(pictures.readable)} images were answered, typically {typical:.2f} s after they "
         f"were sent, {late} of them more than {AT_ONCE_S} s after"
     )
     if typical > TYPICALLY_S or late > (1.0 - SHARE_AT_ONCE) * len(waited):
@@ -329,15 +351,15 @@ def keeps_up(recording: Recording) -> Verdict:
 
 
 @criterion(
-    points=1, title="It refuses other encodings with a line in the log, and lives on", needs=[answers_come]
+    points=1,
+    title="It refuses other encodings with a line in the log, and keeps running",
+    needs=[answers_come],
 )
 def refuses_others(recording: Recording) -> Verdict:
     pictures = shown_to(recording)
     names = sorted({pictures.views[place].encoding for place in pictures.others})
-    saw = f"{len(pictures.others)} pictures came as {see.listing(names)}"
-    expected = (
-        "no direction for them, a line in the log with the name of the encoding, and a node that lives on"
-    )
+    saw = f"{len(pictures.others)} images came as {see.listing(names)}"
+    expected = "no direction for them, a line in the log with the name of the encoding, and a node that keeps running"
     silent = silent_since(recording, saw, expected)
     if silent is not None:
         return silent
@@ -348,8 +370,8 @@ def refuses_others(recording: Recording) -> Verdict:
             "refuses-others.says-no-ball",
             f"{saw}, and {len(guessed)} of them were answered with (0, 0, 0): {came_as(pictures, guessed)}",
             expected,
-            'The node says "no ball" where it could not look. A listener then believes that the node has '
-            "looked at the desk and found no ball.",
+            "The node reports \"no ball\" for an image that it couldn't decode. A subscriber can't tell that from a "
+            "desk without a ball.",
             RETURN_EARLY,
         )
     if guessed:
@@ -357,7 +379,7 @@ def refuses_others(recording: Recording) -> Verdict:
             "refuses-others.guesses",
             f"{saw}, and {len(guessed)} of them were answered: {came_as(pictures, guessed)}",
             expected,
-            "The node reads bytes of another encoding as if they were red, green and blue.",
+            "The node reads bytes of another encoding as if they were red, green, and blue.",
             RETURN_EARLY,
         )
     not_named = why_not_named(recording, names, saw, expected)
@@ -366,22 +388,26 @@ def refuses_others(recording: Recording) -> Verdict:
     return see.passed(f"{saw}: refused, and logged")
 
 
-@criterion(points=2, title="In good light, an rgb8 picture leads to the right direction", needs=[stamps_kept])
+@criterion(
+    points=2, title="In good light, an rgb8 image leads to the correct direction", needs=[answers_come]
+)
+@needs_pictures
 def direction_right(recording: Recording) -> Verdict:
     return directions(recording, shown_to(recording).in_good_light)
 
 
-@criterion(points=1, title="The direction is right in changing light", needs=[direction_right])
+@criterion(points=1, title="The direction is correct in changing light", needs=[direction_right])
 def light_changes(recording: Recording) -> Verdict:
     return directions(recording, shown_to(recording).in_dim_light)
 
 
-@criterion(points=1, title="The direction is right for bgr8", needs=[stamps_kept])
+@criterion(points=1, title="The direction is correct for bgr8", needs=[answers_come])
+@needs_pictures
 def bgr_right(recording: Recording) -> Verdict:
     return directions(recording, shown_to(recording).in_bgr)
 
 
-@criterion(points=1, title="The direction is right for rows with padding", needs=[direction_right])
+@criterion(points=1, title="The direction is correct for rows with padding", needs=[direction_right])
 def padding_right(recording: Recording) -> Verdict:
     pictures = shown_to(recording)
     unpadded_are_right = directions(recording, pictures.in_dim_light).ok
@@ -396,35 +422,36 @@ def padding_right(recording: Recording) -> Verdict:
     return see.all_of(rgb, bgr)
 
 
-@criterion(points=1, title="Where there is no ball, it says so", needs=[stamps_kept])
+@criterion(points=1, title="It reports when there is no ball", needs=[answers_come])
+@needs_pictures
 def no_ball_said(recording: Recording) -> Verdict:
     pictures = shown_to(recording)
     known = known_answers(recording, pictures.without_ball)
-    expected = "(0, 0, 0) for each picture without an orange ball"
+    expected = "(0, 0, 0) for each image without an orange ball"
     if known is None:
         return why_silent(recording, expected)
     wrong = [(place, answer) for place, answer in known if not answer.length < 1e-6]
     if not wrong:
         balls = known_answers(recording, pictures.with_ball) or []
         if sum(answer.length > 0.5 for _, answer in balls) > SOME * len(balls):
-            return see.passed(f"(0, 0, 0) for {len(known)} pictures without a ball")
+            return see.passed(f"(0, 0, 0) for {len(known)} images without a ball")
         return see.failed(
             "no-ball-said.always",
-            "(0, 0, 0) for nearly every picture, with a ball or without",
+            "(0, 0, 0) for nearly every image, with a ball or without",
             expected + ", and a direction for the others",
             "The vector is never filled in, or the ball is never found.",
-            "Look at the mask of what you take for orange, for one picture.",
+            "Plot the mask of orange pixels for one image. Is the ball in it?",
         )
     place, answer = wrong[0]
     saw = (
-        f"picture {place + 1} shows no orange ball, but the answer is {shown(answer.vector)}. The answer is wrong for "
-        f"{len(wrong)} of {see.count(len(known), 'such picture')}"
+        f"image {place + 1} shows no orange ball, but the answer is {shown(answer.vector)}. The answer is wrong "
+        f"for {len(wrong)} of {see.count(len(known), 'such image')}"
     )
     reason = why_a_ball(pictures, wrong, first_answers(recording))
     return see.failed(reason.cause, saw, expected, reason.because, reason.try_this)
 
 
-RETURN_EARLY = "At the beginning of the callback: if you cannot read the encoding, log a line and return."
+RETURN_EARLY = "At the beginning of the callback, log a line and return if you can't read the encoding."
 
 
 def silent_since(recording: Recording, saw: str, expected: str) -> Verdict | None:
@@ -432,14 +459,20 @@ def silent_since(recording: Recording, saw: str, expected: str) -> Verdict | Non
     by_place, first_other = first_answers(recording), shown_to(recording).first_other
     if any(place > first_other for place in by_place) or not any(place < first_other for place in by_place):
         return None
-    saw = f"{saw}, and after the first of them nothing came any more"
-    return see.failed_by_error(recording, saw, expected) or see.failed(
-        "refuses-others.silent-since",
-        saw,
-        expected,
-        "The node ends itself, or stops answering, when it meets an encoding that it cannot read.",
-        "Log a line and return from the callback. The next picture may be readable again.",
-        about_time=True,
+    saw = f"{saw}, and nothing came after the first of them"
+    without_error = recording.process.ended_by == "itself" and see.last_error(recording) is None
+    ended = see.program_ended(recording, saw, expected) if without_error else None
+    return (
+        ended
+        or see.failed_by_error(recording, saw, expected)
+        or see.failed(
+            "refuses-others.silent-since",
+            saw,
+            expected,
+            "The node exits, or stops publishing, when it receives an encoding that it can't read.",
+            "Log a line and return from the callback. Your node may be able to read the next image.",
+            about_time=True,
+        )
     )
 
 
@@ -462,15 +495,16 @@ def why_not_named(recording: Recording, names: list[str], saw: str, expected: st
             "refuses-others.named-once",
             f"{saw}. The log names {named}, but not {unnamed[0]}",
             expected,
-            "Only the first picture that is refused is logged: by once=True, by a flag, or by a throttle of several "
-            "seconds. Or the line is missing in one branch.",
-            "Log a line for each encoding that you refuse, and not only for the first one.",
+            "Your node logs only the first refused image, because of once=True, a flag, or a throttle of several "
+            "seconds. Or one branch has no line that logs.",
+            "Log a line for each encoding that you refuse, not only for the first one.",
         )
     return see.failed(
         "refuses-others.no-line",
         f"{saw}, and no line in the log names {unnamed[0]}",
         expected,
-        "The node drops these pictures, and nobody who looks for the fault learns which encoding came.",
+        "The node drops these images silently. A person who looks for the fault can't find out which encoding "
+        "arrived.",
         'self.get_logger().error(f"... {image.encoding}"), with the encoding in the text.',
     )
 
@@ -478,8 +512,8 @@ def why_not_named(recording: Recording, names: list[str], saw: str, expected: st
 # --- what came back -----------------------------------------------------------------------------------------
 
 READABLE = PICTURES - REFUSED_PICTURES
-ONE_EACH = f"one direction on {DIRECTION.name} for each of the {READABLE} pictures that can be read"
-PICTURE_STAMPS = "the stamp of the picture that it answers, as it came"
+ONE_EACH = f"one direction on {DIRECTION.name} for each of the {READABLE} readable images"
+PICTURE_STAMPS = "the unchanged stamp of the image that it answers"
 
 
 @dataclass(frozen=True)
@@ -498,7 +532,7 @@ class Answered:
 
 def answers(recording: Recording) -> list[Answered]:
     """What arrived on the topic of the directions, in order. A picture that was not sent has no place."""
-    sent = len(see.said(recording, IMAGE.name))
+    sent = len(see.published(recording, IMAGE.name))
     places = {stamp: place for stamp, place in shown_to(recording).place_of.items() if place < sent}
     found = []
     for arrival in recording.topic(DIRECTION.name).arrivals:
@@ -530,10 +564,10 @@ def first_answers(recording: Recording) -> dict[int, Answered]:
 
 
 def known_answers(recording: Recording, places: Iterable[int]) -> list[tuple[int, Answered]] | None:
-    """The answers to these pictures; None if fewer than half of them were answered."""
+    """The answers to these pictures; None if too few of them were answered. `keeps_up` judges how many were."""
     asked, by_place = list(places), first_answers(recording)
     known = [(place, by_place[place]) for place in asked if place in by_place]
-    return known if 2 * len(known) >= len(asked) else None
+    return known if len(known) >= max(LEAST_KNOWN * len(asked), 3) else None
 
 
 def off_deg(one: Vector, other: Vector) -> float:
@@ -564,7 +598,7 @@ def directions(recording: Recording, places: Iterable[int], suspected: "Reason |
     """
     pictures, known = shown_to(recording), known_answers(recording, places)
     if known is None:
-        return too_few("direction.too-few-answers")
+        return too_few("direction.too-few-answers", recording)
     wrong = [(place, answer) for place, answer in known if not is_right(pictures, place, answer)]
     if not wrong:
         worst = max(off_deg(answer.vector, pictures.balls[place]) for place, answer in known)
@@ -573,16 +607,27 @@ def directions(recording: Recording, places: Iterable[int], suspected: "Reason |
     ball, view = pictures.balls[place], pictures.views[place]
     off = off_deg(answer.vector, ball)
     saw = (
-        f"{len(wrong)} of {len(known)} directions are wrong. Picture {place + 1} ({view.encoding}, light "
-        f"{view.scene.light:.0%}): the ball is at {shown(ball)}, and the answer is {shown(answer.vector)}"
+        f"{len(wrong)} of {len(known)} directions are wrong. Image {place + 1} ({view.encoding}, light "
+        f"{view.scene.light:.0%}): the ball is at {shown(ball)}, but the answer is {shown(answer.vector)}"
     )
     if math.isfinite(off):
         saw += f", {off:.1f}° away from it"
     reason = why_wrong(pictures, wrong, first_answers(recording))
+    if reason.cause == "direction.blue-ball" and finds_orange(recording, view.encoding):
+        reason = BLUE_TOO
     if suspected is not None and reason.cause in UNCLEAR and len(wrong) >= MOST * len(known):
         reason = suspected
-    expected = f"a vector of length 1, within {WITHIN_DEG}° of the middle of the orange ball"
+    expected = f"a vector of length 1, within {WITHIN_DEG}° of the center of the orange ball"
     return see.failed(reason.cause, saw, expected, reason.because, reason.try_this)
+
+
+def finds_orange(recording: Recording, encoding: str) -> bool:
+    """Whether the orange ball is found in many pictures of this encoding: then red and blue are not exchanged."""
+    pictures, by_place = shown_to(recording), first_answers(recording)
+    of_it = [
+        one for one in pictures.with_ball if pictures.views[one].encoding == encoding and one in by_place
+    ]
+    return share(is_right(pictures, place, by_place[place]) for place in of_it) >= LEAST_KNOWN
 
 
 def is_right(pictures: Pictures, place: int, answer: Answered) -> bool:
@@ -611,8 +656,8 @@ class Reason:
 UNCLEAR = ("direction.no-ball", "direction.too-dark", "direction.too-small", "direction.beside")
 PADDING_TAKEN_FOR_PIXELS = Reason(
     "direction.padding-taken-for-pixels",
-    "The ball is found where rows have no padding. Here the unused bytes at the end of a row are taken for pixels, "
-    "so pixels are not where they belong.",
+    "The ball is found where rows have no padding. Here your code interprets the padding at the end of each row "
+    "as pixels, so later pixels end up in the wrong place.",
     "Reshape to (image.height, image.step) first, then keep the first 3 * image.width bytes of each row.",
     lambda pictures, place, answer: True,
 )
@@ -620,9 +665,10 @@ PADDING_TAKEN_FOR_PIXELS = Reason(
 
 PADDING_OF_ONE_ENCODING = Reason(
     "direction.padding-of-one-encoding",
-    "Pictures of this encoding without padding lead to the ball, and so do pictures of the other one with padding. "
-    "So the code that reads this encoding takes the unused bytes at the end of a row for pixels.",
-    "Cut off the padding in one place, before the encoding matters: keep the first 3 * image.width bytes of each row.",
+    "Images in this encoding without padding lead to the ball, and so do images in the other encoding with "
+    "padding. So the code for this encoding interprets the padding at the end of each row as pixels.",
+    "Cut off the padding in one place, before you handle the encodings: keep the first 3 * image.width bytes of "
+    "each row.",
     lambda pictures, place, answer: True,
 )
 
@@ -723,9 +769,9 @@ def at_an_edge(pictures: Pictures, pairs: Pairs) -> Reason | None:
         if beside >= SURE:
             return Reason(
                 "direction.edge",
-                f"All these directions are those of the {name} of the ball, or of the box around it. They are not "
-                "those of its middle.",
-                "Take the mean of all pixels of the ball, or the middle of the box.",
+                f"All of these directions point to the {name} of the ball or of its bounding box, not to the "
+                "ball's center.",
+                "Use the mean position of the ball's pixels, or the center of the box.",
                 always,
             )
     return None
@@ -838,36 +884,37 @@ def always(pictures: Pictures, place: int, answer: Answered) -> bool:
 
 TOO_DARK = Reason(
     "direction.too-dark",
-    "The ball was not found, but it was in pictures of the same kind that are brighter. A bound on the brightness "
-    "keeps it out where the light is dim.",
-    "Look at the value (HSV) of the ball in such a picture, and accept darker pixels. Hue and saturation stay.",
+    "The ball wasn't found here, but it was found in brighter images of the same kind. A limit on brightness "
+    "excludes it in dim light.",
+    "Check the value (HSV) of the ball's pixels in such an image, and accept darker pixels. Keep your limits for "
+    "hue and saturation.",
     always,
 )
 TOO_SMALL = Reason(
     "direction.too-small",
-    "The ball was not found, but it was in pictures of the same kind in which it is larger. Here it is rejected as too "
-    "small.",
+    "The ball wasn't found here, but it was found in images of the same kind where it's larger. Here, your code "
+    "rejects it as too small.",
     "A ball may be 11 pixels wide: its radius is then 5.5 pixels, its area about 95. Accept that.",
     always,
 )
 FOCAL_LENGTH = Reason(
     "direction.focal-length",
-    "All these directions are too far from the middle, or too near to it, by the same factor. The ball was found, and "
-    "its pixel was turned into a direction with another focal length than that of the task.",
+    "All of these directions are too far from the center, or too close to it, by the same factor. Your code found "
+    "the ball, but it computed the direction with a different focal length than the task's.",
     "The focal length is 140 pixels: x = (column - 79.5) / 140, y = (row - 59.5) / 140.",
     always,
 )
 MIDDLE = Reason(
     "direction.middle",
-    "All these directions are beside the ball by the same number of pixels, to the same side. Another middle was "
-    "subtracted than that of the task, or a corner of the ball is taken for its middle.",
-    "Straight ahead is column 79.5, row 59.5. Subtract these from the middle of the ball.",
+    "All of these directions miss the ball by the same number of pixels, to the same side. Your code subtracts a "
+    "different image center than the task's, or it uses a corner of the ball instead of its center.",
+    "Straight ahead is column 79.5, row 59.5. Subtract these from the ball's center.",
     always,
 )
 ONE_AXIS = Reason(
     "direction.one-axis",
-    "All these directions are too far from the middle, or too near to it. The factor up and down is another one than "
-    "to the side. The ball was found, and the two axes are computed in different ways.",
+    "All of these directions are too far from the center, or too close to it, and vertically by a different "
+    "factor than horizontally. Your code found the ball, but it computes the two axes in different ways.",
     "Both axes have the focal length of 140 pixels: x = (column - 79.5) / 140, y = (row - 59.5) / 140.",
     always,
 )
@@ -884,16 +931,16 @@ EDGES = {
 """Where a part of the outline lies, seen from the middle of the ball: to the right, and down."""
 BEHIND = Reason(
     "direction.behind",
-    "The directions lie where the ball was in the pictures before: they are averaged over several pictures, or limited "
-    "in how fast they change.",
-    "Compute each direction from its own picture alone.",
+    "The directions point to where the ball was in earlier images. Your code averages them over several images, "
+    "or it limits how fast they change.",
+    "Compute each direction from its own image only.",
     always,
 )
 BESIDE = Reason(
     "direction.beside",
-    "Something other than the ball was found, or only a part of it, or its place only to a few pixels. Or its pixel "
-    "was turned into a direction in another way than by the pinhole model.",
-    "Draw the mask of what you take for orange, for one such picture, and mark the pixel that you found.",
+    "Your code found something other than the ball, found only a part of it, or is off by a few pixels. Or it "
+    "doesn't use the pinhole model to turn the pixel into a direction.",
+    "Plot the mask of orange pixels for one such image, and mark the pixel that you found.",
     always,
 )
 
@@ -901,103 +948,103 @@ REASONS = (
     Reason(
         "direction.no-number",
         "NaN or infinity: something was divided by zero, such as the sum of an empty mask.",
-        "Ask first whether there is a ball; a vector of length 0 has no direction.",
+        "First check whether there is a ball, because a vector of length 0 has no direction.",
         lambda pictures, place, answer: not all(map(math.isfinite, answer.vector)),
     ),
     Reason(
         "direction.largest-left-out",
-        "The ball was not found where it is the largest orange thing: here the brick lies farther away, and looks "
-        "smaller.",
-        "Do not go by size. Go through all orange outlines, and keep the one that is round.",
+        "Your code didn't find the ball in images where it's the largest orange object. In these images, the "
+        "brick is farther away and looks smaller.",
+        "Don't choose by size. Check all orange outlines, and keep the round one.",
         lambda pictures, place, answer: (
             answer.length < LENGTH_SLACK and beside_a_smaller_brick(pictures, place)
         ),
     ),
     Reason(
         "direction.topmost-left-out",
-        "The ball was not found where it is the topmost orange thing: here the brick lies nearer, and is lower in the "
-        "picture.",
-        "Do not go by place or order. Go through all orange outlines, and keep the one that is round.",
+        "Your code didn't find the ball in images where it's the topmost orange object. In these images, the "
+        "brick is closer, so it's lower in the image.",
+        "Don't choose by position or order. Check all orange outlines, and keep the round one.",
         lambda pictures, place, answer: answer.length < LENGTH_SLACK and above_the_brick(pictures, place),
     ),
     Reason(
         "direction.no-ball",
-        "The ball was not found. The range of colors may not fit this light, or the bytes were read in another order "
-        "of rows or colors. Or the ball was rejected as too small, or as not round, or was outside of the part of the "
-        "picture that was searched.",
-        "Look at the pixels of the ball in such a picture, in the color space that you use: which bounds exclude them?",
+        "The ball wasn't found. Your color range may not fit this light, or your code reads rows or colors in the "
+        "wrong order. Or it rejects the ball as too small or not round, or searches only a part of the image.",
+        "Check the ball's pixels in such an image, in the color space that you use. Which limits exclude them?",
         lambda pictures, place, answer: answer.length < LENGTH_SLACK,
     ),
     Reason(
         "direction.not-of-length-one",
-        "The direction is right, but the vector's length is not 1.",
+        "The direction is correct, but the vector's length isn't 1.",
         "Divide the vector by its length: ray / np.linalg.norm(ray).",
         lambda pictures, place, answer: off_deg(answer.vector, pictures.balls[place]) <= WITHIN_DEG,
     ),
     Reason(
         "direction.a-pixel",
-        "The vector holds the column and the row of the ball. That is a place in the picture, not a direction.",
+        "The vector holds the column and the row of the ball. That's a position in the image, not a direction.",
         "Pinhole model: x = (column - 79.5) / 140, y = (row - 59.5) / 140, z = 1, and then divide by the length.",
         is_a_pixel,
     ),
     Reason(
         "direction.blue-ball",
-        "The direction is that of the blue ball. Red and blue are exchanged: the picture was read in the other order "
-        "of colors.",
-        "Look at image.encoding in each picture: rgb8 begins with red, bgr8 with blue. OpenCV's own functions expect "
+        "The direction points to the blue ball. Red and blue are swapped, because your code reads the image in "
+        "the wrong color order.",
+        "Check image.encoding for each image: rgb8 begins with red, bgr8 with blue. OpenCV's own functions expect "
         "BGR.",
         lambda pictures, place, answer: off_deg(answer.vector, pictures.blue_balls[place]) <= NEAR_DEG,
     ),
     Reason(
         "direction.brick",
-        "The direction is that of the brick. It has the color of the ball, but another outline.",
-        "Keep only what is round: compare the area of an outline with that of the smallest circle around it.",
+        "The direction points to the brick. It has the ball's color, but its outline isn't round.",
+        "Keep only round outlines: compare an outline's area with the area of the smallest circle around it.",
         lambda pictures, place, answer: off_deg(answer.vector, pictures.bricks[place]) <= NEAR_DEG,
     ),
     Reason(
         "direction.x-to-the-left",
-        "Left and right are exchanged.",
+        "Left and right are swapped.",
         "x points to the right, as columns do: x = (column - 79.5) / 140.",
         flipped(-1.0, 1.0),
     ),
     Reason(
         "direction.y-up",
-        "Above and below are exchanged.",
+        "Up and down are swapped.",
         "y points down, as rows do: y = (row - 59.5) / 140.",
         flipped(1.0, -1.0),
     ),
     Reason(
         "direction.axes-of-the-robot",
-        "The vector is right in the axes of a robot: x forward, y to the left, z up. The task asks for those of the "
-        "camera.",
+        "The vector is correct in a robot's axes: x forward, y to the left, z up. The task asks for the camera's "
+        "axes.",
         "Publish x to the right, y down, z forward.",
         in_axes_of_the_robot,
     ),
     Reason(
         "direction.from-the-corner",
-        "Column and row are counted from the corner of the picture. But straight ahead is its middle.",
+        "Your code counts column and row from the image's corner, but straight ahead is its center.",
         "Subtract the middle first: x = (column - 79.5) / 140, y = (row - 59.5) / 140.",
         from_the_corner,
     ),
     Reason(
         "direction.elevation",
-        "The angle up or down was computed from the row alone: atan(y). That is right in the middle column only. "
-        "Elsewhere the ball is farther away than its z.",
+        "The angle up or down was computed from the row alone: atan(y). That's correct in the middle column only. "
+        "Elsewhere, the ball is farther away than its z.",
         "Divide (x, y, 1) by its length. If you need the elevation: atan2(y, hypot(x, 1)).",
         by_the_row_alone,
     ),
     Reason(
         "direction.squeezed",
-        "The unused bytes at the end of a row are taken for more columns, and these are squeezed to 160. So the ball "
-        "is found too far to the left.",
-        "Keep the first 3 * image.width bytes of each row, and do not change the size of the picture.",
+        "Your code interprets the padding at the end of each row as more columns, and squeezes them to 160. So it "
+        "finds the ball too far to the left.",
+        "Keep the first 3 * image.width bytes of each row, and don't change the image's size.",
         in_a_squeezed_row,
     ),
     *(
         Reason(
             "direction.earlier-picture",
-            "The direction is that of an earlier picture: the ball was there a moment before.",
-            "Compute the direction from the picture that the callback was called with, and publish it with its header.",
+            "The direction belongs to an earlier image: the ball was there a moment before.",
+            "Compute the direction from the image that the callback receives, and publish it with that image's "
+            "header.",
             of_an_earlier_picture(back),
         )
         for back in (1, 2, 3)
@@ -1005,17 +1052,27 @@ REASONS = (
 )
 
 
+BLUE_TOO = Reason(
+    "direction.blue-too",
+    "Your code finds the orange ball in other images of this encoding, so red and blue aren't swapped. In these "
+    "images, it chose the blue ball.",
+    "Keep only orange pixels before you look for round shapes, and check the mask: the blue ball must not be in it.",
+    lambda pictures, place, answer: off_deg(answer.vector, pictures.blue_balls[place]) <= NEAR_DEG,
+)
+
+
 def why_silent(recording: Recording, expected: str) -> Verdict:
     """Why most pictures without a ball were not answered."""
     by_place, without_ball = first_answers(recording), shown_to(recording).without_ball
     if any(place in by_place for place in without_ball) or max(by_place, default=0) < without_ball[10]:
-        return too_few("no-ball-said.too-few-answers")
+        return too_few("no-ball-said.too-few-answers", recording)
     return see.failed(
         "no-ball-said.silent",
-        "other pictures were answered, but none of those without a ball",
+        "other images were answered, but none of those without a ball",
         expected,
-        'The node is silent when it finds no ball. A listener cannot tell "no ball" from "no camera".',
-        "Publish (0, 0, 0) with the header of the picture: a new Vector3Stamped says just that.",
+        'The node publishes nothing when it finds no ball. So a subscriber can\'t distinguish "no ball" from "no '
+        'camera".',
+        "Publish (0, 0, 0) with the image's header. A new Vector3Stamped already contains these zeros.",
     )
 
 
@@ -1030,42 +1087,42 @@ def why_a_ball(pictures: Pictures, wrong: Wrong, by_place: dict[int, Answered]) 
     return CONSTANT if len(several) == 1 else first_that_fits(pictures, GHOSTS, wrong) or SOMETHING_ELSE
 
 
-NEW_MESSAGE = "Publish (0, 0, 0): a new Vector3Stamped with the header of this picture."
+NEW_MESSAGE = "Publish (0, 0, 0): a new Vector3Stamped with this image's header."
 REPEATED = Reason(
     "no-ball-said.repeated",
-    "The last direction is published again when no ball is found. The ball may be anywhere by then.",
+    "When your node finds no ball, it publishes the last direction again. But by then, the ball may be anywhere.",
     NEW_MESSAGE,
     always,
 )
 NO_NUMBER = Reason(
     "no-ball-said.no-number",
-    "NaN or infinity in place of (0, 0, 0): something was divided by zero.",
-    "Ask first whether there is a ball. If not, leave the vector at (0, 0, 0).",
+    "NaN or infinity instead of (0, 0, 0): your code divides by zero.",
+    "First check whether there is a ball. If not, leave the vector at (0, 0, 0).",
     always,
 )
 CONSTANT = Reason(
     "no-ball-said.constant",
-    "The same direction is published for every picture without a ball.",
+    "The same direction is published for every image without a ball.",
     NEW_MESSAGE,
     always,
 )
 SOMETHING_ELSE = Reason(
     "no-ball-said.something-else",
-    "Something else was taken for the ball: the biggest or brightest thing in the picture, a hand, or noise.",
-    "Check color, size and outline, and publish (0, 0, 0) when nothing fits.",
+    "Your code mistook something else for the ball: the image's biggest or brightest object, a hand, or noise.",
+    "Check color, size, and outline, and publish (0, 0, 0) if nothing fits.",
     always,
 )
 GHOSTS = (
     Reason(
         "no-ball-said.brick",
-        "The brick was taken for the ball. It has the color of the ball, but another outline.",
-        "Keep only what is round: compare its area with that of the smallest circle around it.",
+        "Your code mistook the brick for the ball. It has the ball's color, but its outline isn't round.",
+        "Keep only round outlines: compare an outline's area with the area of the smallest circle around it.",
         lambda pictures, place, answer: off_deg(answer.vector, pictures.bricks[place]) <= NEAR_DEG,
     ),
     Reason(
         "no-ball-said.blue-ball",
-        "The blue ball was taken for the ball.",
-        "Look at the order of the colors in image.encoding, and keep only what is orange.",
+        "Your code mistook the blue ball for the orange one.",
+        "Check the color order in image.encoding, and keep only orange pixels.",
         lambda pictures, place, answer: off_deg(answer.vector, pictures.blue_balls[place]) <= NEAR_DEG,
     ),
 )
@@ -1081,15 +1138,13 @@ def only_whole_seconds(given: list[Answered]) -> bool:
 
 def why_strange_stamps(strange: list[Answered], given: int) -> Verdict:
     """Why stamps are not those of pictures."""
-    saw = (
-        f"{len(strange)} of {see.count(given, 'direction')} with a stamp that no picture had, the first {{}}"
-    )
+    saw = f"{len(strange)} of {see.count(given, 'direction')} with a stamp that no image had, the first {{}}"
     if all(answer.stamp_s == 0.0 for answer in strange):
         return see.failed(
             "stamps-kept.no-stamp",
             saw.format("0 s"),
             PICTURE_STAMPS,
-            "A new message is published, and its header was never filled in.",
+            "Your code publishes a new message without filling in its header.",
             "Copy the header: answer.header = image.header.",
         )
     if only_whole_seconds(strange):
@@ -1097,15 +1152,15 @@ def why_strange_stamps(strange: list[Answered], given: int) -> Verdict:
             "stamps-kept.whole-seconds",
             f"the stamps of all {see.count(given, 'direction')} are whole seconds, such as {strange[0].stamp_s:.0f} s",
             PICTURE_STAMPS,
-            "The field sec is copied, and nanosec is not.",
+            "Your code copies the field sec, but not nanosec.",
             "Copy the whole header: answer.header = image.header.",
         )
     return see.failed(
         "stamps-kept.own-stamp",
         saw.format(f"{strange[0].stamp_s:.2f} s"),
         PICTURE_STAMPS,
-        "The node stamps its directions with its own clock, or loses a part of the stamp. But the stamp says when the "
-        "picture was taken, not when the node had looked at it.",
+        "The node stamps its directions with its own clock, or loses a part of the stamp. But the stamp must tell "
+        "when the image was taken, not when the node processed it.",
         "Copy the whole header: answer.header = image.header.",
     )
 
@@ -1116,22 +1171,22 @@ def why_repeated(pictures: Pictures, given: list[Answered]) -> Verdict | None:
     place, most = times.most_common(1)[0]
     if most < 2 or place is None:
         return None
-    saw = f"{most} directions with the stamp of picture {place + 1}"
+    saw = f"{most} directions with the stamp of image {place + 1}"
     several = [one for one, number in times.items() if number > 1]
     if set(several) <= set(pictures.without_ball) and len(several) > 3:
         return see.failed(
             "stamps-kept.no-ball-repeated",
-            f"{saw}. It shows no orange ball. Each picture with one has a single direction",
+            f"{saw}. It shows no orange ball. Each image with one has a single direction",
             ONE_EACH,
-            "Where there is no ball, two lines publish. One says (0, 0, 0), and then the callback goes on to the one "
-            "that publishes every direction.",
+            "If there's no ball, two lines publish. One publishes (0, 0, 0), and then the callback continues to "
+            "the line that publishes every direction.",
             "Return after the first one, or let a single line publish, with a ball or without.",
         )
     return see.failed(
         "stamps-kept.repeated",
         saw,
         ONE_EACH,
-        "One picture is answered again and again: by a timer, by a loop over all that is orange, or by two "
+        "Your node answers one image several times: in a timer, in a loop over all orange blobs, or through two "
         "subscriptions.",
         "Publish once for each call of the callback.",
     )
@@ -1160,26 +1215,26 @@ def shifted(pictures: Pictures, given: list[Answered]) -> Verdict | None:
     if before < after:
         return see.failed(
             "stamps-kept.one-behind",
-            saw.format(before) + "was one picture earlier",
+            saw.format(before) + "was one image earlier",
             PICTURE_STAMPS,
-            "A direction gets the stamp of the next picture. The picture before is kept and answered, or a new header "
-            "is put on an old result.",
-            "Use pixels and header of the same message.",
+            "A direction gets the next image's stamp. Your code stores the previous image and answers that one, "
+            "or it puts a new header on an old result.",
+            "Use the pixels and the header of the same message.",
         )
     return see.failed(
         "stamps-kept.one-ahead",
-        saw.format(after) + "is one picture later",
+        saw.format(after) + "is one image later",
         PICTURE_STAMPS,
-        "A direction gets the stamp of the picture before. The header is kept in an attribute, and used before the "
-        "new one is stored.",
-        "Use pixels and header of the same message: Vector3Stamped(header=image.header).",
+        "A direction gets the previous image's stamp. Your code stores the header in an attribute, but uses it "
+        "before storing the new one.",
+        "Use the pixels and the header of the same message: Vector3Stamped(header=image.header).",
     )
 
 
 def why_late(saw: str, waited: list[float]) -> Verdict:
     """Why answers come late. `waited` (s) in the order of the pictures."""
     expected = (
-        f"at least {LEAST_SHARE:.0%} of the pictures, typically within {TYPICALLY_S} s, and {SHARE_AT_ONCE:.0%} of "
+        f"at least {LEAST_SHARE:.0%} of the images, typically within {TYPICALLY_S} s, and {SHARE_AT_ONCE:.0%} of "
         f"these within {AT_ONCE_S} s"
     )
     tenth = max(len(waited) // 10, 1)
@@ -1189,30 +1244,33 @@ def why_late(saw: str, waited: list[float]) -> Verdict:
             "keeps-up.queue-grows",
             f"{saw}. The first waited {first:.2f} s, the last {last:.2f} s",
             expected,
-            "Looking at a picture takes longer than 1/30 s, and the queue keeps old pictures. So the node looks ever "
-            "further into the past.",
-            "Use functions of OpenCV or NumPy that work on the whole picture, not loops over pixels. And keep the "
-            "queue short: qos_profile_sensor_data keeps 5.",
+            "Processing an image takes longer than 1/30 s, and old images wait in the queue. So the node falls "
+            "further and further behind.",
+            "Use OpenCV or NumPy functions that work on the whole image, not loops over pixels. And keep the "
+            "queue short: qos_profile_sensor_data has a depth of 5.",
             about_time=True,
         )
     return see.failed(
         "keeps-up.late",
         saw,
         expected,
-        "Pictures wait in a queue or for a timer, or the callback sleeps or takes long to compute.",
-        "Look at each picture inside its callback and publish at once; keep the queue short.",
+        "Images wait in a queue or for a timer, or the callback sleeps or computes for a long time.",
+        "Process each image in its callback, publish right away, and keep the queue short.",
         about_time=True,
     )
 
 
 def why_missing(recording: Recording, saw: str) -> Verdict:
     """Why too many pictures were not answered."""
-    expected = f"at least {LEAST_SHARE:.0%} of the pictures"
+    expected = f"at least {LEAST_SHARE:.0%} of the images"
     error = see.last_error(recording)
     if error is not None:
         return see.failed(
             error.cause, f"{saw}. {error.where}{error.error}", expected, error.because, error.try_this
         )
+    ended = see.program_ended(recording, saw, expected)
+    if ended is not None and max(shown_to(recording).readable) not in first_answers(recording):
+        return ended
     pattern = why_not_answered(shown_to(recording), first_answers(recording), saw, expected)
     if pattern is not None:
         return pattern
@@ -1220,8 +1278,9 @@ def why_missing(recording: Recording, saw: str) -> Verdict:
         "keeps-up.missing",
         saw,
         expected,
-        "The node was busy while pictures came, answers only some of them, or stopped.",
-        "Publish in every call of the callback, and keep it short: functions of OpenCV or NumPy, no loops over pixels.",
+        "The node was busy while images arrived, answers only some of them, or stopped.",
+        "Publish in every call of the callback, and keep it short: use OpenCV or NumPy functions, not loops over "
+        "pixels.",
         about_time=True,
     )
 
@@ -1234,11 +1293,11 @@ def why_not_answered(
     if last < first_other and not set(pictures.readable) & set(range(first_other)) - set(by_place):
         return see.failed(
             "keeps-up.silent-since",
-            f"{saw}. Nothing came after picture {first_other + 1}, the first one in another encoding: "
+            f"{saw}. Nothing came after image {first_other + 1}, the first one in another encoding: "
             f"{pictures.views[first_other].encoding}",
             expected,
-            "Since the node met an encoding that it cannot read, it has not answered any more.",
-            "Return from the callback for that picture only. The next one may be readable again.",
+            "After the node received an encoding that it can't read, it stopped answering.",
+            "Return from the callback for that image only. Your node may be able to read the next one.",
         )
     for encoding in KNOWN:
         of_it = [place for place in pictures.readable if pictures.views[place].encoding == encoding]
@@ -1246,22 +1305,23 @@ def why_not_answered(
         if not set(of_it) & set(by_place) and share(place in by_place for place in others) >= SURE:
             return see.failed(
                 "keeps-up.one-encoding",
-                f"{saw}. Not one of the {len(of_it)} pictures in {encoding} was answered",
+                f"{saw}. Not one of the {len(of_it)} images in {encoding} was answered",
                 expected,
-                f"The node answers pictures in the other encoding only, and takes {encoding} for one that it cannot "
+                f"The node answers only images in the other encoding, and treats {encoding} as one that it can't "
                 "read.",
                 f"Both rgb8 and bgr8 can be read: convert {encoding}, too, and answer it.",
             )
     return None
 
 
-def too_few(cause: str) -> Verdict:
+def too_few(cause: str, recording: Recording) -> Verdict:
     """Nothing can be said, because most answers are missing."""
-    return see.failed(
+    saw = f"fewer than {LEAST_KNOWN:.0%} of the images that count for this criterion were answered"
+    return see.program_ended(recording, saw, "an answer to each") or see.failed(
         cause,
-        "fewer than half of the pictures that count for this criterion were answered",
+        saw,
         "an answer to each",
         "Without answers, the tracker cannot be judged.",
-        "First make sure that every picture is answered.",
+        "First make sure that every image is answered.",
         about_time=True,
     )

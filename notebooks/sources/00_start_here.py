@@ -1,19 +1,20 @@
 # %% [markdown]
 # # 00 · Start here
 #
-# A robot is many small programs that talk to each other all the time. In a minute you will see two of them do it.
+# A robot's software consists of many small programs that constantly exchange messages. How do these programs find each
+# other, and how do you write one?
 #
 # - **Minutes:** 45
 # - **You need:** Python classes and functions. No robot, no ROS
 # - **You will be able to:**
 #   - start a robot program and watch it
-#   - write a program of ten lines that moves the robot
-#   - say what rclpy is and what lies below it
-#   - help yourself when something is stuck
-# - **Left out:** how a program starts and ends well (that is the next lesson)
+#   - write a short program that moves the robot
+#   - explain what rclpy is and which layers lie below it
+#   - get unstuck when something goes wrong
+# - **Left out:** starting and ending a program properly (the next lesson)
 
 # %% [markdown]
-# Click into the gray cell below and press **Shift+Enter**. It runs, and the next cell is selected.
+# Click into the gray cell below and press **Shift+Enter**. That runs the cell and selects the next one.
 
 # %%
 from lesson_nodes import joint_position_publisher
@@ -23,43 +24,87 @@ print("started", start(joint_position_publisher))
 await watch_robot(seconds=6, ease=0.1)
 
 # %% [markdown]
-# What you just saw was not a recording. Two programs were at work. One computed the angles of the robot's twelve
-# joints, twenty times a second, and sent them. This notebook received the numbers and drew the robot. The robot is
-# simulated, but the sending and receiving is real. It is the software that runs on real robots: **ROS 2**, the Robot
-# Operating System.
+# That wasn't a recording: you watched two programs at work. One of them computed the angles of the robot's twelve
+# joints and sent them, twenty times a second. The other one, this notebook, received the angles and drew the robot. The
+# robot is simulated, but the communication is real. It's done by **ROS 2**, the Robot Operating System, which also runs
+# on real robots.
+#
+# [the same without helpers: start]
 
 # %% [markdown]
-# **What is rclpy?** It is the Python library of ROS 2. You write an ordinary Python class with a few methods. rclpy makes
-# it a **node**: a part of the robot that other programs can find and talk to. They may run on another computer, and they
-# may be written in another language.
-#
-# **Why does it matter?** On a humanoid, camera drivers and motor control are mostly C++, because each millisecond counts
-# there. Perception, planning and learning are mostly Python, because NumPy, OpenCV and PyTorch are there. Nodes connect
-# the two:
-#
-# - A trained model becomes part of the robot in a few lines. Images come in on one topic, detections go out on another.
-# - You can try an idea in minutes. Change a line and start that one program again. The rest of the robot keeps running.
-#
-# Python has a limit, and we will measure it. A loop that must be on time to the millisecond, a thousand times a second,
-# stays in C++. Your node talks to it.
-
-# %% [markdown]
-# **How do these notebooks work?** Predict, run, change. Before you run something, say what will happen. Then run it and
-# look. Then change a number. A wrong prediction is worth more than a right one, because it shows what you can learn.
-#
-# **`await`.** This word stands before calls that take a while. It keeps the notebook alive meanwhile, so that pictures
-# move and the stop button works. When you copy or change such a call, keep the word in front of it. (Lesson 12
-# explains it.)
-#
-# This notebook is your own copy, so change whatever you like. First, stop the robot's program:
+# The programs communicate through a **topic**, which is a name for a stream of messages. Here it's
+# `/robot/joint_positions`, and each message holds twelve angles. First, stop the robot's program:
 
 # %%
 stop()
 
+# %% [markdown]
+# **Your own robot program, in 11 lines.** Now let your own program move the robot. When you run the next cell, it
+# writes its text to the file `my_wave.py`. That file is a complete program.
+
+# %%
+# %%writefile my_wave.py
+import time
+
+import rclpy
+from std_msgs.msg import Float32MultiArray
+
+rclpy.init()
+node = rclpy.create_node("my_wave")
+publisher = node.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
+
+
+def move() -> None:
+    shoulder = 2.4 if time.time() % 2 < 1 else 0.3  # a second up, a second down
+    publisher.publish(Float32MultiArray(data=[0.0, 0.0, shoulder] + [0.0] * 9))
+
+
+node.create_timer(0.1, move)
+rclpy.spin(node)
+
+# %%
+print("started", start("my_wave.py"))
+await watch_robot(seconds=6, ease=0.4)
+stop()
+
+# %% [markdown]
+# The robot raises and lowers its left arm because *your* program publishes those angles. `init` starts ROS, and
+# `create_node` creates a node. `create_publisher` gets a message type and a topic. `move` fills a message with twelve
+# angles in radians and publishes it. The timer calls `move` every 0.1 s, and `spin` keeps the node running.
+#
+# **Your turn.** In the list of angles, the third is for the left shoulder and the fifth is for the right one. Write a list
+# of twelve angles in which the right shoulder is at 2.4 rad and all others are 0.0. (`[0.0] * 7` is a list of seven
+# zeros.)
+
+# %% id="your-pose"
+from workbook.lesson import yours
+
+pose = ...  # TODO: a list of twelve angles
+
+yours(
+    pose,
+    [0.0, 0.0, 0.0, 0.0, 2.4] + [0.0] * 7,
+    "Four zeros come before the right shoulder, and seven after it.",
+)
+
+# %% [markdown]
+# Now put your list into the program above: the arm should move as before, but on the other side. Then run both of its
+# cells again. (Lessons 01 to 06 explain every line of the program.)
+
+# %% [markdown]
+# **How do these notebooks work?** Predict, run, change. Before you run a cell, predict the outcome. Then run it and
+# compare, and finally change a number. You gain more from a wrong prediction than from a right one, because it shows
+# you a gap in your understanding.
+#
+# **`await`.** This word precedes calls that take a while. During such a call, it keeps the notebook responsive, so
+# animations move and the stop button works. Keep the word when you copy or change such a call. (Lesson 12 explains it.)
+#
+# This notebook is your own copy, so change anything you like.
+
 # %% [markdown] prediction="end-of-the-program"
 # ## Predict
 #
-# We start the robot again and watch it for six seconds. After three seconds we end its program, and keep watching. What
+# We start the robot again and watch it for six seconds. After three seconds, we end its program but keep watching. What
 # will you see?
 #
 # - **a** An error message: the connection was lost.
@@ -72,7 +117,7 @@ stop()
 # - **d** The robot keeps waving: the notebook knows the movement by now.
 #   ✗ The notebook does not work out the movement. It draws the numbers that it receives, and there are no new ones.
 #
-# Run the cell below and press the button of your choice. You can change it until you see the outcome.
+# Run the cell below and press the button of your choice. You can change your choice until you see the outcome.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -95,17 +140,18 @@ reveal("end-of-the-program")
 # %% [markdown]
 # ## Look inside
 #
-# There is no error. DDS, the layer that carries the messages, did notice, and took the publisher off its list. But ROS
-# does not treat that as an error. Each of the two programs knows only a **topic**: a name, here
-# `/robot/joint_positions`, and a type of message, here an array of numbers. One program **publishes** on it, with or
-# without subscribers. The other **subscribes** to it, with or without publishers.
+# There's no error. DDS, the layer that carries the messages, noticed that the publisher was gone and removed it from
+# its list. But ROS doesn't treat a missing publisher as an error, because each program knows only a **topic**, not the
+# other program. A topic has a name, here `/robot/joint_positions`, and a message type, here an array of numbers. One
+# program **publishes** to the topic, whether or not it has subscribers. The other **subscribes** to it, whether or not
+# there are publishers.
 #
-# So one program of a robot can crash without taking the others along. It also means that your node has to notice by
+# So one of a robot's programs can crash without bringing down the others. The price is that your node has to notice by
 # itself when a topic goes silent.
 #
-# ### Who is who
+# ### Programs find each other by topic names
 #
-# Three robot programs at once, each a process of its own:
+# Let's start three robot programs at the same time. Each runs in a separate process:
 
 # %%
 from lesson_nodes import humanoid_status_publisher, status_monitor
@@ -117,11 +163,11 @@ for program in (humanoid_status_publisher, status_monitor, joint_position_publis
 graph_picture()
 
 # %% [markdown]
-# Read it from left to right. `/humanoid_status_publisher` publishes on two topics, and `/status_monitor` subscribes to
-# both. No program subscribes to the joint positions at this moment. They are published all the same.
+# Read the graph from left to right. `/humanoid_status_publisher` publishes to two topics, and `/status_monitor`
+# subscribes to both. Right now, no program subscribes to the joint positions, but they're published anyway.
 #
-# No program names another one. They found each other by the names of their topics. Here are the next two messages on one
-# of them:
+# None of these programs contains another one's name. They found each other through the names of their topics. Here are
+# the next two messages on one of these topics:
 
 # %%
 from workbook.ros import topic_echo
@@ -131,47 +177,33 @@ for message in topic_echo("/robot/status", count=2).messages:
 stop()
 
 # %% [markdown]
-# ### Your own robot program, in ten lines
-#
-# Now you. The next cell writes its text into a file, `my_wave.py`. This is a complete program.
+# **Your turn.** From which topic does `/status_monitor` get the charge of the battery? Read the name in the graph.
 
-# %%
-# %%writefile my_wave.py
-import time
+# %% id="your-topic"
+battery_topic = ...  # TODO: the name of the topic, in quotes
 
-import rclpy
-from std_msgs.msg import Float32MultiArray
-
-rclpy.init()
-node = rclpy.create_node("my_wave")
-publisher = node.create_publisher(Float32MultiArray, "/robot/joint_positions", 10)
-
-
-def move() -> None:
-    up = time.time() % 2 < 1  # a second up, a second down
-    publisher.publish(
-        Float32MultiArray(data=[0.0, 0.0, 2.4 if up else 0.3] + [0.0] * 9)
-    )
-
-
-node.create_timer(0.1, move)
-rclpy.spin(node)
-
-# %%
-print("started", start("my_wave.py"))
-await watch_robot(seconds=6, ease=0.4)
-stop()
+yours(battery_topic, "/robot/battery", "A topic's name begins with a slash.")
 
 # %% [markdown]
-# The robot raises its left arm and lowers it, because *your* program says so. Line by line: `init` starts ROS, and
-# `create_node` makes a node. `create_publisher` names a message type and a topic. `move` makes a message of twelve angles
-# in radians, and publishes it. The timer calls `move` every 0.1 s, and `spin` keeps the node working.
+# ### rclpy, and the layers below it
 #
-# The third angle belongs to the left shoulder, the fifth to the right one. Change a number, then run both cells again.
-# (`[0.0] * 9` are nine more angles of 0.0. Lessons 01 to 06 explain each line of this program.)
-
-# %% [markdown]
-# ### What lies below your Python
+# **What is rclpy?** It's the Python library of ROS 2. You write an ordinary Python class with a few methods, and rclpy
+# makes it a **node**. A node is a part of the robot that other programs can find and talk to. Those programs may run on
+# another computer or be written in another language.
+#
+# **Why does it matter?** On a humanoid, the camera drivers and motor control are mostly written in C++, because every
+# millisecond counts there. Perception, planning, and learning are mostly written in Python, because they build on
+# NumPy, OpenCV, and PyTorch. Nodes connect the two worlds:
+#
+# - In a few lines, a trained model becomes part of the robot. It receives images on one topic and publishes its
+#   detections on another.
+# - You can try an idea within minutes. Change a line and restart that one program while the rest of the robot keeps
+#   running.
+#
+# Python has a limit, which we'll measure. A control loop that runs a thousand times a second, with every step on time
+# to the millisecond, stays in C++. Your node talks to it.
+#
+# Below rclpy are more layers:
 
 # %%
 from workbook.pictures.figures import show
@@ -180,13 +212,12 @@ from workbook.pictures.layers import DESCRIPTION, layers
 show(layers(), DESCRIPTION)
 
 # %% [markdown]
-# `rcl` is short for *ROS client library*. The C++ library `rclcpp` stands on the same core. That is why a Python node and
-# a C++ node agree on names, types and rates, and neither knows the other's language.
+# `rcl` is short for *ROS client library*. The C++ library `rclcpp` is built on the same core. So a Python node and a
+# C++ node agree on names, types, and rates, and neither of them depends on the other's language.
 #
-# All these layers are loaded into the process that runs this cell. Linux lists them:
+# The process that runs this cell has loaded all of these layers, and Linux can list them:
 
 # %%
-import os
 from importlib.metadata import version
 from pathlib import Path
 
@@ -204,22 +235,21 @@ for layer, library in layers.items():
     print(f"{layer:<17} {library:<23} {'loaded' if library in loaded else 'not found'}")
 print("rclpy:", version("ros-jazzy-rclpy"), "of ROS 2 Jazzy")
 print("middleware:", rclpy.get_rmw_implementation_identifier())
-print("a domain between 1 and 101:", 1 <= int(os.environ["ROS_DOMAIN_ID"]) <= 101)
 
 # %% [markdown]
-# Each open notebook takes a free **domain**, which is a number. Lesson 01 shows what it is for.
+# Every open notebook gets a free **domain**, which is a number from 1 to 101. Lesson 01 shows how domains keep programs apart.
 
 # %% [markdown] prediction="wave-faster"
 # ## Change it
 #
-# The robot's program has two numbers that can be set when it starts:
+# The robot's program has two parameters that you can set when you start it:
 #
-# | number | meaning | usual |
+# | parameter | meaning | usual value |
 # |---|---|---|
-# | `waves_per_second` | how often the hand moves to and fro in a second | 0.8 |
-# | `period_s` | seconds from one message to the next | 0.05 |
+# | `waves_per_second` | how many times per second the hand waves | 0.8 |
+# | `period_s` | seconds between two messages | 0.05 |
 #
-# ### Experiment 1: the first number
+# ### Experiment 1: a faster wave
 #
 # We set `waves_per_second=2.0`. What changes?
 #
@@ -237,20 +267,21 @@ print("a domain between 1 and 101:", 1 <= int(os.environ["ROS_DOMAIN_ID"]) <= 10
 predict("wave-faster")
 
 # %%
+from workbook.lesson import about
 from workbook.ros import topic_hz
 
 start(joint_position_publisher, waves_per_second=2.0)
 await watch_robot(seconds=5, ease=0.1)
 
 rate = topic_hz("/robot/joint_positions", seconds=3)
-print("messages a second, to the nearest ten:", round(rate.mean_hz / 10) * 10)
+print("messages a second:", about(rate.mean_hz, between=(16, 22)))
 reveal("wave-faster", messages_per_second=rate.mean_hz)
 
 # %% [markdown] prediction="report-less-often"
-# ### Experiment 2: the second number
+# ### Experiment 2: fewer messages
 #
-# The usual wave again, but with `period_s=0.5`. We also watch with `ease=0`. (`ease` is how many seconds the picture
-# takes to glide to a new pose.) What will you see?
+# We go back to the usual wave, but with `period_s=0.5`. We also watch with `ease=0`. (`ease` is the time in seconds
+# that the drawing takes to glide to a new pose.) What will you see?
 #
 # - **a** The hand waves slowly and smoothly.
 #   ✗ The wave is as fast as before. And it cannot look smooth with two messages a second.
@@ -269,12 +300,12 @@ reveal("report-less-often")
 stop()
 
 # %% [markdown]
-# How the robot moves and how often it reports its pose are two different numbers. Beginners often mix them up.
+# The robot's speed and its reporting rate are two different numbers. Beginners often mix them up.
 #
-# With `ease=0.5` the picture glides from one pose to the next. It looks fine, but the poses in between are our guess. Try
-# it, and try other numbers. You can run these cells as often as you like.
+# With `ease=0.5`, the drawing glides from one pose to the next. That looks fine, but we only made up the poses in
+# between. Try it, and try other numbers. You can run these cells as often as you like.
 #
-# Or use a slider. While the next cell runs, drag it: each move starts the program again with the new number.
+# Or use a slider. Drag it while the next cell runs: every move restarts the program with the new number.
 
 # %%
 from workbook.lesson import knob
@@ -286,7 +317,7 @@ await knob(
 # %% [markdown]
 # ## When it goes wrong
 #
-# **The forgotten dot.** We change one number again, this time to `2`.
+# **An integer for a float parameter.** We change the same parameter again, this time to `2`.
 
 # %%
 try:
@@ -295,12 +326,12 @@ except RuntimeError as error:
     print(str(error).splitlines()[-1])
 
 # %% [markdown]
-# The program ended at once, and the last line says why. (Read error messages from the last line up.) `2` is a whole
-# number, and this parameter is a number with a decimal point. So write `2.0`.
+# The program ended right away, and the last line says why. (Read error messages from the bottom up.) `2` is an integer,
+# but this parameter is a float, a number with a decimal point. So write `2.0`.
 #
-# A misspelled parameter is worse: `wave_per_second=2.0` is accepted silently, and changes nothing.
+# A misspelled parameter is worse: the program accepts `wave_per_second=2.0` without any message, and nothing changes.
 #
-# **A name that does not exist.** Names must match letter by letter, and a topic exists only while a program uses it.
+# **A misspelled topic.** Names must match letter by letter, and a topic exists only while a program uses it.
 
 # %% tags=["raises-exception"]
 from workbook.ros import topic_info
@@ -309,32 +340,32 @@ start(joint_position_publisher)
 topic_info("/robot/joint_postions")
 
 # %% [markdown]
-# `positions` lost an `i`. The tools guess what you meant. A subscriber would not: it would wait silently, on a topic
-# without a publisher. Misspelled names are a very common beginner's mistake. When no message comes, check the names
-# first.
+# The name is missing an `i`. Our tools suggest the name that you probably meant, but a subscriber wouldn't. It would
+# wait silently on a topic that has no publisher. Beginners misspell names very often, so if no messages arrive, check
+# the names first.
 
 # %%
 stop()
 
 # %% [markdown]
-# ### When you are stuck
+# ### When you're stuck
 #
-# | what you see | what to do |
+# | you see | do this |
 # |---|---|
-# | `[*]` stays beside a cell | it is still running. The button **■** above ends it, as Ctrl-C does in a terminal |
-# | `NameError: name 'start' is not defined` | a cell further up was not run: *Run > Run All Above Selected Cell* |
-# | a robot still waves, or two do | `stop()` ends all programs that this notebook has started |
-# | everything is confused | the button **⟳** restarts the kernel. Programs and variables are gone, your text stays |
-# | not even the first cell works | `workbook doctor` in a terminal says what is wrong with the machine |
-# | an exercise does not pass | its card shows the first thing to fix; `%hint` helps in three steps |
+# | `[*]` stays next to a cell | the cell is still running. The button **■** above ends it, as Ctrl-C does in a terminal |
+# | `NameError: name 'start' is not defined` | a cell above wasn't run: *Run > Run All Above Selected Cell* |
+# | a robot is still waving, or two are | `stop()` ends all programs that this notebook has started |
+# | nothing makes sense any more | the button **⟳** restarts the kernel. Programs and variables are gone, but your text stays |
+# | not even the first cell works | `workbook doctor` in a terminal reports what's wrong with the machine |
+# | an exercise doesn't pass | its card shows the first thing to fix; `%hint` helps in three steps |
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** `my_wave.py`, further up. Have a look at it again.
+# **Worked.** You ran `my_wave.py`, further up. Have another look at it.
 #
-# **Faded.** Make the robot raise its *right* arm. Fill in what is `...`, then run both cells. Until then, the second
-# one says what is missing.
+# **Faded.** Make the robot raise its *right* arm. Replace each `...` with your code, then run both cells. Until you do,
+# the second one prints a reminder.
 
 # %%
 # %%writefile my_robot.py
@@ -364,93 +395,94 @@ else:
     stop()
 
 # %% [markdown]
-# **Your own** (nobody grades it). Three steps, and you are ready for the course.
+# **Your own** (not graded). Three more steps, and you're ready for the course.
 #
-# *One: is this machine all right?* The doctor looks at Python, the packages and Jupyter, and lets two processes talk to
-# each other. It takes some seconds.
+# *Step 1: check your machine.* The doctor checks Python, the packages, and Jupyter, and sends messages between two
+# processes. That takes a few seconds.
 
 # %% tags=["nbval-ignore-output"]
 from workbook.lesson import doctor
 
 ready = doctor()
 
-# %%
-print("this machine is ready:", ready)
-
 # %% [markdown]
-# If it is not, follow the instruction after the first `→`, and run the cell again. A line with `!` is only a note.
+# If the machine isn't ready, follow the instruction after the first `→`, and run the cell again. A line with `!` is only
+# a note.
 #
-# *Two: a second window on the same robot.* Start it, and let it run:
+# *Step 2: watch the same robot from a terminal.* Start the status publisher and leave it running:
 
 # %%
 print("running:", start(humanoid_status_publisher))
 
 # %% [markdown]
-# Open a terminal beside this notebook: *File > New > Terminal*. There, type these commands, one by one:
+# Open a terminal next to this notebook: *File > New > Terminal*. Type these commands there, one by one:
 #
 #     workbook node list
 #     workbook topic list
 #     workbook topic echo /robot/battery --count 3
 #     workbook graph
 #
-# If several notebooks are open, the command asks which one you mean. These commands show what `ros2` shows in a full
-# installation of ROS 2. If you have one, `ros2` itself can listen in. Type this line into its terminal first. It sets
-# the domain of this notebook.
+# If several notebooks are open, the command asks which one you mean. The output is what `ros2` shows in a full
+# installation of ROS 2. If you have such an installation, `ros2` itself can join in. First, type the following line
+# into its terminal to set this notebook's domain.
 
 # %% tags=["nbval-ignore-output"]
 from workbook.ros import join_line
 
 print(join_line())
 
-# %%
-domain = os.environ["ROS_DOMAIN_ID"]
-print(
-    "it names the domain of this notebook:", f"ROS_DOMAIN_ID={domain} " in join_line()
-)
-
 # %% [markdown]
-# *Three: change one number.* In the section *Change it*, make a robot that waves twice a second and reports ten times a
-# second. Say beforehand what you will see. At the end:
+# *Step 3: change two numbers.* Make a robot that waves twice a second and reports ten times a second. Predict what
+# you'll see before you run the cell.
 
-# %%
+# %% id="your-numbers"
+waves = ...  # TODO: waves_per_second
+period = ...  # TODO: period_s
+
+yours((waves, period), (2.0, 0.1), "Ten messages a second are 0.1 s apart.")
 stop()
+if ... not in (waves, period):
+    start(joint_position_publisher, waves_per_second=waves, period_s=period)
+    await watch_robot(seconds=6, ease=0)
+    stop()
 
 # %% [markdown]
-# From the next lesson on, each lesson has an exercise. You write a program, and `%start` runs it beside the notebook.
-# `%check` watches what it does on its topics. After some seconds it says what is right, and what to fix first.
+# From the next lesson on, every lesson has an exercise. You write a program, and `%start` runs it next to the notebook.
+# `%check` watches the program's topics for a few seconds. Then it reports which parts are correct and what to fix
+# first.
 
 # %% [markdown]
 # ## Check yourself
 #
 # **1. What is rclpy?**
 #
-# <details><summary>a) The Python library with which a program becomes a node of ROS 2</summary>
+# <details><summary>a) The Python library that turns a program into a ROS 2 node</summary>
 #
-# ✓ It makes nodes, topics and timers usable from Python, and passes the work on to `rcl`.
+# ✓ It makes nodes, topics, and timers available in Python, and passes the work on to `rcl`.
 #
 # </details>
-# <details><summary>b) A simulator of robots</summary>
+# <details><summary>b) A robot simulator</summary>
 #
-# ✗ A simulator makes up a world. rclpy only connects programs. It does not know whether the robot is real.
+# ✗ A simulator computes an artificial world. rclpy only connects programs, whether the robot is real or simulated.
 #
 # </details>
 # <details><summary>c) A translator that turns Python into C++</summary>
 #
-# ✗ Your code stays Python and is run by Python. It calls a core that is compiled, as NumPy does.
+# ✗ Your code stays Python, and Python runs it. Like NumPy, rclpy calls a compiled core.
 #
 # </details>
 #
-# **2. A program publishes on a topic, and no program subscribes. What happens?**
+# **2. A program publishes to a topic that has no subscribers. What happens?**
 #
-# <details><summary>a) It waits until a program does</summary>
+# <details><summary>a) It waits for a subscriber</summary>
 #
-# ✗ A publisher does not wait. In the picture of the graph, no program subscribed to the joint positions.
+# ✗ A publisher doesn't wait. In the graph above, the joint positions had no subscriber, but they were published anyway.
 #
 # </details>
-# <details><summary>b) It publishes all the same, and the messages are gone</summary>
+# <details><summary>b) It publishes anyway, and the messages are lost</summary>
 #
-# ✓ Publishers and subscribers come and go on their own. (Lesson 13 shows how a late
-# subscriber can still get the last message.)
+# ✓ Publishers and subscribers start and end independently. (Lesson 13 shows how a late subscriber can still get the
+# last message.)
 #
 # </details>
 # <details><summary>c) It gets an error</summary>
@@ -461,83 +493,86 @@ stop()
 #
 # **3. What do `rclpy` and `rclcpp` have in common?**
 #
-# <details><summary>a) Nothing; a bridge is needed between them</summary>
+# <details><summary>a) Nothing: they need a bridge between them</summary>
 #
-# ✗ On the wire their messages are the same bytes. No bridge is needed.
+# ✗ They don't need one, because both send the same bytes over the wire.
 #
 # </details>
 # <details><summary>b) rclpy calls rclcpp</summary>
 #
-# ✗ They stand side by side on the same core. Neither needs the other.
+# ✗ Both are built on the same core, and neither needs the other.
 #
 # </details>
-# <details><summary>c) Both stand on rcl, a library in C</summary>
+# <details><summary>c) Both are built on rcl, a C library</summary>
 #
-# ✓ So names, types and rules are the same, and nodes of both kinds talk to each other.
+# ✓ So they have the same names, types, and rules, and nodes of both kinds can talk to each other.
 #
 # </details>
 #
-# **4. Your node runs, but it hears nothing. What do you look at first?**
+# **4. Your node runs but receives no messages. What do you check first?**
 #
-# <details><summary>a) The version of Python</summary>
+# <details><summary>a) The Python version</summary>
 #
-# ✗ If your node runs, Python is good enough.
+# ✗ If your node runs, the Python version is fine.
 #
 # </details>
 # <details><summary>b) The network cable</summary>
 #
-# ✗ In these lessons everything happens inside one computer. And names are wrong far more often than cables.
+# ✗ In these lessons, all programs run on one computer. And wrong names are far more common than bad cables.
 #
 # </details>
-# <details><summary>c) The names: is the topic in the list, spelled exactly so, and with a publisher?</summary>
+# <details><summary>c) The names: is the topic listed, with exactly this spelling, and does it have a publisher?</summary>
 #
-# ✓ `topic_list()` in a notebook or `workbook topic list` in a terminal answers that in a second.
+# ✓ `topic_list()` in a notebook, or `workbook topic list` in a terminal, shows that within a second.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). A team builds a humanoid. Should
-# it be one large Python program, or ten nodes that talk over topics? What does each way
-# make easier, and what harder? Which parts would you write in Python, and which not?
-# Name only functions that exist in rclpy for Jazzy.
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). A team is building a
+# humanoid. Should its software be one large Python program, or ten nodes that communicate
+# over topics? What does each approach make easier, and what does it make harder? Which
+# parts would you write in Python, and which ones not? From rclpy, use only functions that
+# exist in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# One program is easier to start and to step through, and its parts share memory. Nodes can be started, replaced and
-# tested one by one, and when one crashes, the others go on. They can run on several computers, each written in the
-# language that fits. Nodes have a price. Messages cost time and copies, several things happen at once, and there are
-# more parts to look after. A node that goes silent must be noticed. Python suits perception, planning, learning and
-# user interfaces. C++ (or a microcontroller) suits motor control, and what must be on time to the millisecond.
+# One program is easier to start and to debug step by step, and its parts share memory. Nodes can be started, replaced,
+# and tested separately, and if one crashes, the others keep running. They can run on several computers, each in the
+# language that suits it. But nodes have a price. Messages cost time and copies, several things happen at the same time,
+# and there are more parts to maintain. Something has to notice if a node goes silent. Python suits perception,
+# planning, learning, and user interfaces. C++ (or a microcontroller) suits motor control and everything else that must
+# be on time to the millisecond.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
 #
-# - **Start `roscore` first:** That is ROS 1. In ROS 2 no central program runs: nodes find each other by themselves.
-# - **In one process, nodes share messages without copying (`use_intra_process_comms`):** C++ nodes can. rclpy has no
-#   such option, and each subscriber gets its own copy.
+# - **Start `roscore` first:** That's ROS 1. ROS 2 has no central program, because its nodes find each other by
+#   themselves.
+# - **In one process, nodes share messages without copying (`use_intra_process_comms`):** C++ nodes can do that. rclpy
+#   has no such option, so each subscriber gets a separate copy.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - A robot is many programs. Each runs one or more nodes.
-# - Nodes talk over topics: a name and a type. A node does not know which others publish or subscribe there.
-# - A program that moves a robot has ten lines: init, node, publisher, timer, spin.
-# - rclpy is the Python side of rcl. Below it, rmw and DDS carry the messages.
-# - Predict, run, change. ■ stops a cell, `stop()` stops the robots, `workbook doctor` checks the machine.
+# - A robot's software is many programs, and each of them runs one or more nodes.
+# - To move the robot, a program needs 11 lines: imports, init, node, publisher, callback, timer, and spin.
+# - rclpy is the Python side of rcl. Below rcl, rmw and DDS carry the messages.
+# - Predict, run, change. ■ stops a cell, `stop()` stops the robots, and `workbook doctor` checks the machine.
+# - Nodes find each other through topics. A topic has a name and a type, and no node needs to know which others use it.
 #
-# **Next:** [01 · The context](01_the_context.ipynb): what begins before the first node and ends after the last.
+# **Next:** [01 · The context](01_the_context.ipynb): what begins before the first node and ends after the last one.
 #
 # **More:** [Nodes](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Nodes.html),
-# [topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html) and
-# [the layers of ROS 2](https://docs.ros.org/en/jazzy/Concepts/Advanced/About-Internal-Interfaces.html).
+# [topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html), and [the layers of ROS
+# 2](https://docs.ros.org/en/jazzy/Concepts/Advanced/About-Internal-Interfaces.html)

@@ -1,20 +1,20 @@
 # %% [markdown]
 # # 01 · The context
 #
-# A robot program must start before it can do anything, and it must end without dropping what the robot holds. One object
-# takes care of both: the context.
+# A robot program has to start ROS before it can create a node. When the program ends, the robot mustn't drop anything.
+# How do you start and end ROS properly? One object is involved in both: the context.
 #
 # - **Minutes:** 40
 # - **You need:** lesson [00](00_start_here.ipynb)
 # - **You will be able to:**
 #   - start and end ROS in a program
-#   - say what works before, between and after
-#   - say what decides which robots hear each other
-#   - write a `main()` that ends well on Ctrl-C
-# - **Left out:** what `spin` does inside (lesson 06), other signals and threads (the deeper notebook), lifecycle nodes
+#   - say which calls work before `init`, after it, and after `shutdown`
+#   - say which robots receive each other's messages
+#   - write a `main()` that ends cleanly on Ctrl-C
+# - **Left out:** how `spin` works (lesson 06), other signals and threads (the deeper notebook), lifecycle nodes
 
 # %% [markdown]
-# A museum at night. A robot walks its rounds until its program ends. We start it as a process of its own.
+# It's night in a museum. A robot walks its rounds until its program ends. Let's run that program in a separate process.
 
 # %%
 from lesson_nodes import night_guard
@@ -27,13 +27,15 @@ stop()
 print("after the end:  ", node_list())
 
 # %% [markdown]
-# Its **node** appeared, and after the end it is gone, without an error. That is less common than you would think. Many
-# programs that you find on the web end with a page of error messages. At the end of this lesson, yours will not.
+# While the program ran, its **node** was on the list. Then the program ended without an error, and the node was gone.
+# That's less common than you might think: many programs on the web end with a page of error messages. By the end of
+# this lesson, you can write one that doesn't.
 
 # %% [markdown] prediction="publish-after-shutdown"
 # ## Predict
 #
-# Every rclpy program begins with `init` and ends with `shutdown`. Between them, this one makes a node and a publisher:
+# Every rclpy program begins with `init` and ends with `shutdown`. Between those two calls, this program creates a node
+# and a publisher:
 #
 # ```python
 # rclpy.init()
@@ -42,7 +44,7 @@ print("after the end:  ", node_list())
 # rclpy.shutdown()
 # ```
 #
-# After these lines the program calls `radio.publish(String(data="burglar!"))`. What happens?
+# After these lines, the program calls `radio.publish(String(data="burglar!"))`. What happens?
 #
 # - **a** It is sent: `shutdown` stops callbacks, it does not stop publishing.
 #   ✗ `shutdown` ends the context, and the publisher needs it. Without a context nothing can be sent.
@@ -62,7 +64,7 @@ predict("publish-after-shutdown")
 # %% [markdown]
 # ## Run it
 #
-# `rclpy.ok()` says whether the context is up. We ask before, between and after.
+# `rclpy.ok()` returns whether the context is valid. Let's call it before `init`, after `init`, and after `shutdown`.
 
 # %%
 import rclpy
@@ -83,7 +85,7 @@ rclpy.shutdown()
 print("after shutdown: ", rclpy.ok())
 
 # %% [markdown]
-# Now the call in question.
+# Now publish after the shutdown.
 
 # %% id="publish-after-shutdown" tags=["raises-exception"]
 radio.publish(String(data="burglar!"))
@@ -94,14 +96,15 @@ reveal("publish-after-shutdown")
 # %% [markdown]
 # ## Look inside
 #
-# `init` made a **context**, and `shutdown` ended it. A context holds what the nodes of one *process*
-# share: their domain, the arguments from the command line, and what happens on Ctrl-C. Every node belongs to a context.
-# You did not name it, because `rclpy.init()` makes the **default context**, and `Node(...)` takes that one.
+# `init` created a **context**, and `shutdown` ended it. A context holds the settings that all nodes in a *process*
+# share: the domain, the command-line arguments, and the handling of Ctrl-C. Every node belongs to a context. You didn't
+# have to name one, because `rclpy.init()` initializes the **default context**, and `Node(...)` uses it.
 #
-# A context has three states, and it goes through them once: *not initialized* → *ok* → *shut down*. There is no way back.
-# `rclpy.ok()` is true only in the middle one.
+# A context goes through three states: *not initialized* → *ok* → *shut down*. It never goes back. `rclpy.ok()` returns
+# `True` only in the second state.
 #
-# What works in which state? This cell tries four calls in each.
+# Which calls work in which state? The next cell tries four calls with a valid context, with a destroyed node, and after
+# a shutdown.
 
 # %% id="what-works-when"
 rclpy.try_shutdown()
@@ -146,20 +149,24 @@ for row, action in enumerate(actions):
     print(line(action, [column[row] for column in columns.values()]))
 
 # %% [markdown]
-# Each error says what is missing. `NotInitializedException`: there is no valid context. `RCLError`: the C library below
-# rclpy refused, and here the reason is the same. `InvalidHandle`: the context is fine, but this node was destroyed.
+# The three exceptions have different causes:
 #
-# Note the last row. A node outlives its context as an object, and still knows its name. It can do nothing else.
+# - **`NotInitializedException`:** There's no valid context.
+# - **`RCLError`:** The C library below rclpy refused the call. Here the reason is again the missing context.
+# - **`InvalidHandle`:** The context is valid, but the node was destroyed.
+#
+# Look at the last row. After the shutdown, the node still exists as a Python object and can return its name. But it
+# can't do anything else.
 
 # %% [markdown] prediction="three-contexts"
 # ## Change it
 #
 # ### Experiment 1: three contexts in one notebook
 #
-# A process usually has one context. It may have more, and each can be on another **domain**, the number that you saw in
-# lesson 00. Here are three robots in one process, each with a context of its own. `kitchen` and `hall` are on domain A,
-# `garden` is on domain B. All three publish their names on the topic `/building/hello`, and subscribe to it. Who hears
-# whom?
+# A process usually has one context, but it can have several. Each context can be in a different **domain**, the number
+# that you saw in lesson 00. Here are three robots in one process, and each has its own context. `kitchen` and `hall`
+# are in domain A, and `garden` is in domain B. All three publish their names to the topic `/building/hello` and
+# subscribe to that topic. Which robots hear each other, that is, receive each other's messages?
 #
 # - **a** None hears another one: each has a context of its own.
 #   when `kitchen_hears == 0 and garden_hears == 0`
@@ -242,19 +249,22 @@ show(
 )
 
 # %% [markdown]
-# The domain decides, not the process and not the topic. Put `"garden": "A"` into `PLACES` and run both cells again.
+# The domain decides, not the process and not the topic. Change the entry in `PLACES` to `"garden": "A"`, and run both
+# cells again.
 #
-# In a classroom this matters. By default, ROS uses domain 0. Put thirty laptops on one network, and *your* dashboard
-# shows the battery of your neighbor's robot. So each desk sets a domain of its own, in the environment variable
-# `ROS_DOMAIN_ID`. (`ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST` keeps everything on one machine.) Do not put the number
-# into your code. Otherwise you have to edit the program to use it on another domain. These notebooks choose a free
-# domain when they open.
+# Domains matter in a classroom, because ROS uses domain 0 by default. Put thirty laptops on one network, and *your*
+# dashboard shows the battery of your neighbor's robot. So each desk sets its own domain in the environment variable
+# `ROS_DOMAIN_ID`. (`ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST` keeps all traffic on one machine.)
+#
+# Don't write the number into your code, or you'll have to edit the program to use it in another domain. These notebooks
+# choose a free domain when you open them.
 
 # %% [markdown]
 # ### Experiment 2: Ctrl-C
 #
-# While you develop, you stop most robot programs with Ctrl-C. Linux then sends a **signal**, SIGINT, and Python turns
-# it into the exception `KeyboardInterrupt`. Here are three ways to write `main`. You find all of them on the web.
+# During development, you stop most robot programs with Ctrl-C. Linux then sends the process a **signal** called SIGINT,
+# and Python turns that signal into the exception `KeyboardInterrupt`. Here are three ways to write `main`. You can find
+# all three on the web.
 
 # %%
 import inspect
@@ -268,10 +278,10 @@ print(
 )
 
 # %% [markdown] prediction="after-ctrl-c"
-# `guard.park()` folds the arms and prints `arms parked`. `spin` lets the node work.
+# `spin` runs the node's callbacks. `guard.park()` folds the robot's arms and prints `arms parked`.
 #
-# A program reports how it ended by its **exit code**: 0 means success, and any other number means trouble. Scripts,
-# service managers and launch files read it. Which of the three programs end with 0 after Ctrl-C?
+# A program reports how it ended with its **exit code**: 0 means success, and any other number means failure. Scripts,
+# service managers, and launch files read the exit code. Which of the three programs end with 0 after Ctrl-C?
 #
 # - **a** `third_main` only
 #   when `first != 0 and second != 0 and third == 0`
@@ -291,7 +301,7 @@ print(
 predict("after-ctrl-c")
 
 # %% [markdown]
-# Each runs as a process of its own, and receives Ctrl-C in its first round.
+# The next cell runs each `main` in its own process and sends it Ctrl-C during the first round.
 
 # %% id="three-mains"
 from workbook.lesson import run_program
@@ -312,24 +322,26 @@ reveal(
 )
 
 # %% [markdown]
-# **`first_main`** never reaches the line after `spin`. On Ctrl-C `spin` does not return. It *raises*, and the exception
-# leaves the function. The arms are still up. (130 is how shells write "ended by signal 2", and 2 is SIGINT.)
+# **`first_main`** never reaches the line after `spin`. On Ctrl-C, `spin` doesn't return. It *raises* an exception that
+# ends the function, so the arms stay up. (130 is a shell convention: 128 plus the signal's number, and SIGINT is number
+# 2.)
 #
-# **`second_main`** parks its arms. But then `rclpy.shutdown()` fails: *rcl_shutdown already called*. `rclpy.init`
-# installed a handler for SIGINT, and that handler shuts the context down at once. You find this `main` in many
-# tutorials. It looks fine, because the arms are down. But a service manager reads the exit code, and reports a crash.
+# **`second_main`** parks the arms, but then `rclpy.shutdown()` fails: *rcl_shutdown already called*. `rclpy.init`
+# installed a handler for SIGINT, and that handler shuts the context down right away. This `main` appears in many
+# tutorials. It looks fine, because the arms are down. But a service manager reads the exit code and reports a crash.
 #
-# **`third_main`** calls `rclpy.try_shutdown()`. It shuts the context down if it is up, and otherwise does nothing. Its
-# `except` names a second exception, which `spin` raises when the context is shut down from outside. Write this `main`.
+# **`third_main`** calls `rclpy.try_shutdown()`, which shuts the context down only if it's still valid. Its `except`
+# line also names a second exception: `spin` raises that one if something outside of `spin` shuts the context down. This
+# is the `main` to write.
 #
-# One caveat: `try_shutdown` first checks, then calls. Very rarely, rclpy's handler shuts the context down between the
-# two, and the program ends as `second_main` does. That is a flaw of this rclpy. The judge of the exercise knows it, and
-# does not count it.
+# One caveat: `try_shutdown` first checks the context and then shuts it down. Very rarely, rclpy's handler shuts the
+# context down between these two steps, and the program ends like `second_main`. That's a bug in this version of rclpy.
+# The exercise's judge recognizes this case and doesn't count it against you.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Started twice.** One `init` at the top of a file, another in `main`:
+# **Calling `init` twice.** One call is at the top of a file, and another one is in `main`:
 
 # %% id="init-twice" tags=["raises-exception"]
 rclpy.try_shutdown()
@@ -337,17 +349,18 @@ rclpy.init()
 rclpy.init()
 
 # %% [markdown]
-# The context is up already. In a program, call `init` in `main` and nowhere else. In a notebook, where cells run again and
-# again, use `init()` of `workbook.lesson`. It does nothing the second time.
+# The second call fails because the context is already initialized. In a program, call `init` only in `main`. In a
+# notebook, you run cells repeatedly, so use `init()` from `workbook.lesson`. Calling that function a second time does
+# nothing.
 #
-# **A node before `init`.** Often the line stands at the top of a file, outside of `main`, so it runs first.
+# **Creating a node before `init`.** Often this line is at the top level of a file, outside of `main`, so it runs first.
 
 # %% id="node-before-init" tags=["raises-exception"]
 rclpy.try_shutdown()
 Node("early_bird")
 
 # %% [markdown]
-# **A node that was destroyed.** The context is up, and the call fails all the same:
+# **Using a destroyed node.** The context is valid, but the call fails anyway:
 
 # %% id="destroyed-node" tags=["raises-exception"]
 rclpy.init()
@@ -356,10 +369,10 @@ guard.destroy_node()
 guard.get_name()
 
 # %% [markdown]
-# The error message calls the node a *Destroyable*. Most often `destroy_node()` is a line too early, before a last log
-# or publish.
+# The error message calls the node a *Destroyable*. The usual cause is a `destroy_node()` call that's one line too
+# early, before a last log message or `publish`.
 #
-# **Two calls from other versions of ROS.** The first is a habit from ROS 1:
+# **Code for other ROS versions.** The first call is a habit from ROS 1:
 
 # %% id="positional-arguments" tags=["raises-exception"]
 import sys
@@ -368,9 +381,9 @@ rclpy.try_shutdown()
 rclpy.init(sys.argv)
 
 # %% [markdown]
-# Pass arguments by name: `rclpy.init(args=sys.argv)`. Without them, rclpy takes those of the command line.
+# Pass the arguments by name: `rclpy.init(args=sys.argv)`. If you leave them out, rclpy uses the command-line arguments.
 #
-# The second is from documents of a newer ROS:
+# The second call comes from the documentation of a newer ROS:
 
 # %% id="with-init" tags=["raises-exception"]
 rclpy.try_shutdown()
@@ -378,9 +391,9 @@ with rclpy.init():
     guard = Node("guard")
 
 # %% [markdown]
-# In newer versions `init` returns an object for `with`. In Jazzy it returns `None`. Use `try` and `finally`. One
-# caveat: the failing line *did* call `init` before it raised. So the context is up now, and the next `init` raises an
-# error, too.
+# In newer versions, `init` returns a context manager for `with`. In Jazzy, it returns `None`, so use `try` and
+# `finally` instead. One caveat: the failing line *did* call `init` before it raised the exception. The context is now
+# initialized, so another `init` would raise an exception, too.
 
 # %%
 print(rclpy.ok())
@@ -389,8 +402,9 @@ rclpy.try_shutdown()
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A robot waters plants. When it ends, it must close the valve, whatever happens. The pattern is the same for
-# every program: `init`, make the node, spin in `try`, expect the two exceptions, clean up in `finally`.
+# **Worked.** A robot waters plants. When its program ends, it must close the valve, even after an error. Every program
+# follows this pattern: call `init`, create the node, spin inside `try`, catch the two exceptions, and clean up in
+# `finally`.
 
 # %%
 # %%writefile gardener.py
@@ -437,8 +451,8 @@ print("exit code:", end.exit)
 print("last line:", end.log.strip().splitlines()[-1])
 
 # %% [markdown]
-# **Faded.** A delivery robot must lock its box at the end. Three places are blank. Fill them in and run both cells. The
-# second one says how your program ended.
+# **Faded.** A delivery robot must lock its box at the end. Complete the three places marked with TODO, and run both
+# cells. The second cell prints how your program ended.
 
 # %%
 # %%writefile courier.py
@@ -478,133 +492,143 @@ print("exit code 0:", end.exit == 0)
 print("box locked: ", "box locked" in end.log)
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/01_the_context.ipynb) the night guard gets its `main()` from you. It is
-# judged by a real Ctrl-C: how it ends, whether its arms are parked, and whether its node is gone.
+# **Your own.** In the [exercise](../exercises/01_the_context.ipynb), you write `main()` for the night guard. The judge
+# sends your program a real Ctrl-C. Then it checks how the program ends, whether the arms are parked, and whether the
+# node is gone.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. `rclpy.shutdown()` was called, and the variable `guard` still holds a node. What can the node do?**
+# **1. Your program called `rclpy.shutdown()`, and the variable `guard` still refers to a node. What can the node do?**
 #
-# <details><summary>a) Everything but listen</summary>
+# <details><summary>a) Everything except receive messages</summary>
 #
-# ✗ Publishing raises an error as well, as you saw.
-#
-# </details>
-# <details><summary>b) Say its name, and little else</summary>
-#
-# ✓ Yes. The object is still there. Its context is not valid any more, so it can neither publish nor make a publisher.
+# ✗ Publishing raises an exception as well, as you saw.
 #
 # </details>
-# <details><summary>c) Everything, once <code>rclpy.init()</code> is called again</summary>
+# <details><summary>b) Return its name, and little else</summary>
 #
-# ✗ A second `init` makes a new context. This node belongs to the old one, and there is no way back.
+# ✓ The object still exists, but its context is no longer valid. So the node can neither publish nor create a publisher.
+#
+# </details>
+# <details><summary>c) Everything, after another call to <code>rclpy.init()</code></summary>
+#
+# ✗ A second `init` creates a new context. This node belongs to the old context, which never becomes valid again.
 #
 # </details>
 #
-# **2. Your program says `RuntimeError: Context.init() must only be called once`. What now?**
+# **2. Your program raises `RuntimeError: Context.init() must only be called once`. What do you do?**
 #
 # <details><summary>a) Find the second call and remove it</summary>
 #
-# ✓ One `init`, in `main`. Often the other one is at the top of a file that you import.
+# ✓ Call `init` once, in `main`. The extra call is often at the top of a file that you import.
 #
 # </details>
 # <details><summary>b) Call <code>rclpy.shutdown()</code> before each <code>rclpy.init()</code></summary>
 #
-# ✗ `shutdown` itself raises an error if there is nothing to shut down. And nodes that were made in between lose their
+# ✗ `shutdown` itself raises an exception if there's nothing to shut down. And any nodes created in between lose their
 # context.
 #
 # </details>
-# <details><summary>c) Put it into <code>try</code> and <code>except</code> and go on</summary>
+# <details><summary>c) Wrap the call in <code>try</code> and <code>except</code>, and continue</summary>
 #
-# ✗ The program would run, but two parts of it both try to start ROS. Find out why.
-#
-# </details>
-#
-# **3. `except KeyboardInterrupt: pass`, then `finally: rclpy.shutdown()`. What happens on Ctrl-C?**
-#
-# <details><summary>a) A clean end</summary>
-#
-# ✗ It looks like one, up to the last line: `RCLError`, exit code 1.
-#
-# </details>
-# <details><summary>b) The program hangs</summary>
-#
-# ✗ No, it ends at once, but not well.
-#
-# </details>
-# <details><summary>c) An error, because the context is down already</summary>
-#
-# ✓ rclpy's handler for SIGINT has shut it down. `rclpy.try_shutdown()` is made for this.
+# ✗ The program would run, but two parts of it still try to start ROS. Find out why.
 #
 # </details>
 #
-# **4. Two students sit side by side. One starts a dashboard, and it shows the other one's robot. What is the remedy?**
+# **3. A program has `except KeyboardInterrupt: pass` and then `finally: rclpy.shutdown()`. What happens on Ctrl-C?**
 #
-# <details><summary>a) Another domain for each desk</summary>
+# <details><summary>a) It ends cleanly</summary>
 #
-# ✓ Programs on different domains do not meet at all. `export ROS_DOMAIN_ID=17` in the terminal, once.
-#
-# </details>
-# <details><summary>b) A context of its own for each program</summary>
-#
-# ✗ They have that anyway: they are two processes. Kitchen and hall had one each, and heard each other.
+# ✗ It seems to, until the last line: `RCLError`, with exit code 1.
 #
 # </details>
-# <details><summary>c) Other names for the topics</summary>
+# <details><summary>b) It hangs</summary>
 #
-# ✗ That helps for this one topic. Their nodes would still meet everywhere else, in all tools and logs.
+# ✗ It ends right away, but with an error.
+#
+# </details>
+# <details><summary>c) It raises an exception, because the context is already shut down</summary>
+#
+# ✓ rclpy's SIGINT handler shut it down. That's why `rclpy.try_shutdown()` exists.
+#
+# </details>
+#
+# **4. Two students sit side by side. One starts a dashboard, and it shows the other student's robot. What's the fix?**
+#
+# <details><summary>a) A different domain for each desk</summary>
+#
+# ✓ Programs in different domains don't discover each other at all. Run `export ROS_DOMAIN_ID=17` in the terminal once.
+#
+# </details>
+# <details><summary>b) A separate context for each program</summary>
+#
+# ✗ They already have separate contexts, because they're two processes. The kitchen and hall robots had separate
+# contexts, too, and still received each other's messages.
+#
+# </details>
+# <details><summary>c) Different topic names</summary>
+#
+# ✗ That helps only for this topic. The two students' nodes would still appear together in all tools and logs.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot arm is controlled by a
-# node. On Ctrl-C it should move slowly to its rest position, publish "parked" on a
-# topic, and then end. I put all that into `except KeyboardInterrupt`. Why does it not
-# work, and what are my options? Name only functions that exist in rclpy for Jazzy.
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). A node controls my robot
+# arm. On Ctrl-C, the node should move the arm slowly to its rest position, publish
+# "parked" to a topic, and then end. I put all of that into `except KeyboardInterrupt`.
+# Why doesn't it work, and what are my options? From rclpy, use only functions that
+# exist in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# By default, rclpy's handler shuts the context down at about the moment at which Python raises the exception. From then
-# on nothing can be published and no timer runs. So neither the slow movement nor the message can happen there. One way is
-# `SignalHandlerOptions.NO`: the context stays up until the program shuts it down. Then keep spinning in the `except` branch
-# until the arm has arrived, publish, and call `try_shutdown()`. (A node without a timer may not wake up on Ctrl-C.) Another
-# way is a service or topic "park", called first, and Ctrl-C after it. A good answer also asks what happens when the
-# process is killed or loses its power: then no `finally` runs. The motor controller must be safe by itself.
+# By default, rclpy's handler shuts the context down at about the same time as Python raises the exception. After that,
+# the node can't publish, and no timer fires. So neither the slow movement nor the message can happen in the `except`
+# block.
+#
+# One option is `SignalHandlerOptions.NO`, which keeps the context valid until the program shuts it down. In the
+# `except` block, keep spinning until the arm has arrived, then publish and call `try_shutdown()`. (A node without a
+# timer may not wake up on Ctrl-C.) Another option is a "park" service or topic that the operator uses before pressing
+# Ctrl-C.
+#
+# A good answer also asks what happens if the process is killed or loses power, because no `finally` block runs then.
+# The motor controller must be safe on its own.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two suggestions. We tried both with this course's rclpy, and both are wrong.
 #
-# - **`with rclpy.init():`:** Newer versions have it. In Jazzy it raises a `TypeError`.
-# - **Publish "parked" in `except KeyboardInterrupt` or `finally`:** With the default signal handlers the context is
-#   shut down at that moment. `publish` then raises an error, unless it happens to run just before that.
+# - **`with rclpy.init():`:** Newer versions support it. In Jazzy, it raises a `TypeError`.
+# - **Publishing "parked" in `except KeyboardInterrupt` or `finally`:** With the default signal handlers, the context is
+#   shut down at that moment. `publish` then raises an exception, unless it happens to run just before the shutdown.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - A context holds what the nodes of a process share. It goes once from not initialized to ok to shut down, and never
-#   back.
-# - `rclpy.init()` once, in `main`, before the first node. After `shutdown` or `destroy_node`, a node can do nothing.
-# - The domain decides who hears whom. Set it outside of the program, with `ROS_DOMAIN_ID`.
-# - On Ctrl-C rclpy shuts the context down by itself, and `spin` raises. Clean up in `finally`, with `try_shutdown()`.
-# - Judge how a program ends from outside: its exit code, its log, and whether its node is gone.
+# - A context holds the settings that a process's nodes share. It goes from not initialized to ok to shut down, once,
+#   and never back.
+# - Call `rclpy.init()` once, in `main`, before you create the first node. After `shutdown` or `destroy_node`, a node
+#   can't publish or receive.
+# - The domain decides which robots receive each other's messages. Set it outside of the program, with `ROS_DOMAIN_ID`.
+# - Judge a program's end from outside: its exit code, its log, and whether its node is gone.
+# - On Ctrl-C, rclpy shuts the context down on its own, and `spin` raises an exception. So clean up in `finally`, and
+#   call `try_shutdown()` there.
 #
 # **Before:** [00 · Start here](00_start_here.ipynb)
 #
 # **Deeper:** [01 · Deeper: signals, threads and UDP ports](01_the_context_deeper.ipynb)
 #
-# **Next:** [02 · Nodes](02_nodes.ipynb), the parts that a context holds
+# **Next:** [02 · Nodes](02_nodes.ipynb)
 #
-# **More:** [Domain IDs](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Domain-ID.html), and what
-# [rclpy](https://docs.ros.org/en/jazzy/p/rclpy/) offers.
+# **More:** [Domain IDs](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Domain-ID.html) and the [rclpy
+# API](https://docs.ros.org/en/jazzy/p/rclpy/)

@@ -1,24 +1,24 @@
 # %% [markdown]
 # # 01 · Deeper: signals, threads and UDP ports
 #
-# In the field, a robot's programs are stopped by a service manager, not by Ctrl-C. And its last message must get out in
-# time.
+# In the field, a service manager stops a robot's programs, not Ctrl-C. How does a program end then, and how does it
+# publish a last message in time?
 #
 # - **Minutes:** 15
 # - **You need:** lesson [01](01_the_context.ipynb)
 # - **You will be able to:**
 #   - say which exception `spin` raises, if any, for each way to end a program
 #   - publish a last message on Ctrl-C
-# - **Left out:** lifecycle nodes, what `spin` does inside (lesson 06)
+# - **Left out:** lifecycle nodes, how `spin` works (lesson 06)
 
 # %% [markdown]
-# Everything here is optional. Later lessons do not depend on it.
+# This notebook is optional. Later lessons don't depend on it.
 
 # %% [markdown] prediction="sigterm"
 # ## Predict
 #
-# `systemctl stop` and `docker stop` do not send SIGINT, as Ctrl-C does. They send another signal, **SIGTERM**. What comes
-# out of `rclpy.spin(guard)` on SIGTERM?
+# Ctrl-C sends SIGINT, but `systemctl stop` and `docker stop` send a different signal, **SIGTERM**. What does
+# `rclpy.spin(guard)` raise on SIGTERM?
 #
 # - **a** `KeyboardInterrupt`, as for Ctrl-C
 #   when `came_out == 'KeyboardInterrupt'`
@@ -37,7 +37,8 @@ predict("sigterm")
 # %% [markdown]
 # ## Run it
 #
-# This program spins a guard until something ends the spin: Ctrl-C, SIGTERM, or `rclpy.shutdown()` in another thread.
+# This program spins a guard until one of three causes ends the spin: Ctrl-C, SIGTERM, or a call to `rclpy.shutdown()`
+# in another thread.
 
 # %%
 import inspect
@@ -69,22 +70,23 @@ print("the context afterwards, in all six runs: ", *still_ok)
 print("SIGTERM and Ctrl-C come out alike:       ", on_sigterm == on_ctrl_c)
 
 # %% [markdown]
-# So a good `main` catches two exceptions. `ExternalShutdownException` means that the context was shut down from outside
-# while you were spinning. In each case the context is down after that, so `try_shutdown` is right at the end.
+# So a well-written `main` catches both exceptions. `ExternalShutdownException` means that the context was shut down
+# from outside while `spin` was running. In all of these runs, the context is down afterward, so `try_shutdown` is the
+# right call at the end.
 #
-# When another thread shuts the context down, `rclpy.spin` may notice it between two iterations. Then it returns, without
-# any exception. What must happen in every case belongs in `finally`.
+# If another thread shuts the context down, `rclpy.spin` may notice that between two iterations. It then returns without
+# an exception. So put the code that must run in every case into `finally`.
 #
-# SIGTERM is a race in this rclpy: the signal wakes up `spin` a moment *before* it shuts the context down. In some runs you
-# see an `RCLError`, and an idle node may even sleep on. Use SIGINT where you can choose. Launch files send it first. In a
-# service file, write `KillSignal=SIGINT`.
+# SIGTERM causes a race in this version of rclpy: the signal wakes `spin` up a moment *before* it shuts the context
+# down. In some runs, you see an `RCLError`, and an idle node may even keep sleeping. Use SIGINT if you can choose.
+# Launch files send SIGINT first. In a service file, write `KillSignal=SIGINT`.
 
 # %% [markdown]
 # ## Look inside
 #
-# When can other programs find yours? A program that uses DDS receives on **UDP ports** of its domain. The next cell makes
-# a context and a node, and then ends both. Meanwhile a thread asks Linux a hundred times a second whether these ports
-# are open.
+# When can other programs discover yours? A program that uses DDS receives on its domain's **UDP ports**. The next cell
+# creates a context and a node, and then ends both. At the same time, a thread checks a hundred times a second whether
+# Linux lists these ports as open.
 
 # %%
 import threading
@@ -169,13 +171,14 @@ for what, following in zip(names, [*names[1:], None], strict=True):
     print(f"after {what:<13} ok: {ok!s:<6} UDP ports open: {is_open}")
 
 # %% [markdown]
-# `init` alone tells other programs nothing. The ports open with the first **node**, and they close when the last one is
-# destroyed. (You may read that `init` connects and `shutdown` disconnects. In this build it is a little different.)
+# `init` alone doesn't make your program visible to others. The ports open when you create the first **node**, and they
+# close when the last node is destroyed. (You may read that `init` connects to ROS and `shutdown` disconnects. In this
+# build, that's not quite true.)
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **The last message that no program receives.** The guard wants to publish "good night", in the `except` of Ctrl-C.
+# **A last message that isn't sent.** The guard tries to publish "good night" in the `except` block for Ctrl-C.
 
 # %%
 from lesson_nodes import last_words
@@ -203,14 +206,15 @@ for handled_by in ("ALL", "NO"):
     )
 
 # %% [markdown]
-# rclpy shuts the context down in a thread of its own, while Python raises the exception. Half a second later it is down
-# for sure. The log line still reaches your terminal, but the publisher raises.
+# rclpy shuts the context down in a separate thread, while Python raises the exception. Half a second later, the context
+# is certain to be down. The log message still reaches your terminal, but the publisher raises an exception.
 #
-# With `SignalHandlerOptions.NO`, rclpy leaves the signal to Python, and the context stays up until *you* shut it down.
-# There is a price: a node without a timer does not wake up on Ctrl-C, and SIGTERM ends the process at once.
+# With `SignalHandlerOptions.NO`, rclpy leaves the signal to Python, and the context stays valid until *you* shut it
+# down. That option has a price: a node without a timer doesn't wake up on Ctrl-C, and SIGTERM ends the process
+# immediately.
 #
-# **In these notebooks it is different.** Here only Python handles SIGINT, which is what the stop button (■) sends. So your
-# nodes survive it. The next cell sends itself the signal of that button. Then we run the same lines as a program:
+# **Notebooks behave differently.** Here, only Python handles SIGINT, the signal that the stop button (■) sends. So your
+# nodes survive it. The next cell sends this signal to itself and then runs the same lines as a program:
 
 # %% id="interrupt-in-the-kernel"
 import os
@@ -231,18 +235,19 @@ print(run_program(interrupted_sleep).log.strip())
 rclpy.try_shutdown()
 
 # %% [markdown]
-# The same lines, and two answers. So do not conclude from a notebook how a program ends. Run it as a program.
+# The same lines give two different results. So don't draw conclusions from a notebook about how a program ends. Run the
+# program itself.
 
 # %% [markdown]
 # ## Take away
 #
-# - On Ctrl-C, `spin` raises `KeyboardInterrupt`. On SIGTERM, mostly `ExternalShutdownException`. Catch both.
-# - If another thread shuts the context down, `rclpy.spin` may simply return. Clean up in `finally`.
-# - Other programs can find yours from its first node on, and until its last node is destroyed.
-# - After Ctrl-C the context is down. To publish a last message, use `SignalHandlerOptions.NO`.
+# - Other programs can discover yours from the moment it creates its first node until its last node is destroyed.
+# - On Ctrl-C, `spin` raises `KeyboardInterrupt`. On SIGTERM, it usually raises `ExternalShutdownException`. Catch both.
+# - If another thread shuts the context down, `rclpy.spin` may simply return. So clean up in `finally`.
+# - After Ctrl-C, the context is down. To publish a last message, use `SignalHandlerOptions.NO`.
 #
 # **Before:** [01 · The context](01_the_context.ipynb)
 #
 # **Next:** [02 · Nodes](02_nodes.ipynb)
 #
-# **More:** what [rclpy](https://docs.ros.org/en/jazzy/p/rclpy/) offers.
+# **More:** the [rclpy API](https://docs.ros.org/en/jazzy/p/rclpy/)

@@ -1,20 +1,21 @@
 # %% [markdown]
 # # 02 · Nodes
 #
-# A robot is many small parts that must find each other, and they find each other by names.
+# A robot's software consists of many small parts, called nodes. They find each other by name. So how do you give every
+# node, and every topic that it uses, the right name?
 #
 # - **Minutes:** 50
 # - **You need:** lesson [01](01_the_context.ipynb)
 # - **You will be able to:**
-#   - write a node class, and give it a name and a namespace
-#   - run one class twice under two names
-#   - say what happens when a name is used twice
+#   - write a node class, and give its nodes a name and a namespace
+#   - create two nodes with different names from one class
+#   - say what happens when two nodes have the same name
 #   - read error messages about names and attributes
-# - **Left out:** what nodes say to each other (lessons 03 and 04), parameters, nodes in C++ packages and launch files
+# - **Left out:** messages between nodes (lessons 03 and 04), parameters, nodes in C++ packages and launch files
 
 # %% [markdown]
-# The program `roll_call` lists the nodes that it sees, five times a second. It runs as a process of its own. *This* notebook
-# is another process. Let us make a node here, and print what the other one sees.
+# The program `roll_call` lists the nodes on the graph five times a second. It runs in a separate process, and *this*
+# notebook is another process. Let's create a node in the notebook and print the other process's list.
 
 # %%
 from lesson_nodes import roll_call
@@ -41,8 +42,10 @@ await until_seen()
 print("the other process sees", reader.latest())
 
 # %% [markdown]
-# One line made the node, `Node("head")`, and the other process found it. Here is the same as a timeline: a head comes, an
-# arm comes, the head goes. Each mark is a roll call with that name in it.
+# `Node("head")` created the node, and the other process found it. Here are more roll calls, drawn as a timeline. The
+# head appears, then the arm, and then the head disappears. Each mark is a roll call that contained that name.
+#
+# [the same without helpers: init, fresh, run]
 
 # %%
 import time
@@ -79,7 +82,7 @@ show(
 # %% [markdown] prediction="two-cameras"
 # ## Predict
 #
-# A humanoid has two eyes. A student writes one class for both:
+# A humanoid has two eyes, and a student writes one class for both:
 #
 # ```python
 # class Camera(Node):
@@ -90,7 +93,7 @@ show(
 # right = Camera()
 # ```
 #
-# The name `"camera"` is taken when the second one is made. What happens?
+# When the second node is created, the name `"camera"` is already in use. What happens?
 #
 # - **a** An error: a name can be used once.
 #   ✗ ROS 2 has no central register of names, so no part of it can refuse one. (ROS 1 had such a register, the master.)
@@ -142,14 +145,16 @@ right.destroy_node()
 # %% [markdown]
 # ## Look inside
 #
-# A **node** is an entry in the **graph**, the list of all nodes and their connections. No central register hands out names.
-# Each process tells the others which nodes it has, and believes what the others tell. So two nodes may have one name. We
-# call these **duplicate node names**, and they are a fault. When you ask `/camera` for something, both nodes do it, and
-# you get the answer that comes first. There was no error above, only a warning.
+# A **node** is an entry in the **graph**, the list of all nodes and their connections. No central register assigns
+# names. Each process announces its own nodes, and the other processes add these nodes to their lists without checking
+# for duplicates. So two nodes can have the same name. We call these **duplicate node names**, and they're a fault. If
+# you send a request to `/camera`, both nodes handle it, and you get the response that arrives first. ROS doesn't treat
+# them as an error, though: the cell above printed only a warning.
 #
-# A node is not a process: this one process had two. And a class is not a node: you can make many nodes from one class.
+# A node isn't a process: this notebook's process contained two nodes. And a node isn't a class, because you can create
+# many nodes from one class.
 #
-# What does every node come with? This cell also lists what tools usually hide:
+# What does every node come with? The next cell also lists topics and services that tools usually hide:
 
 # %%
 from workbook.ros import node_info
@@ -161,12 +166,13 @@ print("offers", len(found.serves), "services, for example", found.serves[2][0])
 bare.destroy_node()
 
 # %% [markdown]
-# `/rosout` publishes its log lines. `/parameter_events` and six of the seven services are for its **parameters**: values
-# that can be set from outside, as you did with `start(..., period_s=0.5)`. `super().__init__(name)` makes all of this. So
-# call it first in a class of your own.
+# The node publishes its log messages to `/rosout`. `/parameter_events` and six of the seven services are for the node's
+# **parameters**. These are values that can be set from outside the program, like `period_s` in
+# `start(..., period_s=0.5)`. `super().__init__(name)` creates all of these topics and services, so call it first in
+# your own node class.
 #
-# A node that does something adds a timer, a publisher, a subscription. This is a camera driver, such as a vendor might
-# deliver. Look at its names. The messages are for the next lessons.
+# To do something useful, a node adds timers, publishers, or subscriptions. Here's a camera driver like one that a
+# vendor might deliver. For now, look at the names; later lessons explain the messages.
 
 # %%
 import inspect
@@ -181,8 +187,9 @@ for method in ("__init__", "take_picture", "report_faults"):
 #
 # ### Experiment 1: a cell that is run three times
 #
-# In a notebook you run a cell, change a word, run it again. This cell makes a camera and gives it to an **executor**, which
-# runs its callbacks (lesson 06). You press Shift+Enter three times. How many cameras are there?
+# In a notebook, you run a cell, change a word, and run the cell again. This cell creates a camera node and adds it to
+# an **executor**, which runs the node's callbacks (lesson 06). You press Shift+Enter three times. How many camera nodes
+# are there?
 #
 # - **a** One: `camera` is overwritten each time, so the old one is gone.
 #   when `cameras == 1`
@@ -218,9 +225,11 @@ print("publishers of pictures:", len(topic_info(pictures).publishers))
 reveal("three-runs", cameras=node_list().count("/camera"))
 
 # %% [markdown]
-# The *name* `camera` was overwritten. The *object* lives as long as something holds it, and the executor holds all three.
-# Each has a publisher on the one topic. When that executor spins, three times as many pictures come. The warning in the
-# output above is the only sign. To remove the nodes, get hold of them again:
+# Each run reassigned the *variable* `camera`. But a Python *object* lives as long as something refers to it, and the
+# executor refers to all three nodes. Each node has a publisher on the same topic, so if the executor spins, three times
+# as many images are published. The warning in the output above is the only sign of this.
+#
+# To remove the nodes, get them from the executor:
 
 # %%
 for camera in executor.get_nodes():
@@ -230,7 +239,8 @@ await until_seen()
 print(node_list())
 
 # %% [markdown]
-# In these notebooks `fresh` does it for you: it destroys what an earlier run left under this name, then makes the new one.
+# In these notebooks, `fresh` does this for you. It destroys the node that an earlier run created in the same way, and
+# then creates a new one.
 
 # %%
 the_cell = """
@@ -248,8 +258,8 @@ only.destroy_node()
 # %% [markdown] prediction="topic-names"
 # ### Experiment 2: three ways to name a topic
 #
-# A humanoid with two arms has everything twice. So names are in folders, as files are. The folder of a node is its
-# **namespace**. Here is a camera in the namespace `/robot/head`, with three names of topics:
+# A humanoid with two arms has two of almost every part. So ROS puts names into folders, much like files. A node's
+# folder is called its **namespace**. Here's a camera in the namespace `/robot/head` that uses three topic names:
 #
 # ```python
 # camera = Node("camera", namespace="/robot/head")
@@ -258,7 +268,7 @@ only.destroy_node()
 # camera.create_publisher(String, "~/frame", 10)
 # ```
 #
-# What are the fully qualified names?
+# What are the fully qualified topic names?
 #
 # - **a** `/robot/head/faults`, `/emergency_stop`, `/robot/head/camera/frame`
 #   when `faults == '/robot/head/faults' and frame == '/robot/head/camera/frame'`
@@ -288,15 +298,16 @@ print("its own fully qualified name:", camera.get_fully_qualified_name())
 camera.destroy_node()
 
 # %% [markdown]
-# | you write | it is called | it becomes | take it for |
+# | you write | kind of name | it becomes | use it for |
 # |---|---|---|---|
-# | `faults` | relative | namespace + name | what the parts of *this* robot share |
-# | `/emergency_stop` | absolute | itself | what all robots share; rarely right |
-# | `~/frame` | private | namespace + node + name | what belongs to *this* node alone |
+# | `faults` | relative | namespace + name | topics that the parts of *this* robot share |
+# | `/emergency_stop` | absolute | itself | topics that all robots share; rarely right |
+# | `~/frame` | private | namespace + node + name | topics that belong to *this* node alone |
 #
-# The slash at the front decides. With `/faults`, the faults of a second robot would arrive on the same topic. (The short
-# examples of this course mostly use absolute names, so that you see the whole name. In a driver of your own, use relative
-# and private names, as this one does.) Here are two robots, from one class, without a change in it:
+# The leading slash makes the difference. With `/faults`, a second robot would report its faults on the same topic.
+# (This course's short examples mostly use absolute names, so that you see each name in full. In your own drivers, use
+# relative and private names, as this driver does.) Here are two robots, created from the same class without changing
+# it:
 
 # %%
 from workbook.lesson import graph_picture
@@ -309,15 +320,15 @@ graph_picture()
 # %% [markdown] prediction="remapped-node"
 # ### Experiment 3: another name from outside
 #
-# A robot has a camera in front and one in the back, both in *one* namespace. The driver has its name built in, and you may
-# not edit it. But ROS can **remap** names when a node starts. In a terminal:
+# A robot has a front camera and a rear camera, both in *one* namespace. The name is hard-coded in the driver, and you
+# aren't allowed to edit the driver. But ROS can **remap** names when a node starts. In a terminal, you type:
 #
 # ```text
 # python -m lesson_nodes.camera_driver --ros-args -r __ns:=/robot -r __node:=rear_camera
 # ```
 #
-# `-r` (remap) means: replace the left name by the right one. `__node` and `__ns` are the name and the namespace of the
-# node itself. The driver publishes on `~/frame` and on `faults`. Where will its messages go?
+# `-r` (remap) replaces the name on the left with the name on the right. `__node` and `__ns` stand for the node's own
+# name and namespace. The driver publishes to `~/frame` and to `faults`. Which topics do its messages go to now?
 #
 # - **a** `/robot/rear_camera/frame` and `/robot/rear_camera/faults`
 #   when `'/robot/rear_camera/faults' in names`
@@ -354,14 +365,18 @@ for printed in end.log.splitlines():
 reveal("remapped-node", names=end.log.split())
 
 # %% [markdown]
-# The driver does not change, and its private and relative names follow. So good drivers use relative and private names.
+# The driver didn't change, and yet its private and relative names changed with the node. That's why good drivers use
+# such names.
 #
-# What if both cameras live in one process? The arguments of the command line apply to *all* nodes of the process. Both
-# would be called `rear_camera`: duplicate names again. There are two ways out. On the command line, name the node that you
-# mean: `-r camera_a:__node:=rear_camera` renames only the node that the code calls `camera_a`. Both cameras are called
-# `camera` in the code, so this program uses the other way, `cli_args`. It passes the same arguments as a list, to one
-# node alone. (It works because this driver passes its `**settings` on to `Node`. Where a class does not, start one
-# process for each camera.)
+# What if both cameras run in one process? Command-line arguments apply to *all* nodes in the process. Both nodes would
+# be called `rear_camera`: duplicate node names again. There are two solutions:
+#
+# - **On the command line, say which node you mean.** `-r camera_a:__node:=rear_camera` renames only the node that the
+#   code calls `camera_a`.
+# - **In the code, use `cli_args`.** It passes the same arguments, as a list, to a single node.
+#
+# Here the code calls both cameras `camera`, so the next program uses `cli_args`. That works because the driver passes
+# `**settings` on to `Node`. If a class doesn't do that, start a separate process for each camera.
 
 # %%
 from workbook.ros import shutdown
@@ -384,7 +399,7 @@ init()
 # %% [markdown]
 # ## When it goes wrong
 #
-# **The warning of duplicate node names.** rclpy says this of two nodes with one name:
+# **Duplicate node names.** If two nodes have the same name, rclpy logs this warning:
 
 # %% id="twin-warning"
 SAME_NAME = """
@@ -400,12 +415,13 @@ for printed in run_program(SAME_NAME).log.strip().splitlines():
     print(printed.replace(". ", ".\n  "))
 
 # %% [markdown]
-# It speaks of logs, which is the smallest problem here. Read it as: *there are duplicate node names*. `workbook node list`
-# (where ROS 2 is installed: `ros2 node list`) shows the name twice. Usual reasons are two terminals with the same
-# program, a cell that was run twice, or a program that was not stopped.
+# The warning mentions only logs, but lost log messages are the smallest problem here. The real problem is the duplicate
+# node names. To confirm it, run `workbook node list` (or `ros2 node list`, if ROS 2 is installed), which shows the name
+# twice. Common causes are the same program in two terminals, a cell that you ran twice, and a program that you didn't
+# stop.
 
 # %% [markdown]
-# **Invalid names.** Which of these can be the name of a node?
+# **Invalid names.** Which of these names can you give to a node?
 
 # %% id="bad-names"
 from rclpy.exceptions import InvalidNamespaceException, InvalidNodeNameException
@@ -425,9 +441,10 @@ for name in (
         print(f"✗ {error}")
 
 # %% [markdown]
-# A name has only English letters, digits and underscores, and does not begin with a digit. The caret points at the
-# fault. The fifth is the most common: the name of a node has no slash. The folder is a separate argument,
-# `Node("camera", namespace="/robot")`. Namespaces have the same rules:
+# A node name may contain only English letters, digits, and underscores, and it can't start with a digit. The caret in
+# the message points at the wrong character. The fifth example is the most common mistake, because a node name can't
+# contain a slash. Pass the folder as a separate argument: `Node("camera", namespace="/robot")`. Namespaces have similar
+# rules:
 
 # %% id="bad-namespaces"
 for namespace in ("/robot", "robot", "/robot/head", "/robot/"):
@@ -439,7 +456,8 @@ for namespace in ("/robot", "robot", "/robot/head", "/robot/"):
         print(f"✗ {error}")
 
 # %% [markdown]
-# **The forgotten first line.** A class of your own, with a timer, and an error that does not help:
+# **A missing `super().__init__`.** This class creates a timer, and the error message doesn't mention the actual
+# mistake:
 
 
 # %% id="no-super" tags=["raises-exception"]
@@ -456,11 +474,11 @@ class Blinker(Node):
 Blinker()
 
 # %% [markdown]
-# `super().__init__("blinker")` would have made `_default_callback_group`. It must be the first line, before anything else
-# of the node is used.
+# `super().__init__("blinker")` would have created `_default_callback_group`. Call it in the first line, before you use
+# any other part of the node.
 
 # %% [markdown]
-# **Names that are taken.** A robot collects its timers in a list, under an unlucky name:
+# **Attributes that `Node` already uses.** This robot keeps its timers in a list, but the list's name is already taken:
 
 
 # %% id="reserved-attribute" tags=["raises-exception"]
@@ -478,8 +496,9 @@ class Collector(Node):
 Collector()
 
 # %% [markdown]
-# `Node` has a property of that name already, and Python says so. Names with an underscore are worse, because they are *not*
-# protected. `Node` keeps its own things there. This class raises nothing, and its timer never ticks:
+# `Node` already has a property called `timers`, and Python reports the conflict. Names that start with an underscore
+# are worse, because they *aren't* protected, and `Node` uses them for its internal data. The next class raises no
+# exception, but its timer never fires:
 
 
 # %% id="silent-attribute"
@@ -501,18 +520,20 @@ await run(quiet, seconds=1.0)
 print("ticks in a second:", quiet.ticks)
 
 # %% [markdown]
-# `self._timers` was the list in which the node kept its timer. With `_logger`, `_clock` and `_parameters` something breaks
-# later, far from the cause. Names that say what they hold do not collide: `blink_timer`, `battery_publisher`.
+# `self._timers` was the list in which the node stored its timer, and the class replaced that list. If you overwrite
+# `_logger`, `_clock`, or `_parameters`, the error appears later, far from its cause. Descriptive names such as
+# `blink_timer` and `battery_publisher` don't collide.
 
 # %% [markdown]
-# **The logger is not Python's.** It looks like the module `logging`, but takes other arguments:
+# **rclpy's logger isn't Python's `logging`.** It looks similar, but its methods take different arguments:
 
 # %% id="logger-like-logging" tags=["raises-exception"]
 logger = quiet.get_logger()
 logger.info("battery at %d %%", 80)
 
 # %% [markdown]
-# It takes one text: `logger.info(f"battery at {80} %")`. And this helper function fails at its second call:
+# Pass a single string: `logger.info(f"battery at {80} %")`. The next helper function fails when it's called a second
+# time:
 
 
 # %% id="logger-severity" tags=["raises-exception"]
@@ -524,15 +545,17 @@ say("info", "battery fine")
 say("warning", "battery low")
 
 # %% [markdown]
-# For each *line of code*, rclpy remembers the severity with which it logs. That is how `once=True` can work. One line
-# with two severities is an error. Write an `if`, with one line for each severity. The logger carries the name of the
-# node with its namespace, and each line also goes to `/rosout`.
+# For each *line of code* that logs, rclpy remembers the severity; options such as `once=True` rely on that record. If
+# one line logs with two different severities, rclpy raises an error. So write an `if`, with a separate line for each
+# severity.
+#
+# The logger's name combines the node's namespace and name. Each log message is also published to `/rosout`.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** Two arms of one robot, `/robot/left/arm` and `/robot/right/arm`, from one class. The class has a plain
-# name and a private topic. Each arm gets its place when its node is made.
+# **Worked.** One robot has two arms, `/robot/left/arm` and `/robot/right/arm`, both from the same class. The class uses
+# a plain node name and a private topic. Each node gets its namespace when it's created.
 
 # %%
 from std_msgs.msg import String
@@ -553,8 +576,8 @@ for arm in arms:
     )
 
 # %% [markdown]
-# **Faded.** Now put both arms into the namespace `/robot`, as `/robot/left_arm` and `/robot/right_arm`. Do not change the
-# class. Fill in what is `...`.
+# **Faded.** Now put both arms into the namespace `/robot`, as `/robot/left_arm` and `/robot/right_arm`, without
+# changing the class. Replace each `...` with your code.
 
 # %%
 shutdown()
@@ -578,45 +601,45 @@ else:
     print("as asked:", node_list() == ("/robot/left_arm", "/robot/right_arm"))
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/02_nodes.ipynb) a humanoid gets an eye in the back of its head, with a driver
-# that you may not edit. It is judged by what others see on the graph.
+# **Your own.** In the [exercise](../exercises/02_nodes.ipynb), a humanoid gets an eye in the back of its head, with a
+# driver that you aren't allowed to edit. The judge checks only the graph and the topics.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. You start the same program in two terminals by mistake. What do you get?**
+# **1. By mistake, you start the same program in two terminals. What happens?**
 #
-# <details><summary>a) An error in the second terminal: the name is taken</summary>
+# <details><summary>a) The second terminal shows an error, because the name is taken</summary>
 #
-# ✗ No register hands out names, so none can refuse one.
-#
-# </details>
-# <details><summary>b) Two nodes with one name, and all that they publish comes twice</summary>
-#
-# ✓ And no error. `workbook node list` shows the name twice.
+# ✗ No central register assigns names, so nothing can refuse one.
 #
 # </details>
-# <details><summary>c) The first one ends, and the second one takes over</summary>
+# <details><summary>b) There are two nodes with the same name, and every message is published twice</summary>
 #
-# ✗ They do not know each other. (`fresh` does that, but only inside one notebook.)
+# ✓ There's no error. `workbook node list` shows the name twice.
+#
+# </details>
+# <details><summary>c) The first program ends, and the second one takes over</summary>
+#
+# ✗ Neither program affects the other. (`fresh` does replace an earlier node, but only inside one notebook.)
 #
 # </details>
 #
-# **2. A node `camera` in the namespace `/ada` publishes on `/faults`. What is the topic called?**
+# **2. A node `camera` in the namespace `/ada` publishes to `/faults`. What is the topic's fully qualified name?**
 #
 # <details><summary>a) <code>/ada/faults</code></summary>
 #
-# ✗ It would be, without the slash at the front.
+# ✗ It would be, without the leading slash.
 #
 # </details>
 # <details><summary>b) <code>/ada/camera/faults</code></summary>
 #
-# ✗ That is what `~/faults` becomes.
+# ✗ That's the result for `~/faults`.
 #
 # </details>
 # <details><summary>c) <code>/faults</code></summary>
 #
-# ✓ An absolute name stays as it is, wherever the node lives. All robots meet there.
+# ✓ An absolute name doesn't depend on the node's namespace. All robots share this topic.
 #
 # </details>
 #
@@ -624,30 +647,30 @@ else:
 #
 # <details><summary>a) <code>Node("camera", namespace="/robot")</code></summary>
 #
-# ✓ Name and namespace are two things, and only the namespace has slashes.
+# ✓ Name and namespace are separate arguments, and only the namespace may contain slashes.
 #
 # </details>
 # <details><summary>b) <code>Node("/robot/camera")</code></summary>
 #
-# ✗ The same error: the name of a node has no slash, not even at the front.
+# ✗ That raises the same exception. A node name can't contain a slash, not even at the front.
 #
 # </details>
 # <details><summary>c) <code>Node("robot_camera")</code></summary>
 #
-# ✗ It is a valid name, but of another node: `/robot_camera`.
+# ✗ That name is valid, but it creates a different node: `/robot_camera`.
 #
 # </details>
 #
-# **4. A program makes two nodes from one class. You start it with `--ros-args -r __node:=scout`. What are they called?**
+# **4. You start a program with two nodes of one class and `--ros-args -r __node:=scout`. What are the nodes called?**
 #
-# <details><summary>a) Both <code>scout</code></summary>
+# <details><summary>a) Both are called <code>scout</code></summary>
 #
-# ✓ The arguments of the command line apply to all nodes of the process. Give `cli_args` to one of them instead.
+# ✓ Command-line arguments apply to all nodes in the process. To rename one node, pass it `cli_args` instead.
 #
 # </details>
-# <details><summary>b) The first one <code>scout</code>, the second one as before</summary>
+# <details><summary>b) The first is called <code>scout</code>, and the second keeps its name</summary>
 #
-# ✗ Nothing in these words says which one is meant.
+# ✗ The rule doesn't name one of the nodes, so it applies to both.
 #
 # </details>
 # <details><summary>c) <code>scout</code> and <code>scout_2</code></summary>
@@ -656,70 +679,76 @@ else:
 #
 # </details>
 #
-# **5. Your node has a timer. It raises nothing, and the timer never ticks. You have `self._timers = {}` in your class. Why?**
+# **5. Your class contains `self._timers = {}`. Its timer never fires, and there's no exception. Why?**
 #
-# <details><summary>a) A dictionary is not allowed there, it must be a list</summary>
+# <details><summary>a) <code>_timers</code> must be a list, not a dictionary</summary>
 #
-# ✗ In this lesson it was a list, and the timer did not tick either, without any error.
-#
-# </details>
-# <details><summary>b) The node is not spun</summary>
-#
-# ✗ That is always worth a check. But here the name alone stops the timer.
+# ✗ In this lesson it was a list, and the timer didn't fire either, without any exception.
 #
 # </details>
-# <details><summary>c) It has replaced the list in which the node keeps its timers</summary>
+# <details><summary>b) The node isn't spinning</summary>
 #
-# ✓ Names with one underscore belong to the class that you inherit from. Choose another one.
+# ✗ That's always worth checking. But here, the attribute's name is enough to stop the timer.
+#
+# </details>
+# <details><summary>c) The dictionary replaced the list in which the node keeps its timers</summary>
+#
+# ✓ Names with a leading underscore belong to the base class. Choose another name.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). Our warehouse has twenty robots
-# of one kind. Each runs the same fifteen nodes. How should nodes and topics be named,
-# so that a robot can be added without editing code, and so that a dashboard can show
-# all of them? Name only functions that exist in rclpy for Jazzy.
+# I'm programming robots with ROS 2 Jazzy in Python (rclpy). Our warehouse has twenty
+# robots of the same model, and each runs the same fifteen nodes. How should we name the
+# nodes and topics, so that we can add a robot without editing code, and so that one
+# dashboard can show all of them? From rclpy, use only functions that exist in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# Each robot gets a namespace, such as `/robot_07`. It is given from outside when the nodes are started, by a launch
-# file, a remapping or an environment variable. It is never in the code. Inside the namespace, nodes use relative names
-# for what they share, and private names for what belongs to one node. Only what all robots share, such as a common stop
-# or a map, gets an absolute name. The dashboard finds robots by asking the graph for namespaces or topics, and takes
-# the namespace as the robot's name. A good answer also asks how many nodes may see each other. (Here, all 300 nodes
-# of the twenty robots are in one domain. A domain per robot and a bridge may be better.) And it asks what happens
-# when two robots get the same number by mistake. (They have duplicate node names, so check at the start.)
+# Each robot gets a namespace, such as `/robot_07`. A launch file, a remapping rule, or an environment variable sets it
+# when the nodes start, so it never appears in the code. Inside the namespace, nodes use relative names for shared
+# topics and private names for topics of a single node. Only topics that all robots share, such as a common stop or a
+# map, get absolute names. The dashboard queries the graph for namespaces or topics, and uses each namespace as the
+# robot's name.
+#
+# A good answer also asks how many nodes should share a domain. (Here, all 300 nodes of the twenty robots do. One domain
+# per robot, plus a bridge, may be better.) And it asks what happens if two robots get the same number by mistake.
+# (Their nodes have duplicate names, so check for that at startup.)
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
 #
-# - **ROS 2 refuses a second node with the same name:** It does not. Both run, and a log line warns about one publisher.
-# - **Start it with `__ns:=/robot_07`:** That is ROS 1. rcl still takes it and warns that it is deprecated. In ROS 2:
-#   `--ros-args -r __ns:=/robot_07`.
+# - **ROS 2 refuses a second node with the same name:** It doesn't. Both nodes run, and a log message warns about one
+#   publisher.
+# - **Start it with `__ns:=/robot_07`:** That's ROS 1 syntax. rcl still accepts it, with a warning that it's deprecated.
+#   In ROS 2, write `--ros-args -r __ns:=/robot_07`.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - A node is an entry in the graph. Names are not checked: duplicate node names are allowed, and they are a fault.
-# - `super().__init__("name")` first. The name has no slash, hyphen or space; the folder is the namespace.
-# - `faults` gets the namespace in front, `~/frame` gets namespace and node, and `/stop` stays as it is.
-# - Remapping renames from outside: `--ros-args -r __node:=rear_camera` for a process, `cli_args` for one node.
-# - Avoid the names that `Node` uses. The logger takes one text, and one severity per line of code.
+# - A node is an entry in the graph. ROS doesn't check names, so duplicate node names are possible, but they're a fault.
+# - Avoid attribute names that `Node` uses. A logger method takes a single string, and each line of code has one
+#   severity.
+# - Call `super().__init__("name")` first. The name has no slash, hyphen, or space; the folder is the namespace.
+# - `faults` gets the namespace as a prefix, `~/frame` gets the namespace and the node's name, and `/stop` stays the
+#   same.
+# - To rename a node from outside, remap it: `--ros-args -r __node:=rear_camera` for a whole process, or `cli_args` for
+#   a single node.
 #
 # **Before:** [01 · The context](01_the_context.ipynb)
 #
 # **Next:** [03 · Publishers and messages](03_publishers_and_messages.ipynb)
 #
-# **More:** [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html), and [passing arguments to
-# nodes](https://docs.ros.org/en/jazzy/How-To-Guides/Node-arguments.html).
+# **More:** [Basic concepts](https://docs.ros.org/en/jazzy/Concepts/Basic.html) and [passing arguments to
+# nodes](https://docs.ros.org/en/jazzy/How-To-Guides/Node-arguments.html)

@@ -1,21 +1,21 @@
 # %% [markdown]
 # # 03 · Publishers and messages
 #
-# One topic tells the wheels where to go. Another tells the screen how much battery is left. Both need a publisher, and a
-# message with a number in it. How is that done well?
+# One topic carries speeds to a robot's wheels. Another carries the battery charge to a screen. Both topics need a
+# publisher and a message with a number in it. How do you publish a number so that the same number arrives?
 #
-# - **Minutes:** 45
+# - **Minutes:** 50
 # - **You need:** lessons 00 to 02
 # - **You will be able to:**
 #   - create a publisher
 #   - put numbers into the fields of a message
-#   - read the errors that publishers give
-# - **Left out:** receiving (lesson 04), timers (lesson 05), quality of service (lesson 13); queues, pictures and richer
-#   message types (the deeper notebook)
+#   - read the errors that publishers raise
+# - **Left out:** receiving (lesson 04), timers (lesson 05), quality of service (lesson 13); queues, images, and
+#   richer message types (the deeper notebook)
 
 # %% [markdown]
-# A node publishes ten times a second how fast a small robot must drive and turn, on the topic `/robot/cmd_vel`. We record
-# it for a while.
+# A node controls how fast a small robot drives and turns. It publishes both speeds ten times per second, on the topic
+# `/robot/cmd_vel`. We record its messages for 12.7 seconds.
 
 # %%
 from lesson_nodes import figure_driver
@@ -29,10 +29,14 @@ print("messages:", len(commands))
 print("the first one:", commands[0])
 
 # %% [markdown]
-# Each message is of type `Twist`: two groups of three numbers. `linear` is speed in m/s, `angular` is turning in rad/s.
-# A robot on the floor uses two of the six: how fast forward (`linear` `x`), and how fast to the left (`angular` `z`).
+# Each message has the type `Twist`, which consists of two groups of three numbers. `linear` is the speed in m/s, and
+# `angular` is the turning rate in rad/s. A robot on the floor uses two of the six: its forward speed (`linear` `x`)
+# and its turning rate to the left (`angular` `z`). In ROS, x points forward and y points to the left ([REP
+# 103](https://www.ros.org/reps/rep-0103.html)).
 #
-# Where does the robot go? We obey each message for a tenth of a second, as the robot would.
+# [the same without helpers: record]
+#
+# Where does the robot go? To find out, we follow each command for a tenth of a second, as the robot would.
 
 # %%
 from workbook.pictures.path import path_of, show_path
@@ -44,208 +48,16 @@ show_path(
 )
 
 # %% [markdown]
-# Change something: `record(figure_driver, {DRIVE: 0.1}, seconds=12.7, eight=False)`, and run both cells again.
+# Now change the recording: use `record(figure_driver, {DRIVE: 0.1}, seconds=12.7, eight=False)`, and run both cells
+# again.
 #
-# Now you will publish messages of your own.
-
-# %% [markdown] prediction="int-in-a-float-field"
-# ## Predict
-#
-# To send, a node needs a **publisher**. Two lines are enough:
-#
-# ```python
-# battery = node.create_publisher(Float32, "/robot/battery", 10)
-# battery.publish(Float32(data=80))
-# ```
-#
-# The first line says: messages of type `Float32`, on the topic `/robot/battery`. The second line makes a message, puts 80
-# into its only field, `data`, and publishes it.
-#
-# The program runs with the packages of this course and their default settings. A screen subscribes to the topic. What does
-# it show?
-#
-# - **a** 80.0, because Python turns 80 into 80.0 wherever a float is wanted.
-#   when `arrived_for_80 == 80`
-#   ✗ Python converts nothing here. The field is set to the int 80, as it is.
-# - **b** Nothing, because `Float32(data=80)` raises an error: 80 is not a float.
-#   ✗ It does so when field checks are on. By default they are off, and the message takes any object.
-# - **c** 0.0
-#   when `arrived_for_80 == 0`
-#   ✓ The C code of this build reads the int as if it were a Python float, and gets 0.0. The Ubuntu packages can abort
-#   the program here.
-# - **d** Nothing, because `publish` raises an error: it looks at the fields before it sends.
-#   ✗ `publish` does not check the fields either. It hands the message to C code, which expects a Python float.
-
-# %%
-from workbook.lesson import predict, reveal
-
-predict("int-in-a-float-field")
-
-# %% [markdown]
-# ## Run it
-#
-# The program below publishes one level after another, twice a second. It runs as a process of its own, with default
-# settings. We print what arrives.
-
-# %%
-from pathlib import Path
-
-from workbook.lesson import values
-
-PROGRAM = """
-import numpy as np
-import rclpy
-from rclpy.node import Node
-from std_msgs.msg import Float32
-
-
-class Battery(Node):
-    def __init__(self):
-        super().__init__("battery")
-        self.levels = [LEVELS]
-        self.publisher = self.create_publisher(Float32, "/robot/battery", 10)
-        self.create_timer(0.5, self.publish_next)
-
-    def publish_next(self):
-        if self.levels:
-            level = self.levels.pop(0)
-            self.publisher.publish(Float32(data=level))
-
-
-rclpy.init()
-rclpy.spin(Battery())
-"""
-
-
-def listen_to(program, seconds):
-    """Run a program that publishes on /robot/battery, and record it."""
-    Path("battery.py").write_text(program)
-    return record("battery.py", {"/robot/battery": 0.5}, seconds=seconds)
-
-
-def what_arrives(*given):
-    """Publish these values, written as in Python, and return what arrives."""
-    program = PROGRAM.replace("LEVELS", ", ".join(given))
-    return values(listen_to(program, seconds=0.5 * len(given) + 1.0), "/robot/battery")
-
-
-arrived = what_arrives("80.0", "80")
-print("80.0 and 80 arrive as", *arrived)
-
-# %%
-reveal("int-in-a-float-field", arrived_for_80=arrived[1])
-
-# %% [markdown]
-# **On your robot, this line may do something worse.** The packages for Ubuntu can end the whole process here, with
-# ``Assertion `PyFloat_Check(field)' failed``, and no `except` catches it ([rclpy
-# 1297](https://github.com/ros2/rclpy/issues/1297), [rclpy 1437](https://github.com/ros2/rclpy/issues/1437)). In this
-# build there is no error and no warning: the program means 80, and 0.0 arrives.
-#
-# What about other values? Which of these arrive as the number that was meant?
-
-# %% id="given-arrived"
-given = [
-    "80.0", "80", "True", "'80'", "None", "[80.0]",
-    "np.int64(80)", "np.int64(-80)", "np.float32(80)", "np.float64(80)", "float(80)",
-]  # fmt: skip
-arrived = what_arrives(*given)
-
-for one, other in zip(given, arrived, strict=True):
-    print(f"gave {one:<15} arrived {other}")
-
-# %%
-from workbook.pictures.figures import figure, show
-from workbook.pictures.palette import GREEN, RED
-
-fig, axes = figure(5.6, 3.9)
-for row, (one, other) in enumerate(zip(given, arrived, strict=True)):
-    color, sign = (GREEN, "✓") if other == 80.0 else (RED, "✗")
-    axes.text(0.0, row, one, family="monospace", va="center")
-    axes.annotate(
-        "",
-        xy=(0.72, row),
-        xytext=(0.42, row),
-        arrowprops={"arrowstyle": "->", "color": color},
-    )
-    axes.text(0.77, row, f"{other}", family="monospace", color=color, va="center")
-    axes.text(0.93, row, sign, color=color, va="center", family="DejaVu Sans")
-axes.text(0.0, -1.0, "what I gave", va="center")
-axes.text(0.77, -1.0, "what arrived", va="center")
-axes.set(xlim=(0, 1), ylim=(len(given) - 0.5, -1.5), title="only Python floats arrive")
-axes.axis("off")
-show(
-    fig,
-    "eleven values and what arrived: only the Python float, np.float64 and float(80) "
-    "arrive as 80.0; np.int64(-80) arrives "
-    "as nan, all others as 0.0",
-)
-
-# %% [markdown]
-# Three of eleven arrive. One comes out as `nan`, *not a number*, and the rest as zero. Look at the two floats from NumPy:
-# `np.float64` arrives, `np.float32` does not. Neural networks compute in `np.float32`, so this fault is common.
-#
-# The fix is one word: **`float(level)`**. It turns each kind of number into a Python float, and raises an error for `None`
-# and for a list. (It still accepts some values that you would rather refuse. The exercise is about that.)
-
-# %% [markdown]
-# ## Look inside
-#
-# ### What a message is
-#
-# A **message definition** says what a `Float32` is, in one line: `float32 data`. ROS generates a class from it for each
-# language. In Python the fields are attributes, and each begins with a default.
-
-# %%
-from std_msgs.msg import Float32
-
-print(Float32.get_fields_and_field_types())
-print(Float32())
-
-# %% [markdown]
-# `publish` serializes the message: it writes the bytes that any other program can read. For a `float32` field, this build
-# reads the memory of a Python float, **without a check of what kind of object it has**. An `int` has other bytes there.
-# Read as a float, they usually give a number so tiny that it becomes 0.0.
-#
-# **`std_msgs` is for learning.** Since ROS 2 Foxy, `Float32`, `String` and the other single-value types of `std_msgs`
-# have been deprecated: real robots should not use them. For example, 0.8 on `/robot/battery` does not say whether it
-# is a percentage, which battery it belongs to, or when it was measured. This course uses them because they are short. On
-# a robot, use types with meaning, such as `sensor_msgs/BatteryState`, or define your own.
-
-# %% [markdown]
-# ### The three arguments of `create_publisher`
-#
-# | argument | here | what it says |
-# |---|---|---|
-# | message type | `Float32` | the class itself, not its name in quotes, and no Python type |
-# | topic | `"/robot/battery"` | the name under which others find it, spelled exactly so |
-# | depth | `10` | how many messages the publisher keeps for retransmission; the deeper notebook measures it |
-#
-# A topic has **one** type. All its publishers and subscriptions use the same one.
-
-# %% [markdown]
-# ### Messages in messages
-#
-# A `Twist` holds two messages of type `Vector3`, and these hold the numbers. All are zero at first, so you set only what
-# you need:
-
-# %%
-from geometry_msgs.msg import Twist
-
-print(Twist.get_fields_and_field_types())
-
-command = Twist()
-command.linear.x = 0.4
-command.angular.z = 1.0
-print(command)
-
-# %% [markdown]
-# ## Change it
+# Which field of a `Twist` does what? Predict before you publish messages of your own.
 
 # %% [markdown] prediction="the-other-circle"
-# ### Experiment 1: another circle
+# ## Predict
 #
-# The robot drives 0.4 m/s and turns left by 1.0 rad/s, always. That is a circle 0.8 m across. Now it turns by 0.5 rad/s.
-# What will the path be?
+# The robot keeps driving at 0.4 m/s and turning left at 1.0 rad/s. That makes a circle 0.8 m across. Now it turns at
+# 0.5 rad/s. What path does it take?
 #
 # - **a** A circle twice as wide
 #   when `1.2 <= width_m < 2.0`
@@ -260,7 +72,12 @@ print(command)
 #   ✗ For a spiral, one of the two speeds would have to change on the way. Both are constant.
 
 # %%
+from workbook.lesson import predict, reveal
+
 predict("the-other-circle")
+
+# %% [markdown]
+# ## Run it
 
 # %%
 turn_radps = 0.5  # turn this knob, and forward_mps too, if you like
@@ -286,13 +103,166 @@ show_path(
 )
 
 # %% [markdown]
-# The robot drives as fast as before and turns half as fast. So one lap takes twice as long, and covers twice the
-# distance. The radius is speed divided by rate of turn: 0.4 / 0.5 = 0.8 m.
+# The robot drives as fast as before but turns half as fast. So a lap takes twice as long and covers twice the
+# distance. The circle's radius is the speed divided by the turning rate: 0.4 / 0.5 = 0.8 m.
+
+# %% [markdown]
+# ## Look inside
+#
+# ### Create a publisher
+#
+# To send messages, a node needs a **publisher**. Three lines are enough:
+#
+# ```python
+# publisher = node.create_publisher(Twist, "/robot/cmd_vel", 10)  # once, in __init__
+# command = Twist()
+# publisher.publish(command)  # as often as you like
+# ```
+#
+# | argument | here | meaning |
+# |---|---|---|
+# | message type | `Twist` | the message class itself, not its name in quotes, and not a Python type |
+# | topic | `"/robot/cmd_vel"` | the exact name that other programs use to find it |
+# | depth | `10` | how many messages the publisher keeps for retransmission; the deeper notebook measures it |
+#
+# A topic has only **one** type, so all of its publishers and subscriptions must use that type.
+#
+# ### Message definitions
+#
+# A **message definition** lists the fields of a message type. For `Float32`, it's a single line: `float32 data`. From
+# each definition, ROS generates a class for each programming language. In Python, the fields are attributes of that
+# class, and each starts with a default value.
+
+# %%
+from std_msgs.msg import Float32
+
+print(Float32.get_fields_and_field_types())
+print(Float32())
+
+# %% [markdown]
+# **`std_msgs` is for learning.** `Float32`, `String`, and the other single-value types in `std_msgs` have been
+# deprecated since ROS 2 Foxy, so real robots shouldn't use them. For example, 0.8 on `/robot/battery` doesn't say
+# whether it's a percentage, which battery it describes, or when it was measured. This course uses these types because
+# they're short. On a robot, use types with a meaning, such as `sensor_msgs/BatteryState`, or define your own.
+
+# %% [markdown]
+# ### Nested messages
+#
+# A `Twist` contains two messages of type `Vector3`, and these contain the numbers. All six numbers start at zero, so
+# you set only those that you need:
+
+# %%
+from geometry_msgs.msg import Twist, Vector3
+
+print(Twist.get_fields_and_field_types())
+
+command = Twist()
+command.linear.x = 0.4
+command.angular.z = 1.0
+print(command)
+
+# %% [markdown]
+# **Your turn.** Write the command for a robot that drives backward at 0.2 m/s and turns to the right at 0.5 rad/s.
+
+# %% id="your-twist"
+from workbook.lesson import yours
+
+backward = Twist()
+speeds = ...  # TODO: first set the two fields of backward, then replace the ... with backward
+
+yours(
+    speeds,
+    Twist(linear=Vector3(x=-0.2), angular=Vector3(z=-0.5)),
+    "Forward and left are positive, so both numbers are negative.",
+)
+
+# %% [markdown]
+# ## Change it
+
+# %% [markdown] prediction="int-in-a-float-field"
+# ### Experiment 1: an integer in a float field
+#
+# A node reports the battery's charge: `battery.publish(Float32(data=80))`. The definition of `Float32` has a single
+# field, `float32 data`.
+#
+# The program uses this course's packages with their default settings. A screen subscribes to the topic. What does it
+# show?
+#
+# - **a** 80.0, because Python turns 80 into 80.0 wherever a float is wanted.
+#   when `arrived_for_80 == 80`
+#   ✗ Python converts nothing here. The field is set to the int 80, as it is.
+# - **b** Nothing, because `Float32(data=80)` raises an error: 80 is not a float.
+#   ✗ It does so when field checks are on. By default they are off, and the message takes any object.
+# - **c** 0.0
+#   when `arrived_for_80 == 0`
+#   ✓ The C code of this build reads the int as if it were a Python float, and gets 0.0. The Ubuntu packages can abort
+#   the program here.
+# - **d** Nothing, because `publish` raises an error: it looks at the fields before it sends.
+#   ✗ `publish` does not check the fields either. It hands the message to C code, which expects a Python float.
+
+# %%
+predict("int-in-a-float-field")
+
+# %% [markdown]
+# The program [battery_levels](../lesson_nodes/battery_levels.py) publishes one level after the other. It runs in its own
+# process, with default settings. We give it eleven levels, and print what arrives.
+
+# %% id="given-arrived"
+from lesson_nodes import battery_levels
+from workbook.lesson import values
+
+BATTERY = "/robot/battery"
+
+
+def what_arrives(given):
+    """Publish these levels, and return what arrives."""
+    seconds = 0.5 * len(given) + 1.0
+    heard = record(battery_levels, {BATTERY: 0.5}, seconds=seconds, levels=given)
+    return values(heard, BATTERY)
+
+
+given = [
+    "80.0", "80", "True", "'80'", "None", "[80.0]",
+    "np.int64(80)", "np.int64(-80)", "np.float32(80)", "np.float64(80)", "float(80)",
+]  # fmt: skip
+arrived = what_arrives(given)
+
+for one, other in zip(given, arrived, strict=True):
+    print(f"gave {one:<15} arrived {other}")
+reveal("int-in-a-float-field", arrived_for_80=arrived[1])
+
+# %% [markdown]
+# `publish` serializes the message, which means that it converts the message to bytes that any other program can read.
+# For a `float32` field, this build reads the memory of a Python float, **without checking the object's type**. An
+# `int` has different bytes there. Interpreted as a float, these bytes usually form a number so tiny that it becomes
+# 0.0.
+#
+# **On your robot, this line may do something worse.** The Ubuntu packages can abort the whole process here, with
+# ``Assertion `PyFloat_Check(field)' failed``, and no `except` catches that ([rclpy
+# 1437](https://github.com/ros2/rclpy/issues/1437)).
+#
+# Only three of the eleven values arrive correctly. One arrives as `nan`, *not a number*. Compare the two NumPy floats:
+# `np.float64` arrives, but `np.float32` doesn't. This fault is common, because neural networks compute in `np.float32`.
+#
+# **Your turn.** A single call converts every kind of number. Write the message for this level.
+
+# %% id="your-float"
+import numpy as np
+
+level = np.float32(55.5)
+message = ...  # TODO: a Float32 that holds the level as a Python float
+
+yours(message, Float32(data=55.5), "Float32(data=float(level))")
+
+# %% [markdown]
+# `float(level)` raises an error for `None` and for a list. However, it still accepts some values that you'd rather refuse.
+# The exercise deals with those.
 
 # %% [markdown] prediction="a-tenth"
 # ### Experiment 2: a tenth
 #
-# `Float32` has 32 bits for its number; a Python float has 64. We send four good Python floats. Does 0.1 arrive as 0.1?
+# `Float32` stores its number in 32 bits, but a Python float has 64. We send four values, all of them Python floats.
+# Does 0.1 arrive as 0.1?
 #
 # - **a** Yes: 0.1 is a simple number, 32 bits are plenty.
 #   when `arrived == 0.1`
@@ -309,65 +279,91 @@ predict("a-tenth")
 
 # %% id="rounding"
 numbers = ["0.5", "0.1", "16777217.0", "1e40"]
-half, tenth, large, huge = what_arrives(*numbers)
+half, tenth, large, huge = what_arrives(numbers)
 for one, other in zip(numbers, (half, tenth, large, huge), strict=True):
     print(f"gave {one:<11} arrived {other}")
 reveal("a-tenth", arrived=tenth)
 
 # %% [markdown]
-# 32 bits hold about seven digits. 0.5 is a sum of powers of two and fits exactly, 0.1 does not. Above 16 777 216,
-# some whole numbers do not fit either. What is larger than 3.4e38 becomes infinite, silently.
+# A 32-bit float has about seven significant digits. 0.5 is a power of two, so it fits exactly, but 0.1 doesn't. Above
+# 16 777 216, not even every whole number fits. And any number above 3.4e38 becomes infinite, without a warning.
 #
-# So never ask whether such a number *is* 0.1. Ask whether it is close:
+# So don't test whether such a number *equals* 0.1. Test whether it's close enough:
 
 # %%
 import math
 
-print("tenth == 0.1:", tenth == 0.1)
-print("math.isclose(tenth, 0.1):", math.isclose(tenth, 0.1))
-print("math.isclose(tenth, 0.1, rel_tol=1e-6):", math.isclose(tenth, 0.1, rel_tol=1e-6))
+print(f"relative difference: {abs(tenth - 0.1) / 0.1:.1e}")
+print("is close to 0.1, by default:", math.isclose(tenth, 0.1))
 
 # %% [markdown]
-# The second line surprises many: `isclose` is stricter than 32 bits allow, so give it a tolerance. The same definition
-# with 64 bits exists, too: `Float64`. The numbers of a `Twist` have 64 bits. For a battery in percent, 32 are plenty.
+# **Your turn.** By default, `isclose` demands a relative difference below 1e-9, more precision than 32 bits can store.
+# Write the test with a tolerance that fits the number above.
+
+# %% id="your-tolerance"
+close = ...  # TODO: math.isclose(tenth, 0.1, rel_tol=...)
+
+yours(close, True, "The tolerance must be above 1.5e-8; 1e-6 is a good choice.")
+
+# %% [markdown]
+# There's also a type with 64 bits, `Float64`, and the numbers in a `Twist` have 64 bits, too. For a
+# battery level in percent, 32 bits are plenty.
 
 # %% [markdown]
 # ## When it goes wrong
 #
 # ### Field checks
 #
-# rclpy can check the fields of messages. These notebooks switch the checks on. So what went out as 0.0 above raises an
-# error here:
+# rclpy can check the types of a message's fields, and these notebooks turn those checks on. So the call that led to
+# 0.0 above raises an error here:
 
 # %% id="checks-on" tags=["raises-exception"]
 Float32(data=80)
 
 # %% [markdown]
-# The switch is the environment variable `ROS_PYTHON_CHECK_FIELDS=1`. It is off by default, because the checks take time.
-# Set it while you develop, where the program is started. It must be set **before** the message class is imported. Here are
-# two programs that set it themselves.
+# The environment variable `ROS_PYTHON_CHECK_FIELDS=1` turns the checks on. They're off by default, because they take
+# time. While you develop, set the variable where you start the program, because it must be set **before** the message
+# class is imported. The next cells write two programs that set it themselves, and run both.
+
+# %%
+# %%writefile early.py
+import os
+
+os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"
+
+from lesson_nodes.battery_levels import main
+
+main()
+
+# %%
+# %%writefile late.py
+import os
+
+from lesson_nodes.battery_levels import main
+
+os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"
+main()
 
 # %% id="checks-too-late"
-SWITCH_ON = 'import os\nos.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"\n'
-WHOLE = PROGRAM.replace("LEVELS", "80")
+early = record("early.py", {BATTERY: 0.5}, seconds=1.5, levels=["80"])
+late = record("late.py", {BATTERY: 0.5}, seconds=1.5, levels=["80"])
 
-early = listen_to(SWITCH_ON + WHOLE, seconds=1.5)
-late = listen_to(WHOLE.replace("rclpy.init()", SWITCH_ON + "rclpy.init()"), seconds=1.5)
-
-print("switched on before the import:", early.process.log.strip().splitlines()[-1])
-print("switched on after the import: 80 arrives as", *values(late, "/robot/battery"))
+errors = [line for line in early.process.log.splitlines() if "Error:" in line]
+print("switched on before the import:", errors[-1])
+print("switched on after the import: 80 arrives as", *values(late, BATTERY))
 
 # %% [markdown]
-# After the import it does nothing, silently. The class reads the variable once, when it is loaded. For a single message
-# there is another switch, which works at any time: `Float32(data=level, check_fields=True)`.
+# Setting the variable after the import has no effect, and nothing reports that. The class reads the variable only
+# once, when it's loaded. For a single message, you can turn the checks on at any time:
+# `Float32(data=level, check_fields=True)`.
 #
-# Checks find such a fault, but they do not fix it. They refuse a harmless `80`, and they accept `nan`. And they are
-# off on any robot where nobody switched them on. Convert and check the value yourself, where it comes in.
-
-# %% [markdown]
-# ### Not a message
+# The checks find this kind of fault, but they don't fix it. They refuse a harmless `80`, yet they accept `nan`.
+# They're also off on every robot whose developers forgot to turn them on. So convert and check each value yourself,
+# at the point where it enters your program.
 #
-# A robot says hello.
+# ### Publishing a plain string
+#
+# This robot tries to say hello.
 
 # %% id="plain-str" tags=["raises-exception"]
 from rclpy.node import Node
@@ -384,33 +380,34 @@ words = voice.create_publisher(String, "/robot/voice", 10)
 words.publish("hello")
 
 # %% [markdown]
-# `publish` takes messages, and `"hello"` is a `str`. The error names first what it expected, then what it got. Make a
-# message of it: `words.publish(String(data="hello"))`.
-
-# %% [markdown]
-# ### Two arguments of three
+# `publish` accepts only messages, but `"hello"` is a `str`. The error names the expected type first, and then the
+# actual type. Wrap the string in a message: `words.publish(String(data="hello"))`.
+#
+# [the same without helpers: spin_for]
+#
+# ### A missing depth
 
 # %% id="no-depth" tags=["raises-exception"]
 voice.create_publisher(String, "/robot/mood")
 
 # %% [markdown]
-# `qos_profile` is the third argument. QoS is quality of service (lesson 13). A plain number, the depth, is enough:
-# `voice.create_publisher(String, "/robot/mood", 10)`.
-
-# %% [markdown]
-# ### An error that speaks of ROS 1
+# The error calls the third argument `qos_profile`, where QoS stands for quality of service (lesson 13). A plain
+# number, the depth, is enough: `voice.create_publisher(String, "/robot/mood", 10)`.
+#
+# ### An error that mentions ROS 1
 
 # %% id="not-a-class" tags=["raises-exception"]
 voice.create_publisher("String", "/robot/mood", 10)
 
 # %% [markdown]
-# Your program has no ROS 1 in it. The text means: *this is no message class*. Here it is the name in quotes. The fix is an
-# import and no quotes: `from std_msgs.msg import String`, and `create_publisher(String, ...)`.
-
-# %% [markdown]
+# Your program doesn't use ROS 1. The error really means that *the first argument isn't a message class*. Here, the
+# argument is only the class's name in quotes. To fix it, import the class and remove the quotes:
+# `from std_msgs.msg import String`, and `create_publisher(String, ...)`.
+#
 # ### One topic, two types
 #
-# `/robot/voice` carries `String`. Another part of the same program wants to publish the loudness there.
+# `/robot/voice` carries `String` messages. Now another part of the same program tries to publish the loudness on that
+# topic.
 
 # %% id="two-types"
 try:
@@ -419,8 +416,9 @@ except Exception as error:
     print(type(error).__name__, "·", str(error).split(", at ")[0])
 
 # %% [markdown]
-# `rt/robot/voice` is how DDS spells the topic, and `..._::Float32_` is the type that does not fit. In two **different**
-# programs you get no error. This one publishes the battery as `Float32`, and the node in this notebook expects `Float64`:
+# `rt/robot/voice` is the topic's name in DDS, and `..._::Float32_` is the type that doesn't match. If the two types
+# are in two **different** programs, you get no error. In the next cell, one program publishes the battery level as
+# `Float32`, but the node in this notebook expects `Float64`:
 
 
 # %% id="two-types-two-programs"
@@ -448,14 +446,15 @@ stop()
 ear.destroy_node()
 
 # %% [markdown]
-# No message, and no warning on either side: that is how Fast DDS, the DDS of this build, treats two types. If a topic has
-# a publisher and nothing arrives, compare the types: with `topic_info` here, `ros2 topic info --verbose` on a robot.
+# No message arrives, and neither side logs a warning. Fast DDS, the DDS of this build, connects a publisher and a
+# subscription only if the names of their types are equal. So if a topic has a publisher but nothing arrives, compare
+# the types. Use `topic_info` here, and `ros2 topic info --verbose` on a robot.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A robot that speaks. It makes the publisher once, in `__init__`. The method checks what it is given *before*
-# it makes a message. A caller that passes nonsense gets an error, and can react.
+# **Worked.** This robot speaks. Its node creates the publisher only once, in `__init__`. The method `say` checks its
+# argument *before* it creates a message. A caller that passes an invalid value gets an error and can handle it.
 
 
 # %%
@@ -492,13 +491,10 @@ spin_for(ear, seconds=5, until=lambda: len(ear.heard) == 2)
 print("heard:", [message.data for message in ear.heard])
 
 # %% [markdown]
-# **Faded.** A robot that drives. `drive` gets two numbers of any kind, and publishes a `Twist`. Two places are blank. Until
-# you fill them in, the cell says so.
+# **Faded.** This robot drives. `drive` takes two numbers of any kind and publishes a `Twist`. Complete the two marked
+# places. Until you do, the cell prints a reminder.
 
 # %%
-import numpy as np
-
-
 class Wheels(Node):
     """Tells the wheels how fast to drive and turn.
 
@@ -528,17 +524,12 @@ else:
     )
     wheels.drive(np.float32(0.5), -1)
     spin_for(ear, seconds=5, until=lambda: ear.heard)
-    print(
-        "forward",
-        ear.heard[0].linear.x,
-        "turn",
-        ear.heard[0].angular.z,
-        "- there should be 0.5 and -1.0",
-    )
+    got = ear.heard[0].linear.x, ear.heard[0].angular.z
+    yours(got, (0.5, -1.0), "command.linear.x = float(forward_mps), and angular.z")
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/03_publishers_and_messages.ipynb) you write a battery report that never lies:
-# every number arrives, and what is not a number is refused.
+# **Your own.** In the [exercise](../exercises/03_publishers_and_messages.ipynb), you write a battery report that
+# never lies: it publishes every number correctly and refuses anything that isn't a number.
 
 # %% [markdown]
 # ## Check yourself
@@ -547,142 +538,151 @@ else:
 #
 # <details><summary>a) 55.5</summary>
 #
-# ✗ Both have 32 bits. But this build reads the memory of a Python float, and `np.float32` is not a Python float.
+# ✗ Both have 32 bits. But this build reads the memory of a Python float, and `np.float32` isn't a Python float.
 #
 # </details>
 # <details><summary>b) 0.0</summary>
 #
-# ✓ Yes, and without an error. With the Ubuntu packages the process may abort. Write `float(...)` around it.
+# ✓ In this build, nothing raises an error. With the Ubuntu packages, the process may abort. Convert the value with
+# `float(...)`.
 #
 # </details>
-# <details><summary>c) Nothing: <code>publish</code> raises an error</summary>
+# <details><summary>c) Nothing, because <code>publish</code> raises an error</summary>
 #
-# ✗ It would, if field checks had been on before `std_msgs.msg` was imported. By default they are off.
+# ✗ You'd get an error only if field checks had been on before `std_msgs.msg` was imported. By default, they're off.
 #
 # </details>
 #
-# **2. A robot must turn to the right on the spot. Which `Twist`?**
+# **2. A robot must turn to the right on the spot. Which `Twist` does it need?**
 #
-# <details><summary>a) <code>command.angular.z = -0.5</code>, all the rest as it is</summary>
+# <details><summary>a) <code>command.angular.z = -0.5</code>, and nothing else</summary>
 #
-# ✓ Turns to the left are positive; turns to the right are negative. Speeds that you do not set are zero.
+# ✓ Turns to the left are positive, and turns to the right are negative. Speeds that you don't set stay zero.
 #
 # </details>
 # <details><summary>b) <code>command.angular = -0.5</code></summary>
 #
-# ✗ `angular` is a message, a `Vector3`, not a number. Set its field `z`.
+# ✗ `angular` isn't a number but a message, a `Vector3`. Set its field `z`.
 #
 # </details>
 # <details><summary>c) <code>command.linear.y = -0.5</code></summary>
 #
-# ✗ That asks the robot to slide to its right without turning. Most cannot.
+# ✗ This command makes a robot slide to its right without turning. Most robots can't do that.
 #
 # </details>
 #
-# **3. A publisher offers `String` on `/robot/voice`. Another program subscribes there with `Float32`. What happens?**
+# **3. A publisher offers `String` on `/robot/voice`. Another program subscribes with `Float32`. What happens?**
 #
 # <details><summary>a) The second program gets an error</summary>
 #
-# ✗ Only within one program. Two programs do not check each other's types.
+# ✗ An error occurs only within one program. Between programs, DDS compares the names of the types and doesn't connect
+# different ones.
 #
 # </details>
 # <details><summary>b) The text arrives as a number</summary>
 #
-# ✗ Nothing is converted, and nothing arrives.
+# ✗ DDS doesn't convert anything, and nothing arrives.
 #
 # </details>
-# <details><summary>c) No message arrives, and neither program reports it</summary>
+# <details><summary>c) No message arrives, and neither program reports that</summary>
 #
-# ✓ Fast DDS does not connect them. `topic_info` shows both types.
-#
-# </details>
-#
-# **4. A program imports `Float32` and then sets `ROS_PYTHON_CHECK_FIELDS` to 1. What do you get?**
-#
-# <details><summary>a) Checked messages</summary>
-#
-# ✗ The class reads the variable when it is loaded, and at that time it was not yet set.
-#
-# </details>
-# <details><summary>b) A program that looks safe and is not</summary>
-#
-# ✓ Just what you saw: the int went out as 0.0. Set it before the import, or where the program is started.
-#
-# </details>
-# <details><summary>c) An error, because the variable comes too late</summary>
-#
-# ✗ The class does not read the variable again, so there is no error.
+# ✓ Fast DDS doesn't connect the two. `topic_info` shows both types.
 #
 # </details>
 #
-# **5. A leg sends its length as `Float32(data=0.1)`. A monitor asks `if message.data == 0.1`, and never reacts. Why?**
+# **4. A program imports `Float32` and then sets `ROS_PYTHON_CHECK_FIELDS` to 1. What's the effect?**
 #
-# <details><summary>a) 0.1 in 32 bits is not the same number as 0.1 in 64 bits</summary>
+# <details><summary>a) The fields are checked from then on</summary>
 #
-# ✓ The monitor gets 0.10000000149011612. `math.isclose(message.data, 0.1, rel_tol=1e-6)` is the question to ask.
+# ✗ The class reads the variable when it's loaded, and at that time, the variable wasn't set yet.
+#
+# </details>
+# <details><summary>b) None: the fields still aren't checked</summary>
+#
+# ✓ You saw this above: the int arrived as 0.0. Set the variable before the import, or where you start the program.
+#
+# </details>
+# <details><summary>c) An error, because the variable is set too late</summary>
+#
+# ✗ The class doesn't read the variable again, so there's no error.
+#
+# </details>
+#
+# **5. A leg publishes its length as `Float32(data=0.1)`. A monitor tests `if message.data == 0.1` but never reacts. Why?**
+#
+# <details><summary>a) 0.1 in 32 bits isn't the same number as 0.1 in 64 bits</summary>
+#
+# ✓ The monitor receives 0.10000000149011612. Test `math.isclose(message.data, 0.1, rel_tol=1e-6)` instead.
 #
 # </details>
 # <details><summary>b) The message was lost</summary>
 #
-# ✗ It arrives each time. Print it, and you see the digits.
+# ✗ It arrives every time. Print the number, and you'll see its digits.
 #
 # </details>
 # <details><summary>c) ROS sends floats as text, rounded to a few digits</summary>
 #
-# ✗ It sends four bytes, and they hold about seven digits.
+# ✗ ROS sends four bytes, which hold about seven digits.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). The screen of our robot shows 64
-# % battery, now and then 0 % for a moment, then 64 % again. Three people have changed
-# the node this month. It reads the charge from a C library, smooths it with NumPy and
-# publishes a `Float32`. How do we find the cause, and how do we make sure that it
-# cannot come back? Name only functions that exist in rclpy for Jazzy.
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). Our robot's screen shows 64%
+# battery, sometimes 0% for a moment, and then 64% again. Three people have changed the
+# node this month. It reads the charge from a C library, smooths it with NumPy, and
+# publishes a `Float32`. How do we find the cause, and how do we make sure that the fault
+# can't come back? Use only functions that exist in rclpy for Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# First look at the topic, not at the code: does 0.0 really arrive, and does only one node publish there? If so, print
-# `type(level)` right before `publish`, or start the node with `ROS_PYTHON_CHECK_FIELDS=1`. The line that gives a field
-# something other than a float then raises an error. Suspects are an `int` when the charge is a whole number, `None` when
-# the library has no value, and `np.float32` from the smoothing. The fix is one place where values come in. There,
-# `float(level)` converts numbers, `math.isfinite` finds nan, and everything else is an error. A test publishes each of
-# these kinds, and looks at what arrives. Good answers also ask what the node must do when there is no value.
+# First, look at the topic rather than the code: does 0.0 really arrive, and does only one node publish on the topic?
+# If so, print `type(level)` right before `publish`, or start the node with `ROS_PYTHON_CHECK_FIELDS=1`. Then the line
+# that puts anything but a float into the field raises an error.
+#
+# There are three suspects: an `int` when the charge is a whole number, `None` when the library has no value, and
+# `np.float32` from the smoothing. The fix is to check values in one place, where they enter the program. There,
+# `float(level)` converts numbers, `math.isfinite` detects nan, and anything else is an error. A test publishes each
+# kind of value and checks the value that arrives. Good answers also ask what the node should do when there's no
+# value.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
 #
-# - **An int in a float field raises a `TypeError`, or is converted:** In Jazzy the check is off by default. With the
-#   packages of this course, 0.0 arrives; other builds may crash.
-# - **Set `os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"` in `main()`:** Too late: the variable is read when the message
-#   type is imported.
+# - **An int in a float field raises a `TypeError`, or is converted:** In Jazzy, the check is off by default. With
+#   this course's packages, 0.0 arrives; other builds may crash.
+# - **Set `os.environ["ROS_PYTHON_CHECK_FIELDS"] = "1"` in `main()`:** That's too late, because the message type reads
+#   the variable when it's imported.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - `create_publisher(MessageClass, "/topic", depth)`, once, in `__init__`; then `publish(message)`, as often as you like.
-# - A float field needs a Python float. An int, `np.float32`, `None` or a text arrives as 0.0 or worse, or aborts the
-#   program, depending on the build. Write `float(...)`.
-# - `ROS_PYTHON_CHECK_FIELDS=1` makes rclpy check, if it is set before the message class is imported.
-# - 32 bits hold about seven digits: never compare with `==`, use `math.isclose`.
-# - One topic, one type. Two programs with two types on one topic exchange nothing, and report nothing.
+# - Call `create_publisher(MessageClass, "/topic", depth)` once, in `__init__`. Then call `publish(message)` as often
+#   as you like.
+# - A float field needs a Python float. An int, an `np.float32`, `None`, or a string leads to a wrong value or a
+#   crash, depending on the build. Convert with `float(...)`.
+# - `ROS_PYTHON_CHECK_FIELDS=1` makes rclpy check the fields, but only if it's set before the message class is
+#   imported.
+# - 32 bits hold about seven digits, so compare with `math.isclose`, never with `==`.
+# - A topic has one type. If two programs use different types on one topic, no messages arrive, and neither program
+#   reports it.
 #
 # **Before:** [02 · Nodes](02_nodes.ipynb)
 #
-# **Deeper:** [03 · Deeper: queues, pictures and messages with meaning](03_publishers_and_messages_deeper.ipynb)
+# **Deeper:** [03 · Deeper: queues, images, and messages with meaning](03_publishers_and_messages_deeper.ipynb)
 #
-# **Next:** [04 · Subscriptions and callbacks](04_subscriptions_and_callbacks.ipynb): the other end of the topic.
+# **Next:** [04 · Subscriptions and callbacks](04_subscriptions_and_callbacks.ipynb) covers the other end of the
+# topic.
 #
-# **More:** [Interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html), with all field types, and
-# [topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html).
+# **More:** [Interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html), with all field types,
+# and [topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html).

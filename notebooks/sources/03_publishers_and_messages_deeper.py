@@ -1,27 +1,27 @@
 # %% [markdown]
-# # 03 · Deeper: queues, pictures and messages with meaning
+# # 03 · Deeper: queues, images, and messages with meaning
 #
-# A camera robot publishes pictures in bursts. Its publisher has a queue, and most programs copy the depth of that queue
-# from an example. What does this number do?
+# A camera robot publishes images in bursts. Its publisher has a queue, and most programs copy that queue's depth from
+# an example. What effect does this number have?
 #
 # - **Minutes:** 15
 # - **You need:** lesson [03](03_publishers_and_messages.ipynb)
 # - **You will be able to:**
-#   - say what the depth of a publisher's queue does
-#   - read and fill a picture
+#   - explain the effect of a publisher's queue depth
+#   - read and fill an `Image` message
 #   - choose message types that other people understand
 # - **Left out:** the subscription's queue (lesson 04), other settings of quality of service (lesson 13)
 
 # %% [markdown]
-# Everything here is optional. Later lessons do not depend on it.
+# This whole notebook is optional: later lessons don't depend on it.
 
 # %% [markdown] prediction="a-burst-of-pictures"
 # ## Predict
 #
-# The last argument of `create_publisher` is the **depth** of the publisher's queue: how many messages it keeps, in case it
-# has to send them again. A camera in *another process* publishes 20 pictures of 640 × 480 pixels (0.9 MB each) as fast as it can. It asks for
-# reliable delivery, which is the default. Its publisher has depth 1. The subscription has depth 100, so it has room for
-# all. How many pictures arrive?
+# The last argument of `create_publisher` is the **depth** of the publisher's queue. It's the number of messages that
+# the publisher keeps in case it has to send them again. A camera in *another process* publishes 20 images of 640 ×
+# 480 pixels (0.9 MB each) as fast as it can. It offers reliable delivery, which is the default. Its publisher has
+# depth 1. The subscription has depth 100, so all of the images fit into its queue. How many images arrive?
 #
 # - **a** All 20: reliable delivery sends again what gets lost.
 #   when `arrived == 20`
@@ -41,8 +41,9 @@ predict("a-burst-of-pictures")
 # %% [markdown]
 # ## Run it
 #
-# The camera is [lesson_nodes/burst_camera.py](../lesson_nodes/burst_camera.py). It starts its burst half a second after it
-# has found a subscription. We try three depths, three bursts each, and then tiny pictures of 1 kB.
+# The camera is [lesson_nodes/burst_camera.py](../lesson_nodes/burst_camera.py). It starts its burst half a second
+# after it has discovered a subscription. We try three depths with three bursts each. After that, we try depth 1 again
+# with tiny images of 1 kB.
 
 # %% tags=["nbval-ignore-output"]
 import numpy as np
@@ -92,27 +93,30 @@ print(
 print("depth   1,   1 kB: all arrive:             ", counts[1, 1_000] == [20, 20, 20])
 
 # %% [markdown]
-# Only the *publisher's* depth changed. `publish` returns before a large picture is delivered. What does not fit into the
-# publisher's queue any more cannot be sent again, and no error is raised on either side.
+# Only the *publisher's* depth changed between the runs with large images. `publish` returns before a large image has
+# been delivered. Once newer images have pushed it out of the publisher's queue, it can't be sent again, and neither
+# side raises an error.
 #
-# | what you publish | depth of the publisher |
+# | messages | depth of the publisher |
 # |---|---|
-# | a state, such as a pose or a camera picture, of which only the newest counts | 1 to 10 |
+# | a state, such as a pose or a camera image, of which only the newest counts | 1 to 10 |
 # | a burst in which each message counts, such as the parts of a map | at least the length of the burst |
 #
-# In one process, or with small messages, the publisher's depth hardly matters: they are delivered before the next one
-# comes. That is why tests on a desk look fine. These notebooks use only the loopback network, while Fast DDS by
-# default also uses shared memory. We measured both, with pictures of 300 kB and of 900 kB, three bursts each. Every
-# time, pictures were lost at depths 1 and 10, and none at 100.
+# Within one process, or with small messages, the publisher's depth hardly matters, because each message is delivered
+# before the next one is published. That's why tests on a desk look fine.
+#
+# These notebooks use only the loopback network, but by default, Fast DDS also uses shared memory. We measured both,
+# using images of 300 kB and of 900 kB, with three bursts each. Every time, images were lost at depths 1 and 10, but
+# none were lost at depth 100.
 
 # %% [markdown]
 # ## Look inside
 
 # %% [markdown]
-# ### A message that is a picture
+# ### Image messages
 #
-# An `Image` has a header, some numbers that say how to read the picture, and then all its pixels in one long array. This
-# camera has 16 times 12 pixels.
+# An `Image` message has a header, a few fields that describe the layout of the pixels, and one long array of pixel
+# data. This camera's images are 16 pixels wide and 12 pixels high.
 
 # %%
 from lesson_nodes import tiny_camera
@@ -153,14 +157,14 @@ show(
 )
 
 # %% [markdown]
-# 576 numbers in a row, and `width`, `height` and `encoding` say what they mean. If one of these is wrong, no other program
-# can read the picture.
+# The data is just a row of 576 numbers, and `width`, `height`, and `encoding` define their meaning. If one of these
+# fields is wrong, no other program can read the image.
 
 # %% [markdown]
 # ### Messages with meaning
 #
-# `Float32` says nothing about unit, time or owner. `sensor_msgs` has types that do. They are filled like every other
-# message, field by field:
+# A `Float32` message doesn't contain a unit, a time, or a source. `sensor_msgs` has types that do. You fill them
+# field by field, as with any other message:
 
 # %% id="with-meaning"
 import math
@@ -191,14 +195,15 @@ print(
 print("JointState has:  ", ", ".join(JointState.get_fields_and_field_types()))
 
 # %% [markdown]
-# A time stamp, names, and units that are written down. For "not known", set `nan` *yourself*: these fields, too,
-# begin with 0.0. Dashboards and loggers of other people understand such a message without asking you.
+# These messages have timestamps and names, and their definitions specify the units. For unknown values, set `nan`
+# *yourself*, because these fields, too, start at 0.0. Other people's dashboards and loggers can then interpret your
+# messages, and nobody has to ask you.
 
 # %% [markdown]
 # ### Where 0.0 comes from
 #
-# In lesson 03 an `int` in a float field arrived as 0.0. This build reads eight bytes of the object, at the place where a
-# Python float keeps its value. You can read the same bytes.
+# In lesson 03, an `int` in a float field arrived as 0.0. This build reads eight bytes of the object, at the position
+# where a Python float stores its value. The next cell reads those eight bytes.
 
 # %%
 import ctypes
@@ -216,22 +221,61 @@ print(
 print("which in 32 bits is", ctypes.c_float(eight_bytes_of(80)).value)
 
 # %% [markdown]
-# `np.float64` is a kind of Python float, so it has its bytes in the same place. `np.float32` is not.
+# `np.float64` is a subclass of Python's `float`, so it stores its value at the same position. `np.float32` isn't.
 
 # %%
 print("np.float64 is a float:", isinstance(np.float64(80), float))
 print("np.float32 is a float:", isinstance(np.float32(80), float))
 
 # %% [markdown]
+# ### Lines from other programs
+#
+# Much code on the web is for ROS 1, for C++, or for a full ROS 2 installation. Each of the following lines looks right
+# but raises an exception here. The last one does what rclpy does with an `async` callback that awaits `asyncio.sleep`:
+# it sends the coroutine `None`. A thread tries the lines one by one, because this notebook's main thread runs asyncio.
+
+# %% id="lines-of-others"
+import asyncio
+from concurrent.futures import ThreadPoolExecutor
+from importlib import import_module
+
+import rclpy
+from rclpy.qos import QoSProfile
+from std_msgs.msg import String
+
+learner = fresh(Node, "learner")
+LINES = {
+    "queue_size=10": lambda: learner.create_publisher(String, "/word", queue_size=10),
+    "a word for the QoS": lambda: learner.create_publisher(String, "/word", "reliable"),
+    "a word for a policy": lambda: QoSProfile(depth=1, durability="volatile"),
+    "a number to log": lambda: learner.get_logger().info(80.0),
+    "rclpy.Rate": lambda: rclpy.Rate(10),
+    "rclpy.Node": lambda: rclpy.Node("listener"),
+    "cv_bridge": lambda: import_module("cv_bridge"),
+    "asyncio.sleep": lambda: asyncio.sleep(0.1).send(None),
+}
+with ThreadPoolExecutor(1) as thread:
+    for line, attempt in LINES.items():
+        error = thread.submit(attempt).exception()
+        print(f"{line}: {type(error).__name__}: {error}".splitlines()[0])
+
+# %% [markdown]
+# Only some of these messages say what to write instead. The third one is empty: rclpy asserts that the policy is a
+# value of its enum, and an assertion has no text of its own. The [error museum](error_museum.md) has a fix for each.
+
+# %% [markdown]
 # ## Take away
 #
-# - The publisher's depth counts in a burst of large messages: what is pushed out of its queue cannot be sent again.
-# - A picture is one long array. `width`, `height` and `encoding` say how to read it.
-# - For real interfaces use types with meaning, such as `BatteryState` and `JointState`, and say `nan` for "not known".
+# - The publisher's depth matters in a burst of large messages: an image that has been pushed out of the queue can't
+#   be sent again.
+# - An image's pixels are one long array. `width`, `height`, and `encoding` define how to read it.
+# - Before you copy a line, find out which ROS it was written for. ROS 1 and C++ have other names and keywords.
+# - For real interfaces, use types with a meaning, such as `BatteryState` and `JointState`. Use `nan` for unknown
+#   values.
 #
 # **Before:** [03 · Publishers and messages](03_publishers_and_messages.ipynb)
 #
 # **Next:** [04 · Subscriptions and callbacks](04_subscriptions_and_callbacks.ipynb)
 #
-# **More:** [Interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html), and
-# [quality of service](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html).
+# **More:** [Interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html) and [quality of
+# service](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html)

@@ -1,22 +1,23 @@
 # %% [markdown]
 # # 04 · Subscriptions and callbacks
 #
-# A robot that only publishes walks into walls. To react to its own sensors, it subscribes, and says what to do with each
-# message that comes.
+# How does a robot react to its own sensors? A robot that only publishes can't, so it walks into walls. To stop in time,
+# its program needs a subscription, and a callback that handles each message.
 #
 # - **Minutes:** 45
 # - **You need:** lessons [00](00_start_here.ipynb) to 03: a node, a publisher, a message
 # - **You will be able to:**
 #   - subscribe to a topic, and write the callback that handles its messages
-#   - say when it is called and when it is not
-#   - choose the depth of a subscription
-#   - tell how old a message is
-# - **Left out:** repeating work (lesson 05), the steps inside `spin` (06), long work in a callback (10), most
-#   settings of a connection (13)
+#   - predict when the callback runs, and when it doesn't
+#   - choose a subscription's queue depth
+#   - measure how old a message is
+# - **Left out:** repeating work (lesson 05), the steps inside `spin` (06), long work in a callback (10), most QoS
+#   settings (13)
 
 # %% [markdown]
-# Watch the robot. It walks up to a wall and away from it, again and again. One program measures how far the wall is,
-# twenty times a second. The other one subscribes, and raises the robot's arms when the wall comes close.
+# Watch the robot walk up to a wall and away from it, again and again. One program measures the distance to the wall and
+# publishes it twenty times a second. A second program subscribes to that distance, and raises the robot's arms when the
+# wall is close.
 
 # %%
 from lesson_nodes import careful_robot, distance_sensor
@@ -27,7 +28,7 @@ await watch_robot(seconds=8, ease=0.1)
 stop()
 
 # %% [markdown]
-# The second program has no timer and no loop. It acts only when a message comes:
+# The second program has no timer and no loop. It acts only when it receives a message:
 #
 # ```python
 # self.create_subscription(Float32, "/robot/distance", self.on_distance, 10)
@@ -37,9 +38,9 @@ stop()
 #     self.joint_publisher.publish(Float32MultiArray(data=joints))
 # ```
 #
-# The first line is the **subscription**: which type, which topic, what to call, and a *depth* (Experiment 1). The method
-# is the **callback**: you write it, and rclpy calls it, once for each message. Set `close_m` to `2.5` above and run the
-# cell again.
+# The first line creates the **subscription**. Its arguments are the message type, the topic, the method to call, and a
+# *depth*, which Experiment 1 explains. The method is the **callback**: you write it, and rclpy calls it once for each
+# message. In the cell above, set `close_m` to `2.5` and run the cell again.
 
 # %% [markdown] prediction="five-distances"
 # ## Predict
@@ -77,7 +78,8 @@ predict("five-distances")
 # %% [markdown]
 # ## Run it
 #
-# First the black box, then the two nodes. The callback of `guard` keeps what it gets in a list, so that we can look.
+# Start the black box first. The cell after that creates the two nodes. The guard's callback appends each distance to a
+# list, so we can inspect the list later.
 
 # %%
 from lesson_nodes import black_box
@@ -119,8 +121,8 @@ sensor, guard = fresh(Sensor), fresh(Guard)
 print("the list of the guard:", guard.heard)
 
 # %% [markdown]
-# It takes a moment until two programs have found each other. So we wait until the publisher knows of two subscriptions:
-# that of `guard`, and that of the black box. Then we publish the five distances.
+# Two programs need a moment to discover each other. So the next cell waits until the publisher has two subscriptions,
+# the guard's and the black box's. Then it publishes the five distances.
 
 # %% id="nobody-spins"
 from workbook.ros import topic_echo
@@ -140,7 +142,7 @@ print("kept by the black box:   ", kept)
 print("callbacks of the guard:  ", len(guard.heard))
 
 # %% [markdown]
-# Now we spin the guard:
+# Now spin the guard:
 
 # %%
 from workbook.lesson import run
@@ -158,13 +160,14 @@ stop()
 # %% [markdown]
 # ## Look inside
 #
-# Two things happened that look like one. First, messages **arrive**: DDS has threads of its own that send and receive.
-# Second, messages are **handled**: your callback runs, in your thread, while that thread is inside `spin`. Between the two
-# there is a **queue**.
+# Receiving and handling a message are two separate steps. First, the message **arrives**: DDS sends and receives in its
+# own threads. Later, the message is **handled**: your callback runs in your thread, while that thread is inside `spin`.
+# In between, the message waits in a **queue**.
 #
-# A callback may take a second argument, with what rclpy knows *about* the message, such as when it was received. This guard
-# notes that time, and the time of its callback. The sensor is again a program of its own, and publishes every 0.2 s. For 1.5 s
-# nobody spins the guard. `watch_machine` notes what happens between DDS and its callback.
+# A callback can take a second argument, which contains information *about* the message, such as the time when it was
+# received. The guard below records that time, along with the time when its callback runs. The sensor is a separate
+# program again, and it publishes every 0.2 s. For the first 1.5 s, we don't spin the guard. `watch_machine` records the
+# steps between DDS and the callback.
 
 
 # %% id="timed-guard"
@@ -199,7 +202,7 @@ print("several were received before anybody spun:", sum(received) > 3)
 print("callbacks before anybody spun:            ", sum(handled))
 
 # %% [markdown]
-# Here is that recording, played back. It is the **machine** that you will meet again in later lessons. Each number is a message.
+# Play the recording. Each number is a message. Later lessons use this drawing again and call it the **machine**.
 
 # %% id="machine"
 show_machine(
@@ -210,24 +213,26 @@ show_machine(
 )
 
 # %% [markdown]
-# Read it from left to right. DDS puts each message into the **queue**, spin or no spin. Inside `spin`, the **executor** waits
-# in the **wait set**, the list of all that can become ready. It takes the oldest message, and its thread runs your callback.
-# **Publish needs no spin. Receiving needs no spin. Your callback does.**
+# Read the drawing from left to right. DDS puts each message into the **queue**, whether or not the node is being spun.
+# Inside `spin`, the **executor** waits on the **wait set**, which lists everything that can become ready. Then it takes
+# the oldest message, and the thread that spins runs your callback. **Publishing and receiving don't need `spin`, but
+# your callback does.**
 #
-# (If the message comes from another program, a thread of DDS puts it into the queue. Within one program, Fast DDS
-# does so inside the call of `publish`.)
+# (If the message comes from another program, a DDS thread puts it into the queue. Within one program, Fast DDS does
+# this during the call to `publish`.)
 #
-# `rclpy.spin(node)` is a loop: take a waiting message out of a queue, call its callback, repeat. It runs one callback at a
-# time, never two at once. Messages of *one* subscription are handled in the order in which they came. Between different
-# subscriptions no order is promised. So you need no locks in such a node, and a slow callback delays all others.
+# `rclpy.spin(node)` is a loop: it takes a message from a queue, calls the callback, and repeats. It never runs two
+# callbacks at the same time. So you don't need locks in such a node, but a slow callback delays all the others.
+# Messages of *one* subscription are handled in the order in which they arrived. Between different subscriptions, the
+# order isn't guaranteed.
 
 # %% [markdown]
 # ### A myth, tested
 #
-# The official tutorial writes `self.subscription = self.create_subscription(...)`, and below it
-# `self.subscription  # prevent unused variable warning`. That comment is about a warning of linters. Many readers take it
-# for a rule: keep it, or the garbage collector removes the subscription. The guards above kept nothing. We run the
-# collector:
+# The official tutorial writes `self.subscription = self.create_subscription(...)`, followed by the line
+# `self.subscription  # prevent unused variable warning`. The comment refers to a linter warning. But many readers
+# conclude that they must store the subscription, because the garbage collector would remove it otherwise. The guards
+# above didn't store theirs. The next cell runs the garbage collector and then publishes another distance:
 
 # %% id="nothing-kept"
 import gc
@@ -239,8 +244,8 @@ print("the guard still hears:", guard.heard[-1], "m")
 print("subscriptions that its node keeps:", len(list(guard.subscriptions)))
 
 # %% [markdown]
-# The node keeps its subscriptions, publishers and timers. Keep one yourself if you want to end it later, with
-# `self.destroy_subscription(self.subscription)`.
+# The subscription still works, because the node keeps references to its subscriptions, publishers, and timers. Store a
+# subscription yourself only if you want to remove it later with `self.destroy_subscription(self.subscription)`.
 
 # %% [markdown] prediction="how-many-may-wait"
 # ## Change it
@@ -338,11 +343,12 @@ show(
 )
 
 # %% [markdown]
-# Nothing warns you. A full queue drops its *oldest* message, so the newest is always in it. All 60 pictures reached the
-# reader with depth 100, although it was busy. Messages are not lost just because no callback runs.
+# A full queue drops its *oldest* message without a warning, so the newest message is always in the queue. The reader
+# with depth 100 received all 60 images, although it was busy. So a message isn't lost just because no callback is
+# running.
 #
-# The publisher has a queue depth as well, for retransmission; the deeper notebook of lesson 03 measures it. Here the
-# camera's publisher has a depth of 100, so that it makes no difference.
+# A publisher has a queue depth, too, which it uses for retransmission; the deeper notebook of lesson 03 measures it.
+# Here, the camera's publisher has a depth of 100, so its depth makes no difference.
 
 # %% [markdown] prediction="age-of-a-message"
 # ### Experiment 2: how old is a message
@@ -365,7 +371,8 @@ show(
 predict("age-of-a-message")
 
 # %% [markdown]
-# `info` says when the message was sent, in nanoseconds. Its age is the time now, minus that.
+# `info` contains the time when the message was sent, in nanoseconds. The message's age is the current time minus that
+# time.
 
 
 # %%
@@ -426,18 +433,20 @@ print(
 )
 
 # %% [markdown]
-# Travel takes about a millisecond. The rest is waiting: each callback takes out one message, while four new ones come in.
-# The age grows until the queue is full, up to 50 messages times 0.05 s, which is 2.5 s.
+# The message travels for about a millisecond. The rest of its age is time spent in the queue. During each callback, one
+# message leaves the queue and four new ones arrive. So the age grows until the queue is full, up to 50 messages times
+# 0.05 s, or 2.5 s.
 #
-# A robot that walks 1 m/s then believes that the wall is more than two meters further away than it is. With a depth of 1
-# it skips three of four distances, and knows where it is. Which is right depends on the message:
+# If the robot walks toward the wall at 1 m/s, the distance that the guard handles is then more than two meters too
+# large. With a depth of 1, the guard skips three of every four distances, but the one that it handles is current. The
+# right depth depends on the kind of message:
 #
 # | the message | depth | because |
 # |---|---|---|
-# | a state: distance, battery, camera picture | small, 1 to 10 | only the newest one is of use |
-# | an event: a button, an order, a fault | large enough for the longest burst | each one counts |
+# | a state: distance, battery, camera image | small, 1 to 10 | only the newest message is useful |
+# | an event: a button press, a command, a fault | large enough for the longest burst | every message counts |
 #
-# No depth makes a slow callback fast. Lesson 10 shows what to do about that.
+# No depth makes a slow callback faster. Lesson 10 shows how to deal with slow callbacks.
 
 # %% [markdown] prediction="wrong-hint"
 # ### Experiment 3: what the type hint does
@@ -484,14 +493,14 @@ print("the callback got", got)
 reveal("wrong-hint", got=got)
 
 # %% [markdown]
-# The first argument of `create_subscription` decides what comes. The hint is for readers: you, your editor, and mypy in
-# lesson 07. Had the callback called `message.data.upper()`, the editor would have agreed, and the program would have ended
-# with `'float' object has no attribute 'upper'`.
+# The first argument of `create_subscription` determines the type of the message. The type hint is for its readers: for
+# you, your editor, and mypy (lesson 07). If the callback had called `message.data.upper()`, the editor wouldn't have
+# objected. But the program would have ended with `'float' object has no attribute 'upper'`.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **A callback that takes nothing.** This one only wants to count.
+# **A callback without a message argument.** This node only counts messages, so its callback ignores their content.
 
 
 # %% tags=["raises-exception"] id="no-argument"
@@ -510,10 +519,11 @@ class Counter(Node):
 counter = fresh(Counter)
 
 # %% [markdown]
-# The error is clear: a callback has one argument, the message, or two, the message and what is known about it. (`self` is
-# not counted.) Take the message, even if you do not use it: `def on_distance(self, message: Float32)`.
+# As the error says, a callback takes either one argument, the message, or two, the message and its `info`. (`self`
+# doesn't count.) So accept the message even if you don't use it: `def on_distance(self, message: Float32)`.
 #
-# **Parentheses, and things forgotten.** Three more calls that do not work. What does each of them say?
+# **Wrong arguments to `create_subscription`.** The next three calls don't work, either. Which error do you expect from
+# each?
 
 
 # %% id="three-calls"
@@ -542,11 +552,14 @@ for label, attempt in attempts.items():
         )
 
 # %% [markdown]
-# - `on_distance()` *calls* the function, now, without a message. Without the parentheses you pass the function itself.
-# - `qos_profile` is the depth: say how many may wait, mostly `10`.
-# - `float` is a type of Python. A topic carries messages: `Float32`. (The rest of the error speaks of ROS 1. Ignore it.)
+# - `on_distance()` *calls* the function right away, without a message. Leave out the parentheses to pass the function
+#   itself.
+# - `qos_profile` is the missing depth: the number of messages that may wait. `10` is a common choice.
+# - `float` is a Python type, but a topic carries messages such as `Float32`. (The rest of the error is about ROS 1.
+#   Ignore it.)
 #
-# **Silence.** The names are right, the robot publishes, the node is spun, and no message comes.
+# **A subscription with a different type.** The topic name is right, the robot publishes, and the node is spun. Yet the
+# callback never runs.
 
 # %% id="other-type"
 from std_msgs.msg import Float32MultiArray
@@ -574,7 +587,8 @@ await run(watcher, seconds=2)
 print("callbacks in two seconds:", watcher.heard)
 
 # %% [markdown]
-# Twenty messages a second, and not one callback. With Fast DDS, as here, neither side gets an error or a warning.
+# The robot publishes twenty messages a second, but this subscription receives none of them. With Fast DDS, which this
+# course uses, neither program gets an error or a warning.
 
 # %%
 from workbook.ros import topic_info
@@ -582,9 +596,9 @@ from workbook.ros import topic_info
 topic_info("/robot/joint_positions")
 
 # %% [markdown]
-# The robot publishes arrays, and this node expects single numbers. Two programs are connected only if name **and** type are
-# the same. So when no message comes, ask three things: is my node spun? Is the name right? Is the type right? `topic_info`
-# answers the last two.
+# The robot publishes arrays, but this node subscribes to single numbers. DDS connects a publisher and a subscription
+# only if both the topic name **and** the type match. So if you receive no messages, check three things: is the node
+# being spun, is the name right, and is the type right? `topic_info` answers the last two.
 
 # %%
 watcher = fresh(ArmWatcher, Float32MultiArray)
@@ -593,14 +607,14 @@ print("callbacks with the right type:", watcher.heard)
 stop()
 
 # %% [markdown]
-# Within *one* program rclpy refuses a second type on a topic, as you saw in lesson 03.
+# Within *one* program, rclpy refuses a second type on the same topic, as you saw in lesson 03.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A callback often handles one topic and publishes on another. This one brakes. It publishes `stop` when the wall
-# is closer than half a meter, and `go` when the way is free again, each of them once. So it must remember what it published
-# last, in an attribute.
+# **Worked example.** A callback often handles messages of one topic and publishes to another. The node below is a
+# brake. It publishes `stop` once when the wall is closer than half a meter, and `go` once when the way is clear again.
+# To avoid repeating itself, it stores the last word that it published in an attribute.
 
 # %%
 STOP_BELOW_M = 0.5
@@ -633,8 +647,9 @@ await run(brake, seconds=5, until=lambda: len(brake.said) == 2)
 print(len(distances), "distances, and it said", brake.said)
 
 # %% [markdown]
-# **Faded.** A motor has a temperature sensor on `/motor/temperature` (`Float32`, in °C). The node below keeps the
-# highest temperature so far. Fill in what is `...`. Until then the cell runs, and says what is missing.
+# **Fill in the blanks.** A motor's temperature sensor publishes on `/motor/temperature` (`Float32`, in °C). The node
+# below stores the highest temperature so far. Replace each `...` with your code. Until you do, the cell prints a
+# reminder.
 
 # %%
 TOPIC = ...  # TODO: on which topic do the temperatures come?
@@ -674,121 +689,123 @@ else:
     )
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/04_subscriptions_and_callbacks.ipynb) you write a battery monitor. The
-# judge sends it about fifty readings, good and bad ones, and compares them with what your node publishes.
+# **Your own.** In the [exercise](../exercises/04_subscriptions_and_callbacks.ipynb), you write a battery monitor. The
+# judge sends it about fifty readings, good and bad ones, and compares them with the messages that your node publishes.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. A program makes a node, calls a method of it that publishes, and sleeps. It never spins. What works?**
+# **1. A program creates a node, calls a method that publishes, and then sleeps. It never spins the node. What works?**
 #
-# <details><summary>a) Nothing: without spin the node is not connected</summary>
+# <details><summary>a) Nothing: without spinning, the node isn't connected</summary>
 #
-# ✗ Connecting is the work of DDS, in threads of its own. You have seen the black box get all five.
-#
-# </details>
-# <details><summary>b) Publishing works and callbacks run, only more slowly</summary>
-#
-# ✗ Callbacks run in your thread, inside `spin`. A thread that sleeps runs none.
+# ✗ DDS connects nodes in its own threads. You saw that the black box received all five messages.
 #
 # </details>
-# <details><summary>c) Publishing works, callbacks do not run</summary>
+# <details><summary>b) Publishing works, and callbacks run, only more slowly</summary>
 #
-# ✓ Yes. What comes for the node waits in its queue, up to the depth.
-#
-# </details>
-#
-# **2. A subscription has depth 10. While its node is busy for a second, 25 messages come. What then?**
-#
-# <details><summary>a) rclpy raises an error: the queue has overflowed</summary>
-#
-# ✗ The queue drops its oldest message, without an error or a warning. If each message counts, choose a depth that is
-# large enough.
+# ✗ Callbacks run in your thread, inside `spin`. While that thread sleeps, it can't run any.
 #
 # </details>
-# <details><summary>b) The callback gets the first 10; the others found the queue full</summary>
+# <details><summary>c) Publishing works, but callbacks don't run</summary>
 #
-# ✗ The other way around: the newest message always gets in.
-#
-# </details>
-# <details><summary>c) All 25 come, only late</summary>
-#
-# ✗ That takes a depth of 25 or more.
-#
-# </details>
-# <details><summary>d) The callback gets the last 10, the oldest of them first</summary>
-#
-# ✓ The new ones have pushed out the old ones. What is left comes in the order in which it was sent.
+# ✓ Messages for the node wait in the subscription's queue, up to its depth.
 #
 # </details>
 #
-# **3. `self.create_subscription(Float32, "/robot/distance", self.on_distance(), 10)`: what is wrong?**
+# **2. A subscription has a queue depth of 10. While its node is busy, 25 messages arrive within a second. What happens to them?**
+#
+# <details><summary>a) rclpy raises an error, because the queue has overflowed</summary>
+#
+# ✗ The queue drops its oldest message without an error or a warning. If every message counts, choose a larger depth.
+#
+# </details>
+# <details><summary>b) The callback gets the first 10; the others are dropped, because the queue is full</summary>
+#
+# ✗ It's the other way around: the newest message always gets in.
+#
+# </details>
+# <details><summary>c) The callback gets all 25, only late</summary>
+#
+# ✗ That would take a depth of 25 or more.
+#
+# </details>
+# <details><summary>d) The callback gets the last 10, beginning with the oldest of them</summary>
+#
+# ✓ Each new message replaced the oldest one. The callback gets the remaining ones in the order in which they were sent.
+#
+# </details>
+#
+# **3. What's wrong with `self.create_subscription(Float32, "/robot/distance", self.on_distance(), 10)`?**
 #
 # <details><summary>a) The 10 should be a QoSProfile</summary>
 #
-# ✗ A number is fine: it is the depth, and everything else keeps its default.
+# ✗ A number works, too. It sets the depth, and all other settings keep their defaults.
 #
 # </details>
 # <details><summary>b) It calls the method instead of passing it</summary>
 #
-# ✓ Leave the parentheses out. With them, Python calls it at once, and the message is missing.
+# ✓ Leave out the parentheses. With them, Python calls the method right away, without a message.
 #
 # </details>
-# <details><summary>c) The result has to be kept in an attribute</summary>
+# <details><summary>c) The result has to be stored in an attribute</summary>
 #
-# ✗ The node keeps it. In this lesson you ran the garbage collector, and the subscription stayed.
-#
-# </details>
-#
-# **4. A callback gets a `Float32` and must know when it was sent. Where does it find that?**
-#
-# <details><summary>a) In a second argument of the callback: <code>info["source_timestamp"]</code></summary>
-#
-# ✓ rclpy passes it to each callback that takes two arguments. The number is in nanoseconds.
+# ✗ The node stores it. In this lesson, you ran the garbage collector, and the subscription still worked.
 #
 # </details>
-# <details><summary>b) In the header of the message: <code>message.header.stamp</code></summary>
 #
-# ✗ Only messages with a header have it, and `Float32` has none. Its only field is `data`.
+# **4. A callback receives a `Float32` and needs to know when it was sent. Where does it find that time?**
+#
+# <details><summary>a) In the callback's second argument: <code>info["source_timestamp"]</code></summary>
+#
+# ✓ rclpy passes `info` to every callback that takes two arguments. The time is in nanoseconds.
 #
 # </details>
-# <details><summary>c) In the clock: <code>time.time()</code> in the first line of the callback</summary>
+# <details><summary>b) In the message's header: <code>message.header.stamp</code></summary>
 #
-# ✗ That is the time at which it is handled. Before that, it may have waited in the queue for seconds.
+# ✗ Only messages with a header have a stamp. `Float32` has no header; its only field is `data`.
+#
+# </details>
+# <details><summary>c) From the clock: <code>time.time()</code> in the callback's first line</summary>
+#
+# ✗ That's the time when the message is handled. It may have waited in the queue for seconds.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then give this prompt to an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot has one node that
-# subscribes to a camera (30 pictures a second, my callback takes 80 ms), to an
-# emergency button (one message when it is pressed), and to its battery (one message
-# every 2 s). All three have a depth of 10. What will go wrong, and which depths would
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My robot has one node that
+# subscribes to a camera (30 images a second, my callback takes 80 ms), to an emergency
+# button (one message when it is pressed), and to its battery (one message every 2 s).
+# All three subscriptions have a depth of 10. What will go wrong, and which depths would
 # you choose? Name only functions that exist in rclpy for Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The node handles 12 pictures a second and gets 30, so the camera's queue is always full. The picture that is handled
-# is the oldest of the last ten, a third of a second old. With a depth of 1 it is as fresh as can be. Pictures are
-# skipped then, but only the newest one is of use. The button is an event, and no press may be lost. A depth of 10 is
-# fine: the button has its own queue, which pictures cannot fill. But all callbacks run one after another, so the
-# callback of the button may run 80 ms late or more. No depth changes that. For the battery, 1 is enough. In a good
-# answer, the button does not share a thread with the camera (lesson 10), or has a node of its own. And a button that
-# must stop the robot is not left to a topic alone.
+# The camera sends 30 images a second, but the node can handle only 12, so the camera's queue is always full. Each image
+# that the callback gets is the oldest of the last ten, so it's a third of a second old. With a depth of 1, the image is
+# as fresh as possible. The node then skips images, but only the newest one is useful.
+#
+# A button press is an event, so it must not be lost. A depth of 10 is enough, because the button has its own queue,
+# which images can't fill. But the callbacks run one after another, so the button's callback may run 80 ms late or more.
+# No depth changes that. For the battery, a depth of 1 is enough.
+#
+# In a good answer, the button's callback runs in a different thread from the camera's (lesson 10), or in a separate
+# node. The answer also warns that an emergency stop shouldn't depend on a topic alone.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
 #
-# - **When the queue is full, the new message is dropped:** The oldest one is. The newest messages wait.
-# - **Each subscription has a thread of its own:** `rclpy.spin` runs all callbacks of a node in one thread, one after
+# - **When the queue is full, the new message is dropped:** The oldest message is dropped, and the newest ones wait.
+# - **Each subscription has its own thread:** `rclpy.spin` runs all of a node's callbacks in one thread, one after
 #   another.
 #
 # </details>
@@ -796,21 +813,21 @@ else:
 # %% [markdown]
 # ## Take away
 #
-# - `create_subscription(type, topic, callback, depth)`: rclpy calls the callback for each message, in the order in
-#   which they came.
-# - Publishing and receiving need no spin. Callbacks do: no spin, no callback, and no error either.
-# - Up to `depth` messages wait; each further one pushes out the oldest. Choose a small depth for a state, and a large
-#   one for an event.
-# - The first argument decides which type comes, not the hint. With another type or name, no message comes. Ask
-#   `topic_info`.
-# - Hand over the callback without parentheses. The node keeps the subscription; you need not.
+# - After `create_subscription(type, topic, callback, depth)`, rclpy calls the callback once for each message, in the
+#   order of arrival.
+# - Publishing and receiving don't need `spin`, but callbacks do. Without it, they don't run, and you get no error.
+# - Up to `depth` messages wait in the queue, and each further one replaces the oldest. Choose a small depth for states
+#   and a large one for events.
+# - The type passed to `create_subscription` counts, not the type hint. If the type or the topic name doesn't match the
+#   publisher's, no message arrives. `topic_info` shows both.
+# - Pass the callback without parentheses. The node stores the subscription, so you don't have to.
 #
 # **Before:** [03 · Publishers and messages](03_publishers_and_messages.ipynb)
 #
-# **Next:** [05 · Timers](05_timers.ipynb), for what a robot does again and again.
+# **Next:** [05 · Timers](05_timers.ipynb), for work that a robot repeats.
 #
 # **More:** [Writing a simple publisher and
 # subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html),
 # step by step, and [quality of
-# service](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html), which covers
+# service](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html), which explains
 # the depth.

@@ -1,21 +1,22 @@
 # %% [markdown]
 # # 05 · Timers
 #
-# A robot does some things again and again, on time: its heartbeat, its balance, its battery report. It does them with
-# timers.
+# How does a robot repeat its work at a fixed rate, such as its heartbeat, its balance control, or its battery report? In
+# rclpy, a timer calls a function again and again. This lesson shows how to set its rate, and what happens when the
+# function takes too long.
 #
 # - **Minutes:** 50
 # - **You need:** lesson 00, and to know that `publish` sends a message on a topic
 # - **You will be able to:**
-#   - give a node work that repeats
+#   - let a node repeat work at a fixed rate
 #   - turn a frequency into a period
 #   - run several rates in one node
-#   - say what a slow callback does to them
+#   - predict how a slow callback affects them
 # - **Left out:** what `spin` does inside (lesson 06), doing slow work properly (lesson 10)
 
 # %% [markdown]
-# Watch the robot. Both arms follow the same plan, up and down. The arm marked **L** is moved by a timer that ticks
-# every 0.05 s. The arm marked **R** has a timer of its own, which ticks once a second.
+# Watch the robot. Both arms should move up and down in the same way. A timer that ticks every 0.05 s moves the arm marked
+# **L**. Another timer, which ticks once a second, moves the arm marked **R**.
 
 # %%
 from lesson_nodes import two_arms
@@ -26,8 +27,8 @@ await watch_robot(seconds=8, ease=0.0)
 stop()
 
 # %% [markdown]
-# One node, two timers, two rhythms. Run the next cell and move its slider: each move starts the node again with the new
-# period. How short must it be for both arms to look alike to you?
+# One node has two timers with different periods. Run the next cell and move its slider. Each move restarts the node with
+# the new period. How short must the period be before both arms look the same to you?
 
 # %%
 from workbook.lesson import knob
@@ -80,7 +81,8 @@ predict("loop-and-timer")
 # %% [markdown]
 # ## Run it
 #
-# First the loop. `time.sleep(0.010)` stands for the sensor, which takes 10 ms. We note the time of each reading.
+# We start with the loop. `time.sleep(0.010)` stands in for the sensor, which takes 10 ms. The loop records the time of
+# each reading.
 
 # %%
 import time
@@ -106,8 +108,8 @@ loop_s = time.monotonic() - began
 print(len(loop_moments), "readings by the loop")
 
 # %% [markdown]
-# Now the timer. Its callback is the method `on_tick`. `run` lets the node work, as `rclpy.spin` would, and gives the
-# notebook back after fifty ticks.
+# Now the timer, with the method `on_tick` as its callback. `run` spins the node, as `rclpy.spin` would, but it returns
+# after fifty ticks.
 
 # %%
 from rclpy.node import Node
@@ -147,7 +149,8 @@ reveal("loop-and-timer", loop_s=loop_s, timer_s=timer_s)
 # %% [markdown]
 # ## Look inside
 #
-# Here are the first readings. The small marks above and below each line are the plan: one reading every 0.1 s.
+# The figure shows the first readings. The small marks above and below each line are the schedule: one reading every
+# 0.1 s.
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -164,13 +167,13 @@ show(
 )
 
 # %% [markdown]
-# The loop waits 0.1 s *after* the work is done. So one round is sleep **plus** work, and each round starts later than
-# the one before. The delays add up. This is called **drift**.
+# The loop sleeps for 0.1 s *after* the work is done, so each iteration takes the sleep **plus** the work. Every iteration
+# starts a little later than it should, and these delays add up. This is called **drift**.
 #
-# The timer has a plan: 0.1, 0.2, 0.3 s and so on after its start. After the work it waits only for what is left until
-# the next moment of the plan. A late tick does not make the next one late.
+# The timer follows a schedule: 0.1, 0.2, 0.3 s, and so on after its start. When the work is done, it waits only for the
+# rest of the current period. So one late tick doesn't delay the next one.
 #
-# The next picture shows for each reading how late it was.
+# The next figure shows the delay of each reading.
 
 # %%
 from itertools import pairwise
@@ -211,8 +214,8 @@ print(
 )
 
 # %% [markdown]
-# No timer is perfect. The operating system also serves other programs, so a tick comes a little late, and the next
-# interval is a little short. This is called **jitter**. It does not add up.
+# No timer is perfect. The operating system also runs other programs, so a tick can come a little late, and then the next
+# interval is a little shorter. This is called **jitter**. Unlike drift, it doesn't add up.
 
 # %%
 from workbook.pictures.timeline import histogram
@@ -234,8 +237,9 @@ print("their mean is within 5 % of it:", abs(mean_ms - 100) < 5)
 # %% [markdown]
 # ### A myth, tested
 #
-# You may read that you must keep a timer in an attribute, as in `self.timer = self.create_timer(...)`, or the garbage
-# collector removes it. Above we kept nothing. Here we also run the collector.
+# You may read that you must store a timer in an attribute, as in `self.timer = self.create_timer(...)`, because the
+# garbage collector would remove it otherwise. The node above stored nothing, and its timer worked. The next cell also
+# runs the garbage collector.
 
 # %%
 import gc
@@ -259,15 +263,16 @@ await run(forgetful, seconds=5, until=lambda: forgetful.ticks == 5)
 print("ticks after the garbage collection:", forgetful.ticks)
 
 # %% [markdown]
-# It ticks: in rclpy the node keeps its timers. In C++ the rule is true. An attribute is still handy, if you want to stop
-# the timer later with `self.timer.cancel()`.
+# The timer still ticks, because in rclpy, the node keeps a reference to each of its timers. In C++, you really do have to
+# store the timer. An attribute is still useful in Python if you want to stop the timer later with `self.timer.cancel()`.
 
 # %% [markdown]
 # ## Change it
 #
-# Counting sixty ticks takes a minute. **Simulated time** makes it faster: a ROS node can take the time from a topic,
-# `/clock`, and not from the computer's clock. `record` starts a program in this way, and publishes a `/clock` that runs ten
-# to twenty times as fast. So the node lives through a minute in a few seconds. We call this **robot time**.
+# At one tick per second, counting sixty ticks takes a minute. **Simulated time** is faster: a ROS node can take the time
+# from the topic `/clock` instead of the computer's clock. `record` starts a program in this mode and publishes a `/clock`
+# that runs ten to twenty times as fast. So a minute passes for the node within a few seconds. We call this time **robot
+# time**.
 
 # %% [markdown] prediction="half-a-hertz"
 # ### Experiment 1: half a hertz
@@ -300,15 +305,15 @@ print(f"a period of {period_s} s: {len(arrivals(minute, BEEP))} beeps in a minut
 reveal("half-a-hertz", beeps=len(arrivals(minute, BEEP)))
 
 # %% [markdown]
-# `create_timer` takes a **period**: seconds from one tick to the next. Hertz is a **frequency**: ticks per second. Each
-# is 1 divided by the other.
+# `create_timer` takes a **period**, the number of seconds from one tick to the next. A value in hertz is a **frequency**,
+# the number of ticks per second. Each is 1 divided by the other.
 
 # %%
 for hertz in (0.5, 1, 5, 100):
     print(f"{hertz:>5} Hz is a period of {1 / hertz:g} s")
 
 # %% [markdown]
-# Low frequency, long period. Set `period_s` to `2.0` in the cell above and count again.
+# The lower the frequency, the longer the period. Set `period_s` to `2.0` in the cell above, and count again.
 
 # %% [markdown] prediction="two-timers-due"
 # ### Experiment 2: two timers in one node
@@ -360,9 +365,9 @@ show(
 )
 
 # %% [markdown]
-# A timer does not hold the thread between two ticks. It only says when it is due. The node sleeps, wakes up for
-# whichever timer is due next, calls its callback, and sleeps again. When two are due at once, one callback runs after
-# the other. As long as each is done quickly, nobody notices.
+# A timer doesn't block the thread between two ticks, because it only determines when its callback is due. The executor
+# sleeps until the next timer is due, calls that timer's callback, and sleeps again. When two timers are due at the same
+# time, one callback runs after the other. As long as both callbacks are short, you don't notice the delay.
 
 # %% [markdown] prediction="the-long-beep"
 # ### Experiment 3: a callback that takes its time
@@ -387,7 +392,7 @@ show(
 predict("the-long-beep")
 
 # %% [markdown]
-# This one runs on the wall clock, for eight real seconds, because the beep takes real time.
+# This recording runs on the wall clock, for eight real seconds, because the beep takes real time.
 
 # %%
 from statistics import median
@@ -417,7 +422,8 @@ print("blinks that came, as a rule:         ", median(came))
 print("any two of them at once, as in a burst:", any(gap < 0.02 for gap in gaps))
 
 # %% [markdown]
-# This is the machine of lesson 04, with two timers. A timer has no queue. It has room for one tick that waits.
+# This is the drawing from lesson 04, now with two timers. Unlike a subscription, a timer has no queue. At most one of its
+# ticks can wait.
 
 # %% id="machine"
 from workbook.lesson import record_machine, show_machine
@@ -430,20 +436,20 @@ show_machine(
 )
 
 # %% [markdown]
-# While the only thread runs `beep`, nobody waits in the wait set. That is why the frame of the wait set is dashed.
-# One blink waits. Each further tick finds that place taken.
+# While the only thread runs `beep`, the executor isn't waiting on its wait set, so the frame around the wait set is
+# dashed. One blink is waiting, and there is no room for the following ticks.
 #
-# Five blinks were due while the robot beeped, and four of them never came. When the beep is over, the blink timer sees
-# that it is late and ticks once. Then it goes back to its plan. Missed ticks are **dropped**.
+# Five blinks were due during the beep, but four of them never came. After the beep, the blink timer is overdue, so its
+# callback runs once. Then the timer returns to its schedule. The missed ticks are **dropped**.
 #
-# This design suits a robot. After a busy time it needs its tilt *now*, not five readings at once.
+# This design suits a robot: after a busy period, it needs the *current* tilt rather than five readings in a row.
 #
-# But for 1.1 s this robot measured nothing. Keep callbacks short. Lesson 10 shows what to do with long work.
+# Still, this robot measured nothing for 1.1 s, so keep your callbacks short. Lesson 10 shows how to handle long work.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **One pair of parentheses too many.** What does this say?
+# **A call instead of a callback.** Can you find the mistake before you run the cell?
 
 
 # %% tags=["raises-exception"]
@@ -462,9 +468,9 @@ eager = fresh(Eager)
 await run(eager, seconds=1)
 
 # %% [markdown]
-# One blink, and then an error that speaks of `NoneType`. `self.blink()` *calls* the method, at once, while the node is
-# being made. It returns `None`, and that is what the timer got as its callback. rclpy notices it when the timer ticks
-# for the first time, not in the line with the mistake. Without the parentheses you hand over the method itself:
+# You see one blink, and then an error that mentions `NoneType`. `self.blink()` *calls* the method while the node is being
+# created. The method returns `None`, so the timer's callback is `None`. rclpy raises the error at the first tick rather
+# than in the line with the mistake. Without the parentheses, you pass the method itself:
 
 
 # %%
@@ -485,7 +491,7 @@ await run(patient, seconds=5, until=lambda: patient.blinks == 3)
 print("blinks:", patient.blinks)
 
 # %% [markdown]
-# **Silence.** This node has a timer, every name is right, and nothing happens.
+# **A node that isn't spun.** This node has a timer and every name is right, but the callback never runs.
 
 # %%
 silent = fresh(Patient)
@@ -493,8 +499,8 @@ time.sleep(1.0)
 print("blinks after a second:", silent.blinks)
 
 # %% [markdown]
-# No executor serves the node. A timer only says when it is due. `rclpy.spin(node)` in a program, or `run(node)` in these
-# lessons, calls its callback. Here the same node is spun:
+# No executor is spinning the node, so the timer is due, but its callback isn't called. In a program, `rclpy.spin(node)`
+# calls it; in these lessons, `run(node)` does. The next cell spins this node:
 
 # %%
 await run(silent, seconds=5, until=lambda: silent.blinks == 3)
@@ -503,8 +509,8 @@ print("blinks:", silent.blinks)
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A guide robot has two rhythms: it takes a step every half second, and it looks around every 2 s.
-# Each rhythm is one period, one timer, one method.
+# **Worked example.** A guide robot takes a step every half second and looks around every 2 s. Each of these rates needs one
+# period, one timer, and one method.
 
 # %%
 STEP_PERIOD_S = 1 / 2.0  # 2 Hz
@@ -532,8 +538,8 @@ await run(guide, seconds=4.25)
 print(guide.done.count("step"), "steps,", guide.done.count("look"), "looks")
 
 # %% [markdown]
-# **Faded.** The guide also talks, at 0.8 Hz. Fill in what is `...`. Until then the cell runs, and says what is
-# missing.
+# **Fill in the blanks.** The guide should also talk, at 0.8 Hz. Replace each `...` with your code. Until you do, the cell
+# prints a reminder.
 
 # %%
 TALK_PERIOD_S = ...  # TODO: seconds between two sentences at 0.8 Hz
@@ -559,88 +565,88 @@ else:
     print(talking.done.count("talk"), "sentences in 4.25 s; there should be 3")
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/05_timers.ipynb) a humanoid reports heartbeat, battery and tilt, each in
-# a rhythm of its own. It is judged by counting what arrives in a minute of robot time.
+# **Your own.** In the [exercise](../exercises/05_timers.ipynb), a humanoid publishes its heartbeat, battery level, and tilt,
+# each at a different rate. The judge counts the messages that arrive in a minute of robot time.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. `create_timer(0.25, self.beep)`: how often does it beep?**
+# **1. How often does `create_timer(0.25, self.beep)` beep?**
 #
 # <details><summary>a) Every four seconds</summary>
 #
-# ✗ That would be 0.25 Hz. The number is a period: a quarter of a second from beep to beep.
+# ✗ That would be 0.25 Hz. The number is a period, so a quarter of a second passes from one beep to the next.
 #
 # </details>
 # <details><summary>b) Four times a second</summary>
 #
-# ✓ Yes. 1 divided by 0.25 s is 4 Hz.
+# ✓ Yes: 1 divided by 0.25 s is 4 Hz.
 #
 # </details>
 # <details><summary>c) Once, after a quarter of a second</summary>
 #
-# ✗ A timer goes on until it is canceled or its node is gone.
+# ✗ A timer keeps ticking until it is canceled or its node is destroyed.
 #
 # </details>
 #
-# **2. A loop does 20 ms of work and then sleeps 0.1 s, again and again. How many rounds fit into a minute?**
+# **2. In each iteration, a loop works for 20 ms and then sleeps for 0.1 s. How many iterations fit into a minute?**
 #
 # <details><summary>a) 600</summary>
 #
-# ✗ 600 rounds of 0.1 s, yes, if the work took no time.
+# ✗ It would be 600 if the work took no time.
 #
 # </details>
-# <details><summary>b) 600, but the last ones come in a hurry</summary>
+# <details><summary>b) 600, because the loop catches up near the end</summary>
 #
-# ✗ The loop has no plan to catch up with. It only knows how long to sleep.
+# ✗ The loop has no schedule, so it can't catch up. It sleeps for 0.1 s every time.
 #
 # </details>
 # <details><summary>c) At most 500</summary>
 #
-# ✓ One round takes 0.12 s at least, and 60 / 0.12 is 500. `sleep` may take a little longer than asked, never less.
+# ✓ Each iteration takes at least 0.12 s, and 60 / 0.12 is 500. `sleep` may take a little longer, but never less.
 #
 # </details>
 #
-# **3. A timer ticks every 0.1 s. Once, its callback takes 0.35 s. What follows?**
+# **3. A timer ticks every 0.1 s. Once, its callback takes 0.35 s. What happens next?**
 #
-# <details><summary>a) One late tick, then the old plan again</summary>
+# <details><summary>a) One tick comes late, and the following ones are on schedule again</summary>
 #
-# ✓ The plan stays where it was. The ticks in between are gone.
-#
-# </details>
-# <details><summary>b) Three ticks in a row, to catch up</summary>
-#
-# ✗ There is no catching up. You saw it with the long beep.
+# ✓ The schedule hasn't moved. The ticks in between are dropped.
 #
 # </details>
-# <details><summary>c) From now on every tick is 0.25 s late</summary>
+# <details><summary>b) Three ticks come in a row, to catch up</summary>
 #
-# ✗ This is what a loop that sleeps would do. A timer keeps its plan.
+# ✗ A timer doesn't catch up, as you saw with the long beep.
+#
+# </details>
+# <details><summary>c) From now on, every tick is 0.25 s late</summary>
+#
+# ✗ A loop that sleeps would behave like this. A timer keeps its schedule.
 #
 # </details>
 #
-# **4. You wrote `self.create_timer(1.0, self.beat)` and kept nothing of it. What happens to the timer?**
+# **4. You wrote `self.create_timer(1.0, self.beat)` without storing the result. What happens to the timer?**
 #
-# <details><summary>a) The garbage collector takes it sooner or later</summary>
+# <details><summary>a) The garbage collector removes it sooner or later</summary>
 #
-# ✗ In this lesson you ran the collector yourself, and the timer kept ticking.
+# ✗ In this lesson, you ran the collector yourself, and the timer kept ticking.
 #
 # </details>
 # <details><summary>b) It ticks as long as the node lives</summary>
 #
-# ✓ The node keeps it. Your node still has to be spun, of course.
+# ✓ The node stores a reference to it. The node still has to be spun, of course.
 #
 # </details>
-# <details><summary>c) It ticks once, because your code cannot reach it any more</summary>
+# <details><summary>c) It ticks once, because your code has no reference to it</summary>
 #
-# ✗ You cannot reach it, but the node can: `node.timers` lists all it has.
+# ✗ Your code has no reference, but the node does: `node.timers` lists all of its timers.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Give this prompt to an AI assistant, or discuss it with a colleague. Write down your own answer first.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). My robot reads a distance sensor
@@ -651,18 +657,19 @@ else:
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The distance timer is due every 50 ms. While a picture is saved, its ticks wait: the first one comes late, and up to
-# three are dropped. So once a second there is a hole of up to a quarter of a second (the work and one period). No burst
-# follows it. Whether that matters depends on how fast the robot drives: at 1 m/s it is 25 cm. There are two ways out.
-# Make the callback short: hand the picture to a thread or to another process that saves it. Or let the two callbacks
-# run in different threads (another executor and callback group, lesson 10). Making the timer faster does not help. Good
-# answers also ask whether the picture must be saved on this robot at all.
+# The distance timer is due every 50 ms. While an image is being saved, the first distance tick comes late, and up to three
+# more are dropped. So once a second, there is a gap of up to a quarter of a second: the saving time plus one period. No
+# burst follows the gap. Whether it matters depends on the robot's speed: at 1 m/s, the gap amounts to 25 cm.
+#
+# There are two solutions. You can shorten the callback by passing the image to a thread or another process that saves it.
+# Or you can run the two callbacks in different threads, with another executor and callback group (lesson 10). A shorter
+# timer period doesn't help. Good answers also ask whether the robot has to save the image at all.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# A reply may contain one of these two claims. Both are wrong; we tried them with this course's rclpy.
 #
 # - **Missed ticks come later, in a burst:** In fact, they are dropped.
 # - **Use a rate: `rate.sleep()` in the callback:** In fact, that call waits for a timer that the same thread would
@@ -674,15 +681,15 @@ else:
 # ## Take away
 #
 # - `create_timer(period, callback)`: the period is in seconds, and hertz is 1 divided by it.
-# - A timer keeps a plan. It has jitter, but it does not drift. A loop that sleeps does.
-# - One node can have many timers. They share one thread and take turns.
-# - A slow callback makes others late. Missed ticks are dropped; they do not come in a burst.
-# - Hand over the callback without parentheses, and spin the node.
+# - A timer follows a schedule, so it has jitter but no drift. A loop that sleeps drifts.
+# - A node can have many timers. Their callbacks share one thread and run one after another.
+# - A slow callback delays the others. Missed ticks are dropped; they don't come later in a burst.
+# - Pass the callback without parentheses, and spin the node.
 #
 # **Before:** [04 · Subscriptions and callbacks](04_subscriptions_and_callbacks.ipynb)
 #
 # **Next:** [06 · Spinning](06_spinning.ipynb): who calls the callback of a timer, and when.
 #
-# **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html), which look
-# after the timers, and [clock and time](https://design.ros2.org/articles/clock_and_time.html), which explains where
-# robot time comes from.
+# **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html), which call the
+# timers' callbacks, and [clock and time](https://design.ros2.org/articles/clock_and_time.html), which explains simulated
+# time.

@@ -1,20 +1,22 @@
 # %% [markdown]
 # # 06 · Spinning
 #
-# A node that is not spun has timers and subscriptions, and does nothing. Spinning lets its callbacks run.
+# A node can have timers and subscriptions, but none of its callbacks run until the node is spun. So what does spinning
+# do, and how do you spin a node without blocking the rest of your program?
 #
 # - **Minutes:** 50
 # - **You need:** lessons [04](04_subscriptions_and_callbacks.ipynb) and [05](05_timers.ipynb): what a subscription and
 #   a timer call
 # - **You will be able to:**
-#   - say what `spin` and `spin_once` do
+#   - explain the difference between `spin` and `spin_once`
 #   - spin a node by hand
 #   - choose a timeout
-#   - recognize five mistakes with spinning
+#   - recognize five common spinning mistakes
 # - **Left out:** several threads that share the work (lesson 10), services (lesson 12)
 
 # %% [markdown]
-# Both arms of this robot have timers. For two seconds we do nothing. Then we call `spin_once` sixty times. Watch the arms.
+# Timers move both arms of this robot. The cell does nothing for two seconds, and then it calls `spin_once` sixty times.
+# Watch the arms.
 
 # %%
 import time
@@ -41,8 +43,8 @@ for _ in range(60):
 print("moved while we did:             ", list(arms.angles) != at_first)
 
 # %% [markdown]
-# Your calls drove this robot. In a real program `rclpy.spin` does that. This lesson is about what happens in one
-# iteration, one `spin_once`.
+# Your calls moved the arms. In a real program, `rclpy.spin` makes such calls for you. This lesson shows what happens in
+# a single call of `spin_once`.
 
 # %% [markdown] prediction="five-words"
 # ## Predict
@@ -77,11 +79,11 @@ predict("five-words")
 # %% [markdown]
 # ## Run it
 #
-# The robot is in [lesson_nodes/attentive_robot.py](../lesson_nodes/attentive_robot.py). Its heart beats, it looks
-# around, and it repeats each word that it hears. It keeps all that in a list, `robot.done`. For now both timers
-# are so slow that only the words matter.
+# The robot's code is in [lesson_nodes/attentive_robot.py](../lesson_nodes/attentive_robot.py). Its heart beats, it
+# looks around, and it repeats each word that it receives. It records each of these actions in a list, `robot.done`. For
+# now, both timers are so slow that only the words matter.
 #
-# First we publish, and do not spin at all.
+# First, we publish words without spinning the robot at all.
 
 # %% id="forgotten-spin"
 from rclpy.node import Node
@@ -119,7 +121,7 @@ time.sleep(1.0)
 print("heard after more than a second:", robot.done)
 
 # %% [markdown]
-# Publishing worked, because `publish` needs no spin. Now the one call in question.
+# The words were published, because `publish` doesn't need `spin`. Next comes the call from the prediction.
 
 # %% id="one-is-not-all"
 rclpy.spin_once(robot, timeout_sec=0.5)
@@ -134,22 +136,22 @@ for call in range(4):
 # %% [markdown]
 # ## Look inside
 #
-# Before the first call, nothing spun the robot: no callback, no error, no warning. That is what a **forgotten spin**
-# looks like.
+# Before the first call, nothing was spinning the robot, so no callback ran. There was no error and no warning, either.
+# These are the symptoms of a **forgotten spin**.
 #
-# A message that arrives does not call your callback. DDS puts it into the subscription's queue, in a thread of its own. A
-# timer does not call your callback either: it only knows when it is due. Both wait for the **executor**.
-# `rclpy.spin_once(node)` gives the node to an executor for one iteration:
+# An arriving message doesn't call your callback. A DDS thread only puts the message into the subscription's queue. A
+# timer doesn't call your callback, either, because it only determines when the callback is due. Both have to wait for
+# the **executor**. `rclpy.spin_once(node)` adds the node to an executor for one iteration:
 #
-# 1. Is something ready: a message in a queue, a timer that is due? If not, wait.
-# 2. Take **one** ready thing and run its callback, in the thread that called `spin_once`.
-# 3. Return `None`, whether a callback ran or not.
+# 1. Is anything ready, such as a message in a queue or a timer that's due? If not, the executor waits.
+# 2. The executor takes **one** ready message or timer and runs its callback, in the thread that called `spin_once`.
+# 3. `spin_once` returns `None`, whether or not a callback ran.
 #
-# `rclpy.spin(node)` calls `spin_once` again and again. So spinning happens in *your* thread, and not in the background.
+# `rclpy.spin(node)` repeats such iterations. So spinning happens in *your* thread, not in the background.
 #
-# Now with timers. The heart beats every 1.0 s, the robot looks around every 2.1 s, and three words are published. Both
-# timers start anew (`reset`), and we wait 2.2 s without spinning. Then both timers are due and three words wait. We call
-# `spin_once` eight times, and note what ran in each call and how long it waited.
+# The next cell adds the timers. The heart beats every 1.0 s, the robot looks around every 2.1 s, and we publish three
+# words. Then we reset both timers and wait 2.2 s without spinning. By then, both timers are due and three words are
+# waiting. We call `spin_once` eight times, and record which callback ran in each call and how long the call took.
 
 # %%
 from workbook.lesson import show_machine, watch_machine
@@ -171,7 +173,7 @@ for call, ran, _ in calls:
     print(f"call {call}: {len(ran)} callback: {', '.join(ran)}")
 
 # %% [markdown]
-# The machine of lesson 04 shows the same eight calls. Each green arrow is one call of `spin_once`.
+# The drawing from lesson 04 shows the same eight calls. Each green arrow is one call of `spin_once`.
 
 # %% id="machine"
 show_machine(
@@ -188,25 +190,24 @@ print(
 )
 
 # %% [markdown]
-# Calls 1 and 2 run the timers' callbacks, calls 3 to 5 the words, in the order in which they came. From call 6 on nothing is
-# ready, so `spin_once` *waits*, and returns soon after the next timer is due.
+# Calls 1 and 2 run the timers' callbacks. Calls 3 to 5 handle the words in the order in which they arrived. From call 6
+# on, nothing is ready, so `spin_once` *waits* and returns soon after the next timer is due.
 #
-# In this version timers come before messages. Do not rely on that. Note what is missing: the heart was due at 1.0 s
-# *and* at 2.0 s, and beat once. You know why from [lesson 05](05_timers.ipynb).
+# In this version, timers come before messages, but don't rely on that order. The heart was due at 1.0 s *and* at 2.0 s,
+# but it beat only once. [Lesson 05](05_timers.ipynb) explains why.
 #
-# | executor | what it does |
+# | executor | how it runs callbacks |
 # |---|---|
-# | `SingleThreadedExecutor` | one thread, one callback at a time. `rclpy.spin` uses it |
+# | `SingleThreadedExecutor` | one thread, one callback at a time; `rclpy.spin` uses it |
 # | `MultiThreadedExecutor` | several threads (lesson 10) |
-# | `EventsExecutor` (`rclpy.experimental`) | never called a timer or a subscription in this build, when we tried it: do not use it here |
+# | `EventsExecutor` (`rclpy.experimental`) | never called a timer or a subscription when we tried it in this build, so don't use it here |
 
 # %% [markdown]
 # ## Change it
 #
-# Each piece of code below runs as a program of its own. A **watchdog** ends a program that has printed nothing for four
-# seconds. The pieces are the functions of
-# [lesson_nodes/ways_to_spin.py](../lesson_nodes/ways_to_spin.py). `try_out` shows one of them, runs it with a new node, and
-# says how it ended.
+# Each example below runs as a separate program. A **watchdog** ends the program if it prints nothing for four seconds.
+# The examples are functions in [lesson_nodes/ways_to_spin.py](../lesson_nodes/ways_to_spin.py). `try_out` prints one
+# function's code, runs it with a new node, and reports how the program ended.
 
 # %%
 import inspect
@@ -228,7 +229,7 @@ def try_out(way, *numbers, interrupt_at=None, show_code=True):
     for line in seen.log.splitlines():
         if line.strip() and not line.startswith((" ", "Traceback")):
             print("  |", line)
-    if seen.ended_by == "bench":
+    if seen.ended_by == "judge":
         print("the watchdog had to end it")
     else:
         print(
@@ -262,11 +263,11 @@ seen = try_out(ways_to_spin.no_timeout)
 reveal("no-timeout", came_back="after" in seen.log)
 
 # %% [markdown]
-# "once" means *one callback*. With a timeout, `spin_once` waits until something is ready, or until the timeout is over.
-# Without one, it waits as long as it takes. Here nothing will ever be ready, so it never returns. As long as a node has a
-# timer, you do not notice this fault.
+# The word "once" refers to *one callback*. With a timeout, `spin_once` waits until something is ready or the timeout
+# expires. Without one, it waits as long as necessary. In this node, nothing can ever become ready, so the call never
+# returns. With a timer in the node, you don't notice this mistake, because each tick makes the call return.
 #
-# In a notebook, in a test, in every program with other work to do: **always give `timeout_sec`**.
+# In a notebook, in a test, and in any program with other work to do, **always pass `timeout_sec`**.
 
 # %% [markdown] prediction="timeout-zero"
 # ### Experiment 2: a timeout of 0
@@ -335,9 +336,9 @@ show(
 )
 
 # %% [markdown]
-# This is called a **busy loop**. On a robot it empties the battery. A longer timeout makes nothing slower: a callback that
-# becomes ready ends the wait at once. A timeout is the longest you are willing to wait when nothing happens. It is not a
-# period.
+# Such a loop is called a **busy loop**. On a robot, it drains the battery. A longer timeout doesn't delay anything,
+# because the wait ends as soon as a callback becomes ready. So a timeout isn't a period: it's the longest time that the
+# call may wait when nothing happens.
 
 # %% [markdown] prediction="after-spin"
 # ### Experiment 3: what comes after `spin`
@@ -381,20 +382,20 @@ reveal(
     "after-spin",
     finished_at=seen.log.find("round finished"),
     parked_at=seen.log.find("arm parked"),
-    ended_by_itself=seen.ended_by != "bench",
+    ended_by_itself=seen.ended_by != "judge",
 )
 
 # %% [markdown]
-# `rclpy.spin(node)` is in essence:
+# In essence, `rclpy.spin(node)` is this loop:
 #
 # ```python
 # while rclpy.ok():
 #     executor.spin_once()
 # ```
 #
-# Ctrl-C is another case. You know from [lesson 01](01_the_context.ipynb) that on Ctrl-C, `spin` raises
-# `KeyboardInterrupt`. The line after `spin` is skipped. So what must be done at the end belongs in `finally`. Here is the
-# program without `finally`, and then with it:
+# Ctrl-C is a different case. As you know from [lesson 01](01_the_context.ipynb), it makes `spin` raise
+# `KeyboardInterrupt`. So the line after `spin` is skipped, and the code that must run at the end belongs in `finally`.
+# The next cell runs the program first without `finally`, and then with it:
 
 # %% id="after-spin"
 seen = try_out(ways_to_spin.park_after_spin, interrupt_at="tick")
@@ -405,52 +406,52 @@ _ = try_out(ways_to_spin.park_in_finally, interrupt_at="tick")
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Spinning inside a callback.** A planner needs a map. Another callback of the same node will deliver it, after 0.3 s. The
-# planner waits for it in its own callback.
+# **Spinning inside a callback.** A planner needs a map. Another callback of the same node will deliver the map after
+# 0.3 s, and the planner waits for it in its own callback.
 
 # %% id="spin-in-callback"
 _ = try_out(ways_to_spin.wait_in_callback)
 
 # %% [markdown]
-# A **future** is a slot for a value that is still to come. `spin_until_future_complete(node, future)` spins until it has its
-# result. But only one callback of this node runs at a time. While `plan` runs, the one that delivers the map cannot.
-# Without the timeout, this program would hang, and no error would say so.
+# A **future** is a placeholder for a result that isn't there yet. `spin_until_future_complete(node, future)` spins the
+# node until the future has its result. But this node runs only one callback at a time. While `plan` is running, the
+# callback that delivers the map can't run. Without the timeout, this program would hang without an error message.
 #
-# The fix: do not wait. Say what to do *when* the map is there, and return:
+# The fix is not to wait. Instead, register a function that runs *when* the map arrives, and return:
 
 # %%
 _ = try_out(ways_to_spin.go_on_later)
 
 # %% [markdown]
-# Outside of callbacks, as in the last lines above, `spin_until_future_complete` is a good tool.
+# Outside of callbacks, as in the last lines of that function, `spin_until_future_complete` is a good tool.
 #
-# **A rate without a spin.** This loop is a habit from ROS 1:
+# **A rate without a spin.** People who come from ROS 1 often write this loop:
 
 # %% id="rate-on-main-thread"
 _ = try_out(ways_to_spin.rate_without_spin)
 
 # %% [markdown]
-# One step, and then nothing. A rate waits for a timer of the node. Timers are served while a thread spins, and the only
-# thread sleeps. Use a timer with a callback, as in lesson 05.
+# The loop takes one step and then hangs. `rate.sleep()` waits for one of the node's timers. But timers fire only while
+# a thread spins the node, and the only thread is asleep. Use a timer with a callback, as in lesson 05.
 #
-# **Two spins.** Two arms, two nodes, so two threads that spin?
+# **Two threads that call `rclpy.spin`.** The robot has two arms with one node each. Does each node need its own thread?
 
 # %% id="two-spins"
 _ = try_out(ways_to_spin.two_spins)
 
 # %% [markdown]
-# `generator already executing` means: two threads are inside one executor. Without an executor of its own, `rclpy.spin` uses
-# the **global executor**, and that one cannot be shared. The second thread ends with this
-# error, so nothing spins its node any more.
+# `generator already executing` means that two threads are using the same executor. If you don't pass an executor,
+# `rclpy.spin` uses the **global executor**, which threads can't share. The second thread ends with this error, so its
+# node is no longer spun.
 #
-# One executor can serve many nodes. One thread is enough:
+# One executor can spin many nodes, so one thread is enough:
 
 # %%
 _ = try_out(ways_to_spin.one_executor)
 
 # %% [markdown]
-# **A thread left behind.** One thread spins, while the main program does something else. That is common. But how does it
-# end?
+# **A thread left behind.** Often, one thread spins the node while the main thread does other work. How does such a
+# program end?
 
 # %% id="thread-at-exit" tags=["nbval-ignore-output"]
 left_behind = try_out(ways_to_spin.thread_left_behind)
@@ -460,18 +461,20 @@ print("it did its work:", "the work is done" in left_behind.log)
 print("and then it crashed:", left_behind.signal is not None)
 
 # %% [markdown]
-# The work is done, and then the program *aborts*: at its end, Python stops the thread in the middle of C++ code. You see
-# `terminate called without an active exception` or another error, and a service manager sees a crash at each stop.
+# The program finishes its work, and then it *aborts*: when the program exits, Python stops the thread in the middle of
+# C++ code. You see `terminate called without an active exception` or a different error. A service manager records a
+# crash each time the program stops.
 #
-# Code that starts a thread must also end it. First shut the executor down, so that `spin` returns. Then wait for the thread.
+# Code that starts a thread must also end it. First, shut down the executor, so that `spin` returns. Then wait for the
+# thread.
 
 # %%
 _ = try_out(ways_to_spin.thread_ended)
 
 # %% [markdown]
-# **A timer that takes every iteration.** It is due every 10 ms, and its callback takes 20 ms. So it is always ready.
-# Five messages wait. We spin for two seconds, twice. First, each call gets all the remaining time as its timeout;
-# then each gets 50 ms.
+# **A timer that is always ready.** The timer is due every 10 ms, but its callback takes 20 ms. Five messages are
+# waiting. We spin the node twice, for two seconds each. The first time, each call gets all of the remaining time as its
+# timeout. The second time, each call gets 50 ms.
 
 # %% id="unfair-turns"
 print("timeout_sec=left")
@@ -480,18 +483,18 @@ print("\ntimeout_sec=0.05")
 _ = try_out(ways_to_spin.busy_timer, 0.05, show_code=False)
 
 # %% [markdown]
-# When several things are ready, the executor normally serves all of them, one per call, before it checks again. But
-# when the timeout *differs* from that of the call before, it starts again with the first timer. With `left` as the
-# timeout, it does so in each call. So use the same timeout in each iteration. (A timer whose callback takes longer than
-# its period is a fault by itself: lesson 10.)
+# When several callbacks are ready, the executor normally runs all of them, one per call, before it checks again. But if
+# the timeout *differs* from the previous call's, the executor starts over with the first timer. With `left` as the
+# timeout, this happens in every call, so the messages are never handled. So use the same timeout in each iteration. (A
+# timer whose callback takes longer than its period is a fault in itself: see lesson 10.)
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** "Wait until the robot has heard a word, but at most two seconds." Three things make such a loop safe: a condition
-# that ends it, a time that ends it, and short waits with the *same* timeout. It may end late, by up to one wait.
-# Where that matters, use `min(left, 0.1)`: then only the last wait is shorter. Compute `left` once per iteration, and
-# check it: a *negative* timeout waits forever.
+# **Worked example.** We want to wait until the robot receives a word, but for at most two seconds. A safe loop for this
+# has three parts: a condition that ends it, a time limit, and short waits with the *same* timeout. The loop can end
+# late by up to one wait. If that matters, use `min(left, 0.1)`, so that only the last wait is shorter. Compute `left`
+# once per iteration and check it, because `spin_once` with a *negative* timeout waits forever.
 
 
 # %%
@@ -519,9 +522,11 @@ print(
 print(robot.done)
 
 # %% [markdown]
-# It returned after the first word, and left the second one in the queue. That is what the condition said.
+# The function returned after the first word and left the second one in the queue, because the condition asked for just
+# one word.
 #
-# **Faded.** Now all three words are wanted. Fill in what is `...`. Until then the cell runs, and says what is missing.
+# **Fill in the blanks.** Now wait for all three words. Replace the `...` with your code. Until you do, the cell prints
+# a reminder.
 
 # %%
 # TODO: a function without arguments: has the robot done three things?
@@ -535,108 +540,109 @@ else:
     print("heard all three:", wait_until(robot, all_three, 2.0), robot.done)
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/06_spinning.ipynb) you write a function that lets a node work for some seconds, and then
-# returns. The judge tries it with two robots: one with timers, slow callbacks and a burst of words, and a quiet one.
+# **Your own.** In the [exercise](../exercises/06_spinning.ipynb), you write a function that spins a node for a given
+# number of seconds and then returns. The judge tries it with several robots. One has timers, slow callbacks, and a
+# burst of words; another is quiet.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. Ten messages wait, two timers are due. How many calls of `spin_once` does it take to handle what is there?**
+# **1. Ten messages are waiting, and two timers are due. How many calls of `spin_once` does it take to handle them all?**
 #
 # <details><summary>a) One</summary>
 #
-# ✗ One call runs one callback. You saw five words need five calls.
+# ✗ One call runs one callback. You saw that five words needed five calls.
 #
 # </details>
 # <details><summary>b) Three: one for each timer, one for the queue</summary>
 #
-# ✗ A queue is not handled as a whole. Each message needs a call of its own.
+# ✗ One call doesn't handle a whole queue. Each message needs its own call.
 #
 # </details>
 # <details><summary>c) Twelve</summary>
 #
-# ✓ Ten messages and two ticks are twelve callbacks. And more, if the timers are due again meanwhile.
+# ✓ Ten messages and two ticks make twelve callbacks. It takes more calls if a timer becomes due again in between.
 #
 # </details>
 #
-# **2. A loop calls `spin_once(node, timeout_sec=0.5)`. A message arrives while it waits. When is it handled?**
+# **2. A loop calls `spin_once(node, timeout_sec=0.5)`. A message arrives during the wait. When is the message handled?**
 #
-# <details><summary>a) At once</summary>
+# <details><summary>a) Right away</summary>
 #
-# ✓ The message ends the wait. The timeout counts only when nothing comes.
+# ✓ The message ends the wait. The timeout matters only if nothing becomes ready.
 #
 # </details>
 # <details><summary>b) At the end of the half second</summary>
 #
-# ✗ That would be polling. The timeout ends the wait only if nothing comes.
+# ✗ That would be polling. Here, the wait ends as soon as the message is ready.
 #
 # </details>
-# <details><summary>c) It is lost, since the call was waiting for something else</summary>
+# <details><summary>c) Never: the call was waiting for something else</summary>
 #
-# ✗ It waits for whatever comes first: a message, a timer, the end of the timeout.
+# ✗ The call waits for whatever comes first: a message, a timer, or the end of the timeout.
 #
 # </details>
 #
-# **3. Which line is the worst idea in the callback of a timer?**
+# **3. Which of these lines is the worst idea in a timer callback?**
 #
 # <details><summary>a) <code>self.publisher.publish(message)</code></summary>
 #
-# ✗ That is what most timers are for. It does not wait.
+# ✗ Most timers exist to publish something, and `publish` doesn't wait for other callbacks.
 #
 # </details>
 # <details><summary>b) <code>rclpy.spin_until_future_complete(self, future)</code></summary>
 #
-# ✓ It waits for another callback of this node, which may not run before this one is over. Without a timeout it waits
-# for good.
+# ✓ It waits for another callback of this node, which can't run until this one returns. Without a timeout, it waits
+# forever.
 #
 # </details>
 # <details><summary>c) <code>future.add_done_callback(self.on_result)</code></summary>
 #
-# ✗ That is the fix: say what to do later, and return.
+# ✗ This line is the fix: it registers the code to run later, and returns.
 #
 # </details>
 #
-# **4. A thread of your program runs `executor.spin()`. The work is done. How should the program end?**
+# **4. A thread of your program runs `executor.spin()`. When the work is done, how should the program end?**
 #
-# <details><summary>a) With nothing: as a daemon thread, it ends with the program</summary>
+# <details><summary>a) It needs no extra code: a daemon thread ends with the program</summary>
 #
-# ✗ Python stops it in the middle of C++ code, and the program may abort.
+# ✗ Python stops the thread in the middle of C++ code, so the program may abort.
 #
 # </details>
 # <details><summary>b) With <code>thread.join()</code>, and then <code>executor.shutdown()</code></summary>
 #
-# ✗ `join` waits until `spin` returns. The line that would make it return comes too late.
+# ✗ `join` waits until `spin` returns. But `shutdown`, which would make it return, comes only after `join`.
 #
 # </details>
 # <details><summary>c) With <code>executor.shutdown()</code>, and then <code>thread.join()</code></summary>
 #
-# ✓ The first line makes `spin` return. The second one waits until the thread has ended.
+# ✓ The first call makes `spin` return. The second one waits until the thread has ended.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then give this prompt to an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). My program reads a joystick in a
-# loop (`while True: read, publish, sleep 20 ms`) and must also react to
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My program reads a joystick
+# in a loop (`while True: read, publish, sleep 20 ms`) and must also react to
 # `/emergency_stop`. Where do I put the spinning? Compare at least three ways. Name only
 # functions that exist in rclpy for Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The loop never spins, so the emergency stop would wait in its queue for good. There are three ways out:
+# The loop never spins the node, so the emergency stop would wait in its queue forever. There are three solutions:
 #
-# 1. Turn the loop into a timer of 20 ms and call `rclpy.spin`. This is the usual answer. Reading the joystick must then
-#    never block.
-# 2. Keep the loop, and replace the sleep by spinning until the 20 ms are over. Call `spin_once` with a short timeout
-#    again and again, because one call runs only one callback. The stop is then handled within one callback's time. With
+# 1. Turn the loop into a timer with a period of 20 ms, and call `rclpy.spin`. This is the usual solution, but then
+#    reading the joystick must never block.
+# 2. Keep the loop, but replace the sleep with spinning until the 20 ms are over. Call `spin_once` with a short timeout
+#    repeatedly, because one call runs only one callback. The stop is then handled within one callback's time. With
 #    `timeout_sec=0` instead of the sleep, the loop would keep a processor busy.
-# 3. Spin in a thread of its own, with an executor of its own, and end it with `shutdown` and `join`. This is right when
-#    the library that reads the joystick blocks. Then two threads touch the same data.
+# 3. Spin in a separate thread with its own executor, and end the thread with `shutdown` and `join`. This solution is
+#    right if the library that reads the joystick blocks. But then two threads access the same data.
 #
 # A good answer also asks how fast the robot must stop, and whether a stop should depend on one Python loop at all.
 #
@@ -644,10 +650,10 @@ else:
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
 #
-# - **`rclpy.spin_some(node)`:** That is C++ (rclcpp). rclpy has `spin_once`.
-# - **`spin_once(node, timeout_sec=0)` handles everything that waits:** In fact, it runs one callback. Five waiting
+# - **`rclpy.spin_some(node)`:** This function belongs to rclcpp, the C++ library. rclpy has `spin_once`.
+# - **`spin_once(node, timeout_sec=0)` handles everything that's waiting:** In fact, it runs one callback. Five waiting
 #   messages need five calls.
 #
 # </details>
@@ -655,15 +661,17 @@ else:
 # %% [markdown]
 # ## Take away
 #
-# - Callbacks run only while a thread spins the node, and in that thread.
-# - `spin_once` runs one callback, and returns nothing. `spin` repeats it until the context is shut down.
-# - Give every `spin_once` the same short timeout. None, or a negative one, blocks forever; 0 keeps a processor busy.
-# - Do not spin or sleep inside a callback. Return, and let another callback go on.
-# - One executor can serve many nodes. If you spin in a thread, shut the executor down and join the thread.
+# - Callbacks run only while a thread spins the node, and they run in that thread.
+# - `spin_once` runs at most one callback and returns `None`. `spin` repeats such iterations until the context is shut
+#   down.
+# - Pass the same short timeout to every `spin_once`. With no timeout or a negative one, the call can block forever; a
+#   timeout of 0 keeps a processor busy.
+# - Don't spin or sleep inside a callback. Return, and let another callback continue the work.
+# - One executor can spin many nodes. If you spin in a thread, shut down the executor and then join the thread.
 #
 # **Before:** [05 · Timers](05_timers.ipynb)
 #
-# **Next:** [07 · Typed nodes](07_typed_nodes.ipynb), where a machine reads your node before it runs.
+# **Next:** [07 · Typed nodes](07_typed_nodes.ipynb), where a type checker reads your node before it runs.
 #
-# **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html), and
-# [rclpy](https://docs.ros.org/en/jazzy/p/rclpy), whose functions you called here.
+# **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html), and the
+# [rclpy](https://docs.ros.org/en/jazzy/p/rclpy) reference for the functions that you called here.

@@ -1,18 +1,18 @@
 # %% [markdown]
 # # 07 · Typed nodes
 #
-# A robot will find your typo at the worst moment. A type checker finds it while you type. How much of your ROS code does
-# it check?
+# A typo in a robot's program can stay hidden until the worst moment. A type checker finds it before the program runs.
+# How many of the mistakes in your ROS code does it find?
 #
 # - **Minutes:** 50
 # - **You need:** lessons [00](00_start_here.ipynb) to 06, and to have seen a hint such as `level: float` before
 # - **You will be able to:**
-#   - annotate a node, and let mypy read it
-#   - say which mistakes in ROS code mypy finds
+#   - annotate a node, and check it with mypy
+#   - predict which mistakes in ROS code mypy finds
 #   - have your messages checked before the robot runs
-# - **Left out:** typing of services and actions, other type checkers, and how to type rclpy itself
+# - **Left out:** type hints for services and actions, other type checkers, and how to add type hints to rclpy itself
 #
-# This robot publishes a heartbeat. Once its battery is below half, it should publish a warning.
+# This robot publishes a heartbeat. When its battery drops below half, it should publish a warning, too.
 
 # %%
 # %%writefile tired_robot.py
@@ -39,7 +39,7 @@ rclpy.init()
 rclpy.spin(TiredRobot())
 
 # %% [markdown]
-# We record it for five seconds. In the film it moves at each heartbeat.
+# The next cell records the robot for five seconds. In the film, the robot moves at each heartbeat.
 
 # %%
 from workbook.lesson import arrivals, record
@@ -62,8 +62,8 @@ robots(
 )
 
 # %% [markdown]
-# The typo is in a line that is reached only when the battery is low. In a test on a charged robot you never see it. Now
-# a program called **mypy** reads the file, without running it:
+# The typo is in a line that runs only when the battery is low, so a test on a charged robot never finds it. A program
+# called **mypy** does, because it reads the whole file without running it:
 
 # %%
 from pathlib import Path
@@ -73,14 +73,14 @@ from workbook.lesson import check_types
 check_types(Path("tired_robot.py"))
 
 # %% [markdown]
-# mypy names the line, and even the word that you meant. It knows what `create_publisher` returns, because rclpy says so
-# with a **type hint**, and it follows the hints through your program. Such a program is called a **type checker**. In a
-# terminal the command is `mypy tired_robot.py`.
+# mypy reports the line, and it even suggests the method that you meant. It knows the return type of `create_publisher`
+# from a **type hint** in rclpy, and it follows such hints through your program. A program that does this is called a
+# **type checker**. In a terminal, run `mypy tired_robot.py`.
 
 # %% [markdown]
 # ## Predict
 #
-# The next node has seven mistakes. Each has a number in a comment.
+# The next node contains seven mistakes, each with a number in a comment.
 
 # %%
 VITALS = '''\
@@ -135,15 +135,15 @@ predict("seven-mistakes")
 # %% [markdown]
 # ## Run it
 #
-# `stubs=False` runs plain `mypy --strict`, on what ROS installs.
+# With `stubs=False`, `check_types` runs plain `mypy --strict` on the packages that ROS installs.
 
 # %%
 as_installed = check_types(VITALS, stubs=False)
 as_installed
 
 # %% [markdown]
-# The next cell makes the same seven mistakes on the real graph, one after another, without the field checks that these
-# notebooks switch on. You need not study it.
+# The next cell makes the same seven mistakes at run time, one after another. It runs without the field checks that
+# these notebooks normally use. You don't need to study its code.
 
 # %%
 # %%writefile seven_times.py
@@ -226,18 +226,18 @@ reveal("seven-mistakes", mistakes_found=len(found(as_installed)))
 # %% [markdown]
 # ## Look inside
 #
-# mypy finds three of seven. At run time, mistakes 5, 6 and 7 raise an error only *when the line is reached*. That may
-# be at the first tick, or on the day the battery runs low. Mistakes 3 and 4 raise nothing in this build. The text
-# arrives as `0.0`, and a callback for a `String` gets a `Float32`.
+# mypy finds three of the seven mistakes. At run time, mistakes 5, 6, and 7 raise an error only *when the line is
+# reached*. That may be at the first tick, or on the day when the battery runs low. In this build, mistakes 3 and 4
+# raise no error. The text arrives as `0.0`, and a callback for a `String` receives a `Float32`.
 #
-# **On a robot, mistake 4 may crash the program.** With *the packages of this course*, 0.0 arrives. The message code
-# of the Ubuntu packages may be compiled with assertions. Then such a value aborts the whole process, and no `except`
-# can catch that ([rclpy #1297](https://github.com/ros2/rclpy/issues/1297),
+# **On a robot, mistake 4 may crash the program.** With *this course's packages*, 0.0 arrives. But the message code in
+# the Ubuntu packages may be compiled with assertions. In that case, the wrong value aborts the whole process, and
+# `except` can't catch the abort ([rclpy #1297](https://github.com/ros2/rclpy/issues/1297),
 # [#1437](https://github.com/ros2/rclpy/issues/1437)).
 #
-# Why does mypy find so little in the messages? It told us: `Skipping analyzing "std_msgs.msg"`, with the code
-# `import-untyped`. So what type does mypy give a message? We ask it: `reveal_type(x)` is a question to mypy, not to
-# Python.
+# Why does mypy find so few mistakes in the messages? Its report gives the reason: `Skipping analyzing "std_msgs.msg"`,
+# with the code `import-untyped`. So which type does mypy assign to a message? To find out, use `reveal_type(x)`, which
+# makes mypy print the type of `x`. It's meant for mypy, not for Python.
 
 # %%
 QUESTIONS = '''\
@@ -253,19 +253,20 @@ reveal_type(Float32().dta)
 check_types(QUESTIONS, stubs=False, notes=True)
 
 # %% [markdown]
-# The publisher is a `Publisher`. The message is **Any**: a type about which nothing is known. mypy accepts everything that
-# you do with it.
+# The publisher's type is `Publisher`. The message's type is **Any**, which means that mypy knows nothing about it and
+# accepts everything that you do with it.
 #
-# If a package contains a file named `py.typed`, type checkers may use its hints. rclpy has that file. The message
-# packages are generated, without hints and without the file. Do not silence `import-untyped`: it is the only sign
-# that your messages are not checked.
+# Type checkers use a package's hints only if the package contains a file named `py.typed`. rclpy contains that file.
+# But the message packages are generated without hints and without the file. Don't silence `import-untyped`, because
+# it's the only sign that your messages aren't being checked.
 #
 # ### The second net: stubs
 #
-# Each check is a **net**: the next one may catch what falls through. Plain mypy was the first.
+# Think of each check as a **net**: a mistake that slips through one net may be caught by the next. Plain mypy was the
+# first net.
 #
-# A **stub** is a file with the ending `.pyi`. It holds the hints for a module that has none. This course has stubs for the
-# message packages, made from the message classes. Here is the one for `Float32`:
+# A **stub** is a file with the extension `.pyi` that contains the hints for a module without any. This course has stubs
+# for the message packages, generated from the message classes. Here's the stub for `Float32`:
 
 # %%
 from std_msgs.msg import Float32
@@ -281,17 +282,17 @@ print("new among them:  ", sorted(found(with_stubs) - found(as_installed)))
 with_stubs
 
 # %% [markdown]
-# Now mypy knows the fields, and `import-untyped` is gone. It finds the text in the float field, and says which field you
-# meant by `dta`.
+# Now mypy knows the fields, so `import-untyped` is gone. mypy finds the text in the float field, and suggests the field
+# that `dta` was supposed to be.
 #
-# For your own project, copy the folder `workbook/typings` and run `mypy --config-file typings/mypy.ini my_node.py`.
-# Newer ROS distributions include such hints.
+# For your own project, copy the folder `workbook/typings`, and run `mypy --config-file typings/mypy.ini my_node.py`.
+# Newer ROS distributions come with such hints.
 #
-# ### The third net: a publisher that knows its message
+# ### The third net: a publisher with a message type
 #
-# Mistake 6 is still there: `publish(String())` on a publisher for `Float32`. In this rclpy every publisher has the same
-# type, `Publisher`. So we describe what we need: *an object with a method `publish` for a `Float32`*. Such a description
-# is a `Protocol`. Every object that has the method fits:
+# mypy still misses mistake 6: `publish(String())` on a publisher for `Float32`. In this rclpy version, all publishers
+# have the same type, `Publisher`. So we describe the object that we need: *an object with a method `publish` that takes
+# a `Float32`*. Such a description is called a `Protocol`, and every object with that method matches it:
 
 # %%
 SENDS_FLOATS = '''\
@@ -314,10 +315,10 @@ for finding in with_typed_publisher.findings:
         print(finding.message)
 
 # %% [markdown]
-# One annotation on the attribute is enough. One description for *all* message types needs type variables. The optional
-# notebook, linked at the end, shows that.
+# One annotation on the attribute is enough. To cover *all* message types with one description, you need type variables,
+# as the optional notebook linked at the end shows.
 #
-# All of it together. Each mistake was really made in this notebook:
+# The next cell compares all nets. It uses the results of the runs above, so each mistake was really made.
 
 # %%
 more_lines = len(typed.splitlines()) - len(VITALS.splitlines())
@@ -361,17 +362,17 @@ nets_picture(
 )
 
 # %% [markdown]
-# No net catches everything. The two on the right catch a mistake only once the line is reached. None of the five catches
-# mistake 3. You will catch it yourself, further down.
+# No net catches everything. The two on the right catch a mistake only when its line runs. None of the five catches
+# mistake 3, but you'll catch it yourself later in this lesson.
 
 # %% [markdown]
 # ## Change it
 #
 # ### Experiment 1: three shapes of one node
 #
-# You can write a node in three ways. A **script** has everything at the top of the file. A **closure** is a function
-# whose inner functions use its variables. A **class** keeps its state in `self`. Here are three modules, with one battery
-# each. Run them for a minute of robot time.
+# You can write a node in three ways. A **script** has all of its code at the top level of the file. A **closure** is a
+# function whose inner functions use its variables. A **class** stores its state in `self`. Here are three modules that
+# publish a battery's level, one in each shape. Run them for a minute of robot time.
 
 # %%
 from lesson_nodes import battery_class, battery_closure, battery_script
@@ -429,12 +430,12 @@ reveal(
 )
 
 # %% [markdown]
-# By default, mypy does not check a function without hints. The option `--check-untyped-defs` changes that, and so does
-# `--strict`, which includes it. One hint, such as `-> None`, is also enough to have the function checked. Code at the top
-# level of a file belongs to no function, so it is always checked.
+# By default, mypy doesn't check functions without hints. The option `--check-untyped-defs` makes mypy check them, and
+# so does `--strict`, which includes that option. Adding one hint, such as `-> None`, is enough to have a function
+# checked. Code at the top level of a file isn't in a function, so mypy always checks it.
 #
-# Which shape is best? A script is fine for ten lines. The state of a closure is hidden, so it is hard to test. In a class
-# everything has a name and a type, and a second robot is a second object. So most nodes are classes.
+# Which shape is best? A script is fine for ten lines. A closure's state is hidden, so it's hard to test. In a class,
+# everything has a name and a type, and for a second robot you create a second object. So most nodes are classes.
 
 # %% [markdown] prediction="a-whole-number"
 # ### Experiment 2: a whole number
@@ -495,14 +496,15 @@ reveal(
 )
 
 # %% [markdown]
-# mypy accepts an `int` for a `float`, because Python can calculate with both. The message's C code cannot: a wrong value
-# arrives, or the program crashes, depending on the build. So convert where values enter the message:
+# mypy accepts an `int` as a `float`, because Python can calculate with both. But the message's C code can't convert it:
+# you get a wrong value or a crash, depending on the build. So convert the value when you put it into the message:
 
 # %%
 converted = run_program(LEVEL.format(value="float(level)", given="100"), seconds=20)
 print("float(level):    ", converted.log.strip())
 with_checks = run_program(FIELD_CHECKS + whole, seconds=20)
-print("and field checks:", with_checks.log.strip().splitlines()[-1])
+errors = [line for line in with_checks.log.splitlines() if "Error:" in line]
+print("and field checks:", errors[-1])
 
 # %% [markdown] prediction="one-of-two-words"
 # ### Experiment 3: one of two words
@@ -565,9 +567,9 @@ reveal(
 )
 
 # %% [markdown]
-# Give the variable the narrow type, too. Then mypy checks the word where you write it. Here it is first spelled right,
-# and then `eror`. The narrower the type, the more mistakes mypy finds. At run time `eror` is sent all the same: Python
-# does not enforce hints.
+# Give the variable the narrow type, too. Then mypy checks the word in the line where you assign it. Below, the word is
+# first spelled correctly, and then as `eror`. The narrower the type, the more mistakes mypy finds. But at run time,
+# `eror` is still sent, because Python doesn't enforce hints.
 
 # %%
 right = WORDS.replace("word =", "word: Status =")
@@ -579,7 +581,8 @@ print(run_program(wrong, seconds=20).log)
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Hints from newer books.** In newer ROS a publisher is generic, and you see `Publisher[String]` everywhere. Here:
+# **Hints from newer books.** In newer ROS versions, publishers are generic, so you often see `Publisher[String]`.
+# Here's what this version does:
 
 # %% id="publisher-subscript" tags=["raises-exception"]
 from rclpy.publisher import Publisher
@@ -588,10 +591,10 @@ from std_msgs.msg import String
 StatusPublisher = Publisher[String]
 
 # %% [markdown]
-# In this rclpy, `Publisher` takes no type in brackets. Plain `Publisher` is right, and says little. A Protocol such as
-# `SendsFloats` says which message is meant.
+# In this rclpy version, `Publisher` doesn't accept a type in brackets. Plain `Publisher` is correct, but it doesn't
+# specify the message type. A Protocol such as `SendsFloats` does.
 #
-# **A name that is taken.** What could be wrong with this?
+# **An attribute name that `Node` already uses.** Can you find the mistake in the next cell before you run it?
 
 # %% id="name-taken" tags=["raises-exception"]
 from rclpy.node import Node
@@ -612,11 +615,11 @@ class Reporter(Node):
 fresh(Reporter)
 
 # %% [markdown]
-# `Node` already has a property `publishers`, and it cannot be set. The same is true for `subscriptions`, `timers`,
-# `clients`, `services`, `context` and `handle`. mypy reports this without running anything.
+# `Node` already has a property called `publishers`, and you can't assign to it. The same applies to `subscriptions`,
+# `timers`, `clients`, `services`, `context`, and `handle`. mypy reports this mistake without running anything.
 #
-# **A value from outside.** This function is annotated, and mypy accepts the program. But the value comes from a file. mypy
-# does not know what the file contains.
+# **A value from outside.** This function is annotated, and mypy accepts the program. But the value comes from a file,
+# and mypy doesn't know the file's content.
 
 # %% id="hints-are-no-guards"
 OUTSIDE = LEVEL.replace("import time\n", "import json\nimport time\n")
@@ -625,8 +628,7 @@ print(check_types(careless))
 print(run_program(careless, seconds=20).log)
 
 # %% [markdown]
-# The dashboard shows 0 %, and there is no error. Values from outside need a check at run time that raises a helpful
-# error:
+# The dashboard shows 0%, and there's no error. So check values from outside at run time, and raise a helpful error:
 
 # %%
 GUARD = '''\
@@ -639,15 +641,16 @@ print(check_types(guarded))
 print(run_program(guarded, seconds=20).log.strip().splitlines()[-1])
 
 # %% [markdown]
-# `float(level)` alone is not enough: it accepts the text `"87.5"`, and fails with the next text, `"87 %"`.
+# `float(level)` alone isn't enough: it accepts the text `"87.5"`, but fails with the next text, `"87 %"`.
 #
-# `# type: ignore` at the end of a line hides what mypy finds there. `Any` hides everything about a value. Sometimes you
-# need that, with a reason beside it. It never fixes anything.
+# `# type: ignore` at the end of a line hides everything that mypy would report there. `Any` hides all mistakes in the
+# use of a value. If you really need one of them, add a comment with the reason. But neither of them fixes a mistake.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A charging station: a typed publisher, one word out of three, and a check where values enter.
+# **Worked example.** A charging station has a typed publisher, allows three words, and checks each word before it goes
+# into a message.
 
 # %%
 from typing import Literal, Protocol, get_args
@@ -690,12 +693,12 @@ for misuse in (
         print(f"{type(error).__name__}: {error}")
 
 # %% [markdown]
-# The second error comes from rclpy: `publish` checks the class of the message. It does not check the fields.
+# The second error comes from rclpy, because `publish` checks the message's class. It doesn't check the fields.
 #
-# **Faded.** No net has caught mistake 3 yet: a subscription for one message type with a callback for another.
-# `listen` connects the two: `Message` stands for one type, the same in both hints. Two hints are missing. When they
-# are right, mypy objects to the last line, and to no other. `Callable[[X], None]` is a function that takes an `X` and
-# returns nothing.
+# **Fill in the blanks.** So far, no net has caught mistake 3, a subscription whose callback expects another message
+# type. `listen` ties the two together: the type variable `Message` stands for the same type in both hints. Two hints
+# are missing. When both are right, mypy reports the last line and no other. `Callable[[X], None]` is a function that
+# takes an `X` and returns nothing.
 
 # %%
 LISTEN = '''\
@@ -731,147 +734,156 @@ else:
     print(check_types(LISTEN))
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/07_typed_nodes.ipynb) two other teams call your node. Make mypy and your
-# node reject misuse loudly. This exercise is judged by what your node publishes *and* by what mypy finds in its text.
+# **Your own.** In the [exercise](../exercises/07_typed_nodes.ipynb), two other teams call your node. Make mypy and your
+# node reject misuse with clear errors. The judge looks at the messages that your node publishes *and* at mypy's report
+# on your code.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. mypy accepts `Float32().dta`, with ROS as it is installed. Why?**
+# **1. Why does mypy accept `Float32().dta` with the packages that ROS installs?**
 #
 # <details><summary>a) The package has no hints that mypy may use, so the message is Any</summary>
 #
-# ✓ And `Any` has every attribute. The `import-untyped` at the top of the report is the warning.
+# ✓ `Any` has every attribute. The `import-untyped` at the top of the report is the warning.
 #
 # </details>
-# <details><summary>b) A field is looked up at run time, so no tool can know it</summary>
+# <details><summary>b) Fields are looked up at run time, so no tool can check them</summary>
 #
-# ✗ It can, as soon as stubs describe the fields.
-#
-# </details>
-# <details><summary>c) mypy checks only code that has been run once</summary>
-#
-# ✗ mypy never runs your code. It reads it.
+# ✗ mypy can check them as soon as stubs describe the fields.
 #
 # </details>
+# <details><summary>c) mypy checks only code that has run at least once</summary>
 #
-# **2. `def on_tick(self): self.create_timer("2 s", self.send)`. What does plain mypy say of it?**
+# ✗ mypy never runs your code. It only reads the code.
 #
-# <details><summary>a) That a text is not a valid period</summary>
+# </details>
 #
-# ✗ It would, with `-> None`. Or with `--check-untyped-defs` or `--strict`: they check all functions.
+# **2. What does plain mypy report for `def on_tick(self): self.create_timer("2 s", self.send)`?**
+#
+# <details><summary>a) That a text isn't a valid period</summary>
+#
+# ✗ It would report this with `-> None`, or with `--check-untyped-defs` or `--strict`, which check all functions.
 #
 # </details>
 # <details><summary>b) That <code>send</code> is unknown</summary>
 #
-# ✗ It does not check the line at all.
+# ✗ It doesn't check the line at all.
 #
 # </details>
-# <details><summary>c) Nothing: it does not look into a function without hints</summary>
+# <details><summary>c) Nothing, because it doesn't check functions without hints</summary>
 #
-# ✓ You saw it with the closure and the class. `-> None` is enough to change that.
+# ✓ You saw this with the closure and the class. Adding `-> None` is enough to have the function checked.
 #
 # </details>
 #
-# **3. `def send(self, level: float) -> None`, and the program calls `send("full")`, without mypy. What happens?**
+# **3. `send` is defined as `def send(self, level: float) -> None`. What happens if a program calls `send("full")` without mypy?**
 #
 # <details><summary>a) Python raises a TypeError at the call</summary>
 #
-# ✗ Python keeps the hint, and never compares it with what is passed.
+# ✗ Python stores the hint, but never compares it with the value.
 #
 # </details>
 # <details><summary>b) The text goes into the message: 0.0 is sent, or the program crashes</summary>
 #
-# ✓ With the packages of this course, 0.0 is sent; with the Ubuntu packages the process can abort. A check of your own
-# would have stopped it.
+# ✓ With this course's packages, 0.0 is sent; with the Ubuntu packages, the process may abort. A check in `send` would
+# have prevented both.
 #
 # </details>
 # <details><summary>c) Python converts it to a float, because the hint says so</summary>
 #
-# ✗ Hints convert nothing. `float("full")` would raise a ValueError, by the way.
+# ✗ Hints don't convert anything. If you called `float("full")` yourself, you'd get a ValueError.
 #
 # </details>
 #
-# **4. An object is passed where `SendsFloats` is expected. When does mypy accept it?**
+# **4. You pass an object to a function that expects `SendsFloats`. When does mypy accept the object?**
 #
 # <details><summary>a) If it has a method publish that takes a Float32</summary>
 #
-# ✓ A Protocol only lists what an object must have. Every object with that method fits, even a small stand-in that you
+# ✓ A Protocol only lists the methods that an object needs. Every object with them fits, even a small fake that you
 # write for a test.
 #
 # </details>
 # <details><summary>b) If its class inherits from SendsFloats</summary>
 #
-# ✗ That would do, but rclpy's publishers do not inherit from it, and they fit all the same.
+# ✗ Inheriting would work, too, but it isn't required. rclpy's publishers don't inherit from `SendsFloats`, and mypy
+# accepts them.
 #
 # </details>
-# <details><summary>c) If it was made by create_publisher</summary>
+# <details><summary>c) If it was created by create_publisher</summary>
 #
-# ✗ mypy compares the methods, not where the object comes from.
-#
-# </details>
-#
-# **5. mypy, strict and with stubs, finds nothing in your node. Which of these can still go wrong?**
-#
-# <details><summary>a) A field of a message is misspelled</summary>
-#
-# ✗ With stubs mypy knows the fields.
+# ✗ mypy compares the methods. It doesn't matter who created the object.
 #
 # </details>
-# <details><summary>b) <code>create_timer</code> gets its two arguments swapped</summary>
 #
-# ✗ rclpy's own functions have hints, and mypy knew this one even without stubs.
+# **5. mypy, strict and with stubs, finds nothing in your node. Which of these mistakes may it still contain?**
+#
+# <details><summary>a) A misspelled message field</summary>
+#
+# ✗ With stubs, mypy knows the fields.
 #
 # </details>
-# <details><summary>c) The battery topic says 0.0, because an int was put into a float field</summary>
+# <details><summary>b) Swapped arguments to <code>create_timer</code></summary>
 #
-# ✓ mypy accepts an int for a float. `float(level)`, and a test that checks what arrives, catch it.
+# ✗ rclpy's own functions have hints, so mypy found this mistake even without stubs.
+#
+# </details>
+# <details><summary>c) An int in a float field, so that the battery topic carries 0.0</summary>
+#
+# ✓ mypy accepts an int as a float. `float(level)` prevents the mistake, and a test of the messages that arrive finds
+# it.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then give this prompt to an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). We have thirty nodes, written
-# over three years, without a single hint. We are asked to run mypy --strict in our
-# automatic checks from Monday on. What would you do first, what would you leave for
-# later, and what will mypy never find for us? Name only functions that exist in rclpy
-# for Jazzy.
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). We have thirty nodes,
+# written over three years, without a single type hint. We've been asked to run
+# mypy --strict in our automatic checks from Monday on. What would you do first, what
+# would you leave for later, and what will mypy never find for us? Name only functions
+# that exist in rclpy for Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# Not everything on Monday: `--strict` on thirty nodes gives hundreds of findings, and people then silence them with
-# `# type: ignore`. Stubs for the messages come first, because without them most of ROS is `Any`. Then plain mypy on all
-# nodes, so that nothing gets worse. Then `-> None` and argument hints, node by node, and strict settings for a node once
-# it is clean. mypy does not find bad values from outside, an int in a float field, topic names that do not match, or
-# wrong periods. It knows nothing about time. These faults need checks at run time, field checks in tests, and tests that
-# check what arrives.
+# Don't start with everything on Monday. For thirty nodes, `--strict` reports hundreds of mistakes, and people then
+# silence them with `# type: ignore`.
+#
+# Add stubs for the messages first, because without them, most of ROS is `Any`. Next, run plain mypy on all nodes, so
+# that nothing gets worse. Then add `-> None` and argument hints, node by node, and turn on the strict settings for a
+# node once it's clean.
+#
+# mypy doesn't find bad values from outside, an int in a float field, topic names that don't match, or wrong periods. It
+# doesn't check timing at all. Finding these faults takes checks at run time, field checks in tests, and tests of the
+# messages that arrive.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
 #
-# - **`self.level: Publisher[Float32] = …`:** In Jazzy `Publisher` takes no type in brackets, and mypy reports it.
-#   Inside a method, Python ignores this hint; in a signature, it raises a `TypeError`. Newer versions allow it.
-# - **mypy will find the misspelled field `msg.dta`:** In fact, it cannot on its own: the message packages come
-#   without types, so each message is `Any`. It takes stubs.
+# - **`self.level: Publisher[Float32] = …`:** In Jazzy, `Publisher` doesn't accept a type in brackets, and mypy reports
+#   this hint. Inside a method, Python ignores the hint; in a signature, it raises a `TypeError`. Newer versions allow
+#   it.
+# - **mypy will find the misspelled field `msg.dta`:** In fact, it can't without stubs. The message packages come
+#   without types, so each message is `Any`.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - mypy reads a program and follows its hints. It finds mistakes in lines that have never run.
-# - It does not check functions without hints. `-> None` is enough; `--strict` demands hints everywhere.
+# - mypy reads a program and follows its hints, so it finds mistakes even in lines that have never run.
+# - By default, it doesn't check functions without hints. `-> None` is enough to have a function checked; `--strict`
+#   demands hints everywhere.
 # - `import-untyped` means that messages are `Any` to mypy. Stubs describe their fields.
-# - A Protocol with a method `publish` gives a publisher a type, and makes a wrong message an error.
-# - Hints do nothing at run time. Check what comes from outside, and convert an int with `float(...)`.
+# - A Protocol with a method `publish` gives a publisher a message type, so mypy reports a wrong message as an error.
+# - Hints do nothing at run time. Check values from outside, and convert ints with `float(...)`.
 #
 # **Before:** [06 · Spinning](06_spinning.ipynb)
 #
@@ -879,5 +891,5 @@ else:
 #
 # **Next:** [08 · The humanoid status publisher](08_humanoid_status_publisher.ipynb), a node with two timers.
 #
-# **More:** [rclpy](https://docs.ros.org/en/jazzy/p/rclpy), with all its types, and
-# [the documentation of mypy](https://mypy.readthedocs.io/).
+# **More:** [rclpy](https://docs.ros.org/en/jazzy/p/rclpy), with all its types, and [the mypy
+# documentation](https://mypy.readthedocs.io/).

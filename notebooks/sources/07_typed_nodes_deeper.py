@@ -1,14 +1,14 @@
 # %% [markdown]
 # # 07 · Deeper: one typed publisher for all messages
 #
-# Lesson 07 wrote one `Protocol` for each message type. Can one description serve all of them?
+# Lesson 07 wrote a separate `Protocol` for each message type. Can a single Protocol cover all message types?
 #
 # - **Minutes:** 10
 # - **You need:** lesson [07](07_typed_nodes.ipynb)
 # - **You will be able to:**
 #   - write a generic Protocol
-#   - write a function whose result depends on the message class
-# - **Left out:** generic classes of your own that hold state
+#   - write a function whose return type depends on the message class
+# - **Left out:** generic classes of your own that store state
 
 # %% [markdown] prediction="one-letter-less"
 # ## Predict
@@ -59,11 +59,11 @@ reveal("one-letter-less", complaints=len(report), said=str(report))
 # %% [markdown]
 # ## Look inside
 #
-# `contravariant=True` says that the type goes only in. A publisher that takes every message may stand where one for
-# `Float32` is expected, but not the other way around.
+# `contravariant=True` declares that the type appears only as an argument. So you can use a publisher that accepts every
+# message where a publisher for `Float32` is expected, but not the other way around.
 #
-# `make_publisher` connects two hints. `Message` stands for one type, the same in both places: for `kind=Float32` the
-# result is a `Sends[Float32]`.
+# `make_publisher` ties two hints together, because `Message` stands for the same type in both. With `kind=Float32`, the
+# function returns a `Sends[Float32]`.
 
 # %%
 TYPED = '''\
@@ -95,7 +95,8 @@ battery.publish(String(data="full"))
 check_types(TYPED)
 
 # %% [markdown]
-# Only the last line is wrong. For comparison, the same program with rclpy's own publisher:
+# mypy reports only the last line, which is the one with the mistake. For comparison, here's the same program with
+# rclpy's own publisher:
 
 # %%
 from workbook.lesson.type_reports import nets_picture
@@ -115,19 +116,20 @@ nets_picture(
 )
 
 # %% [markdown]
-# From Python 3.12 on you can write `class Sends[Taken](Protocol)` and
-# `def make_publisher[Message](...)`, and leave out the two lines with `TypeVar`.
+# From Python 3.12 on, you can write `class Sends[Taken](Protocol)` and `def make_publisher[Message](...)`, and leave
+# out the two lines with `TypeVar`.
 
 # %% [markdown]
 # ## Take away
 #
-# - A generic Protocol describes many types at once; its type variable is contravariant if it goes only in.
-# - A function that takes `kind: type[Message]` and returns `Sends[Message]` gets the type of the publisher from the
+# - A single generic Protocol can describe many types. Its type variable is contravariant if the type appears only as an
+#   argument.
+# - A function that takes `kind: type[Message]` and returns `Sends[Message]` derives the publisher's type from the
 #   message class.
 #
 # **Before:** [07 · Typed nodes](07_typed_nodes.ipynb)
 #
 # **Next:** [08 · The humanoid status publisher](08_humanoid_status_publisher.ipynb)
 #
-# **More:** [rclpy](https://docs.ros.org/en/jazzy/p/rclpy), and
-# [Protocols in the documentation of mypy](https://mypy.readthedocs.io/en/stable/protocols.html).
+# **More:** [rclpy](https://docs.ros.org/en/jazzy/p/rclpy), and [Protocols in the mypy
+# documentation](https://mypy.readthedocs.io/en/stable/protocols.html).

@@ -1,21 +1,21 @@
 # %% [markdown]
 # # 08 · The humanoid status publisher
 #
-# Every real robot reports again and again that it works, and how much battery is left. How do you build a node that does
-# this reliably?
+# Every real robot keeps reporting that it works, and how much charge its battery has left. How do you build a node that
+# publishes these reports reliably?
 #
-# - **Minutes:** 45
+# - **Minutes:** 50
 # - **You need:** lesson [05](05_timers.ipynb), and what a node, a publisher and a message are
 # - **You will be able to:**
-#   - build a node with two topics at two rates
-#   - send numbers that really arrive
-#   - count the listeners
-#   - say what follows when a callback raises an exception
+#   - build a node that publishes two topics at two rates
+#   - send numbers that arrive unchanged
+#   - count a publisher's subscriptions
+#   - say what happens after a callback raises an exception
 #   - end a node on Ctrl-C with exit code 0
-# - **Left out:** real battery sensors (`sensor_msgs/BatteryState`), several threads, services
+# - **Left out:** real battery sensors (`sensor_msgs/BatteryState`), multithreading, services
 
 # %% [markdown]
-# The next cell starts the finished node, as a program of its own.
+# The next cell starts the finished node in a separate process.
 
 # %%
 from lesson_nodes import humanoid_status_publisher
@@ -24,8 +24,8 @@ from workbook.lesson import start, stop, watch_status
 print("on the graph:", start(humanoid_status_publisher))
 
 # %% [markdown]
-# The dashboard listens to two topics: `/robot/status` lights the lamp, `/robot/battery` fills the gauge.
-# Each dot below is a message at the moment it arrived.
+# The dashboard subscribes to two topics: `/robot/status` controls the lamp, and `/robot/battery` controls the gauge.
+# Each dot below marks the arrival of a message.
 
 # %%
 view = await watch_status(seconds=9)
@@ -36,20 +36,20 @@ print("battery still nearly full:", 90.0 < view.battery < 100.0)
 stop()
 
 # %% [markdown]
-# Compare the two rows of dots.
+# Compare the two rows of dots: how do their spacings differ?
 
 # %% [markdown] prediction="the-dashboard-opens"
 # ## Predict
 #
-# Two lines of the node give it its rhythm:
+# Two lines of the node set its publishing rates:
 #
 # ```python
 # self.status_timer = self.create_timer(1.0, self.publish_status)
 # self.battery_timer = self.create_timer(2.0, self.publish_battery)
 # ```
 #
-# An operator opens a dashboard while the node has been running for hours. How long does it take, at most, until the
-# dashboard shows the battery?
+# The node has been running for hours when an operator opens a dashboard. What's the longest time until the dashboard
+# shows the battery level?
 #
 # - **a** No time: the dashboard asks the node for the level.
 #   when `longest_wait_s < 0.5`
@@ -72,8 +72,8 @@ predict("the-dashboard-opens")
 # %% [markdown]
 # ## Run it
 #
-# We do not wait for a minute. The recorder drives the robot's clock (simulated time, lesson 05): one minute of robot time
-# takes a few real seconds.
+# We don't want to wait for a minute. So the recorder drives the robot's clock (simulated time, lesson 05), and one
+# minute of robot time takes only a few real seconds.
 
 # %%
 from workbook.lesson import arrivals, record, values
@@ -107,17 +107,17 @@ reveal("the-dashboard-opens", longest_wait_s=longest)
 # %% [markdown]
 # ## Look inside
 #
-# Both timers are served by one thread. A timer callback is short: fill a message, publish it, return. So there is room for
-# many timers, as long as **each callback is quick**.
+# One thread runs the callbacks of both timers. A timer callback is short: it fills a message, publishes it, and
+# returns. So one thread can handle many timers, as long as **each callback is fast**.
 #
-# We build the node step by step. Every topic needs three things: a **publisher**, a **timer** and a **callback** that
-# fills a message.
+# Let's build the node step by step. Every topic needs three things: a **publisher**, a **timer**, and a **callback**
+# that fills a message.
 
 # %% [markdown]
 # ### Step 1: one topic
 #
-# Find the three things in `__init__` and below it. `init()` joins this notebook to ROS, as `rclpy.init()` does for a
-# program; here the cell may be run again.
+# Find the publisher and the timer in `__init__`, and the callback below it. `init()` initializes ROS in this notebook,
+# as `rclpy.init()` does in a program. But unlike `rclpy.init()`, it lets you run the cell again.
 
 # %%
 from rclpy.node import Node
@@ -149,8 +149,8 @@ await run(humanoid, until=lambda: humanoid.sent == 3, seconds=10)
 # %% [markdown]
 # ### Step 2: a battery that drains
 #
-# We have no battery, so we simulate one: a number that decreases a little each time. `max(0.0, ...)` keeps it from going
-# below zero. A program that receives −0.1 % might believe it.
+# We don't have a battery, so we simulate one: a number that gets a little smaller each time. `max(0.0, ...)` keeps the
+# number from going below zero, because a subscriber might accept −0.1% as a real level.
 
 # %%
 careless = careful = 0.8
@@ -162,7 +162,7 @@ for _ in range(4):
 # %% [markdown]
 # ### Step 3: the second topic
 #
-# The level is kept in `self` from tick to tick. The status now depends on the battery.
+# An attribute of `self` keeps the battery level between ticks. The status now depends on that level.
 
 # %%
 import random
@@ -195,8 +195,8 @@ humanoid.destroy_node()
 # %% [markdown]
 # ### Step 4: the finished node
 #
-# This class from `lesson_nodes/humanoid_status_publisher.py` drove the dashboard. Three things are new: names for the
-# numbers, a docstring that lists the topics, and a check of the start value.
+# This class from `lesson_nodes/humanoid_status_publisher.py` published the dashboard's messages. Three things are new:
+# named constants, a docstring that lists the topics, and a check of the initial level.
 
 # %%
 import inspect
@@ -206,20 +206,21 @@ from lesson_nodes.humanoid_status_publisher import HumanoidStatusPublisher
 print(inspect.getsource(HumanoidStatusPublisher))
 
 # %% [markdown]
-# Three habits to copy:
+# Copy these three habits:
 #
-# - **Topics in the docstring**, with type, rate and meaning. It is the contract with all subscribers.
-# - **Type hints** (`-> None`, `battery_level: float`). Your editor and mypy read them. ROS does not.
-# - **A unit in each name or comment** (`STATUS_PERIOD_S`, percent). Many bugs come from hertz where seconds are
-#   expected.
+# - **List the topics in the docstring,** each with its type, rate, and meaning. The list is your contract with all
+#   subscribers.
+# - **Add type hints** (`-> None`, `battery_level: float`). Your editor and mypy use them, but ROS doesn't.
+# - **Put a unit in each name or comment** (`STATUS_PERIOD_S`, percent). Many bugs come from passing hertz where seconds
+#   are expected.
 
 # %% [markdown]
 # ## Change it
 #
 # ### Experiment 1: until the battery is empty
 #
-# A full battery takes about 11 minutes to run empty: 0.3 % per message on average, one message every 2 s. So we begin
-# with 10 %. This program gives the class another start value.
+# A full battery lasts about 11 minutes: it loses 0.3% per message on average, and there's a message every 2 s. To save
+# time, this program passes a different initial level to the class: 10%.
 
 # %%
 # %%writefile evening.py
@@ -230,8 +231,8 @@ rclpy.init()
 rclpy.spin(HumanoidStatusPublisher(battery_level=10.0))
 
 # %% [markdown] prediction="the-empty-battery"
-# We record two minutes of robot time. At some tick of the battery's timer, the level becomes 0.0. How long does it take
-# then, at most, until `/robot/status` says `error`?
+# We record two minutes of robot time. At one of the battery timer's ticks, the level reaches 0.0. After that, what's
+# the longest time until `/robot/status` reports `error`?
 #
 # - **a** No time: both callbacks share `self.battery_level`.
 #   when `delay_s < 0.5`
@@ -262,8 +263,8 @@ print(f"from 0.0 to error: {error_at - empty_at:.1f} s")
 reveal("the-empty-battery", delay_s=error_at - empty_at)
 
 # %% [markdown]
-# Here both timers are due at the same moment, and the status comes first. So its next message is a whole period away.
-# What does `/robot/battery` say from then on?
+# In this run, both timers were due at the same moment, and the status callback ran first. So the next status message
+# was a whole period away. Which values does the node publish on `/robot/battery` from then on?
 
 # %%
 from workbook.pictures import figure
@@ -291,13 +292,13 @@ show(
 )
 
 # %% [markdown]
-# A message that says 0.0 tells a monitor what is wrong. Silence does not: is the battery empty, has the program crashed,
-# or is the network down? So a status node keeps publishing as long as it can.
+# A message of 0.0 tells the operator what's wrong. Silence doesn't, because there could be several reasons: an empty
+# battery, a crashed program, or a broken network. So a status node should keep publishing as long as it can.
 #
 # ### Experiment 2: who is listening?
 #
-# A publisher can count its listeners. Here is one that is killed by its first message. SIGKILL (`kill -9`) ends a
-# program at once.
+# A publisher can count its subscriptions. The next program, a monitor, kills itself when it receives its first message.
+# It uses SIGKILL (`kill -9`), which ends a program immediately.
 
 # %%
 # %%writefile fragile_monitor.py
@@ -318,10 +319,10 @@ node.create_subscription(String, "/robot/status", crash, 10)
 rclpy.spin(node)
 
 # %% [markdown] prediction="who-is-counted"
-# We make the humanoid here, and start this monitor. `get_subscription_count()` of the publisher returns 1. Then we
-# publish one status. What does it return after half a second, and what after 10 s?
+# We create the humanoid in this notebook and start the monitor. The publisher's `get_subscription_count()` then returns
+# 1. Now we publish one status message. What does the method return half a second later, and what after 10 s?
 #
-# In this course, DDS gives each program a **lease** of 2 s (`workbook/ros/loopback.xml`). The default of Fast DDS is 20 s.
+# In this course, DDS gives each program a **lease** of 2 s (`workbook/ros/loopback.xml`). Fast DDS's default is 20 s.
 #
 # - **a** 0 both times: Linux has closed all connections of the monitor.
 #   when `soon == 0`
@@ -359,10 +360,11 @@ reveal("who-is-counted", soon=soon, late=late)
 stop()
 
 # %% [markdown]
-# With the default of 20 s, both counts are 1. So the count says who was found, not who is alive.
+# With the default of 20 s, both counts would be 1. So the count includes every subscription that was discovered, even
+# if its program has since been killed.
 #
-# It is useful at the start. A message without a listener is gone ([lesson 00](00_start_here.ipynb)). A program can wait
-# until the count is above 0. This one does not wait:
+# The count is still useful at the start. A message that's published before any subscription is connected is lost
+# ([lesson 00](00_start_here.ipynb)). So a program can wait until the count is above 0. This one doesn't wait:
 
 # %% id="late-listener"
 import rclpy
@@ -386,10 +388,10 @@ spin_for(listener, seconds=10, until=lambda: heard)
 print("heard after one more:", len(heard))
 
 # %% [markdown]
-# The `10` in `create_publisher(..., 10)` is the publisher's queue depth for connected subscriptions. It does not keep
-# messages for later ones. (QoS can do that: lesson 13.)
+# The `10` in `create_publisher(..., 10)` is the queue depth. It applies only to connected subscriptions; the publisher
+# keeps no messages for later ones. (QoS can change that: lesson 13.)
 #
-# Two more listeners: a monitor as a program of its own, and the dashboard in this notebook.
+# Now let's add two more subscribers: a monitor in a separate process, and the dashboard in this notebook.
 
 # %%
 import asyncio
@@ -410,7 +412,7 @@ print("listeners while the dashboard was open:", listeners)
 network
 
 # %% [markdown]
-# The graph was drawn while the dashboard was open.
+# This graph was drawn while the dashboard was open.
 
 # %%
 stop()
@@ -422,9 +424,9 @@ humanoid.destroy_node()
 #
 # ### An exception in a background thread
 #
-# Many programs spin in a background thread, to keep the main thread free. This node publishes its status ten times a
-# second. A second timer estimates how long the battery will last, and divides by zero the second time. What happens to
-# the status?
+# Many programs spin in a background thread to keep the main thread free. The next node publishes its status ten times a
+# second. A second timer estimates how long the battery will last, and its second call divides by zero. What happens to
+# the status messages?
 #
 # - **a** The program ends with a traceback and an exit code that is not 0.
 #   when `exit_code != 0`
@@ -440,7 +442,7 @@ humanoid.destroy_node()
 predict("the-exception")
 
 # %% [markdown]
-# We print what its main thread measures, and its exit code.
+# The next cell prints the measurements from the program's main thread, and then its exit code.
 
 # %% id="deaf-node"
 from workbook.lesson import run_program
@@ -498,11 +500,11 @@ reveal(
 )
 
 # %% [markdown]
-# The exception has ended the *thread*, not the program. The node is still on the graph, so `ros2 node list` shows it. Its
-# last message was *operational*. No timer fires, no message is read: the node is **deaf**. Even the exit code is 0.
-# rclpy printed the traceback once, somewhere in the log.
+# The exception ended the *thread*, but not the program. The node is still on the graph, so `ros2 node list` shows it,
+# and its last message was *operational*. But no timer fires, and no callback receives a message: the node is **deaf**.
+# Even the exit code is 0. The only trace is in the log, where the traceback was printed once.
 #
-# `await run(...)` spins in the thread of this notebook, so here the exception appears in your cell:
+# `await run(...)` spins in the notebook's own thread, so here the exception appears in your cell:
 
 # %% tags=["raises-exception"]
 class Forecaster(Node):
@@ -521,20 +523,20 @@ class Forecaster(Node):
 await run(fresh(Forecaster), seconds=10)
 
 # %% [markdown]
-# How to fix it:
+# Here's how to prevent a deaf node:
 #
-# - In a program, let `rclpy.spin(node)` run in the **main thread**. An exception then ends the program with a traceback,
-#   and it can be restarted.
-# - If it must be a thread, check `thread.is_alive()` regularly, and act on it.
-# - Let another node raise an alarm when no status has come for 3 s.
+# - In a program, run `rclpy.spin(node)` in the **main thread**. An exception then ends the program with a traceback,
+#   and a service manager can restart it.
+# - If you must spin in another thread, check `thread.is_alive()` regularly, and react if it returns `False`.
+# - Have another node raise an alarm if it receives no status for 3 s.
 #
-# ### Whole percents
+# ### An int in a float field
 #
 # `Float32(data=round(level))` puts an int into a float field (lesson 03). The result is **a wrong value or a crash,
-# depending on the build.** The packages of this course send 0.0 without an error. The Ubuntu packages can abort the
-# whole process ([rclpy #1297](https://github.com/ros2/rclpy/issues/1297), [#1437](https://github.com/ros2/rclpy/issues/1437),
-# [diagnostics #427](https://github.com/ros/diagnostics/issues/427)). With `ROS_PYTHON_CHECK_FIELDS=1` in the
-# environment, as in this notebook, you get an exception instead:
+# depending on the build.** This course's packages send 0.0 without an error. The Ubuntu packages can abort the whole
+# process ([rclpy #1297](https://github.com/ros2/rclpy/issues/1297), [#1437](https://github.com/ros2/rclpy/issues/1437),
+# [diagnostics #427](https://github.com/ros/diagnostics/issues/427)). If the environment variable
+# `ROS_PYTHON_CHECK_FIELDS=1` is set, as in this notebook, you get an exception instead:
 
 # %% id="whole-percents" tags=["raises-exception"]
 Float32(data=round(99.4))
@@ -542,8 +544,8 @@ Float32(data=round(99.4))
 # %% [markdown]
 # ### The end on Ctrl-C
 #
-# Lesson 01 has three endings of a program. A status node needs the clean one, because a service manager reads the exit
-# code. This cell runs the ending of many examples on the web, and the clean one:
+# Lesson 01 shows three ways for a program to end. A status node needs the clean one, because a service manager reads
+# its exit code. The next cell runs two endings: `COMMON`, which many examples on the web use, and `CLEAN`.
 
 # %% id="endings"
 BEGIN = """
@@ -578,16 +580,18 @@ for name, ending in {"COMMON": COMMON, "CLEAN": CLEAN}.items():
     print(f"{name:<8} exit code {outcome.exit:>3}   {last_line}")
 
 # %% [markdown]
-# `COMMON` fails because Ctrl-C has already shut the context down, and `rclpy.shutdown()` does it a second time.
-# `try_shutdown()` does nothing then. One caveat: on a very busy machine the shutdown by Ctrl-C can fall
-# [between its check and its call](https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py), and `CLEAN` ends like
-# `COMMON`. That is a fault of rclpy, and `%check` does not count it.
+# `COMMON` fails because Ctrl-C has already shut the context down, and then `rclpy.shutdown()` tries to do it again. In
+# that case, `try_shutdown()` does nothing.
+#
+# One caveat: on a very busy machine, Ctrl-C can shut the context down [between the check and the
+# call](https://github.com/ros2/rclpy/blob/jazzy/rclpy/rclpy/context.py) inside `try_shutdown()`. Then `CLEAN` ends like
+# `COMMON`. That's a bug in rclpy, and `%check` doesn't count it against you.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A node reports the temperature of the motors: one topic at 2 Hz, type hints, a real float, a clean end. The
-# cell sends Ctrl-C after the first message.
+# **Worked.** This node reports the motors' temperature. It publishes one topic at 2 Hz, and it has type hints, a real
+# float, and a clean ending. The cell sends Ctrl-C after the first message.
 
 # %%
 WORKED = """
@@ -627,9 +631,9 @@ print(said(outcome).splitlines()[0])
 print("exit code", outcome.exit)
 
 # %% [markdown]
-# **Faded.** Now the foot counts its steps, and reports them on `/robot/steps` once every four seconds, as a `Float32`.
-# Fill in three blanks `___`: the period, the float, and how the program ends. You are done when it prints `sent 1.0`
-# and exit code 0.
+# **Faded.** A node in the robot's foot counts steps. Every four seconds, it publishes the count to `/robot/steps` as a
+# `Float32`. Fill in the three blanks `___`: the period, the float, and the ending. You're done when the cell prints
+# `sent 1.0` and exit code 0.
 
 # %%
 FADED = """
@@ -671,131 +675,135 @@ print("exit code", outcome.exit)
 
 # %% [markdown]
 # **Your own.** The [exercise](../exercises/08_humanoid_status_publisher.ipynb) gives you a status publisher with three
-# bugs. All three are in this lesson. It is judged by what arrives on the topics, and by how your program ends.
+# bugs, all of which appear in this lesson. The judge checks the messages that arrive on the topics, and how your
+# program ends.
 
 # %% [markdown]
 # ## Check yourself
 #
 # **1. The battery is empty. What should a status node do?**
 #
-# <details><summary>a) Stop publishing: a silent robot is an empty robot</summary>
+# <details><summary>a) Stop publishing, because a silent robot is an empty robot</summary>
 #
-# ✗ Silence can also mean a crashed program or a network that is down. A monitor cannot tell.
-#
-# </details>
-# <details><summary>b) Go on publishing: 0.0, and <code>error</code></summary>
-#
-# ✓ Then every listener knows what is wrong, even one that has just started.
+# ✗ Silence can also mean a crashed program or a broken network. A monitor can't tell the difference.
 #
 # </details>
-# <details><summary>c) End with an exit code that is not 0</summary>
+# <details><summary>b) Keep publishing 0.0 and <code>error</code></summary>
 #
-# ✗ A service manager on the robot reads that. The listeners on the topics get only silence.
+# ✓ Then every subscriber knows what's wrong, even one that has just started.
+#
+# </details>
+# <details><summary>c) End with a nonzero exit code</summary>
+#
+# ✗ Only a service manager on the robot reads the exit code. The topics' subscribers just receive nothing.
 #
 # </details>
 #
-# **2. The dashboard shows 0.0 % and the log of the node says 87 %. What do you suspect first?**
+# **2. The dashboard shows 0.0%, but the node's log says 87%. What do you suspect first?**
 #
-# <details><summary>a) Messages are lost on the way</summary>
+# <details><summary>a) Messages get lost on the way</summary>
 #
-# ✗ A lost message leaves the old number on the dashboard. It does not become zero.
+# ✗ If a message is lost, the dashboard keeps showing the old number. The number doesn't become zero.
 #
 # </details>
 # <details><summary>b) The queue depth of 10 is too small</summary>
 #
-# ✗ The depth says how many messages may wait. It never changes what is in them.
+# ✗ The depth limits how many messages can wait. It never changes their content.
 #
 # </details>
-# <details><summary>c) The level in the message is not a Python float</summary>
+# <details><summary>c) The level in the message isn't a Python float</summary>
 #
-# ✓ In this build, an int, a str or a bool in a float field is sent as a wrong value, mostly 0.0. The Ubuntu packages may
+# ✓ In this build, an int, str, or bool in a float field is sent as a wrong value, usually 0.0. The Ubuntu packages may
 # abort the process.
 #
 # </details>
 #
-# **3. A node is on the graph, its last status was "operational", and nothing has come for a minute. What is likely?**
+# **3. A node is on the graph. Its last status, a minute ago, was "operational". What is the likely cause?**
 #
-# <details><summary>a) An exception has ended the thread that spins</summary>
+# <details><summary>a) An exception ended the thread that spins the node</summary>
 #
-# ✓ The node object still exists, so the graph shows it, but nothing calls its timers any more.
-#
-# </details>
-# <details><summary>b) Nothing, no news is good news</summary>
-#
-# ✗ A status topic with a rate is a heartbeat. When it stops, something is wrong.
+# ✓ The node object still exists, so the node is on the graph. But no thread runs its timer callbacks anymore.
 #
 # </details>
-# <details><summary>c) All its listeners have gone, so it has paused</summary>
+# <details><summary>b) There's no problem: no news is good news</summary>
 #
-# ✗ `publish()` works without listeners. You have tried it.
+# ✗ A status topic with a fixed rate is a heartbeat. If it stops, something is wrong.
+#
+# </details>
+# <details><summary>c) The node paused, because all of its subscribers are gone</summary>
+#
+# ✗ `publish()` works without subscribers, as you've seen.
 #
 # </details>
 #
-# **4. A node publishes `started` once, with QoS `10`. Its only listener is running. How do you make sure that it arrives?**
+# **4. A node publishes `started` once, with QoS `10`. Its only subscriber is running. How do you make sure it arrives?**
 #
-# <details><summary>a) Publish it as the first line after <code>create_publisher</code>, with depth 100</summary>
+# <details><summary>a) Publish it right after <code>create_publisher</code>, with a depth of 100</summary>
 #
-# ✗ The depth counts for subscriptions that are connected. At that moment there may be none.
-#
-# </details>
-# <details><summary>b) Publish it when <code>get_subscription_count()</code> is above 0</summary>
-#
-# ✓ Then the publisher has found the subscription of its listener, and DDS delivers the message to it.
+# ✗ The queue serves only connected subscriptions, and at that moment there may be none.
 #
 # </details>
-# <details><summary>c) Publish it three times in a row, in case one gets lost</summary>
+# <details><summary>b) Publish it once <code>get_subscription_count()</code> is above 0</summary>
 #
-# ✗ If no listener is connected yet, all three are gone.
+# ✓ By then, the publisher has discovered the subscription, and DDS delivers the message to it.
+#
+# </details>
+# <details><summary>c) Publish it three times in a row, in case one message gets lost</summary>
+#
+# ✗ If no subscription is connected yet, all three messages are lost.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). My humanoid publishes its status
-# at 1 Hz and its battery at 0.5 Hz from one node. A monitor on another computer should
-# stop the robot when something is wrong. What can it conclude from a message, and what
-# from a missing one? How long should it wait before it calls silence an alarm? Name
-# only functions that exist in rclpy for Jazzy.
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). One node of my humanoid
+# publishes its status at 1 Hz and its battery level at 0.5 Hz. A monitor on another
+# computer should stop the robot if something is wrong. What can the monitor conclude from
+# a message, and what from a missing one? How long should it wait before it raises an
+# alarm? From rclpy, use only functions that exist in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# A message says what the node believed when it was sent. A missing message can mean a dead process, a deaf node, a blocked
-# callback, or a network that is down. They look the same from outside. One late message is no alarm, since timers and
-# networks jitter: two to three periods are a common compromise. A good answer says what the robot does meanwhile (slow
-# down, stop, sit down). It also says that the robot may have to stop on its own when the *robot* no longer hears the
-# monitor. A plus: ROS can watch this for you, with a deadline in the QoS.
+# A message contains the node's state at the time of publishing. A missing message can mean a dead process, a deaf node,
+# a blocked callback, or a broken network, and these look the same from outside. A single late message shouldn't raise
+# an alarm, because timers and networks jitter. Two to three periods are a common compromise.
+#
+# A good answer says what the robot does in the meantime (slow down, stop, sit down). It also says that the robot may
+# have to stop on its own if the *robot* no longer receives messages from the monitor. Even better, it mentions that ROS
+# can detect late messages for you, through the deadline QoS policy.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two suggestions. We tried both with this course's rclpy, and both are wrong.
 #
-# - **`finally: node.destroy_node(); rclpy.shutdown()`:** After Ctrl-C the context is already shut down. A second
+# - **`finally: node.destroy_node(); rclpy.shutdown()`:** After Ctrl-C, the context is already shut down. A second
 #   `shutdown` raises `rcl_shutdown already called`, and the exit code is 1. Use `rclpy.try_shutdown()`.
-# - **`create_publisher(String, "status", queue_size=10)`:** That is ROS 1. In rclpy the third argument is the QoS, and
-#   it is required.
+# - **`create_publisher(String, "status", queue_size=10)`:** That's ROS 1. In rclpy, the third argument is the QoS, and
+#   it's required.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - Each topic needs a publisher, a timer and a short callback; many fit into one thread.
-# - `create_timer` takes seconds: 0.5 Hz is 2.0.
-# - Put only a Python `float` into a float field. Anything else gives a wrong value or a crash, depending on the build.
-# - An exception in a background spin stops all callbacks of a node, and the node stays on the graph.
-# - End with `except (KeyboardInterrupt, ExternalShutdownException)` and `rclpy.try_shutdown()`.
+# - `create_timer` takes a period in seconds, so 0.5 Hz is 2.0.
+# - For each topic, create a publisher, a timer, and a short callback. One thread can run many such callbacks.
+# - Put only a Python `float` into a float field. Other types lead to a wrong value or a crash, depending on the build.
+# - If a background thread spins a node, an exception stops all of the node's callbacks, but the node stays on the
+#   graph.
+# - End with `except (KeyboardInterrupt, ExternalShutdownException)` and `rclpy.try_shutdown()`, so the exit code is 0.
 #
 # **Before:** [07 · Typed nodes](07_typed_nodes.ipynb)
 #
-# **Next:** [09 · The joint positions](09_joint_positions.ipynb), a third topic that moves the whole robot.
+# **Next:** [09 · The joint positions](09_joint_positions.ipynb), a third topic that moves the whole robot
 #
 # **More:** [Writing a simple publisher and
 # subscriber](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)
-# and [About topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html).
+# and [About topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html)

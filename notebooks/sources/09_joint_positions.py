@@ -1,20 +1,22 @@
 # %% [markdown]
 # # 09 · The joint positions
 #
-# A planner, a safety monitor and a picture on your screen all need the joint angles. How often should a robot publish them?
+# A planner, a safety monitor, and a drawing on your screen all need the joint angles. How often should a robot publish
+# them?
 #
 # - **Minutes:** 45
 # - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb)
 # - **You will be able to:**
 #   - publish an array of joint angles
-#   - choose its rate with a reason
+#   - choose and justify its rate
 #   - use it in a subscriber
-#   - measure what a rate costs
-# - **Left out:** names inside the message (`sensor_msgs/JointState`), how links are connected (URDF), motor control
+#   - measure the cost of a rate
+# - **Left out:** joint names inside the message (`sensor_msgs/JointState`), the connections between links (URDF), motor
+#   control
 
 # %% [markdown]
-# The next cell starts a program of its own, `lesson_nodes/joint_position_publisher.py`. It publishes twelve angles
-# on `/robot/joint_positions`, twenty times a second. The notebook only listens.
+# The next cell starts `lesson_nodes/joint_position_publisher.py` as a separate program. It publishes twelve angles to
+# `/robot/joint_positions`, twenty times a second. The notebook only subscribes to them.
 
 # %%
 from lesson_nodes import joint_position_publisher
@@ -24,7 +26,7 @@ print("started", start(joint_position_publisher, period_s=0.05))
 await watch_robot(seconds=6, ease=0.1)
 
 # %% [markdown]
-# Every pose that you saw went through DDS, from one process to another, as twelve numbers:
+# Every pose that you saw went through DDS from one process to another, as twelve numbers:
 #
 # | index | joint | index | joint | index | joint |
 # |---|---|---|---|---|---|
@@ -33,7 +35,7 @@ await watch_robot(seconds=6, ease=0.1)
 # | 2 | left shoulder | 6 | left hip | 10 | right knee |
 # | 3 | left elbow | 7 | left knee | 11 | right ankle |
 #
-# The angles are radians: π is half a turn. The robot faces you, so its left arm is on your right.
+# The angles are in radians, so π is half a turn. The robot faces you, so its left arm is on your right.
 
 # %%
 from workbook.ros.tools import topic_info
@@ -44,7 +46,7 @@ topic_info("/robot/joint_positions")
 stop()
 
 # %% [markdown]
-# How rarely may the program publish before the wave no longer looks like a wave? Move the slider while the cell runs.
+# How far apart can the messages be before the wave stops looking like a wave? Move the slider while the cell runs.
 
 # %%
 from workbook.lesson import knob
@@ -54,8 +56,8 @@ await knob(joint_position_publisher, "period_s", 0.5, between=(0.05, 1.0), secon
 # %% [markdown] prediction="the-slow-drawing"
 # ## Predict
 #
-# The battery of lesson 08 is published at 0.5 Hz, one message every 2 s. Suppose we publish the joint angles of the
-# *waving* robot just as slowly, and a program draws the robot from the last message that arrived.
+# Lesson 08 published the battery level at 0.5 Hz, one message every 2 s. Suppose we publish the *waving* robot's joint
+# angles just as slowly. A program draws the robot using the last message that arrived.
 #
 # How wrong is that drawing at worst? The elbow swings by about 1 rad (57°) from one end to the other.
 #
@@ -79,8 +81,8 @@ predict("the-slow-drawing")
 # %% [markdown]
 # ## Run it
 #
-# We record the same publisher with a period of 2 s. The recorder drives the robot's clock, so 14 s of robot time take
-# about a second.
+# We record the same publisher with a period of 2 s. The recorder controls the robot's clock, so 14 s of simulated time
+# (*robot time*) take about one real second.
 
 # %%
 from workbook.lesson import arrivals, record, values
@@ -92,8 +94,8 @@ print("arrived at", arrivals(slow, TOPIC), "s")
 print("values per message:", {len(angles) for angles in values(slow, TOPIC)})
 
 # %% [markdown]
-# We know how the robot really moves: the lesson node computes every pose with `waving(t)`. So we can compare the real elbow
-# with the last message.
+# We know how the robot really moves, because the lesson node computes every pose with `waving(t)`. So we can compare
+# the real elbow angle with the one in the last message.
 
 # %%
 import numpy as np
@@ -124,7 +126,7 @@ reveal("the-slow-drawing", share_of_the_swing=float(worst / swing))
 # %% [markdown]
 # ## Look inside
 #
-# Here is the real elbow, and the newest message at each moment:
+# Here are the real elbow angle and the newest message at each moment:
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -145,14 +147,14 @@ show(
 )
 
 # %% [markdown]
-# Between two messages a subscriber learns nothing new: DDS delivers, it does not guess. The elbow swings 0.8 times a
-# second. In 2 s it can go to the other end and back. The battery is different: it drains by at most 0.5 % in 2 s, so
-# the last message is never wrong by more than that.
+# Between two messages, a subscriber gets no new values, because DDS delivers messages but doesn't estimate what lies
+# between them. The elbow swings 0.8 times a second, so within 2 s it can move to the other end and back. The battery is
+# different: it drains by at most 0.5 % in 2 s. So the last battery message is never wrong by more than that.
 #
-# **Publish often enough that a subscriber learns of every change that matters to it.**
+# **Publish often enough that a subscriber gets every change that matters to it.**
 #
 # The message type is `Float32MultiArray`: a list of 32-bit floats with an optional `layout` that describes rows and
-# columns. It has no joint names. Sender and receiver must agree on the order, as we did in the table above.
+# columns. It has no joint names, so publisher and subscriber must agree on the order, as in the table above.
 
 # %%
 from std_msgs.msg import Float32MultiArray
@@ -165,8 +167,8 @@ print("left elbow sent:", waving(0.25)[ELBOW])
 print("left elbow kept:", message.data[ELBOW])
 
 # %% [markdown]
-# The two numbers differ in the eighth digit: a Python `float` has 64 bits and the field has 32. For an angle that does not
-# matter. But never compare such values with `==`.
+# The two numbers differ in the eighth digit, because a Python `float` has 64 bits but the field has only 32. For an
+# angle, that difference doesn't matter. But never compare such values with `==`.
 
 # %% [markdown] prediction="ten-hertz"
 # ## Change it
@@ -194,18 +196,18 @@ worst_of_fast = np.abs(last_known(fast) - truth).max()
 reveal("ten-hertz", share_of_the_error=float(worst_of_fast / worst))
 
 # %% [markdown]
-# Joints change by radians in a second, the battery by a fraction of a percent. So the joints need the faster topic.
-# Batteries: once every few seconds. Joints that a planner uses: 10 to 100 Hz. Motor control inside the joint: 1000 Hz and
-# more, and not over a Python topic. The exercise asks for 0.5 Hz all the same: there the angles are simulated, and no
-# program steers by them.
+# Joints change by radians per second, but the battery changes by only a fraction of a percent. So the joints need the
+# faster topic. A battery level is published once every few seconds, and joint angles for a planner at 10 to 100 Hz.
+# Motor control inside the joint runs at 1000 Hz or more, and not over a Python topic. The exercise asks for only 0.5
+# Hz, because its angles are simulated and no program uses them to control anything.
 
 # %% [markdown] prediction="the-hand-tracker"
 # ### Experiment 2: a subscriber that uses the angles
 #
-# A node subscribes to the angles. It computes how high the left hand is above the shoulder, and publishes that. It has no
-# timer: its callback runs once for each message (lesson 04).
+# A node subscribes to the angles. It computes the left hand's height above the shoulder and publishes the result. The
+# node has no timer, so its callback runs once per message (lesson 04).
 #
-# The hand of the waving robot goes up and down by 13 cm, 0.8 times a second. 20 messages come in a second. How large is
+# The waving robot's hand goes up and down by 13 cm, 0.8 times a second. Each second, 20 messages arrive. How large is
 # the largest step from one height to the next?
 #
 # - **a** about 0.65 cm: 13 cm in 20 messages
@@ -247,8 +249,8 @@ print(f"steps: {mean(steps_cm):.0f} cm on average, {max(steps_cm):.0f} cm at mos
 reveal("the-hand-tracker", largest_step_cm=max(steps_cm))
 
 # %% [markdown]
-# So a tracker can say where the hand is to within 2 cm. Here is the node. It spins in this notebook, and the waving robot
-# runs in its own process.
+# So a tracker knows the hand's position to within 2 cm. Here is such a node. It spins in this notebook, while the
+# waving robot runs in a separate process.
 
 # %%
 from rclpy.node import Node
@@ -292,16 +294,16 @@ axes.set_title("each message becomes one height", fontsize=11)
 show(fig, "the height of the waving hand, computed from the angles, goes up and down")
 
 # %% [markdown]
-# One height for each message. Most of a robot works like this: a node subscribes to one topic, computes something more
-# useful, and publishes that.
+# The node publishes one height per message. Most of a robot's nodes work like this: they subscribe to one topic,
+# compute something more useful, and publish that.
 
 # %% [markdown] prediction="a-hundred-hertz"
 # ### Experiment 3: 100 Hz instead of 0.5 Hz
 #
-# What does a higher rate cost? We run the publisher at three rates, each in a process of its own. The operating system says
-# how much processor time it took, after it has started up.
+# What does a higher rate cost? We run the publisher at three rates, each time in a separate process. The operating
+# system reports how much CPU time the process used after its startup.
 #
-# At 100 Hz there are 200 times as many messages as at 0.5 Hz. The processor time of the program will be:
+# At 100 Hz, there are 200 times as many messages as at 0.5 Hz. The program's CPU time will be:
 #
 # - **a** about 200 times as much
 #   when `times_as_much >= 200`
@@ -361,16 +363,17 @@ show(
 )
 
 # %% [markdown]
-# The start of the program is not in these numbers. At 0.5 Hz much of it is background work: DDS keeps in touch with
-# other programs. Each message adds about the same, so at high rates the cost grows with the rate.
+# These numbers exclude the program's startup. At 0.5 Hz, much of the CPU time is background work: DDS keeps in touch
+# with other programs. The rest grows with the rate, but more slowly. In this run, a message cost half as much CPU time
+# at 100 Hz as at 10 Hz.
 #
-# 100 Hz is affordable for *one* publisher. But every subscriber pays as well, and a robot has many topics. And a Python
-# node that is busy with one topic is late for the others (lesson 10).
+# So 100 Hz is affordable for *one* publisher. But every subscriber pays for the messages, too, and a robot has many
+# topics. Also, while a Python node is busy with one topic, messages on its other topics have to wait (lesson 10).
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **A plain list.** The most common slip with arrays: publishing the list instead of the message.
+# **A list instead of a message.** This is the most common mistake with arrays: publishing the list itself.
 
 # %% tags=["raises-exception"]
 import rclpy
@@ -380,9 +383,9 @@ joint_pub = node.create_publisher(Float32MultiArray, "/robot/joint_positions", 1
 joint_pub.publish(waving(0.0))
 
 # %% [markdown]
-# `publish` needs a message. Put the list into its `data` field: `Float32MultiArray(data=angles)`.
+# `publish` needs a message, so put the list into its `data` field: `Float32MultiArray(data=angles)`.
 #
-# **One number instead of twelve.** The field is an array, even for a single value.
+# **One number instead of a list.** The field is an array, even if it contains a single value.
 
 # %% tags=["raises-exception"]
 Float32MultiArray(data=1.57)
@@ -390,9 +393,9 @@ Float32MultiArray(data=1.57)
 # %% [markdown]
 # The field needs a sequence, so write a list with one element: `[1.57]`.
 #
-# **Eleven values, degrees, NaN.** These raise nothing: for ROS they are an array of floats like any other. Only a program
-# that *uses* the angles can notice. Here is the left arm stretched out to the side, once in radians and once with the same
-# number in degrees.
+# **Eleven values, degrees, or NaN.** None of these raises an exception, because ROS accepts any array of floats. Only a
+# program that *uses* the angles can detect the mistake. Here is the left arm stretched out to the side, first in
+# radians. In the second figure, the angle was left in degrees.
 
 # %%
 from workbook.lesson import robot
@@ -414,15 +417,15 @@ for bad in ([0.0] * 11, [math.nan] * 12):
         print("ROS takes it, the robot does not:", complaint)
 
 # %% [markdown]
-# So check what you send where you make it: twelve values, `math.isfinite`, within ±π. And check what you receive where
-# it matters: a motor that gets NaN may do anything.
+# So check the angles where you compute them: twelve values, `math.isfinite`, within ±π. And check received angles where
+# mistakes are dangerous, because a motor that gets NaN may do anything.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** The status publisher of lesson 08 learns one more topic: how far the head is turned, a single angle, once a
-# second. Three additions: a publisher, a timer, a callback. The two old topics stay as they were, because
-# `super().__init__()` still makes them.
+# **Worked.** We add one more topic to lesson 08's status publisher: how far the head is turned. That's a single angle,
+# published once a second. It takes three additions: a publisher, a timer, and a callback. The two old topics stay
+# unchanged, because `super().__init__()` still creates them.
 
 # %%
 from rclpy.logging import LoggingSeverity, set_logger_level
@@ -451,8 +454,8 @@ await run(looking, seconds=3.5)
 print("head angles published:", looking.looks)
 
 # %% [markdown]
-# **Faded.** Now the five fingers of the left hand, on `/robot/finger_positions`, twice a second. The lines with
-# `...` are yours. Until then the cell runs, and says what is missing.
+# **Faded.** Now publish the left hand's five fingers to `/robot/finger_positions`, twice a second. Replace each `...`
+# with your code. Until you do, the cell prints a reminder.
 
 # %%
 FINGERS = 5
@@ -484,43 +487,45 @@ else:
     print("finger messages published:", gripping.grips)
 
 # %% [markdown]
-# **Your own.** The [exercise](../exercises/09_joint_positions.ipynb) is the whole thing: twelve joints on
-# `/robot/joint_positions`, every 2 s, beside status and battery. It is judged by what your node does on the topics.
+# **Your own.** In the [exercise](../exercises/09_joint_positions.ipynb), you write the complete node. It publishes
+# twelve joints to `/robot/joint_positions` every 2 s, along with status and battery. The judge looks only at what your
+# node does on its topics.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. A joint moves through its whole range in half a second. A safety monitor must see it. Which rate fits?**
+# **1. A joint moves through its whole range in half a second, and a safety monitor must detect that. Which rate fits?**
 #
 # <details><summary>a) 0.5 Hz, as in the exercise</summary>
 #
-# ✗ Two seconds pass between two messages. The joint can go there and back twice unseen.
+# ✗ There are two seconds between messages. In that time, the joint can go there and back twice, undetected.
 #
 # </details>
 # <details><summary>b) 20 to 100 Hz</summary>
 #
-# ✓ Ten or more messages fall into each movement, and one Python node can afford it.
+# ✓ Each movement is covered by ten or more messages, and a single Python node can afford that.
 #
 # </details>
-# <details><summary>c) As fast as the loop can go</summary>
+# <details><summary>c) As fast as the loop can run</summary>
 #
-# ✗ Every subscriber pays for every message. A rate that is higher than needed takes time away from other topics.
+# ✗ Every message costs CPU time in every subscriber. A rate that's higher than necessary takes that time away from
+# other topics.
 #
 # </details>
 #
-# **2. Your message holds eleven values. Who notices?**
+# **2. Your message contains eleven values. What detects that?**
 #
 # <details><summary>a) rclpy, when you call publish()</summary>
 #
-# ✗ A Float32MultiArray may have any length. rclpy checks types, if anything.
+# ✗ A Float32MultiArray can have any length. rclpy checks types, if it checks anything.
 #
 # </details>
 # <details><summary>b) DDS, because the publisher announced twelve</summary>
 #
-# ✗ Nobody announced a length. The type says "a sequence of floats", no more.
+# ✗ A publisher doesn't announce a length. The type just says "a sequence of floats".
 #
 # </details>
-# <details><summary>c) Only a subscriber that counts</summary>
+# <details><summary>c) Only a subscriber that counts them</summary>
 #
 # ✓ So you must make sure, on both sides, that there are twelve joints in this order.
 #
@@ -528,85 +533,87 @@ else:
 #
 # **3. By mistake, a program publishes a quarter turn in degrees: 90.0. What do subscribers get?**
 #
-# <details><summary>a) 90.0, and they take it for radians</summary>
+# <details><summary>a) 90.0, which they interpret as radians</summary>
 #
-# ✓ The message carries a number without a unit. 90 rad are 14 turns and a bit.
+# ✓ The message contains a number without a unit. 90 rad is a bit more than 14 turns.
 #
 # </details>
-# <details><summary>b) Nothing: rclpy refuses an angle above π</summary>
+# <details><summary>b) Nothing: rclpy rejects angles above π</summary>
 #
-# ✗ To rclpy it is a float like any other. Only a program that uses the angle can notice.
+# ✗ rclpy accepts any float. Only a program that uses the angle can detect the mistake.
 #
 # </details>
 # <details><summary>c) 1.57: the message type knows its unit</summary>
 #
-# ✗ A Float32MultiArray has no unit, so nothing converts. Sender and receiver have to agree on radians.
+# ✗ A Float32MultiArray has no unit, so nothing gets converted. Publisher and subscriber have to agree on radians.
 #
 # </details>
 #
-# **4. The angles came 20 times a second. Now they come 5 times. How many heights does the hand tracker publish?**
+# **4. The angles arrived 20 times a second, but now only 5 times. How many heights does the hand tracker publish?**
 #
-# <details><summary>a) 20 in a second, most of them the same as before</summary>
+# <details><summary>a) 20 a second, most of them repeated</summary>
 #
-# ✗ It would need a timer for that. The tracker has none, and repeats nothing.
-#
-# </details>
-# <details><summary>b) 5 in a second</summary>
-#
-# ✓ Each message that arrives calls its callback once, and each call publishes one height.
+# ✗ That would take a timer. The tracker has none, and repeats no values.
 #
 # </details>
-# <details><summary>c) 20 in a second, with values between the last two messages</summary>
+# <details><summary>b) 5 a second</summary>
 #
-# ✗ Neither DDS nor the tracker makes up values. Between two messages a subscriber learns nothing new.
+# ✓ Each message triggers the callback once, and each call publishes one height.
+#
+# </details>
+# <details><summary>c) 20 a second, with values between the last two messages</summary>
+#
+# ✗ Neither DDS nor the tracker makes up values. Between two messages, a subscriber gets no new data.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). My humanoid publishes twelve
-# joint angles. A colleague wants them at 100 Hz for logging, the dashboard needs 2 Hz,
-# and the arm planner 50 Hz. Should I make three topics, one fast topic, or something
-# else? What speaks for each? Name only functions that exist in rclpy for Jazzy.
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My humanoid publishes twelve
+# joint angles. A colleague wants them at 100 Hz for logging, the dashboard needs them at
+# 2 Hz, and the arm planner needs them at 50 Hz. Should I create three topics, one fast
+# topic, or something else? What are the arguments for each? From rclpy, use only
+# functions that exist in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# One topic at the fastest rate that is really needed. Slower users sample it, with queue depth 1 or a timer that reads the
-# last message. Three topics of the same thing can disagree. The cost of a message is paid
-# by each subscriber, so a slow one in Python may want its own, thinned topic. And a real robot would use
-# `sensor_msgs/JointState`, which carries names, positions, velocities and a time stamp.
+# It suggests one topic at the fastest rate that's really needed. Slower subscribers sample it, using a queue depth of 1
+# or a timer that reads the last message. Three topics with the same angles can contradict each other. Every subscriber
+# pays for each message, so a slow Python subscriber may want a separate topic with fewer messages. A real robot would
+# use `sensor_msgs/JointState`, which contains names, positions, velocities, and a time stamp.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
 #
-# - **Fill in `layout.dim`, or nobody can read `data`:** Twelve numbers in `data` arrive without a layout. It only
-#   describes them.
-# - **Assign the 4 × 3 NumPy array to `data`:** rclpy takes one row of numbers; a table raises a `TypeError`. Use
-#   `angles.ravel()`.
+# - **Fill in `layout.dim`, or no subscriber can read `data`:** The twelve numbers in `data` arrive without a layout,
+#   too, because a layout only describes them.
+# - **Assign the 4 × 3 NumPy array to `data`:** The field accepts only a single row of numbers, so a table raises an
+#   error. Pass the row to the constructor instead: `Float32MultiArray(data=angles.ravel())`. While field checks are on,
+#   as they are here, `message.data = angles.ravel()` raises an error, too.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - A message is a snapshot; between two of them a subscriber learns nothing new.
-# - Choose a rate by how fast the value changes and who needs to know.
-# - `Float32MultiArray` carries any number of floats; order and count are an agreement.
-# - A subscriber that publishes needs no timer: messages drive it.
-# - Check length, finiteness and range where you make the angles.
+# - `Float32MultiArray` contains any number of floats, so publisher and subscriber must agree on their order and number.
+# - A node that publishes one result per message needs no timer, because each message triggers its callback.
+# - Check the angles where you compute them: their number, their range, and that they're finite.
+# - A message is a snapshot, and a subscriber gets nothing new until the next one arrives.
+# - So choose a rate by how fast the value changes and by which subscribers need those changes.
 #
 # **Before:** [08 · The humanoid status publisher](08_humanoid_status_publisher.ipynb)
 #
-# **Next:** the exercise, and then [10 · Slow callbacks](10_slow_callbacks.ipynb): what if the work takes longer than the
-# period?
+# **Next:** the exercise, and then [10 · Slow callbacks](10_slow_callbacks.ipynb): what happens if the work takes longer
+# than the period?
 #
 # **More:** [Publishing and subscribing in Python](https://docs.ros.org/en/jazzy/Tutorials/Beginner-Client-Libraries/Writing-A-Simple-Py-Publisher-And-Subscriber.html)
 # and [about interfaces](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Interfaces.html).

@@ -1,20 +1,21 @@
 # %% [markdown]
 # # 10 · Slow callbacks
 #
-# While a callback runs, the rest of its node waits. Where do you put work that takes long?
+# While a callback runs, the rest of its node waits. So where do you put work that takes a long time?
 #
 # - **Minutes:** 50
-# - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb), and what a thread is:
+# - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb), and the idea of a thread:
 #   a second line of execution in the same program
 # - **You will be able to:**
-#   - say what a slow callback does to the rest of a node
+#   - explain what a slow callback does to the rest of a node
 #   - move slow work elsewhere
-#   - choose between threads, callback groups and a queue
-#   - say how two callbacks may share data
+#   - choose between threads, callback groups, and a queue
+#   - share data safely between two callbacks
 # - **Left out:** services (lesson 12), real-time scheduling
 
 # %% [markdown]
-# Watch the robot wave. Every three seconds it stops to think of what to do next. A thought takes one second.
+# Here's a robot that waves. Every three seconds, the waving stops while the robot thinks about its next action. A
+# thought takes one second.
 
 # %%
 from lesson_nodes import thinking_robot
@@ -25,7 +26,8 @@ await watch_robot(seconds=8, ease=0.0)
 stop()
 
 # %% [markdown]
-# No line of the program stops the arm. It stops because the robot thinks. By the end of this lesson it will do both.
+# No line of the program stops the arm. The arm stops because the program is busy with a thought. By the end of this
+# lesson, the robot will think and wave at the same time.
 
 # %% [markdown] prediction="two-nodes"
 # ## Predict
@@ -70,8 +72,8 @@ predict("two-nodes")
 # %% [markdown]
 # ## Run it
 #
-# `record` starts the program as a process of its own and notes when each message arrives. This time on the wall clock,
-# because a thought takes real time.
+# `record` starts the program in its own process and notes the arrival time of each message. This recording uses the
+# wall clock, because a thought takes real time.
 
 # %%
 from workbook.lesson import arrivals, record
@@ -107,7 +109,7 @@ print("heartbeats due:", DUE)
 print("heartbeats that came:", came(plain))
 
 # %% [markdown]
-# That was one node. Now the colleague's program with two:
+# That program had a single node. Here's the colleague's program, which has two nodes:
 
 # %%
 # %%writefile two_nodes.py
@@ -173,7 +175,7 @@ show(
 )
 
 # %% [markdown]
-# In the shaded times no heartbeat came. `rclpy.spin` is a loop in **one thread**. In short it does this:
+# No heartbeat arrived during the shaded times. `rclpy.spin` is a loop in **one thread**. In short, it does this:
 #
 # ```python
 # while rclpy.ok():
@@ -181,22 +183,22 @@ show(
 #     callback()                            # nothing else happens until this returns
 # ```
 #
-# A timer does not *run*. It is an entry in a list: "due at 3.2 s". While `think` occupies the thread, the list is not
-# checked, and no message is taken from a queue.
+# A timer doesn't *run*. It's just an entry in a list: "due at 3.2 s". While `think` occupies the thread, the executor
+# doesn't check the list, and it doesn't take any message from a queue.
 #
-# After the thought the loop checks the list again. What does it do with the ten heartbeats that it missed?
+# After the thought, the loop checks the list again. What does it do about the ten heartbeats that it missed?
 
 # %% id="no-burst"
 bursts = sum(beats[n + 2] - beats[n] < 0.05 for n in range(len(beats) - 2))
 print("bursts, three heartbeats or more within 0.05 s:", bursts)
 
 # %% [markdown]
-# Nothing. The timer is late, so it ticks once, and then goes back to its plan. Missed **ticks** are dropped. Missed
-# **messages** are different. They wait in the queue of the subscription, as many as its depth allows. Then they are
-# handled late, one by one.
+# It does nothing about them. The timer is late, so it fires once and then returns to its schedule. Missed **ticks** are
+# dropped. Missed **messages** are different, because they wait in the subscription's queue, up to its depth. The
+# executor handles them later, one by one.
 #
-# So *keep callbacks short*: store something, publish something, return. But some work is long: planning a path, running a
-# neural network, waiting for a gripper. The rest of this lesson is about where to put it.
+# So *keep callbacks short*: store something, publish something, return. But some work takes a long time: planning a
+# path, running a neural network, or waiting for a gripper. The rest of this lesson shows where to put such work.
 
 # %% [markdown] prediction="four-threads"
 # ## Change it
@@ -257,11 +259,13 @@ show_machine(
 )
 
 # %% [markdown]
-# Look at the wait set during the thought: a dash stands where the heart was. The executor does not even ask for it.
+# Look at the wait set during the thought. A dash has replaced the heartbeat timer, because the executor doesn't even
+# check that timer.
 #
-# Four threads, and three of them idle. Each callback belongs to a **callback group**. If you name none, it is the node's default group, the same for all of
-# them. This group is *mutually exclusive*: one of its callbacks runs at a time, however many threads there are.
-# With this default, callbacks of a node never run at the same time. You have to *say* which ones may run in parallel.
+# There are four threads, and three of them are idle. The reason is that each callback belongs to a **callback group**.
+# If you don't choose one, the callback joins its node's default group. That group is *mutually exclusive*: it runs only
+# one of its callbacks at a time, however many threads there are. So by default, callbacks of the same node never run at
+# the same time. You have to *say* which ones may run in parallel.
 
 # %% [markdown] prediction="own-group"
 # ### Experiment 2: a group of its own
@@ -333,8 +337,8 @@ show_machine(
 )
 
 # %% [markdown]
-# Threads make it *possible* to run two callbacks at once, groups *permit* it. You need both. Here are the two recordings
-# side by side. Each robot moves a little at each heartbeat that arrived:
+# Threads make it *possible* to run two callbacks at the same time, and groups *permit* it. You need both. Here are both
+# recordings, side by side. Each robot moves a little whenever one of its heartbeats arrives:
 
 # %%
 from workbook.pictures.moving import by_name, robots
@@ -350,7 +354,7 @@ robots(
 )
 
 # %% [markdown]
-# How many threads does it take? Move the slider while the cell runs.
+# How many threads are enough? Move the slider while the cell runs.
 
 # %%
 from workbook.lesson import knob
@@ -361,9 +365,10 @@ await knob(thinking_robot, "threads", 1, between=(1, 4), seconds=8, **settings)
 # %% [markdown]
 # ### Experiment 3: two threads, one number
 #
-# There is a second kind of group. In a **reentrant** group all callbacks may run in parallel, even one with itself.
+# There's a second kind of group. In a **reentrant** group, all callbacks may run in parallel. Even two calls of the
+# same callback may overlap.
 #
-# A robot counts its steps. Each foot has a timer, and both feet add to the same number:
+# A robot counts its steps. Each foot has a timer, and both timer callbacks add to the same number:
 
 # %%
 import time
@@ -438,20 +443,23 @@ print("reentrant: steps were lost:", free.steps < 0.9 * len(free.called))
 print("mutually exclusive: steps were lost:", single.steps < len(single.called))
 
 # %% [markdown]
-# Both feet read 41, both add one, both write 42. One step is lost. This is a **race**: the result depends on the order
-# in which the threads happen to run. There is no error, and a short test may never show it.
+# Both threads read 41, both add one, and both write 42, so one step is lost. This is a **race**: the result depends on
+# the order in which the threads happen to run. No error appears, and a short test may never reveal the race.
 #
-# Python's own lock, the GIL, does not protect *your* three lines: Python may switch threads between any two of them.
+# Python's own lock, the GIL, doesn't protect *your* three lines, because Python may switch threads between any two of
+# them.
 #
-# - What shares data goes into **one** mutually exclusive group. There you need no locks.
-# - If two groups have to share something, protect it with a lock (`with self.lock:`), or hand it over in a `queue.Queue`.
-# - A reentrant group is for callbacks that share nothing.
+# - Put callbacks that share data into **one** mutually exclusive group. Within that group, you need no locks.
+# - If callbacks in two groups have to share data, protect the data with a lock (`with self.lock:`), or pass it through
+#   a `queue.Queue`.
+# - Use a reentrant group only for callbacks that share nothing.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **More threads, and not faster.** A planner that *waits* (for a sensor, for another program) leaves the processor free.
-# One that *computes* does not. Four callbacks in four threads, once with waiting and once with computing in Python:
+# **More threads, but no more speed.** While a planner *waits* for a sensor or another program, the processor is free.
+# While a planner *computes*, the processor is busy. Let's run four callbacks in four threads. First they wait, and then
+# they compute in Python:
 
 
 # %%
@@ -506,12 +514,12 @@ for threads in (1, 4):
     print(f"computing: processors kept busy by {threads} {noun}: {busy}")
 
 # %% [markdown]
-# Only one thread at a time may run Python code, because of the GIL. Waiting overlaps, computing does not. Computing that
-# must not disturb the heartbeat belongs in **another process**. (NumPy and most AI libraries release the GIL while they
-# compute. Measure before you choose.)
+# Because of the GIL, only one thread at a time can run Python code. So waiting overlaps, but computing doesn't. If a
+# computation must not disturb the heartbeat, run it in **another process**. (NumPy and most AI libraries release the
+# GIL while they compute, so measure before you choose.)
 #
-# **The heart beats, and no plan is made.** You can also give slow work to a thread of your own, or to a pool. The callback
-# only hands the work over. This program shows what happens when a plan fails:
+# **Exceptions in a thread pool go unreported.** You can also give slow work to your own thread or to a thread pool.
+# Then the callback only hands over the work. In this program, every plan fails:
 
 # %%
 from workbook.lesson import run_program
@@ -564,9 +572,9 @@ print(outcome.log.strip())
 print("errors in the log:", outcome.log.count("RuntimeError"))
 
 # %% [markdown]
-# No plan, no error, no traceback, and a perfect heartbeat. An exception in a pool is stored in the *future* that
-# `submit` returns, and the program never reads it. In a `threading.Thread` you get a traceback, but the thread has ended,
-# as in [lesson 08](08_humanoid_status_publisher.ipynb).
+# There's no plan, no error message, and no traceback, but the heartbeat is perfect. The pool stores the exception in
+# the *future* that `submit` returns, and the program never reads that future. With a `threading.Thread`, you'd get a
+# traceback. But the exception would end the thread, as in [lesson 08](08_humanoid_status_publisher.ipynb).
 #
 # Handle exceptions in the thread that does the work:
 
@@ -587,13 +595,13 @@ print(failures[0])
 print("failures logged:", "several" if len(failures) > 2 else len(failures))
 
 # %% [markdown]
-# Publish `alive` only while the planner works. A heartbeat proves only that its own timer runs.
+# A heartbeat only proves that its own timer runs. So publish `alive` only while the planner works.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A guide robot plans a path on request. Three steps: a group for the slow callback, an executor with two
-# threads, and nothing shared but a list that only one side writes to.
+# **Worked.** A guide robot plans a path on request. The solution has two parts: a group for the slow callback, and an
+# executor with two threads. Nothing is shared except a list that only one callback writes to.
 
 # %%
 from std_msgs.msg import String
@@ -635,11 +643,11 @@ more = guide.beats > 20
 print("more than half of 40 heartbeats, where one thread had time for 16:", more)
 
 # %% [markdown]
-# Three requests came at once. Two of them waited in the subscription's queue, and were planned in order. *Mutually
-# exclusive* guarantees that.
+# Three requests arrived at the same time. Two of them waited in the subscription's queue, and the robot planned them in
+# order. The *mutually exclusive* group guarantees that order.
 #
-# **Faded.** The same with a queue and a thread of your own. The node now needs only *one* thread for its callbacks, so a
-# plain `run` will do. Fill in what is `...`.
+# **Faded.** This version uses a queue and its own worker thread. The callbacks only hand over work, so the node needs
+# only *one* thread for them, and a plain `run` is enough. Replace each `...` with your code.
 
 # %%
 import queue
@@ -683,8 +691,8 @@ hint = "none yet: fill in the two places, then run this cell again"
 print("paths:", queue_guide.paths or hint)
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/10_slow_callbacks.ipynb) the heartbeat of a humanoid stops whenever it
-# plans a movement of its arm. Both are watched from outside: the beats, and whether each plan is right.
+# **Your own.** In the [exercise](../exercises/10_slow_callbacks.ipynb), a humanoid's heartbeat stops whenever the robot
+# plans an arm movement. The judge watches two things from outside: the heartbeats, and whether each plan is correct.
 
 # %% [markdown]
 # ## Check yourself
@@ -693,30 +701,30 @@ print("paths:", queue_guide.paths or hint)
 #
 # <details><summary>a) No plan, and no traceback</summary>
 #
-# ✓ The exception is in the future that `submit` returned. Catch it in `plan`, and log it there.
+# ✓ The exception is stored in the future that `submit` returned. Catch it in `plan`, and log it there.
 #
 # </details>
 # <details><summary>b) <code>spin</code> raises the exception, and the program ends</summary>
 #
-# ✗ That happens if a callback raises. This callback has only handed the work over.
+# ✗ That happens if a callback raises an exception. This callback only handed over the work.
 #
 # </details>
-# <details><summary>c) A traceback, and no further plan, because the thread of the pool has ended</summary>
+# <details><summary>c) A traceback, and no further plan, because the pool's thread has ended</summary>
 #
-# ✗ A `threading.Thread` ends like that. A pool keeps the exception, and its thread takes the next task.
+# ✗ A `threading.Thread` ends like that. A pool stores the exception, and its thread takes the next task.
 #
 # </details>
 #
-# **2. You have one node, and spin it with a `MultiThreadedExecutor` of eight threads. How do its callbacks run?**
+# **2. You spin one node with a `MultiThreadedExecutor` that has eight threads. How do the node's callbacks run?**
 #
-# <details><summary>a) Those of timers at the same time, those of subscriptions one at a time</summary>
+# <details><summary>a) Timer callbacks at the same time, subscription callbacks one at a time</summary>
 #
-# ✗ Groups do not care about the kind of callback.
+# ✗ Callback groups don't distinguish between kinds of callbacks.
 #
 # </details>
 # <details><summary>b) Up to eight at the same time</summary>
 #
-# ✗ They would need permission: groups of their own, or a reentrant one.
+# ✗ They'd need permission to do that: separate groups, or a reentrant group.
 #
 # </details>
 # <details><summary>c) One at a time, as with <code>rclpy.spin</code></summary>
@@ -725,90 +733,93 @@ print("paths:", queue_guide.paths or hint)
 #
 # </details>
 #
-# **3. Two callbacks in two groups both do `self.steps += 1`. Four threads spin. Is that safe?**
+# **3. Two callbacks in two groups both run `self.steps += 1`. The executor has four threads. Is that safe?**
 #
-# <details><summary>a) Yes, the GIL lets only one thread run Python</summary>
+# <details><summary>a) Yes: the GIL lets only one thread run Python code</summary>
 #
-# ✗ One at a time, but it may change between the reading and the writing.
+# ✗ Only one thread runs at a time, but Python may switch threads between the read and the write.
 #
 # </details>
 # <details><summary>b) No: put both into one group, or protect the line with a lock</summary>
 #
-# ✓ Either will do. The group is simpler if the callbacks are short.
+# ✓ Either one works. If the callbacks are short, the group is simpler.
 #
 # </details>
-# <details><summary>c) Yes, because both groups are mutually exclusive</summary>
+# <details><summary>c) Yes: both groups are mutually exclusive</summary>
 #
-# ✗ Each group excludes its own members. The two callbacks are not in the same one.
-#
-# </details>
-#
-# **4. `on_goal` (0.8 s) is alone in a mutually exclusive group, and four threads spin. Three goals come. What happens?**
-#
-# <details><summary>a) They are planned at the same time, by three threads</summary>
-#
-# ✗ That takes a reentrant group. This group lets one call run at a time, even if it is the same callback.
+# ✗ A group keeps only its own callbacks apart, and these two callbacks are in different groups.
 #
 # </details>
-# <details><summary>b) The first one is planned, and the other two are lost</summary>
 #
-# ✗ A group that is busy loses nothing. Messages wait in the queue of their subscription, up to its depth.
+# **4. `on_goal` (0.8 s) is alone in a mutually exclusive group, and the executor has four threads. Three goals arrive. What happens?**
+#
+# <details><summary>a) Three threads plan them at the same time</summary>
+#
+# ✗ That would take a reentrant group. A mutually exclusive group runs one call at a time, even if all calls are to the
+# same callback.
 #
 # </details>
-# <details><summary>c) They are planned one after another, in the order in which they came</summary>
+# <details><summary>b) The first goal is planned, and the other two are lost</summary>
 #
-# ✓ Two of them wait in the subscription's queue. The last plan is ready after about 2.4 s.
+# ✗ A busy group doesn't lose messages. They wait in their subscription's queue, up to its depth.
+#
+# </details>
+# <details><summary>c) They are planned one after another, in the order of their arrival</summary>
+#
+# ✓ Two goals wait in the subscription's queue. The last plan is ready after about 2.4 s.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot publishes a heartbeat
-# at 10 Hz and listens for goals. Planning takes 0.8 s and sometimes raises an
-# exception. Goals may come faster than I can plan. Compare three designs: a callback
-# group with a MultiThreadedExecutor, a worker thread with a queue, and a second
-# process. What happens in each to the order of goals, to an exception, and to the goals
-# that wait? Name only functions that exist in rclpy for Jazzy.
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My robot publishes a
+# heartbeat at 10 Hz and subscribes to goals. Planning takes 0.8 s and sometimes raises
+# an exception. Goals may arrive faster than I can plan. Compare three designs: a callback
+# group with a MultiThreadedExecutor, a worker thread with a queue, and a second process.
+# In each design, what happens to the order of goals, to an exception, and to the goals
+# that are waiting? From rclpy, use only functions that exist in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# *Group and threads:* goals wait in the subscription's queue; beyond its depth the oldest are lost. The order is kept as
-# long as the group is mutually exclusive. An exception comes out of `spin` and ends the program. *Queue and worker:* the
-# queue can be long, so the robot may still be planning for goals that are a minute old. An exception must be handled
-# in the worker, or no plan is made any more. *Process:* the heart survives even a crash of the planner, but something
-# has to notice and restart it. Good answers ask whether an old goal is worth planning at all: often only the newest
-# counts, and a depth of 1 is right. They do not propose a reentrant group, because two plans would share one planner.
+# *Group and threads:* Goals wait in the subscription's queue, and beyond its depth, the oldest ones are lost. The goals
+# stay in order as long as the group is mutually exclusive. An exception leaves `spin` and ends the program. *Queue and
+# worker:* The queue can grow long, so the robot may still be planning for goals that are a minute old. The worker must
+# handle exceptions, or no further plans are made. *Process:* The heartbeat survives even a planner crash, but another
+# program has to detect the crash and restart the planner. A good answer asks whether an old goal is worth planning at
+# all. Often only the newest goal counts, so a depth of 1 is right. A good answer doesn't propose a reentrant group,
+# because two plans would share one planner.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
 #
-# - **Replace the executor by a `MultiThreadedExecutor`; that is enough:** All callbacks of a node are in one mutually
-#   exclusive group unless you say otherwise. They still run one at a time.
-# - **The executor logs an exception in a callback and goes on:** In fact, the exception comes out of `spin`. Without
-#   an `except` the program ends.
+# - **Replacing the executor with a `MultiThreadedExecutor` is enough:** Unless you say otherwise, all of a node's
+#   callbacks are in one mutually exclusive group. They still run one at a time.
+# - **The executor logs an exception in a callback and continues:** In fact, `spin` raises the exception. If your
+#   program doesn't catch it, the program ends.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - While a callback runs, its thread does nothing else. Timer ticks that are due meanwhile are dropped.
-# - A MultiThreadedExecutor alone changes nothing. Slow work needs a callback group of its own **and** a second thread.
-# - What shares data belongs in one mutually exclusive group, or behind a lock, or into a queue.
-# - Python threads overlap waiting, not computing. Heavy computing belongs in a process of its own.
+# - While a callback runs, its thread does nothing else. Timer ticks that are due during that time are dropped.
+# - A `MultiThreadedExecutor` alone changes nothing. Slow work needs its own callback group **and** a second thread.
+# - Put callbacks that share data into one mutually exclusive group, or protect the data with a lock, or pass it through
+#   a queue.
+# - Python threads overlap waiting, not computing. Heavy computing belongs in its own process.
 # - Handle exceptions in the thread that does the work.
 #
 # **Before:** [09 · The joint positions](09_joint_positions.ipynb)
 #
 # **Next:** [11 · Polling against callbacks](11_polling_against_callbacks.ipynb): what if you used a loop that polls?
 #
-# **More:** [Using callback groups](https://docs.ros.org/en/jazzy/How-To-Guides/Using-callback-groups.html) and
-# [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html).
+# **More:** [Using callback groups](https://docs.ros.org/en/jazzy/How-To-Guides/Using-callback-groups.html) and [About
+# executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html).

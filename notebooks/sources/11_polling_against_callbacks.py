@@ -1,20 +1,21 @@
 # %% [markdown]
 # # 11 · Polling against callbacks
 #
-# A robot hand closes around an egg, and has to stop at the touch. Does it poll for the touch, or does a callback report it?
+# A robot hand closes around an egg and has to stop when it touches the shell. Should the program poll for the touch, or
+# should a callback report it?
 #
 # - **Minutes:** 40
 # - **You need:** lessons [05](05_timers.ipynb) and [10](10_slow_callbacks.ipynb)
 # - **You will be able to:**
-#   - tell polling from callbacks when you see it
-#   - compare the two: how late, how complete, and for how much processor time
+#   - recognize polling and callbacks in a program
+#   - compare them by latency, missed messages, and processor time
 #   - turn a loop that polls into callbacks
-# - **Left out:** which depth of a queue suits which data (lesson 13), real-time systems
+# - **Left out:** which queue depth suits which data (lesson 13), real-time systems
 
 # %% [markdown]
-# Checking again and again whether something has happened is called **polling**. With a **callback**, rclpy calls your
-# code when it happens. Here is a robot with both. The skin of its hand numbers each touch and publishes it. Two
-# monitors report touches: one polls, one has a callback.
+# **Polling** means checking again and again whether something has happened. With a **callback**, rclpy calls your code
+# when it happens. This robot uses both. A touch sensor in the skin of its hand numbers each touch and publishes the
+# number. Two monitors report the touches: one polls, and the other has a callback.
 
 # %%
 from lesson_nodes import callback_monitor, polling_monitor, touch_sensor
@@ -69,8 +70,9 @@ predict("the-touches")
 # %% [markdown]
 # ## Run it
 #
-# A referee subscribes to all three topics. Each message carries the time at which it was sent, and a callback with a second
-# argument receives it. So the referee knows how late each report was, however busy the referee itself is.
+# A referee node subscribes to all three topics. Each message carries the time at which it was sent. A callback with a
+# second argument receives that time, too. So the referee can compute the delay of each report, however busy the referee
+# itself is.
 
 # %%
 from rclpy.node import Node
@@ -144,7 +146,7 @@ print("by polling, fewer than half:", len(first.polling) < TOUCHES / 2)
 # %% [markdown]
 # ## Look inside
 #
-# Here are the first touches. Touches that came at the same moment are drawn one above the other.
+# Here are the first touches. Touches that occurred at the same moment are drawn one above the other.
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -180,11 +182,11 @@ show(
 )
 
 # %% [markdown]
-# A cross is a touch that was not reported. The polling monitor keeps *the last* touch. When five come between two polls,
-# `monitor.last` holds the fifth. Each poll finds at most one touch.
+# A cross marks a touch that the monitor didn't report. The polling monitor stores only *the last* touch. If five
+# touches occur between two polls, `monitor.last` contains the fifth. So each poll finds at most one touch.
 #
-# And it finds that one late. The time from an event to the reaction is called **latency**. The axis is logarithmic: each
-# step is ten times the one before.
+# The poll also finds that touch late. The time from an event to the reaction is called **latency**. The next plot has a
+# logarithmic axis: each step multiplies the value by ten.
 
 # %%
 import numpy as np
@@ -216,11 +218,11 @@ print("polling is typically late by 10 ms or more:", by_polling >= 10)
 print("callbacks are at least four times as quick:", by_callback < by_polling / 4)
 
 # %% [markdown]
-# With polling, a touch waits for the next poll: on average half the sleep. With a callback it does not wait. The executor
-# sleeps *in the operating system*, which wakes it when a message arrives.
+# With polling, a touch waits for the next poll: half the sleep, on average. With a callback, it doesn't have to wait.
+# The executor sleeps *in the operating system*, and the operating system wakes it when a message arrives.
 #
-# What does that mean for the egg? The film takes the typical latency of each monitor from this run. The fingers close at
-# 100 mm/s and stop at the report. The shell breaks when it is squeezed by more than 2 mm.
+# What does this mean for the egg? The next film uses each monitor's typical latency from this run. The fingers close at
+# 100 mm/s and stop when the touch is reported. If they squeeze the shell by more than 2 mm, it breaks.
 
 # %%
 from workbook.pictures.egg import squeeze
@@ -273,8 +275,8 @@ reveal(
 )
 
 # %% [markdown]
-# Ten times as many polls, and most touches are still missed. The five touches of a bunch lie less than a millisecond
-# apart. No sleep is short enough for that while there is room for one touch only.
+# The loop polls ten times as often, but it still misses most touches. The five touches of a bunch are less than a
+# millisecond apart. As long as there's room for only one touch, no sleep is short enough.
 
 # %% [markdown] prediction="no-sleep"
 # ### Experiment 2: do not sleep at all
@@ -335,10 +337,11 @@ print(
 )
 
 # %% [markdown]
-# It polls without a pause, and is *slower* than the callback, which sleeps until it is woken. The loop holds Python's lock,
-# the GIL, and starves the thread that receives: each turn comes a few milliseconds late.
+# The loop polls without a pause, but it's *slower* than the callback, which sleeps until it's woken. The loop holds
+# Python's lock, the GIL, so the receiving thread has to wait. Each of that thread's turns comes a few milliseconds
+# late.
 #
-# The processor time also comes out of the battery. That is walking time the robot does not get back.
+# Processor time also drains the battery, which shortens the time that the robot can walk.
 
 # %% [markdown] prediction="a-queue-for-the-loop"
 # ### Experiment 3: a queue for the loop
@@ -368,20 +371,21 @@ print("touches:", len(patient.touched))
 reveal("a-queue-for-the-loop", is_complete=is_complete, late_ms=late_ms)
 
 # %% [markdown]
-# Nothing is lost any more. But you have built by hand what the subscription already has. It has a queue, and an
-# executor that runs your callback as soon as a message is in it. The loop adds only the delay.
+# The loop no longer loses any touches. But you've built by hand what a subscription already provides. A subscription
+# has a queue, and the executor runs your callback as soon as a message is in that queue. The loop only adds a delay.
 #
-# **When polling is right.** A controller that steers five times a second does not need every distance that the sensor
-# sent. It needs the *newest*, at *its own* moments. So a callback keeps the last value, and a **timer** reads it.
+# **When polling is right.** A controller that steers five times a second doesn't need every distance that the sensor
+# sends. It needs the *newest* distance at *its own* times. So a callback stores the last value, and a **timer** reads
+# it.
 #
-# Is each message an **event** (a touch, a button, an alarm), or a **state** of which only the newest counts (a distance, a
-# temperature)? For an event, act in the callback. A state can be read by a timer.
+# Ask of each message: is it an **event** (a touch, a button, an alarm)? Or is it a **state**, of which only the newest
+# value counts (a distance, a temperature)? React to an event in the callback. Read a state with a timer.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **The loop that spins without waiting.** With `timeout_sec=0`, `spin_once` does not wait (lesson 06). This program counts
-# the iterations, once with 0 and once with 0.1:
+# **A loop that spins without waiting.** With `timeout_sec=0`, `spin_once` doesn't wait (lesson 06). This program counts
+# the loop's iterations, first with a timeout of 0 and then with 0.1:
 
 # %%
 from workbook.lesson import run_program
@@ -422,11 +426,12 @@ print("with 0, more than ten times as many rounds for the same 15 ticks:", ten_t
 print("and they cost more processor time:", greedy[2] > calm[2])
 
 # %% [markdown]
-# `timeout_sec=0` is right where something else waits already, such as the event loop of a window. In a loop of your own use
-# 0.1, for example: it returns earlier if there is something to do. `rclpy.spin(node)` needs no loop at all.
+# `timeout_sec=0` is right where some other code already waits, such as the event loop of a window. In your own loop,
+# use 0.1, for example. `spin_once` returns earlier if there's something to do. If you use `rclpy.spin(node)`, you don't
+# need a loop at all.
 #
-# **The loop that sleeps forever.** ROS has a sleep for loops with a rate. It is in many old examples. What does this program
-# print?
+# **A loop that sleeps forever.** ROS provides a sleep for loops that run at a fixed rate, and many old examples use it.
+# What does this program print?
 
 # %% id="rate"
 RATE = """
@@ -444,18 +449,19 @@ for look in range(1, 11):
 outcome = run_program(RATE, silence=4)
 print(outcome.log.strip().splitlines()[0])
 print("looks:", outcome.log.count("look "))
-print("ended by:", "the watchdog" if outcome.ended_by == "bench" else "itself")
+print("ended by:", "the watchdog" if outcome.ended_by == "judge" else "itself")
 
 # %% [markdown]
-# The loop never got past its first sleep, and there is no error. `rate.sleep()` waits for a *timer* of the node. Timers tick
-# while the node is spun, and the only thread is asleep. The watchdog had to end it.
+# The loop never got past its first sleep, but there's no error. `rate.sleep()` waits for one of the node's *timers*.
+# Timers fire only while a thread spins the node, and the only thread is asleep. The watchdog had to end the program.
 #
-# A rate works if *another thread* spins the node. One line does the same without threads: `node.create_timer(0.1, look)`.
+# A rate works if *another thread* spins the node. But one line has the same effect without threads:
+# `node.create_timer(0.1, look)`.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A walking robot has a loop that polls two things. Which is an event, and which is a state?
+# **Worked.** A walking robot's loop polls two things. Which of them is an event, and which is a state?
 #
 # ```python
 # while rclpy.ok():
@@ -466,7 +472,8 @@ print("ended by:", "the watchdog" if outcome.ended_by == "bench" else "itself")
 #     time.sleep(0.2)
 # ```
 #
-# The button is an event: the callback acts. The distance is a state: the callback keeps it, and a timer reads it.
+# The button is an event, so its callback acts. The distance is a state, so its callback stores the value, and a timer
+# reads it.
 
 # %%
 from std_msgs.msg import Float32, String
@@ -516,12 +523,12 @@ print("stops:", walker.stops)
 print("steers by:", walker.steered_by[-1])
 
 # %% [markdown]
-# A kept value does not show its age. If the sensor stops, this robot steers by the last value forever. So keep the time with
-# the value, and stop when it is too old (lesson 13).
+# A stored value doesn't show its age. If the sensor stops, this robot steers by the last value forever. So store the
+# time along with the value, and stop the robot when the value is too old (lesson 13).
 
 # %% [markdown]
-# **Faded.** This reception robot polls a call button. Two visitors call within one sleep, and one of them is not greeted.
-# Turn it into a callback that acts. There are two places with a TODO.
+# **Faded.** This reception robot polls a call button. If two visitors press it during the same sleep, the robot fails
+# to greet one of them. Replace the polling with a callback that acts. Two places are marked TODO.
 
 
 # %%
@@ -559,8 +566,8 @@ both = reception.greeted == ["Ada", "Grace"]
 print("everyone was greeted" if both else "one visitor still waits")
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/11_polling_against_callbacks.ipynb) you get a monitor that polls, and turn it
-# into one that misses nothing and is quick.
+# **Your own.** In the [exercise](../exercises/11_polling_against_callbacks.ipynb), you get a monitor that polls. Turn
+# it into a monitor that reports every touch without delay.
 
 # %% [markdown]
 # ## Check yourself
@@ -569,35 +576,37 @@ print("everyone was greeted" if both else "one visitor still waits")
 #
 # <details><summary>a) About 0.1 s</summary>
 #
-# ✓ Anything from nothing to 0.2 s, so half of it on average. If it notices it at all.
+# ✓ The delay is anything from 0 to 0.2 s, so the average is half of that. And that's only for the events that it
+# notices at all.
 #
 # </details>
 # <details><summary>b) 0.2 s</summary>
 #
-# ✗ That is the worst case: the event came just after a poll.
+# ✗ That's the worst case, when the event occurs just after a poll.
 #
 # </details>
-# <details><summary>c) It depends on how often events come</summary>
+# <details><summary>c) It depends on how often events occur</summary>
 #
-# ✗ How *many* it misses depends on that. How late the others are depends on the sleep.
-#
-# </details>
-#
-# **2. A callback stores `self.last`, a loop polls it every millisecond. Can it miss a message?**
-#
-# <details><summary>a) No, ROS keeps messages until they are read</summary>
-#
-# ✗ Only until your callback has run. After that the message is in your attribute, and you overwrote it.
+# ✗ The number of *missed* events depends on that. For the others, the delay depends on the sleep.
 #
 # </details>
-# <details><summary>b) No, a millisecond is shorter than any pause between messages</summary>
 #
-# ✗ Messages that were published together arrive within a fraction of that.
+# **2. A callback stores `self.last`, and a loop polls it every millisecond. Can the loop miss a message?**
+#
+# <details><summary>a) No: ROS keeps messages until they are read</summary>
+#
+# ✗ ROS keeps a message only until your callback has run. After that, the message is in your attribute, and your
+# callback overwrites it.
 #
 # </details>
-# <details><summary>c) Yes, if two come within one sleep</summary>
+# <details><summary>b) No: a millisecond is shorter than any pause between messages</summary>
 #
-# ✓ There is room for one message. You saw it with 5 ms.
+# ✗ Messages that were published together arrive within a fraction of a millisecond.
+#
+# </details>
+# <details><summary>c) Yes, if two messages arrive during one sleep</summary>
+#
+# ✓ There's room for only one message. You saw that happen with a sleep of 5 ms.
 #
 # </details>
 #
@@ -613,74 +622,77 @@ print("everyone was greeted" if both else "one visitor still waits")
 # ✓ A thread that sleeps in the operating system uses no processor time.
 #
 # </details>
-# <details><summary>c) Because rclpy runs in a process of its own</summary>
+# <details><summary>c) rclpy runs in a separate process</summary>
 #
-# ✗ It runs in yours.
+# ✗ rclpy runs in your own process.
 #
 # </details>
 #
-# **4. Where is it right to keep only the last value and read it with a timer?**
+# **4. Where is it right to store only the last value and read it with a timer?**
 #
-# <details><summary>a) The distance for a controller that steers five times a second</summary>
+# <details><summary>a) The distance, for a controller that steers five times a second</summary>
 #
-# ✓ A state: the newest is all it needs, at its own pace.
+# ✓ The distance is a state. The controller only needs the newest value, at its own pace.
 #
 # </details>
 # <details><summary>b) The stop button</summary>
 #
-# ✗ An event. It must act at once, and each time.
+# ✗ A press is an event. The robot must react right away, and to every press.
 #
 # </details>
 # <details><summary>c) Parcels that have to be counted</summary>
 #
-# ✗ Two between two polls would count as one.
+# ✗ Two parcels between two polls would count as one.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot has a camera (30
-# pictures a second), a bumper (rarely, but then at once), and a battery (one value in
-# two seconds). A colleague wants one loop that checks all three every 20 ms, "because
-# then I see the order in which things happen". What would you answer? Name only
-# functions that exist in rclpy for Jazzy.
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My robot has a camera (30
+# images per second), a bumper (it's rarely hit, but then every moment counts), and a
+# battery (one value every two seconds). A colleague wants one loop that checks all three
+# every 20 ms, "because then I see the order in which things happen". What would you
+# answer? From rclpy, use only functions that exist in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The bumper is an event: polling is up to 20 ms late, and two bumps within 20 ms become one. A callback is quicker and
-# complete. The camera is a state for most purposes: a queue of depth 1 and a callback, or a timer at the pace of its user.
-# The battery is slow, and 99 of 100 polls find nothing new. Your colleague wants everything in one place and in one
-# order. An executor with one thread gives you one place, too: callbacks run one after another. Neither shows the
-# order of events: the loop takes what it checks first, and the executor takes timers before messages. For the order,
-# compare time stamps. Good answers mention the processor time, and that one slow check holds up all three (lesson
-# 10).
+# The bumper is an event. Polling is up to 20 ms late, and two bumps within 20 ms become one. A callback is faster and
+# misses nothing. For most purposes, the camera image is a state. So use a queue depth of 1 and a callback, or a timer
+# at the pace of the code that needs the image. The battery changes slowly, so 99 of 100 polls find nothing new. Your
+# colleague wants everything in one place and in one order. An executor with one thread also gives you one place,
+# because it runs callbacks one after another. But neither design shows the order of events. The loop handles things in
+# the order of its checks, and the executor handles timers before messages. To find the order, compare time stamps. A
+# good answer mentions the processor time. It also says that one slow check holds up all three (lesson 10).
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two suggestions. We tried both with this course's rclpy, and both are wrong.
 #
-# - **`subscription.take()`:** That is C++ (rclcpp). A subscription in rclpy has no public way to fetch a message; it
-#   has its callback.
-# - **`wait_for_message("/bumper", Bool, timeout=1.0)`:** That is ROS 1. In rclpy: `wait_for_message(Bool, node,
-#   "/bumper", time_to_wait=1.0)`, and it returns two values, whether one came and the message.
+# - **`subscription.take()`:** That's C++ (rclcpp). In rclpy, a subscription has no public method for fetching a
+#   message. It has its callback instead.
+# - **`wait_for_message("/bumper", Bool, timeout=1.0)`:** That's ROS 1. In rclpy, write `wait_for_message(Bool, node,
+#   "/bumper", time_to_wait=1.0)`. It returns two values: whether a message arrived, and the message.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - Polling is late, by half the sleep on average, and finds one message where several came.
-# - Polling more often is quicker and costs more, and is not complete. Without a sleep it is slow *and* costly.
-# - A callback runs as soon as a message is there, once for each, and waiting for it costs nothing.
-# - For an event, act in the callback. A state can be kept, and read with a timer.
-# - `spin_once(timeout_sec=0)` in a loop wastes a processor; `rate.sleep()` never returns while no thread spins the node.
+# - Polling finds a message late, by half the sleep on average. If several messages arrive between two polls, it finds
+#   only one.
+# - Polling more often is faster, but it costs more and still misses messages. Polling without a sleep is slow *and*
+#   expensive.
+# - A callback runs as soon as a message arrives, once for each message. Waiting for the message costs nothing.
+# - React to an event in the callback. Store a state, and read it with a timer.
+# - `spin_once(timeout_sec=0)` in a loop wastes a processor. `rate.sleep()` never returns unless another thread spins
+#   the node.
 #
 # **Before:** [10 · Slow callbacks](10_slow_callbacks.ipynb)
 #

@@ -1,20 +1,22 @@
 # %% [markdown]
 # # 12 · Services
 #
-# You tell a robot to stand still. How do you learn that it did? A service sends a request and brings back a response.
+# You tell a robot to stand still. How do you find out whether it did? With a service: you send a request, and the
+# service returns a response.
 #
-# - **Minutes:** 45
-# - **You need:** lessons 02 to 06 (nodes, topics, timers, spin), and from lesson 10 that a slow callback holds up others
+# - **Minutes:** 50
+# - **You need:** lessons 02 to 06 (nodes, topics, timers, spin), and the fact from lesson 10 that a slow callback holds
+#   up the others
 # - **You will be able to:**
-#   - offer a service and call one
+#   - offer a service and call it
 #   - choose between a topic and a service
 #   - call a service from a callback
-#   - say what a client learns when its server ends
-# - **Left out:** actions (long jobs with progress), services of your own type, parameters
+#   - explain what happens to a client when its server ends
+# - **Left out:** actions (long jobs with progress reports), custom service types, parameters
 
 # %% [markdown]
-# The first cell starts a robot, as a program of its own. It stands still. It offers a **service**, `/robot/wave`: you
-# send a *request*, true or false, and you get a *response*.
+# The first cell starts a robot in its own process. The robot stands still and offers a **service**, `/robot/wave`. You
+# send the service a *request*, true or false, and receive a *response*.
 
 # %%
 from lesson_nodes import waves_when_asked
@@ -52,8 +54,9 @@ print(f"success={response.success}, {response.message!r}")
 await watch_robot(seconds=4)
 
 # %% [markdown]
-# The side that asks has a **client**; the side that responds has a **server**. The response tells you that the request
-# was handled. A message on a topic tells you nothing like that. Ask for the same thing again, then for the opposite:
+# The node that sends the request has a **client**, and the node that responds has a **server**. The response confirms
+# that the server handled your request. Messages on a topic aren't confirmed. Now send the same request again, and then
+# the opposite one:
 
 # %%
 from workbook.lesson import stop
@@ -65,8 +68,9 @@ for wanted in (True, False):
 stop()
 
 # %% [markdown]
-# A server may refuse. In this service type, `success` and `message` are for that. The package `std_srvs` has three types:
-# `Empty` (do it), `Trigger` (do it and report how it went), `SetBool` (on or off).
+# A server can refuse a request. The `SetBool` response has two fields for that: `success` and `message`. The package
+# `std_srvs` has three types: `Empty` (do it), `Trigger` (do it and report the outcome), and `SetBool` (switch something
+# on or off).
 
 # %% [markdown] prediction="call-in-a-callback"
 # ## Predict
@@ -117,8 +121,9 @@ predict("call-in-a-callback")
 # %% [markdown]
 # ## Run it
 #
-# `try_out` runs the node as a process of its own, records two seconds, and ends it. The node also publishes what it
-# does, on `/robot/asked` and `/robot/answered`. Its server runs in another node, with a thread of its own.
+# `try_out` runs the node in a separate process, records it for two seconds, and then ends it. The node also publishes a
+# message for each request, on `/robot/asked`, and for each response, on `/robot/answered`. The server belongs to
+# another node, with its own thread.
 
 # %% id="deadlock"
 from lesson_nodes import heart_and_question
@@ -155,13 +160,14 @@ questions_picture(
 )
 
 # %% [markdown]
-# The program still runs. It waits, and it will wait until you end it. This is a **deadlock**: two parties wait for each
-# other.
+# The program keeps waiting until you end it. This is a **deadlock**: two parties are waiting for each other, so neither
+# can continue.
 
 # %% [markdown]
 # ## Look inside
 #
-# Follow the response on its way, through the machine of lesson 04. A client has a queue, too, for responses.
+# Let's follow the response through the drawing from lesson 04. Like a subscription, a client has a queue, which holds
+# its responses.
 
 # %% id="machine"
 from workbook.lesson import record_machine, show_machine
@@ -174,19 +180,19 @@ show_machine(
 )
 
 # %% [markdown]
-# The response is in the queue, and the **executor** has to take it from there. But its only thread runs the callback, and the
-# callback waits in `call`. So `call` waits for the executor, and the executor waits for the callback. The heartbeat timer
-# waits, too.
+# The response is in the queue, and the **executor** has to take it from there. But its only thread is running the
+# callback, and the callback is waiting in `call`. So `call` waits for the executor, and the executor waits for the
+# callback. The heartbeat timer has to wait, too.
 #
-# ### Two rules
+# ### Two conditions for taking a response
 #
-# The executor can take the response when two things are free:
+# The executor can take a response when two things are free:
 #
-# - **a thread** of the executor. `spin` has one. A `MultiThreadedExecutor` has several.
-# - **the callback group of the client.** A node puts all its callbacks into one *default group*. It is *mutually
-#   exclusive*: one callback at a time. A callback that waits still occupies it.
+# - **A thread of the executor.** `spin` uses one thread. A `MultiThreadedExecutor` has several.
+# - **The client's callback group.** By default, all of a node's callbacks are in one *default group*. That group is
+#   *mutually exclusive*: only one of its callbacks runs at a time. A waiting callback still occupies its group.
 #
-# What a waiting callback occupies depends on how it waits:
+# How a callback waits determines what it occupies:
 #
 # | in the callback | occupies its thread | occupies its group |
 # |---|---|---|
@@ -194,17 +200,17 @@ show_machine(
 # | `await client.call_async(request)` | no | yes |
 # | `client.call_async(request)`, then `add_done_callback` | no | no |
 #
-# `call_async` sends the request and returns at once. It returns a **future**: an object that will hold the response
-# later. `await` pauses an `async def` method until the future is done, and frees the thread meanwhile.
-# `add_done_callback` names a function to call when it is done, and pauses nothing.
+# `call_async` sends the request and returns right away. Its return value is a **future**, an object that will hold the
+# response later. `await` pauses an `async def` method until the future is done, and frees the thread in the meantime.
+# `add_done_callback` doesn't pause anything: it registers a function that the executor calls when the future is done.
 
 # %% [markdown]
-# ### Seven cases
+# ### Seven ways to wait
 #
-# Before you run the next cell, decide for each line: do the responses come? Use the two rules. "Own" means that the
-# client has a callback group of its own. Everything else is in the default group.
+# Before you run the next cell, apply the two conditions to each row: do the responses arrive? "Own" means that the
+# client has its own callback group. Everything else is in the default group.
 #
-# | case | how it waits | group of the client | threads |
+# | case | how the callback waits | client's group | threads |
 # |---|---|---|---|
 # | 1 | `call` | default | 1 |
 # | 2 | `call` | default | 4 |
@@ -214,7 +220,7 @@ show_machine(
 # | 6 | `await` | own | 1 |
 # | 7 | `spin_until_future_complete`, for 0.4 s | default | 1 |
 #
-# Each case is again a process of its own. `limps` means that beats are missing while a call waits.
+# Again, each case runs in its own process. The word `limps` means that heartbeats are missed while a call waits.
 
 # %% id="seven-cases"
 CASES = [
@@ -249,15 +255,17 @@ hearts_picture(
 )
 
 # %% [markdown]
-# Read it with the rules.
+# The two conditions explain all seven results:
 #
-# - **1** No thread and no group is free. **2** Three threads are free, but not the group. **3** Both are free.
-# - **4** This is no deadlock, but it always waits the full 0.4 s and gets `None`. The response is in the queue all that
-#   time.
-# - **5** `await` frees the thread, but occupies the group. **6** With a group for the client, one thread is enough.
-# - **7** spins the node inside a callback of the same node. The group is occupied, so it waits in vain, like 4.
+# - **1:** Neither a thread nor the group is free. **2:** Three threads are free, but the group isn't. **3:** Both are
+#   free.
+# - **4:** This isn't a deadlock, but each call waits the full 0.4 s and returns `None`. The response is in the queue
+#   all that time.
+# - **5:** `await` frees the thread but still occupies the group. **6:** Because the client has its own group, one
+#   thread is enough.
+# - **7:** The callback spins its own node. The group is occupied, so the wait times out, as in case 4.
 #
-# You make a group and give it to the client:
+# This is how to give a client its own group:
 #
 # ```python
 # from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
@@ -272,15 +280,15 @@ hearts_picture(
 #
 # | question | topic | service |
 # |---|---|---|
-# | who takes part | any number of publishers and subscriptions | one client asks, one server responds |
-# | does the sender know it arrived? | no | yes, by the response |
-# | when | when there is news, or at a rate | on request |
-# | nobody on the other side | the message is gone | see experiment 3 |
-# | good for | joint angles, battery, camera, status | switch on, reset, self-test, "take a picture now" |
+# | Who takes part? | any number of publishers and subscriptions | one client sends a request, one server responds |
+# | Is arrival confirmed? | no | yes, by the response |
+# | When does data flow? | when there's news, or at a fixed rate | on request |
+# | If the other side is missing | the message is lost | see experiment 3 |
+# | Good for | joint angles, battery, camera, status | switch on, reset, self-test, "take an image now" |
 #
-# Sensor values flow all the time: publish them. "Stand still" happens once, and you want to know that it did: a service.
-# If the work takes more than about a second ("walk to the kitchen"), use an *action*: it reports progress and can be
-# canceled.
+# Sensor values keep changing, so publish them on a topic. "Stand still" is a single command, and you want to know
+# whether it succeeded, so use a service. If the work takes more than about a second ("walk to the kitchen"), use an
+# *action*, which reports progress and can be canceled.
 
 # %% [markdown] prediction="other-groups"
 # ## Change it
@@ -332,7 +340,7 @@ reveal(
 )
 
 # %% [markdown]
-# `call` needs a second thread, whatever the groups. `await` does not.
+# `call` needs a second thread, whatever group the client is in. `await` doesn't.
 
 # %% [markdown] prediction="slow-server"
 # ### Experiment 2: a server that takes its time
@@ -395,15 +403,16 @@ show_machine(
 )
 
 # %% [markdown]
-# Only the done callback leaves the heart alone. With `await` the thread is free, and there is still no heartbeat: the
-# executor leaves the heartbeat timer out of its wait set.
+# Only the done callback leaves the heartbeat undisturbed. With `await`, the thread is free, but the executor still
+# leaves the heartbeat timer out of its wait set.
 #
-# `call` and `await` get their response, because the *client* has a group of its own. But the waiting callback occupies
-# the default group, and the heartbeat timer is in it. A callback that only asks and returns leaves the group at once.
+# With `call` and `await`, the responses arrive because the *client* has its own group. But the waiting callback
+# occupies the default group, and the heartbeat timer is in that group. A callback that only sends the request and
+# returns leaves the group right away.
 #
-# For most nodes the advice is: **`call_async`, a done callback, return.** No threads, no groups, no deadlock. (The done
-# callback itself is in *no* group. With several threads it may run beside any other callback, so shared data needs a
-# lock.)
+# For most nodes, we recommend: **`call_async`, a done callback, return.** No extra threads, no groups, no deadlock.
+# (The done callback itself isn't in *any* group. With several threads, it may run at the same time as any other
+# callback, so protect shared data with a lock.)
 
 # %% [markdown] prediction="server-dies"
 # ### Experiment 3: the server dies
@@ -464,14 +473,14 @@ print("asked again:", response.message)
 stop()
 
 # %% [markdown]
-# Nothing tells the client that the server is gone: its call stays open forever. `service_is_ready()` says whether a server
-# is there *now*, and nothing about your open call. So the client has to check the clock. After a time that you choose,
-# give up on the call with `remove_pending_request(future)`. Then ask again or raise an alarm.
+# The client gets no notice that the server is gone, so the call stays open forever. `service_is_ready()` returns
+# whether a server exists *now*, not whether your open call can still succeed. So set your own time limit. When it
+# expires, give up on the call with `remove_pending_request(future)`, and send a new request or raise an alarm.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Silence: there is no such server.** This name lacks an underscore.
+# **A misspelled service name.** This name lacks an underscore, so no server has it.
 
 
 # %% id="no-server"
@@ -489,15 +498,15 @@ spin_for(hasty, seconds=1.0)
 print("answered:", future.done())
 
 # %% [markdown]
-# No error: a server of that name might still start. (This request would stay lost even then.) `wait_for_service` finds
-# out: `False` means that no server was there in time. Always give it a time-out, and call it before you spin. It waits, so
-# it does not belong in a callback.
+# rclpy raises no error, because a server with that name might still start. (Even then, this request would stay lost.)
+# To find out, call `wait_for_service`, which returns `False` if no server was there in time. Always pass a timeout.
+# Because `wait_for_service` blocks, call it before you spin, never in a callback.
 
 # %%
 print("a server is there:", hasty.self_test.wait_for_service(timeout_sec=1.0))
 
 # %% [markdown]
-# **Too early.** `call_async` returns at once, so the next line runs before the response is there.
+# **Reading the result too early.** `call_async` returns right away, so the next line runs before the response arrives.
 
 # %% id="too-early" tags=["raises-exception"]
 start(self_test_server)
@@ -508,9 +517,9 @@ future = asker.self_test.call_async(Trigger.Request())
 print("well" if future.result().success else "faulty")
 
 # %% [markdown]
-# The result of a future that is not done is `None`, so the error mentions `NoneType` and not the future. Use the result
-# in a done callback. Outside of callbacks, spin until the future is done:
-# `rclpy.spin_until_future_complete(node, future)` in a program, `run` here.
+# Until a future is done, its result is `None`, so the error message mentions `NoneType` and not the future. Read the
+# result in a done callback. Outside callbacks, spin until the future is done: use
+# `rclpy.spin_until_future_complete(node, future)` in a program, or `run` in this notebook.
 
 # %%
 response = await run(asker, until=future, seconds=10)
@@ -518,8 +527,8 @@ print("well" if response.success else "faulty")
 stop()
 
 # %% [markdown]
-# **A server that forgets to return.** The handler gets the request and an empty response. It has to fill in the response
-# *and return it*. This one does not return it.
+# **A handler that doesn't return the response.** rclpy passes the request and an empty response to the handler. The
+# handler has to fill in the response *and return it*. This handler only fills it in.
 
 
 # %% id="no-return"
@@ -553,8 +562,9 @@ except TypeError as error:
 print("the guest has an answer:", greeting.done())
 
 # %% [markdown]
-# `TypeError()`, without a message. rclpy wanted to send the response and got `None`. In a program, the traceback ends in
-# a bare `TypeError`, and the *server* ends. The client's call stays open, as in experiment 3. One line fixes it:
+# rclpy needed a response to send but got `None`, so it raised a `TypeError()` without a message. In a program, the
+# traceback ends with a bare `TypeError`, and the *server* process ends. The client's call stays open, as in experiment
+# 3. One line fixes the handler:
 
 
 # %%
@@ -576,8 +586,8 @@ response = await run(robot, guest, until=greeted, seconds=10)
 print("now it says:", response.message)
 
 # %% [markdown]
-# **Spinning inside a callback.** Case 7 waited in vain. With a group for the client and four threads, the response comes.
-# But only once:
+# **Spinning inside a callback.** In case 7, give the client its own group and the executor four threads. A response
+# arrives, but only once:
 
 # %% id="spin-inside"
 inside = try_out(heart_and_question, ("spin_until", "own", 4))
@@ -590,15 +600,15 @@ questions_picture(
 )
 
 # %% [markdown]
-# `rclpy.spin_until_future_complete` adds the node to the *global* executor. That removes the node from the executor
-# that was spinning it. When the future is done, the node is in no executor. Use the function in `main()`, before
-# `spin`, and never in a callback.
+# `rclpy.spin_until_future_complete` adds the node to the *global* executor, which removes the node from the executor
+# that was spinning it. When the future is done, the node isn't in any executor. So use this function in `main()`,
+# before `spin`, and never in a callback.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** Twice a second an arm asks its gripper to close or to open. It does not wait. It keeps the open call in an
-# attribute, and the done callback notes the result.
+# **Worked.** Twice a second, an arm node sends its gripper a request to close or to open. Instead of waiting, the arm
+# stores the open call in an attribute, and the done callback records the result.
 
 
 # %%
@@ -644,8 +654,8 @@ await run(gripper, arm, seconds=20, until=lambda: len(arm.done) == 4)
 print(arm.done)
 
 # %% [markdown]
-# **Faded.** This gripper has a loose cable: it never responds to every third request. The arm has to notice. Fill in what
-# is `...`. Until then the cell runs, and prints what is missing.
+# **Faded.** This gripper has a loose cable, so every third request never gets a response. The arm has to notice that.
+# Replace the `...` with your code. Until you do, the cell prints a reminder.
 
 # %%
 from rclpy.callback_groups import ReentrantCallbackGroup
@@ -695,9 +705,9 @@ else:
     print("Two requests were not answered. The arm noted", noted, "of them.")
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/12_services.ipynb) a node asks its robot for a self-test every second and
-# publishes the result for the control room. Its heartbeat must not miss a beat, whether the response is quick, slow or
-# never comes.
+# **Your own.** In the [exercise](../exercises/12_services.ipynb), your node requests a self-test from its robot every
+# second and publishes the result for the control room. Its heartbeat must stay regular, whether the response is fast,
+# late, or missing.
 
 # %% [markdown]
 # ## Check yourself
@@ -706,7 +716,8 @@ else:
 #
 # <details><summary>a) The callback returns after a few milliseconds</summary>
 #
-# ✗ The response is in the process after that time, but the only thread waits in `call` and cannot take it.
+# ✗ By then, the response has reached the process. But the only thread is waiting in `call`, so it can't take the
+# response.
 #
 # </details>
 # <details><summary>b) The node hangs, but only until the server is called again</summary>
@@ -716,43 +727,45 @@ else:
 # </details>
 # <details><summary>c) The node hangs, without an error</summary>
 #
-# ✓ The callback waits for the executor, and the executor for the callback.
+# ✓ The callback waits for the executor, and the executor waits for the callback.
 #
 # </details>
 #
-# **2. Now you use a `MultiThreadedExecutor` with eight threads, and change nothing else. Does `call` work?**
+# **2. Now you use a `MultiThreadedExecutor` with eight threads and change nothing else. Does `call` work?**
 #
-# <details><summary>a) No: the client needs another callback group as well</summary>
+# <details><summary>a) No: the client also needs a different callback group</summary>
 #
-# ✓ A thread *and* a group have to be free.
+# ✓ Both a thread *and* the client's group must be free.
 #
 # </details>
 # <details><summary>b) Yes: seven threads are free</summary>
 #
-# ✗ Threads are free, but client and callback share the default group: one callback at a time (case 2).
+# ✗ Threads are free, but the client and the callback share the default group. That group runs only one callback at a
+# time (case 2).
 #
 # </details>
 # <details><summary>c) No: call never works inside a callback</summary>
 #
-# ✗ It does with threads and a group of its own for the client (case 3). Not waiting at all is simpler.
+# ✗ It works if the executor has several threads and the client has its own group (case 3). But it's simpler not to wait
+# at all.
 #
 # </details>
 #
-# **3. Your client called `call_async`. The process of the server crashes before it answers. What does your node see?**
+# **3. Your client called `call_async`. The server process crashes before it responds. What happens in your node?**
 #
-# <details><summary>a) An exception from <code>future.result()</code></summary>
+# <details><summary>a) <code>future.result()</code> raises an exception</summary>
 #
 # ✗ The future has neither a result nor an exception.
 #
 # </details>
 # <details><summary>b) Nothing</summary>
 #
-# ✓ That is why the client has to check the clock: give up on the call, report that, and go on.
+# ✓ So your node needs its own time limit. When it has passed, give up on the call, report that, and continue.
 #
 # </details>
-# <details><summary>c) The done callback, with the result None</summary>
+# <details><summary>c) The done callback runs, with the result None</summary>
 #
-# ✗ Done callbacks are called when the future is done. This one never will be.
+# ✗ A done callback runs when its future is done. This future never will be.
 #
 # </details>
 #
@@ -760,15 +773,15 @@ else:
 #
 # <details><summary>a) The angles of the twelve joints</summary>
 #
-# ✗ They come many times a second, and several nodes need them: a topic.
+# ✗ New angles arrive many times a second, and several nodes need them. That calls for a topic.
 #
 # </details>
 # <details><summary>b) "Walk to the kitchen"</summary>
 #
-# ✗ It takes minutes. You want to see progress, and to cancel: an action.
+# ✗ The walk takes minutes. You want to see its progress and be able to cancel it. That calls for an action.
 #
 # </details>
-# <details><summary>c) "Set the zero of the left elbow to where it is now"</summary>
+# <details><summary>c) "Make the left elbow's current angle its new zero"</summary>
 #
 # ✓ It happens once, on request, and you want to know whether it worked.
 #
@@ -777,51 +790,52 @@ else:
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). My node has a 20 Hz balance
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My node has a 20 Hz balance
 # timer. When the robot stumbles, a subscription callback calls the service
 # `/arms/stretch_out` with `await client.call_async(...)` and publishes "caught" when
-# the response is there. In tests it hangs at the first stumble, and the balance timer
-# stops with it. Which changes would fix it, and which one would you choose? Name only
-# functions that exist in rclpy for Jazzy.
+# the response arrives. In tests, the callback hangs at the first stumble, and the
+# balance timer stops, too. Which changes would fix this, and which one would you choose?
+# From rclpy, use only functions that exist in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The callback that awaits occupies the node's default group. The client is in the same group, so the response cannot be
-# taken. The balance timer is in it, too, so it stops. A group of its own for the client lets the response in. But while
-# the arms take their time, balance still waits, unless the stumble callback or the timer gets another group as well. A
-# `MultiThreadedExecutor` alone changes nothing. The simplest fix is not to wait: `call_async`, a done callback that
-# publishes "caught", return. Good answers add a time limit, and ask whether a reflex should be a service at all: a
-# message on a topic needs no response.
+# The callback that awaits occupies the node's default group. The client is in the same group, so the executor can't
+# take the response. The balance timer is in that group, too, so it stops. If the client gets its own group, the
+# response arrives. But until the arms are done, the balance timer still has to wait. To avoid that, the stumble
+# callback or the timer needs another group as well. A `MultiThreadedExecutor` alone changes nothing. The simplest fix
+# is not to wait: use `call_async`, publish "caught" in a done callback, and return. A good answer adds a time limit. It
+# also asks whether a reflex should be a service at all, because a message on a topic needs no response.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
 #
-# - **`await client.call_async()` is safe in any callback:** Client and callback are in one group by default, and the
-#   response waits for that group: it never arrives.
-# - **Call `rclpy.spin_until_future_complete(node, future)` in the callback:** The executor is already spinning. The
-#   call returns at its timeout, and the future is not done.
+# - **`await client.call_async()` is safe in any callback:** By default, the client and the callback are in the same
+#   group. The response has to wait for that group, so it never reaches the callback.
+# - **Call `rclpy.spin_until_future_complete(node, future)` in the callback:** The executor is already spinning the
+#   node. The call returns when its timeout expires, but the future isn't done.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - A topic has any number of publishers and subscriptions. A service is one request and one response.
-# - A response is taken when a thread of the executor *and* the callback group of the client are free.
-# - `call` in a callback hangs, without an error; so does `await` when client and callback share a group.
-# - `call_async`, `add_done_callback`, return: that never hangs.
-# - Nothing reports a response that does not come. Check the clock yourself, and use `remove_pending_request`.
+# - A topic has any number of publishers and subscriptions. A service call is one request and one response.
+# - The executor takes a response when one of its threads *and* the client's callback group are free.
+# - In a callback, `call` hangs without an error. So does `await` if the client and the callback share a group.
+# - Use `call_async` and `add_done_callback`, and then return. That never hangs.
+# - A response tells you that the server handled your request. A missing response isn't reported, so set your own time
+#   limit, and use `remove_pending_request`.
 #
 # **Before:** [11 · Polling against callbacks](11_polling_against_callbacks.ipynb)
 #
-# **Next:** [13 · QoS and discovery](13_qos_and_discovery.ipynb), on which messages reach whom.
+# **Next:** [13 · QoS and discovery](13_qos_and_discovery.ipynb), on which messages reach which nodes.
 #
 # **More:** [Synchronous and asynchronous clients](https://docs.ros.org/en/jazzy/How-To-Guides/Sync-Vs-Async.html) and
 # [callback groups](https://docs.ros.org/en/jazzy/How-To-Guides/Using-callback-groups.html).

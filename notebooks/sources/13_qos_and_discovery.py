@@ -1,20 +1,21 @@
 # %% [markdown]
 # # 13 · QoS and discovery
 #
-# A dashboard is switched on hours after the robot. What does it hear of the robot, and what does that depend on?
+# A dashboard starts hours after the robot. Which of the robot's messages does it still receive, and why only those?
+# And how does it notice that the robot has gone silent?
 #
 # - **Minutes:** 45
 # - **You need:** lessons [03](03_publishers_and_messages.ipynb) to 05: publishers, subscriptions, timers
 # - **You will be able to:**
-#   - say what decides whether a subscription gets a message
-#   - say what a program gets that starts late
-#   - use a deadline, or a timer that checks the clock
-# - **Left out:** liveliness, lifespan and history (three more policies), discovery servers, settings that only one
+#   - explain why a subscription receives a message, or why it doesn't
+#   - predict which messages reach a program that starts late
+#   - detect silence with a deadline, or with a timer that checks the clock
+# - **Left out:** liveliness, lifespan, and history (three more policies), discovery servers, settings that only one
 #   DDS implementation has
 
 # %% [markdown]
-# This robot publishes its status once, when it starts. Its heart beats four times a second. We record it for five
-# seconds. In the film, the robot moves a little at each beat that arrived.
+# This robot publishes its status once, when it starts, and a heartbeat four times per second. We record it for five
+# seconds. In the animation, the robot moves a little whenever a beat arrives.
 
 # %%
 from lesson_nodes import heartbeat, status_monitor
@@ -32,8 +33,8 @@ robots(
 )
 
 # %% [markdown]
-# For two seconds the heart was silent. The program did not crash, and nothing was logged. Who notices? First, how does
-# a listener find this robot at all?
+# The heartbeat stopped for two seconds, but the program didn't crash, and it logged nothing. So how could another
+# program notice the silence? Before we answer that, let's see how a subscriber finds this robot in the first place.
 
 # %%
 print("started", start(heartbeat))
@@ -41,11 +42,11 @@ print("started", start(status_monitor))
 graph_picture()
 
 # %% [markdown]
-# The monitor's code contains no address, no port and no server. Each program announces itself on the network when it
-# starts. The others reply with what they publish and what they subscribe to. This is called **discovery**. DDS does it,
-# the layer below ROS.
+# The monitor's code contains no address, no port, and no server. Instead, each program announces itself on the
+# network when it starts. The other programs reply with lists of their own publishers and subscriptions. This process
+# is called **discovery**, and it's the job of DDS, the layer below ROS.
 #
-# The picture draws an arrow where two topic names are equal.
+# The figure draws an arrow wherever a publisher and a subscription use the same topic name.
 
 # %%
 stop()
@@ -53,20 +54,21 @@ stop()
 # %% [markdown] prediction="eight-beats"
 # ## Predict
 #
-# The robot publishes its heartbeat like this. A lost beat does no harm, because the next one comes soon:
+# The robot creates the publisher for its heartbeat as shown below. A lost beat does no harm, because the next one
+# follows soon.
 #
 # ```python
 # BEAT_QOS = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT, ...)
 # self.beat_publisher = self.create_publisher(String, "/robot/heartbeat", BEAT_QOS)
 # ```
 #
-# A monitor subscribes as you have always done it:
+# A monitor subscribes in the way that you know from lesson 04:
 #
 # ```python
 # self.create_subscription(String, "/robot/heartbeat", self.on_beat, 10)
 # ```
 #
-# Same topic, same type. The robot sends eight beats. What does the monitor get?
+# Topic and type are the same on both sides. The robot sends eight beats. What does the monitor get?
 #
 # - **a** All eight: the topic and the type are right.
 #   when `heard == 8`
@@ -91,8 +93,8 @@ predict("eight-beats")
 # %% [markdown]
 # ## Run it
 #
-# Now both nodes live in this notebook, so that we can inspect them. First the robot runs for eight beats. Messages that
-# have arrived by then wait in the monitor's queue. Then the monitor runs.
+# This time, both nodes live in the notebook, so we can inspect them. First, only the robot runs, for eight beats. Any
+# messages that arrive wait in the monitor's queue until the monitor runs, too.
 
 # %%
 from lesson_nodes.heartbeat import Heartbeat
@@ -131,12 +133,14 @@ reveal("eight-beats", heard=len(monitor.heard), matched=matched)
 # %% [markdown]
 # ## Look inside
 #
-# Every publisher and every subscription has a **QoS profile** (quality of service): a set of **policies**. The publisher
-# says what it **offers**. The subscription says what it **requests**. DDS *matches* the two only if each offer is at
-# least as good as the request. The arrow in the picture of the graph does not show this: it compares only names.
+# Every publisher and every subscription has a **QoS profile** (quality of service), which is a set of **policies**.
+# The publisher **offers** its profile, and the subscription **requests** one. DDS *matches* the two only if each
+# offer is at least as good as the request. The arrow in the figure doesn't show that, because the figure compares
+# only names.
 #
-# The robot offered best effort, and the monitor requested reliable. `10` is short for `QoSProfile(depth=10)`. Everything
-# that you leave out has a default:
+# The robot offered best effort, but the monitor requested reliable. Its `10` is short for `QoSProfile(depth=10)`, in
+# which every policy that you leave out has a default. The next cell prints two policies of that profile and of a
+# ready-made one:
 
 # %%
 from rclpy.qos import QoSProfile, qos_profile_sensor_data
@@ -148,15 +152,16 @@ for name, profile in (
     print(f"{name:<24}{profile.reliability.name}, {profile.durability.name}")
 
 # %% [markdown]
-# | policy | lower | higher | what the lower one means / what the higher one means |
+# | policy | lower | higher | meaning of the lower value / of the higher value |
 # |---|---|---|---|
 # | reliability | `BEST_EFFORT` | `RELIABLE` | each message is sent once / it is sent again until it has arrived, as long as it is one of the last `depth` |
-# | durability | `VOLATILE` | `TRANSIENT_LOCAL` | messages are only sent / messages are also kept for later |
+# | durability | `VOLATILE` | `TRANSIENT_LOCAL` | messages are only sent / messages are also kept for later subscriptions |
 # | deadline | none | short | no promise / no more than this time between two messages |
 #
-# `depth` is not in the table. It is the length of one side's own queue, and it is not compared.
+# The table leaves out `depth`, the length of each side's own queue, because DDS doesn't compare depths.
 #
-# You can ask rclpy whether two profiles fit. The first argument is the offer, the second is the request:
+# rclpy can tell you whether two profiles are compatible. Pass the offer as the first argument and the request as the
+# second:
 
 # %% id="ask-rclpy"
 from lesson_nodes.heartbeat import BEAT_QOS
@@ -167,8 +172,8 @@ print(verdict.name)
 print(reason)
 
 # %% [markdown]
-# On a running robot you do not have the profiles in your code, but each node announces its own. `topic_info` collects
-# them and asks rclpy for every pair. With a ROS installation, `ros2 topic info -v` lists them.
+# On a running robot, you don't have all the profiles in your own code, but each node announces its profiles.
+# `topic_info` collects them and asks rclpy about every pair. In a ROS installation, `ros2 topic info -v` lists them.
 
 # %% id="topic-info"
 from workbook.ros import topic_info
@@ -177,7 +182,7 @@ for problem in topic_info("/robot/heartbeat").problems:
     print(problem)
 
 # %% [markdown]
-# Here is the fix. The subscription requests less:
+# To fix the problem, the subscription requests less:
 
 # %%
 monitor = fresh(Monitor, qos_profile_sensor_data)
@@ -185,21 +190,21 @@ await run(robot, monitor, seconds=20, until=lambda: len(monitor.heard) == 8)
 print("heard:", len(monitor.heard))
 
 # %% [markdown]
-# Two common beliefs are wrong.
+# Two common beliefs about QoS are wrong.
 #
-# - *"QoS must be equal on both sides."* The offer must be at least as good as the request. A reliable publisher and a
-#   best effort subscription match.
-# - *"DDS does not report a mismatch."* It does: you read `requesting incompatible QoS` and `offering incompatible QoS`
-#   above. But each is one line in a log, it comes once, and only while the node is spun.
+# - *"QoS must be equal on both sides."* The offer only has to be at least as good as the request. So a reliable
+#   publisher matches a best-effort subscription.
+# - *"DDS does not report a mismatch."* It does: `requesting incompatible QoS` and `offering incompatible QoS` appear
+#   in the log above. But each side logs just one line, once, and only while its node is being spun.
 
 # %% [markdown] prediction="late-dashboard"
 # ## Change it
 #
 # ### Experiment 1: the late dashboard
 #
-# A robot publishes three words when it starts, and then no more: `booting`, `standing`, `operational`. Its publisher is
-# transient local with `depth=1`. Later, two dashboards open. The *plain* one subscribes with `10`. The *latched* one
-# requests transient local, with `depth=10`. What do they know about the robot?
+# When a robot starts, it publishes three words, and then nothing more: `booting`, `standing`, `operational`. Its
+# publisher is transient local with `depth=1`. Two dashboards start later. The *plain* one subscribes with `10`. The
+# *latched* one requests transient local, with `depth=10`. Which of the words does each dashboard receive?
 #
 # - **a** The plain one knows nothing, the latched one `operational`.
 #   when `plain_knows == 0 and latched_knows == 1`
@@ -245,10 +250,11 @@ print("latched:", latched.known)
 reveal("late-dashboard", plain_knows=len(plain.known), latched_knows=len(latched.known))
 
 # %% [markdown]
-# The *publisher* keeps its last messages, as many as its depth. It hands them to each new subscription that requests
-# them. In ROS 1 such a topic was called **latched**. Both sides must be transient local, and both must be reliable.
+# The *publisher* stores as many of its last messages as its depth allows. It sends them to every new subscription
+# that requests them. ROS 1 called such a topic **latched**. This works only if both sides are transient local and
+# reliable.
 #
-# How many does the robot keep? Change the depth of its publisher:
+# How many messages does the robot store? Let's change the depth of its publisher:
 
 # %%
 for depth in (1, 2, 3):
@@ -259,21 +265,23 @@ for depth in (1, 2, 3):
 stop()
 
 # %% [markdown]
-# For a *state* (status, map, robot description) depth 1 is right: only the last one is true. A *stream* (camera,
-# heartbeat) stays volatile: an old heartbeat says nothing about the robot now.
+# For a *state*, such as a status, a map, or a robot description, use depth 1, because only the latest value is true.
+# A *stream*, such as camera images or a heartbeat, should stay volatile. An old heartbeat tells you nothing about the
+# robot's current state.
 
 # %% [markdown] prediction="the-silence"
 # ### Experiment 2: when a publisher goes silent
 #
-# The last line of the table is the **deadline**. The robot offers at most 0.5 s between two beats. A watcher requests
-# at most 1.0 s. That is less strict than the offer, so they match. The watcher also gives a callback for the event that
-# the deadline was missed:
+# The last row of the table is the **deadline**. The robot offers at most 0.5 s between two beats. A watcher requests
+# at most 1.0 s, which is less strict than the offer, so the two match. The watcher also passes a callback for missed
+# deadlines:
 #
 # ```python
 # SubscriptionEventCallbacks(deadline=self.on_missed)
 # ```
 #
-# The heart beats for 2 s, and then it is silent for two and a half seconds. How often is `on_missed` called?
+# The robot publishes beats for 2 s, and then it stays silent for two and a half seconds. How often is `on_missed`
+# called?
 #
 # - **a** Never: no message, no callback.
 #   when `missed == 0`
@@ -362,18 +370,20 @@ print("the first event came after about 1 s:", 0.9 < waits[0] < 1.9)
 print("all events in the silence:", all(t < watcher.beats[-1] for t in watcher.missed))
 
 # %% [markdown]
-# The event comes when the deadline has passed, and again after each further period, until the next message. Two limits:
+# The event occurs when the deadline has passed, and again after every further period until the next message arrives.
+# The event has two limits:
 #
-# - The time counts from the last message. Before the first message there is no event.
-# - No event says that messages are back. You see that in `on_beat`.
+# - DDS measures the time from the last message, so there's no event before the first one.
+# - No event reports that messages are arriving again. Your code can detect that only in `on_beat`.
 #
-# A timer that checks the clock does the same. It needs a little more code, and no promise from the publisher.
+# A timer that checks the clock can detect the silence, too. It takes a little more code, but the publisher doesn't
+# have to offer a deadline.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **A deadline that is not offered.** Our robot publishes its status without a deadline. This node requests one. The robot
-# then publishes a status. Does it arrive?
+# **Requesting a deadline that isn't offered.** The robot's status publisher offers no deadline, but this node
+# requests one. Then the robot publishes a status. Does it arrive?
 
 
 # %% id="deadline-not-offered"
@@ -400,11 +410,13 @@ print("heard:", impatient.heard)
 print("publishers that it has found:", impatient.subscription.get_publisher_count())
 
 # %% [markdown]
-# Nothing arrived. A deadline is a request like the others: if it is not offered, there is no match. The warning names
-# the policy at its end: `DEADLINE`. Offer it on the publisher, or do not request it and check the clock with a timer.
+# The status didn't arrive, because a deadline is a request like any other: if the publisher doesn't offer it, DDS
+# doesn't match the two sides. The warning ends with the name of the policy, `DEADLINE`. Either offer a deadline on
+# the publisher, or request none and check the clock with a timer.
 
 # %% [markdown]
-# **The same topic, another type.** In its own process, the robot publishes text. This node subscribes with `Float32`:
+# **Same topic, different types.** The robot runs in its own process and publishes text. This node subscribes to the
+# same topic with `Float32`:
 
 # %% id="other-type-silence"
 from std_msgs.msg import Float32
@@ -437,15 +449,16 @@ print(*topic_info("/robot/heartbeat").problems)
 stop()
 
 # %% [markdown]
-# No number, no exception, and with Fast DDS no warning either. If a topic is silent and nothing is logged, compare the
-# *types*: with `topic_info` here, with `ros2 topic info -v` on a robot. Give the number a name of its own, such as
-# `/robot/beat_count`.
+# The node receives no number and raises no exception, and with Fast DDS, there's no warning either. So if no messages
+# arrive and nothing is logged, compare the *types*. Here, use `topic_info`; on a robot, use `ros2 topic info -v`. The
+# fix is to publish the number under a topic name of its own, such as `/robot/beat_count`.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A panel beside the lab's entrance may be switched on at any time. It needs the last status at once, so it
-# requests what the robot offers: transient local. Others may subscribe to the panel later, so it offers the same.
+# **Worked.** A panel at the lab's entrance can be switched on at any time. It needs the last status right away, so it
+# requests transient local, which the robot offers. Other programs may subscribe to the panel's topic even later, so
+# the panel offers transient local, too.
 
 # %%
 STATE = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -482,8 +495,8 @@ await run(late, seconds=10, until=lambda: signs)
 print("a late listener reads:", signs[-1])
 
 # %% [markdown]
-# **Faded.** The panel also has to raise an alarm when the heart has been silent for more than 2 s. A timer checks the
-# clock. Fill in what is `...`. Until then the cell runs, and prints what is missing.
+# **Faded.** The panel also has to raise an alarm when the heartbeat has been silent for more than 2 s. A timer checks
+# the clock. Replace the `...`, and add the missing subscription. Until you do, the cell prints a reminder.
 
 # %%
 LIMIT_S = ...  # TODO: seconds of silence that are too long
@@ -523,27 +536,28 @@ else:
 stop()
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/13_qos_and_discovery.ipynb) you build a dashboard that starts late. It knows
-# the last status at once, and raises an alarm within three seconds when the heart of the robot goes silent.
+# **Your own.** In the [exercise](../exercises/13_qos_and_discovery.ipynb), you build a dashboard that starts late. It
+# shows the last status right away. When the robot's heartbeat stops, the dashboard raises an alarm within three
+# seconds.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. A camera publishes with best effort. Your node subscribes with `10` and hears nothing. What do you change?**
+# **1. A camera offers best effort. Your node subscribes with `10` and receives nothing. What do you change?**
 #
 # <details><summary>a) The reliability of your subscription, to best effort</summary>
 #
-# ✓ Yes. `10` requests reliable, and that is more than is offered. `qos_profile_sensor_data` is made for this.
+# ✓ `10` requests reliable, which is more than the camera offers. `qos_profile_sensor_data` is made for this case.
 #
 # </details>
-# <details><summary>b) The depth: 10 is too small for pictures</summary>
+# <details><summary>b) The depth, because 10 is too small for images</summary>
 #
-# ✗ The depth is your own queue. It is not compared with anything.
+# ✗ The depth is the length of your own queue. DDS doesn't compare it with anything.
 #
 # </details>
 # <details><summary>c) The durability of your subscription, to transient local</summary>
 #
-# ✗ Then you request two things that are not offered.
+# ✗ Then your subscription requests two things that the camera doesn't offer.
 #
 # </details>
 #
@@ -551,118 +565,131 @@ stop()
 #
 # <details><summary>a) Nothing, because the profiles differ</summary>
 #
-# ✗ They may differ. Each offer has to be at least as good as the request, and here both are better.
+# ✗ They may differ. Each offer has to be at least as good as the request, and here, both are better.
 #
 # </details>
 # <details><summary>b) Every message from the match on</summary>
 #
-# ✓ Yes. The two match, and nothing from before was requested.
+# ✓ The two match, but the subscription didn't request earlier messages.
 #
 # </details>
-# <details><summary>c) Every message from the match on, and the last one from before</summary>
+# <details><summary>c) Every message from the match on, and the last one before it</summary>
 #
-# ✗ The publisher hands earlier messages only to subscriptions that request transient local.
-#
-# </details>
-#
-# **3. The map is published once, volatile. Your late node requests transient local. What does it get?**
-#
-# <details><summary>a) The map: your side asked for it</summary>
-#
-# ✗ The publisher has to keep it as well. A volatile publisher keeps nothing for late subscriptions.
-#
-# </details>
-# <details><summary>b) Nothing now, but the next map</summary>
-#
-# ✗ Not even that: volatile is less than transient local, so the two do not match.
-#
-# </details>
-# <details><summary>c) Nothing, and no later map either: they do not match</summary>
-#
-# ✓ Yes, and a warning names the policy, `DURABILITY`.
+# ✗ The publisher sends earlier messages only to subscriptions that request transient local.
 #
 # </details>
 #
-# **4. You request a deadline of 2 s, and the robot is still switched off. When does `on_missed` run first?**
+# **3. A volatile publisher sends the map once. Your node starts later and requests transient local. What does it get?**
 #
-# <details><summary>a) After the first message, as soon as 2 s pass without another one</summary>
+# <details><summary>a) The map, because your subscription requests it</summary>
 #
-# ✓ Before the first message there is no event. A timer that shows `unknown` covers that time.
+# ✗ The publisher would have to store the map, too. A volatile publisher stores nothing for late subscriptions.
 #
 # </details>
-# <details><summary>b) 2 s after the subscription was made</summary>
+# <details><summary>b) Not this map, but the next one</summary>
 #
-# ✗ The time counts from a message. There has not been one.
+# ✗ It won't get the next one either. Volatile is less than transient local, so the two don't match.
+#
+# </details>
+# <details><summary>c) Neither this map nor any later one</summary>
+#
+# ✓ The two don't match. A warning names the policy, `DURABILITY`.
+#
+# </details>
+#
+# **4. You request a deadline of 2 s, and the robot is still switched off. When is `on_missed` called for the first time?**
+#
+# <details><summary>a) After the first message, once 2 s pass without another one</summary>
+#
+# ✓ There's no event before the first message. For that time, use a timer that shows `unknown`.
+#
+# </details>
+# <details><summary>b) 2 s after the subscription was created</summary>
+#
+# ✗ DDS measures the time from a message, and none has arrived yet.
 #
 # </details>
 # <details><summary>c) As soon as the robot is switched on</summary>
 #
-# ✗ Then the first message comes, so no deadline is missed.
+# ✗ At that point, the first message arrives, so no deadline is missed.
 #
 # </details>
 #
-# **5. `topic_info` lists publisher and subscriber, nothing is logged, and nothing arrives. What do you check first?**
+# **5. `topic_info` lists a publisher and a subscriber. Nothing is logged, and nothing arrives. What do you check first?**
 #
 # <details><summary>a) The domain</summary>
 #
-# ✗ If the domains differed, you would not see both in one list.
+# ✗ If the domains differed, the list wouldn't contain both.
 #
 # </details>
 # <details><summary>b) The types</summary>
 #
-# ✓ A QoS mismatch is logged. A type mismatch between two processes is not, with Fast DDS. Then check that the node is
-# spun.
+# ✓ A QoS mismatch is logged, but with Fast DDS, a type mismatch between two processes isn't. If the types are equal,
+# check that your code spins the node.
 #
 # </details>
 # <details><summary>c) The network cable</summary>
 #
-# ✗ Without a network they would not have found each other, and the list would be empty.
+# ✗ Without a network, the two programs couldn't discover each other, and the list would be empty.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot publishes a laser scan
-# at 20 Hz, a map that changes every few minutes, and an emergency stop. A tablet joins
-# and leaves over bad wireless. Which reliability, durability, depth and deadline would
-# you give to each topic, on both sides, and how does the tablet notice that it has lost
-# the robot? Name only functions that exist in rclpy for Jazzy.
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). It publishes a laser scan at
+# 20 Hz, a map that changes every few minutes, and an emergency stop. A tablet connects
+# and disconnects over an unreliable wireless network. Which reliability, durability,
+# deadline, and depth would you choose for each topic, on both sides? And how does the
+# tablet notice that it has lost the robot? Use only functions that exist in rclpy for
+# Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# **The scan:** best effort, volatile, a small depth. A scan that is sent again is old when it arrives, and the repeats
-# fill the channel. **The map:** reliable, transient local, depth 1 on the publisher, and requested by the tablet.
-# **The emergency stop:** reliable is not enough, because a stop that does not arrive stops nothing. Turn it around: the
-# tablet sends "go on" as a heartbeat, and the robot stops when that goes silent. **The loss:** a deadline on the scan,
-# offered by the robot, or a timer that checks the clock. The tablet should show how old its data are. Good answers say
-# that a deadline counts from the first message only, and that you test all this by pulling the plug.
+# **The scan:** best effort, volatile, and a small depth. A scan that's sent again is already old when it arrives, and
+# repeated scans fill the channel.
+#
+# **The map:** reliable and transient local, with depth 1 on the publisher. The tablet has to request transient local,
+# too.
+#
+# **The emergency stop:** Reliable isn't enough, because a stop message that doesn't arrive stops nothing. Reverse the
+# logic: the tablet sends "go on" as a heartbeat, and the robot stops when that heartbeat goes silent.
+#
+# **The lost connection:** a deadline on the scan, offered by the robot, or a timer that checks the clock. The tablet
+# should display the age of its data.
+#
+# Good answers add that a deadline counts only from the first message. They also say that you should test all of this
+# by pulling the plug.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
 #
-# - **`QoSProfile(depth=10, deadline=0.1)`:** A plain number of seconds is not accepted. It must be
+# - **`QoSProfile(depth=10, deadline=0.1)`:** The profile doesn't accept a plain number of seconds. Use
 #   `Duration(seconds=0.1)`.
-# - **A best-effort subscriber does not match a reliable publisher:** In fact, it does match, because it asks for less
-#   than is offered. The other way around does not match.
+# - **A best-effort subscription doesn't match a reliable publisher:** It does, because it requests less than the
+#   publisher offers. The reverse combination doesn't match.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - A publisher offers, a subscription requests. They match if each offer is at least as good as the request.
-# - A mismatch is one line in the log of both sides, and then silence. `qos_check_compatible` and `topic_info` say why.
-# - Transient local on both sides: a late subscription gets the last `depth` messages at once. Use it for states.
-# - A deadline has to be offered to be requested. A timer that checks the clock needs no offer.
-# - If two sides are listed and nothing arrives or is logged, compare the types.
+# - A publisher offers a QoS profile, and a subscription requests one. They match if each offer is at least as good as
+#   the request.
+# - After a mismatch, each side logs one line, and no messages arrive. `qos_check_compatible` and `topic_info` give
+#   the reason.
+# - With transient local on both sides, a late subscription gets the publisher's last `depth` messages right away. Use
+#   it for states.
+# - To notice silence, request a deadline, but only if the publisher offers one. A timer that checks the clock needs
+#   no offer.
+# - If both sides are listed, but nothing arrives and nothing is logged, compare the types.
 #
 # **Before:** [12 · Services](12_services.ipynb)
 #
@@ -670,5 +697,6 @@ stop()
 #
 # **Next:** [14 · Arrays and filters](14_arrays_and_filters.ipynb)
 #
-# **More:** [About quality of service settings](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html),
-# with all policies, and [About discovery](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Discovery.html).
+# **More:** [About quality of service
+# settings](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Quality-of-Service-Settings.html), with all
+# policies, and [About discovery](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Discovery.html).

@@ -1,22 +1,23 @@
 # %% [markdown]
 # # 13 · Deeper: discovery and the first messages
 #
-# A program starts and publishes at once. Who receives its first messages, and what does that depend on?
+# A program starts and publishes right away. Who receives its first messages, and what does that depend on?
 #
 # - **Minutes:** 20
 # - **You need:** lesson [13](13_qos_and_discovery.ipynb)
 # - **You will be able to:**
-#   - decide what becomes of the first messages
+#   - make sure that a program's first messages arrive
 #   - say how long discovery takes
-#   - find out why two programs do not see each other
-# - **Left out:** discovery servers, and settings of DDS for large networks
+#   - find out why two programs don't discover each other
+# - **Left out:** discovery servers, and DDS settings for large networks
 
 # %% [markdown] prediction="first-words"
 # ## Predict
 #
-# A program starts and makes a publisher. Its next lines publish `hello`, `here`, `I am`. Then it waits until it has found
-# a listener, and ends. A listener has been running all the time. Both sides are reliable and volatile. We start six such
-# programs, one after another. How many of the eighteen messages arrive?
+# A listener, a node with a subscription, is already running. Then a program starts and creates a publisher. Its next
+# lines publish `hello`, `here`, and `I am`. The program waits until it has discovered the listener, and then exits.
+# Both sides are reliable and volatile. We start six such programs, one after another. How many of the eighteen
+# messages arrive?
 #
 # - **a** All 18: reliable means that nothing is lost.
 #   ✗ Reliable counts from the match on. Earlier messages have no receiver.
@@ -34,7 +35,8 @@ predict("first-words")
 # %% [markdown]
 # ## Run it
 #
-# `greet` runs the programs (`lesson_nodes/first_words.py`), and returns how long each took to find the listener, in ms.
+# `greet` runs the programs (`lesson_nodes/first_words.py`). It returns how many milliseconds each of them took to
+# discover the listener.
 
 # %%
 from rclpy.node import Node
@@ -74,15 +76,15 @@ print("all newcomers found the listener in the end:", all(ms >= 0 for ms in foun
 reveal("first-words")
 
 # %% [markdown]
-# Run the three cells above a few times. When we tried it on an idle machine, between none and two thirds of the messages
-# arrived. With all processors busy, all 18 did: the program itself was so slow that discovery was faster. A fault like
-# this appears on one machine and not on the next.
+# Run the three cells above a few times. On our idle machine, between none and two thirds of the messages arrived.
+# When all processors were busy, all 18 arrived, because the program itself was so slow that discovery finished first.
+# So a fault like this can appear on one machine but not on the next.
 
 # %% [markdown]
 # ## Look inside
 #
-# `publish` does not check whether anyone listens. A volatile publisher does not keep a message that has no receiver.
-# *Reliable* is a promise to subscriptions that are matched. Here are three fixes:
+# `publish` doesn't check whether there are any subscriptions, and a volatile publisher doesn't keep a message that
+# has no receiver. *Reliable* applies only to subscriptions that are already matched. The next cell tries three fixes:
 
 # %%
 FIXES = {
@@ -98,7 +100,8 @@ for fix, words in FIXES.items():
     print(f"{len(ears.heard)} of 12 arrived: {words}")
 
 # %% [markdown]
-# You give the event's callback to `create_publisher`, and the node calls it while it is spun:
+# For the second fix, pass a callback to `create_publisher`. rclpy calls it when a match is reported, but only while
+# the node is being spun:
 #
 # ```python
 # self.create_publisher(
@@ -107,15 +110,15 @@ for fix, words in FIXES.items():
 # )
 # ```
 #
-# One caveat: a listener may learn of you a moment later than you learn of it. A reliable publisher then sends again. With
-# best effort, the first messages can still be lost.
+# One caveat: a listener may discover your program a moment later than your program discovers the listener. A reliable
+# publisher then sends its messages again. But with best effort, the first messages can still be lost.
 
 # %% [markdown]
 # ### How long does discovery take?
 #
-# This workbook makes discovery fast, by a few settings for DDS (`workbook/ros/loopback.xml`). They keep all traffic on
-# this machine, and each program repeats its announcement ten times a second. The default on a robot is once every
-# three seconds. We ask six newcomers with our times, and six with the default ones.
+# A few DDS settings make discovery fast in this workbook (`workbook/ros/loopback.xml`). They keep all traffic on this
+# machine, and each program repeats its announcement ten times per second. On a robot, the default is once every three
+# seconds. We run six newcomers, that is, newly started programs, with our settings, and six with the defaults.
 
 # %%
 from workbook.lesson.qos_trials import found_picture, greet_by_default
@@ -137,15 +140,17 @@ found_picture(
 print("all of them found the listener:", min(here_ms) >= 0 and min(default_ms) >= 0)
 
 # %% [markdown]
-# In a hundred runs on one machine, the workbook's newcomers took 3 to 190 ms. By default about half took 3 to 100 ms,
-# and most others up to three seconds: they had to wait for the next announcement. So a `time.sleep(1.0)` before the first
-# message works in one run and fails in the next. Wait for the match, not for a time.
+# We measured a hundred runs on one machine. With the workbook's settings, the newcomers took 3 to 190 ms. With the
+# defaults, about half took 3 to 100 ms. Most of the others took up to three seconds, because they had to wait for the
+# next announcement. So a `time.sleep(1.0)` before the first message works in one run and fails in the next. Wait for
+# the match, not for a fixed time.
 
 # %% [markdown] prediction="sixteen-pairs"
 # ### All pairs, measured
 #
-# Two policies with two values each make four profiles. Each may be offered, and each requested: sixteen pairs. Every
-# publisher sends one message before its subscription exists, and five after. How many pairs get any message?
+# Two policies with two values each make four profiles. Each profile can be offered, and each can be requested, so
+# there are sixteen pairs. Each publisher sends one message before the subscription exists, and five afterward. In how
+# many pairs does any message arrive?
 #
 # - **a** 4: those with equal profiles on both sides.
 #   when `hearing == 4`
@@ -200,14 +205,14 @@ got_the_old = ["old" in messages for messages in heard.values()]
 print("pairs that got the old message: ", sum(got_the_old))
 
 # %% [markdown]
-# The old message arrived only where *both* sides are reliable *and* transient local. Five of the nine pairs that hear
-# something have different profiles.
+# The old message arrived only in the pair where *both* sides are reliable *and* transient local. In five of the nine
+# pairs that received messages, the two profiles differ.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Another type in the same process.** Lesson 13 mixed two types in two processes, and nothing was logged. Within one
-# process the middleware checks:
+# **A different type in the same process.** Lesson 13 used two types on one topic in two processes, and nothing was
+# logged. Within one process, however, the middleware does compare the types:
 
 
 # %% id="other-type" tags=["raises-exception"]
@@ -225,11 +230,12 @@ class Counter(Node):
 fresh(Counter)
 
 # %% [markdown]
-# Read the middle: `existing topic name rt/ears with incompatible type`. (`rt` stands for "ROS topic".) A subscription is
-# refused as well, with the less helpful text `invalid allocator`.
+# The important part is in the middle: `existing topic name rt/ears with incompatible type`. (`rt` stands for "ROS
+# topic".) Creating a subscription with a different type fails, too, but with a less helpful message:
+# `invalid allocator`.
 
 # %% [markdown]
-# **Two domains.** Name, type and QoS are right here. Only the domain differs:
+# **Different domains.** In the next cell, name, type, and QoS are correct. Only the domains differ:
 
 # %% id="other-domain"
 from workbook.lesson.qos_trials import heard_between
@@ -240,26 +246,28 @@ with lease_domain() as desk_a, lease_domain() as desk_b:
     print("desk A to desk B:", heard_between(desk_a, desk_b, LATCHED))
 
 # %% [markdown]
-# A tool is on one domain, too, so no tool shows this pair. A topic that is not listed means another domain
-# (`ROS_DOMAIN_ID`), another network, or a program that is not running. A listed topic without messages means QoS or type.
+# Each tool runs in only one domain, too, so no tool can show this pair. If a topic isn't listed, there are three
+# possible causes. The other program is in a different domain (`ROS_DOMAIN_ID`), it's on a different network, or it
+# isn't running. If a topic is listed but no messages arrive, check QoS and types.
 #
-# **With a container: a topic is listed, and nothing arrives.** Fast DDS sends messages through shared memory
-# (`/dev/shm`) if it takes both programs to be on one machine. A container that shares its host's network, but not
-# `/dev/shm`, seems to be on the same machine. Then every topic is listed, and no message arrives. Share `/dev/shm`
-# and the user (`--ipc=host`, `--user`), or turn shared memory off, as this workbook does. `workbook doctor` checks
-# all of these.
+# **In a container: a topic is listed, but nothing arrives.** Fast DDS sends messages through shared memory
+# (`/dev/shm`) if it detects that both programs are on one machine. Suppose a container shares its host's network, but
+# not `/dev/shm`. Then Fast DDS still assumes that both are on the same machine. As a result, every topic is listed,
+# but no message arrives. To fix it, share `/dev/shm` and the user (`--ipc=host`, `--user`), or turn off shared
+# memory, as this workbook does. `workbook doctor` checks all of these settings.
 
 # %% [markdown]
 # ## Take away
 #
-# - A message from before the match is lost, even with reliable QoS. Wait for `get_subscription_count()` or the matched
-#   event.
-# - Discovery takes milliseconds or seconds. Do not sleep for a fixed time.
-# - Nine of the sixteen pairs match: those where no request is higher than the offer.
-# - Not listed: domain or network. Listed, but silent: QoS, type, or shared memory.
+# - A message that was published before the match is lost, even with reliable QoS. Wait until
+#   `get_subscription_count()` is above 0, wait for the matched event, or make both sides transient local.
+# - Discovery takes anywhere from milliseconds to seconds, so don't sleep for a fixed time.
+# - Nine of the sixteen pairs match: those in which the request isn't higher than the offer.
+# - If a topic isn't listed, check the domain and the network. If it's listed but silent, check QoS, types, and shared
+#   memory.
 #
 # **Before:** [13 · QoS and discovery](13_qos_and_discovery.ipynb)
 #
 # **Next:** [14 · Arrays and filters](14_arrays_and_filters.ipynb)
 #
-# **More:** [About discovery](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Discovery.html).
+# **More:** [About discovery](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Discovery.html)

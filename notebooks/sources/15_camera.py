@@ -1,45 +1,51 @@
 # %% [markdown]
 # # 15 · A camera
 #
-# A camera sends a million numbers, thirty times a second. A robot that wants to look at a ball needs two numbers:
-# how far to the left or right, and how far up or down.
+# A 640 × 480 color camera sends almost a million bytes per image, thirty times a second. To look at a ball, a robot needs
+# just two angles: one left or right, and one up or down. How do you get from pixels to those angles, and how does the
+# head use them to follow the ball?
 #
-# - **Minutes:** 40
+# - **Minutes:** 45
 # - **You need:** lessons [13](13_qos_and_discovery.ipynb) and [14](14_arrays_and_filters.ipynb)
 # - **You will be able to:**
-#   - find a ball in an `Image` with OpenCV
-#   - turn its pixel into a direction
-#   - let the head follow
-# - **Left out:** lenses and calibration, two cameras and depth, neural networks (lesson 16)
-
-# %% [markdown]
-# How does a robot get from pixels to a direction? Here is what ours sees. The joint angles of lesson 09 tell where
-# its hands are. A ball rolls over the desk, two bricks lie on it, and clouds pass by the window.
+#   - turn an `Image` message into a NumPy array
+#   - find a ball by its color and shape
+#   - turn a pixel into a direction
+#   - make the head follow the ball
+# - **Left out:** lens distortion and calibration, depth, neural networks (lesson 16)
+#
+# Here's the view from the robot's head. An orange ball rolls across a desk, two orange bricks lie behind it, and passing
+# clouds change the light. The hands at the bottom are the robot's own: the camera node draws them using the positions
+# published on `/robot/joint_positions` (lesson 09).
 
 # %%
 from lesson_nodes import head_camera
 from lesson_nodes.ball_scope import BallScope
 from workbook.lesson import fresh, init, run, start, stop
-from workbook.lesson.films import alone, beside, show_film
+from workbook.lesson.films import alone, show_film
 
 init()
 print("started", start(head_camera, width=320))
 scope = fresh(BallScope)
-await run(scope, seconds=60, until=lambda: len(scope.film) >= 36)
+await run(scope, seconds=50, until=lambda: len(scope.film) >= 36)
 stop()
-shots = [alone(picture) for picture in scope.film]
 show_film(
-    shots,
-    "an orange ball rolls to and fro between gray hands and bricks, "
-    "while the light changes",
+    [alone(image) for image in scope.film],
+    "an orange ball rolls left and right between gray hands and orange bricks while "
+    "the light changes",
     6,
 )
 
 # %% [markdown]
-# Each picture is a message of type `sensor_msgs/Image`. Here are its fields. This camera adds 32 bytes to each row,
-# as some real ones do.
+# Each frame of that clip arrived as a `sensor_msgs/Image` message. Let's print one message's fields. To get the same
+# numbers in every run, we freeze the camera: it publishes frame 20 over and over. This camera also pads each row with
+# 32 unused bytes, as some real cameras do.
 
 # %% id="fields"
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import Image
+
 images = []
 
 
@@ -47,62 +53,109 @@ def keep(image):
     images.append(image)
 
 
-from rclpy.node import Node
-from rclpy.qos import qos_profile_sensor_data
-from sensor_msgs.msg import CompressedImage, Image
-
-start(head_camera, padding=32)
+start(head_camera, frozen=20, padding=32)
 watcher = fresh(Node, "watcher")
 watcher.create_subscription(Image, "/camera/image", keep, qos_profile_sensor_data)
-await run(watcher, seconds=30, until=lambda: len(images) >= 20)
+await run(watcher, seconds=30, until=lambda: images)
 stop()
 image = images[-1]
-print(f"{image.width} columns, {image.height} rows, encoding {image.encoding}")
+used = 3 * image.width
+print(f"{image.width} × {image.height} pixels, encoding {image.encoding}")
 print(
-    f"step: {image.step} bytes in a row; 3 * width = {3 * image.width}; "
-    f"big-endian: {image.is_bigendian}"
+    f"step: {image.step} bytes per row "
+    f"({used} of pixels, {image.step - used} of padding)"
 )
 print(f"data: {len(image.data)} bytes")
 
 # %% [markdown]
-# | field | what it says |
-# |---|---|
-# | `encoding` | what a pixel is made of: `rgb8` is red, green, blue, a byte each; `bgr8` is the same backward; `mono8` is gray |
-# | `step` | how many bytes a row takes, padding included |
-# | `is_bigendian` | which byte of a larger number comes first; only for pixels of 16 bits and more, such as `mono16` |
-# | `header.stamp` | when the picture was taken |
+# <details><summary>The same without helpers</summary>
 #
-# `data` is an `array.array` of bytes, so an array of NumPy can be a view of it, as in lesson 14. First make one row
-# of bytes for each row of the picture, then cut off the padding, then group three bytes into a pixel.
+# `start(head_camera, frozen=20)` runs `python -m lesson_nodes.head_camera --ros-args -p frozen:=20` as a process, and
+# `stop` ends that process as Ctrl-C would. `fresh` creates a node, and first destroys the node that an earlier run of the
+# cell created. In plain rclpy, the rest of the cell is:
+#
+# ```python
+# rclpy.init()
+# watcher = Node("watcher")
+# watcher.create_subscription(Image, "/camera/image", keep, qos_profile_sensor_data)
+# while not images:
+#     rclpy.spin_once(watcher, timeout_sec=0.1)
+# watcher.destroy_node()
+# rclpy.try_shutdown()
+# ```
+#
+# `run` also spins until its condition holds, but it keeps the notebook's buttons working, and gives up after `seconds`.
+#
+# </details>
+#
+# | field | meaning |
+# |---|---|
+# | `encoding` | the layout of a pixel: `rgb8` is one byte each of red, green, and blue; `bgr8` reverses that order; `mono8` is one byte of gray |
+# | `step` | the length of a row in bytes, including padding |
+# | `is_bigendian` | the byte order of values wider than one byte, as in `mono16` |
+# | `header.stamp` | when the image was taken |
+#
+# `data` is one flat array of bytes:
 
-# %% id="to-pixels"
+# %%
+from workbook.pictures import camera_figures as drawn
+from workbook.pictures.figures import show
+
+show(
+    drawn.row_memory(image.width, image.step),
+    "two rows in memory: bytes R, G, B for each pixel, then padding; a bracket marks "
+    "the pixels of a row, a longer one its step",
+)
+
+# %% [markdown]
+# To index it by row and column, reshape it into rows of `step` bytes. Then cut off the padding.
+#
+# **Your turn.** The first step is there. Write the slice that keeps only the bytes of the pixels.
+
+# %% id="your-slice"
 import numpy as np
 
+from workbook.lesson import yours
 
+rows = np.frombuffer(image.data, np.uint8).reshape(image.height, image.step)
+without_padding = rows[:, ...]  # TODO: replace the ...
+
+yours(
+    without_padding.shape,
+    (480, 1920),
+    "Replace the ... with a slice that ends after 3 * image.width bytes.",
+)
+
+# %% [markdown]
+# Here is the whole conversion. The last step groups the bytes into pixels of three. The result is a **view**: an
+# array that uses the message's memory, so nothing is copied.
+
+# %% id="to-pixels"
 def to_pixels(image):
-    """A view of an rgb8 or bgr8 image, shape (height, width, 3): nothing is copied."""
+    """A view of an rgb8 or bgr8 image, shape (height, width, 3)."""
     rows = np.frombuffer(image.data, np.uint8).reshape(image.height, image.step)
     return rows[:, : 3 * image.width].reshape(image.height, image.width, 3)
 
 
 pixels = to_pixels(image)
 shared = np.shares_memory(pixels, np.frombuffer(image.data, np.uint8))
-print(pixels.shape, pixels.dtype, "shares its memory:", shared)
+copied = "a view: nothing copied" if shared else "a copy"
+print(f"shape {pixels.shape}, dtype {pixels.dtype}, {copied}")
 
 # %% [markdown] prediction="read-as-bgr8"
 # ## Predict
 #
-# The ball is orange: much red, some green, little blue. The picture is `rgb8`. A program takes it for `bgr8`, as
-# functions of OpenCV do by default. What does it see?
+# The ball is orange: a lot of red, some green, and very little blue. Suppose your code interprets the `rgb8` image as
+# `bgr8`, the order that OpenCV's `imread` and `imshow` use. What color is the ball now?
 #
-# - **a** A green ball.
+# - **a** Green.
 #   when `green > red and green > blue`
-#   ✗ Green stands in the middle in both orders, so it stays what it is.
-# - **b** A blue ball.
+#   ✗ Green is the middle byte in both orders, so it doesn't change.
+# - **b** Blue.
 #   when `blue > red and blue > green`
-#   ✓ The first byte is taken for blue, and the first byte is the strong red.
-# - **c** An error: the encoding does not fit.
-#   ✗ Bytes have no color. Nobody checks the field `encoding` for you.
+#   ✓ The first byte of each pixel holds the large red value, and code that expects `bgr8` reads that byte as blue.
+# - **c** None: the code raises an error, because the encodings differ.
+#   ✗ NumPy and OpenCV get only the bytes. Neither of them reads the message's `encoding` field.
 
 # %%
 from workbook.lesson import predict, reveal
@@ -111,136 +164,238 @@ predict("read-as-bgr8")
 
 # %% [markdown]
 # ## Run it
+#
+# We take the average over the ball's pixels, and read it in both orders.
 
-# %%
+# %% id="bgr-for-rgb"
 import cv2
 
 hsv = cv2.cvtColor(pixels, cv2.COLOR_RGB2HSV)
-ball_mask = cv2.inRange(hsv, (4, 150, 60), (22, 255, 255)) > 0
-first, second, third = map(float, pixels[ball_mask].mean(axis=0))
+colored = cv2.inRange(hsv, (4, 130, 35), (22, 255, 255))[150:280, 120:240] > 0
+crop = pixels[150:280, 120:240]
+first, second, third = (float(mean) for mean in crop[colored].mean(axis=0))
+print(f"interpreted as rgb8: red {first:.0f}, green {second:.0f}, blue {third:.0f}")
+print(f"interpreted as bgr8: red {third:.0f}, green {second:.0f}, blue {first:.0f}")
+show(
+    drawn.side_by_side(
+        [crop, crop[..., ::-1]], ["rgb8 read as rgb8", "rgb8 read as bgr8"]
+    ),
+    "two views of the ball: orange in the left one, blue in the right one",
+)
 reveal("read-as-bgr8", red=third, green=second, blue=first)
 
-# %% id="bgr-for-rgb"
-print("read as rgb8: more red than blue:", first > third)
-print("read as bgr8: more blue than red:", third < first)
+# %% [markdown]
+# There's no exception and no warning. Your code is just wrong, thirty times a second. So check `encoding` in every image
+# callback, and choose the conversion that matches it.
 
 # %% [markdown]
 # ## Look inside
 #
-# So look at `encoding` in every callback, and choose the conversion by it. OpenCV works on NumPy arrays. For colors, the
-# best space is **HSV**. *Hue* is the color on a circle, in OpenCV from 0 to 180. *Saturation* is how strong it is, and
-# *value* how bright. When a cloud passes, value changes, and hue hardly does.
+# ### Find the ball
 #
-# Convert to HSV. A **threshold** keeps what is orange. Draw **contours** around what is left, and take the one that is
-# round: it fills three quarters of the smallest circle around it. Its center is the mean of many pixels, so it is known
-# to a fraction of a pixel.
-
+# Which pixels are orange? RGB values don't tell you directly, because a passing cloud changes all three of them. **HSV**
+# separates color from brightness. *Hue* is the position on the color wheel, *saturation* is how vivid the color is, and
+# *value* is how bright it is.
 
 # %%
+show(
+    drawn.hue_wheel(4, 22),
+    "a color wheel with the numbers 0 to 179; a frame marks the slice of orange hues, "
+    "4 to 22",
+)
+
+# %% [markdown]
+# For `uint8` images, OpenCV divides the hue angle by two so that it fits into one byte: 0 to 179 instead of 0° to 359°.
+# Let's compare the orange pixels in a dark frame and in a bright one.
+
+# %% id="hue-stays"
+from lesson_nodes.head_camera import frame
+
+
 def orange_of(pixels):
-    """A mask: 255 where a pixel is orange."""
+    """A mask: 255 where a pixel is orange, 0 elsewhere."""
     hsv = cv2.cvtColor(pixels, cv2.COLOR_RGB2HSV)
-    # From and to: hue, saturation, value.
+    # Lower and upper limits: hue, saturation, value.
     mask = cv2.inRange(hsv, (4, 130, 35), (22, 255, 255))
-    return cv2.medianBlur(mask, 3)  # without isolated pixels
+    return cv2.medianBlur(mask, 3)  # removes isolated pixels
+
+
+for light, number in (("dark", 175), ("bright", 75)):
+    one = frame(number)
+    orange = cv2.cvtColor(one, cv2.COLOR_RGB2HSV)[orange_of(one) > 0]
+    hue, saturation, value = np.median(orange, axis=0)
+    print(
+        f"{light + ' frame:':<14}hue {hue:.0f}, saturation {saturation:.0f}, "
+        f"value {value:.0f}"
+    )
+
+# %% [markdown]
+# In the dark frame, the value is more than a third lower, but the hue differs by only 1. So a **threshold** on hue and
+# saturation, with a low minimum for value, finds the orange pixels in dark and bright frames alike.
+
+# %%
+show(
+    drawn.side_by_side(
+        [pixels, orange_of(pixels)],
+        ["The image", "Ball and bricks are orange"],
+    ),
+    "left: the desk with the ball and two bricks; right: three white spots on black, "
+    "where they are",
+)
+
+# %% [markdown]
+# The bricks are orange, too, but they aren't round. So we outline each orange blob with a **contour** and fit the
+# smallest circle around it. If the blob's area is more than 75% of the circle's, the blob counts as round.
+
+# %% id="find-ball"
+def blobs_of(mask):
+    """For each blob: its center, the smallest circle around it, and its share of it."""
+    outlines, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    blobs = []
+    for outline in sorted(outlines, key=cv2.contourArea, reverse=True):
+        around, radius = cv2.minEnclosingCircle(outline)
+        if radius > 3:
+            # m00 is the area; m10 and m01 are sums of columns and rows over it.
+            sums = cv2.moments(outline)
+            center = sums["m10"] / sums["m00"], sums["m01"] / sums["m00"]
+            blobs.append((center, (*around, radius), sums["m00"] / (np.pi * radius**2)))
+    return blobs
 
 
 def find_ball(pixels):
-    """Column and row of the middle of the ball; None if there is none."""
-    mask = orange_of(pixels)
-    outlines, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-    for outline in sorted(outlines, key=cv2.contourArea, reverse=True):
-        _, radius = cv2.minEnclosingCircle(outline)
-        if radius > 3 and cv2.contourArea(outline) > 0.75 * np.pi * radius**2:
-            # m00 is the area, m10 and m01 are sums of columns and rows over it.
-            sums = cv2.moments(outline)
-            return sums["m10"] / sums["m00"], sums["m01"] / sums["m00"]
+    """Column and row of the ball's center; None if no orange blob is round."""
+    for center, _, filled in blobs_of(orange_of(pixels)):
+        if filled > 0.75:
+            return center
     return None
 
 
-# %% [markdown]
-# Is it true that hue hardly changes? Here are the orange things in the darkest and in the brightest picture of the film.
+for (column, row), _, filled in blobs_of(orange_of(pixels)):
+    verdict = "so it's the ball" if filled > 0.75 else "not round"
+    place = f"column {column:.0f}, row {row:.0f}"
+    print(f"blob at {place}: {filled:.0%} of its circle, {verdict}")
 
-# %% id="hue-stays"
-by_light = sorted(scope.film, key=np.mean)
-dark, bright = (
-    np.median(cv2.cvtColor(one, cv2.COLOR_RGB2HSV)[orange_of(one) > 0], axis=0)
-    for one in (by_light[0], by_light[-1])
+rings = [
+    drawn.Ring(*circle, f"{filled:.0%}", filled > 0.75)
+    for _, circle, filled in blobs_of(orange_of(pixels))
+]
+show(
+    drawn.side_by_side(
+        [pixels], ["Only the ball fills its circle"], rings=rings, height=3.4
+    ),
+    "the desk with a circle around each orange thing: the ball fills most of its "
+    "circle, the bricks less than half",
 )
-print("value: darker by a fifth or more:", dark[2] <= 0.8 * bright[2])
-print("hue: differs by 2 of 180 or less:", abs(dark[0] - bright[0]) <= 2)
+
+# %% [markdown]
+# `find_ball` returns the ball's center. The center is an average over many pixels, so it's accurate to a fraction of a
+# pixel. If no blob is round, the function returns `None`. Plan for that: sooner or later, someone will pick up the ball.
+#
+# ### From a pixel to a direction
+#
+# The **pinhole model** treats the camera as a box with a tiny hole in the front. Light travels in a straight line from
+# the ball, through the hole, onto the image plane inside. The *focal length* is the distance from the hole to that plane,
+# in units of one pixel's width: 560 px for this camera.
 
 # %%
-from workbook.pictures.figures import figure, show
-
-column, row = find_ball(pixels)
-small = cv2.resize(pixels, (160, 120), interpolation=cv2.INTER_AREA)
-fig, axes = figure(8.0, 2.4, columns=3)
-titles = ("what the camera sees", "what is orange", "orange and round: the ball")
-for axis, drawn, title in zip(
-    axes, (small, orange_of(small), small), titles, strict=True
-):
-    axis.imshow(drawn, cmap="gray", interpolation="nearest")
-    axis.set_title(title)
-    axis.set(xticks=[], yticks=[])
-    axis.grid(False)
-axes[2].plot(column / 4, row / 4, "+", color="white", markersize=18, markeredgewidth=2)
 show(
-    fig,
-    "three pictures: the desk; white spots on black where ball and bricks are; "
-    "a cross in the middle of the ball",
+    drawn.pinhole_above(560, 140),
+    "the camera from above: a ray from the ball through the hole meets the image plane "
+    "x pixels from its center; focal length and x give the angle",
 )
 
 # %% [markdown]
-# **From pixel to direction.** In the **pinhole model**, all light goes through one point. The *focal length* is the
-# distance from that point to the picture, in pixels: 560 for this camera. A pixel that is `x` pixels to the right of the
-# middle and `y` pixels below it looks in the direction (`x`, `y`, 560). Divided by its length, this is a vector of
-# length 1.
-#
-# ROS fixes the axes of a camera ([REP 103](https://www.ros.org/reps/rep-0103.html), *optical* frames): x to the right,
-# y down, z forward.
+# So a pixel that's `x` columns to the right of the center and `y` rows below it corresponds to the direction (`x`, `y`,
+# 560). Divide that vector by its length to get a unit vector: a direction of length 1. Its components follow the ROS axis
+# convention for cameras ([REP 103](https://www.ros.org/reps/rep-0103.html), *optical* frames): x points right, y down,
+# and z forward.
 
 # %% id="pinhole"
 import math
 
-FOCAL, MIDDLE = 560.0, (319.5, 239.5)
+FOCAL, CENTER = 560.0, (319.5, 239.5)
 
 
 def direction(column, row):
-    """Where a pixel looks: x to the right, y down, z forward, length 1."""
-    x, y = (column - MIDDLE[0]) / FOCAL, (row - MIDDLE[1]) / FOCAL
-    length = math.sqrt(x * x + y * y + 1.0)
-    return x / length, y / length, 1.0 / length
+    """The direction of a pixel: x right, y down, z forward, length 1."""
+    x, y = column - CENTER[0], row - CENTER[1]
+    length = math.sqrt(x * x + y * y + FOCAL * FOCAL)
+    return x / length, y / length, FOCAL / length
 
 
-print("the middle:", direction(*MIDDLE))
-for column in (0, 639):
-    x, _, z = direction(column, 239.5)
-    angle = math.degrees(math.atan2(x, z))
-    side = "left" if angle < 0 else "right"
-    print(f"column {column}: {abs(angle):.1f}° to the {side}")
+def angles(column, row):
+    """The direction of a pixel in words."""
+    x, y, z = direction(column, row)
+    right, down = math.degrees(math.atan2(x, z)), math.degrees(math.atan2(y, z))
+    return (
+        f"{abs(right):.1f}° {'left' if right < 0 else 'right'}, "
+        f"{abs(down):.1f}° {'up' if down < 0 else 'down'}"
+    )
+
+
+print("center of the image:", angles(*CENTER))
+print("left edge: ", angles(0, 239.5))
+print("right edge:", angles(639, 239.5))
+print("ball:      ", angles(*find_ball(pixels)))
 
 # %% [markdown]
-# ### The head follows
+# These angles are relative to the camera's axis. The axis points 29° down, so "2.8° up" is still far below the horizon.
 #
-# Now close the loop. For each picture, the node finds the ball and turns the neck a part of the way. The camera hears
-# the new angle and turns. The next picture shows how much is still missing. Watch: the ball rolls, and stays near the
-# middle. The drawing is flat, so the robot on the right tilts its head instead of turning it.
+# ### Close the loop
+#
+# Now connect the camera to the neck. For each image, the node finds the ball, computes its angle, and turns the neck by a
+# quarter of that angle. The next image shows the remaining error, and the node corrects a quarter of that, too. This is a
+# **feedback loop**, and the factor of a quarter is its **gain**.
 
 # %%
+from workbook.pictures.graph import draw
+
+names = ["/head_camera", "/head_follower"], ["/camera/image", "/robot/joint_positions"]
+edges = [
+    ("/head_camera", "/camera/image"),
+    ("/camera/image", "/head_follower"),
+    ("/head_follower", "/robot/joint_positions"),
+    ("/robot/joint_positions", "/head_camera"),
+]
+show(
+    draw(*names, edges),
+    "a loop: the camera publishes images, the follower publishes joint positions, and "
+    "the camera turns by them",
+)
+
+# %% [markdown]
+# **Your turn.** Write the line that turns the neck. The neck's angle grows to the left, but the ball's angle grows to
+# the right.
+
+# %% id="your-turn-of-the-neck"
+GAIN = 0.25
+
+
+def turned(neck, ball_angle):
+    """The neck's next angle (rad): a quarter of the error is corrected."""
+    return ...  # TODO: from neck, GAIN, and ball_angle
+
+
+yours(turned(0.0, 0.2), -0.05, "A ball on the right makes the neck's angle smaller.")
+
+# %% [markdown]
+# The follower has this line in its callback. It also notes each error, in pixels. First, we create its subscription with
+# just a queue depth of 1 instead of a QoS profile.
+
+# %% id="reliable-gets-nothing"
 from std_msgs.msg import Float32MultiArray
 
-from lesson_nodes.head_camera import AT_REST
-
-PART = 0.25  # of the way that is missing, for each picture
+from lesson_nodes.head_camera import AT_REST, pinhole
+from workbook.lesson.films import with_head
 
 
 class HeadFollower(Node):
-    """Turns the neck so that the ball is in the middle."""
+    """Turns the neck toward the ball."""
 
-    def __init__(self, qos) -> None:
+    def __init__(self, qos, gain=0.25) -> None:
         super().__init__("head_follower")
-        self.joints, self.off, self.film = list(AT_REST), [], []
+        self.gain, self.joints = gain, list(AT_REST)
+        self.errors_px, self.lost, self.film = [], 0, []
         self.publisher = self.create_publisher(
             Float32MultiArray, "/robot/joint_positions", 10
         )
@@ -249,353 +404,377 @@ class HeadFollower(Node):
     def on_image(self, image: Image) -> None:
         pixels = to_pixels(image)
         ball = find_ball(pixels)
+        if (len(self.errors_px) + self.lost) % 5 == 0:  # for the film below
+            small = cv2.resize(pixels, (320, 240))
+            self.film.append(with_head(small, self.joints[0], ball, pinhole(640)))
         if ball is None:
-            return
-        if len(self.off) % 5 == 0:  # for the film below
-            self.film.append((cv2.resize(pixels, (320, 240)), [*self.joints]))
-        x, _, z = direction(*ball)
-        self.off.append(abs(ball[0] - MIDDLE[0]))  # pixels from the middle
-        # The neck turns to the left; x points to the right.
-        neck = self.joints[0] - PART * math.atan2(x, z)
-        self.joints[0] = min(max(neck, -0.6), 0.6)
+            self.lost += 1
+        else:
+            x, _, z = direction(*ball)
+            self.errors_px.append(abs(ball[0] - CENTER[0]))
+            neck = self.joints[0] - self.gain * math.atan2(x, z)
+            self.joints[0] = min(max(neck, -0.6), 0.6)  # the neck's limits
         self.publisher.publish(Float32MultiArray(data=self.joints))
 
 
-# %% [markdown]
-# First with a queue depth of 1, and nothing else. How many pictures arrive?
-
-# %% id="reliable-hears-nothing"
 start(head_camera)
-deaf = fresh(HeadFollower, 1)
-await run(deaf, seconds=3)
+follower = fresh(HeadFollower, 1)
+await run(follower, seconds=3)
 stop()
-print("pictures of the follower:", len(deaf.off))
+print("images received in 3 s:", len(follower.errors_px) + follower.lost)
 
 # %% [markdown]
-# None, and rclpy logs a warning. The camera publishes with **sensor-data QoS**, which is best effort: a lost picture is
-# not sent again, because the next one is better anyway. A depth of `1` alone asks for *reliable*, and as in lesson 13
-# that does not match.
+# No images arrive, and rclpy logs a warning. The camera offers **best effort**: a lost image isn't sent again, because
+# the next one is due in 33 ms anyway. A subscription created with only a depth requests *reliable*, so its QoS is
+# incompatible with the camera's (lesson 13). Use `qos_profile_sensor_data` instead, which requests best effort.
+#
+# From here on, the camera takes an image only after the neck's answer to the last one. Otherwise, a busy computer would
+# make some images old by chance.
 
-# %%
-start(head_camera)
+# %% id="follow"
+from workbook.lesson import about
+
+
+def in_degrees(error_px):
+    return math.degrees(math.atan(error_px / FOCAL))
+
+
+async def follow(follower):
+    """Run a follower for 150 images: median error (px), share without a ball."""
+    start(head_camera, waits=True)
+    await run(
+        follower,
+        seconds=50,
+        until=lambda: len(follower.errors_px) + follower.lost >= 150,
+    )
+    stop()
+    follower.settled = follower.errors_px[len(follower.errors_px) // 3 :]
+    return float(np.median(follower.settled)), follower.lost / 150
+
+
 follower = fresh(HeadFollower, qos_profile_sensor_data)
-await run(follower, seconds=90, until=lambda: len(follower.film) >= 40)
-stop()
-shots = []
-for small, joints in follower.film:
-    cv2.line(small, (160, 0), (160, 239), (255, 255, 255), 1)
-    shots.append(beside(small, joints))
+error_before_px, _ = await follow(follower)
+print(
+    f"ball off center: typically {about(error_before_px, 'px', between=(10, 45))} "
+    f"({about(in_degrees(error_before_px), '°', between=(1, 5))}), "
+    f"at most {about(max(follower.settled), 'px', between=(15, 120))}"
+)
 show_film(
-    shots,
-    "left: the desk moves past, and the ball stays near the white line; "
-    "right: the robot's head tilts",
+    follower.film,
+    "left: the desk moves past, and the ball stays near the white center line; right: "
+    "seen from above, the head turns with the ball",
     6,
 )
 
-# %% id="follows"
-settled = follower.off[len(follower.off) // 3 :]
-print("pictures with a ball: more than 20:", len(follower.off) > 20)
-near = np.median(settled) < 80
-print("later, the ball is typically less than 80 pixels beside the middle:", near)
+# %% [markdown]
+# Without the loop, the ball would wander up to 250 px from the center. The node needs neither the ball's distance nor the
+# exact angle to turn. Because the camera is tilted, the neck must turn 15.7° to center a ball at 14.2°. Later corrections
+# make up the difference.
 
-# %% [markdown] prediction="how-much-smaller"
+# %% [markdown] prediction="smaller-gain"
 # ## Change it
 #
-# ### Experiment 1: raw or compressed
+# ### Experiment 1: a smaller gain
 #
-# A raw picture of 640 by 480 pixels has 921,600 bytes; thirty of them a second are 28 MB. `CompressedImage` carries
-# JPEG. With quality 80, how many times smaller is it?
+# The gain was 0.25. With 0.05, the node corrects only a twentieth of the error per image. How far from the center is the
+# ball now?
 #
-# - **a** More than 8 times.
-#   when `smaller > 8`
-#   ✓ JPEG drops what eyes hardly see. It pays with the time to encode and decode, and with small errors in each color.
-# - **b** 2 to 8 times.
-#   when `smaller <= 8 and smaller >= 2`
-#   ✗ JPEG makes it far smaller than that. Lossless compression, such as PNG, has to keep the noise, too.
-# - **c** It stays about the same, because of the noise.
-#   when `smaller < 2`
-#   ✗ JPEG does not keep the noise as it is. That is why it gets so small.
+# - **a** About as far as before: thirty corrections a second add up.
+#   when `lost_share < 0.5 and error_px < 1.5 * error_before_px`
+#   ✗ They add up, but the ball keeps rolling in the meantime. For the same error, each correction is only a fifth as
+#   large, so the head lags farther behind.
+# - **b** It leaves the image: the head can't keep up.
+#   when `lost_share >= 0.5`
+#   ✗ The farther the head lags, the larger each correction gets. Once the corrections match the ball's speed, the lag
+#   stops growing.
+# - **c** Clearly farther, but it stays in the image.
+#   when `error_px >= 1.5 * error_before_px and lost_share < 0.5`
+#   ✓ The head falls behind until the correction per image, a twentieth of the error, equals the ball's motion per image.
 
 # %%
-predict("how-much-smaller")
+predict("smaller-gain")
 
-# %%
-import time
-
-sizes, ages = {"raw": [], "jpeg": []}, {"raw": [], "jpeg": []}
-
-
-def age_of(message):
-    """How long ago a picture was taken (s)."""
-    stamp = message.header.stamp
-    return time.time() - stamp.sec - stamp.nanosec / 1e9
-
-
-def on_raw(message):
-    to_pixels(message)
-    sizes["raw"].append(len(message.data))
-    ages["raw"].append(age_of(message))
-
-
-def on_jpeg(message):
-    cv2.imdecode(np.frombuffer(message.data, np.uint8), cv2.IMREAD_COLOR)
-    sizes["jpeg"].append(len(message.data))
-    ages["jpeg"].append(age_of(message))
-
-
-start(head_camera, jpeg_quality=80)
-scale = fresh(Node, "scale")
-scale.create_subscription(Image, "/camera/image", on_raw, qos_profile_sensor_data)
-scale.create_subscription(
-    CompressedImage, "/camera/image/compressed", on_jpeg, qos_profile_sensor_data
-)
-await run(scale, seconds=60, until=lambda: min(map(len, sizes.values())) >= 40)
-stop()
-smaller = float(np.mean(sizes["raw"]) / np.mean(sizes["jpeg"]))
-reveal("how-much-smaller", smaller=smaller)
-
-# %% id="raw-and-jpeg" tags=["nbval-ignore-output"]
-for kind in sizes:
-    rate = 30 * np.mean(sizes[kind]) / 1e6
-    age_ms = 1000 * np.median(ages[kind])
-    measured = f"{rate:5.1f} MB/s at 30 Hz, {age_ms:.0f} ms old"
-    print(f"{kind:>5}: {measured} when it can be used")
-
-# %% id="how-much-smaller-it-is"
-print("raw: 28 MB/s:", round(30 * np.mean(sizes["raw"]) / 1e6) == 28)
-png = cv2.imencode(".png", pixels)[1]
-print("PNG, without loss: less than 4 times smaller:", pixels.size < 4 * png.size)
-
-# %% [markdown]
-# On one machine, raw pictures are fine. Over Wi-Fi, 28 MB a second are 220 Mbit/s, more than many networks carry. JPEG
-# fits into all of them.
-
-# %% [markdown] prediction="slow-beside-quick"
-# ### Experiment 2: a slow program beside a quick one
-#
-# Two programs listen to the camera. The first is the detector of lesson 16: it needs 0.2 s for each picture, six times
-# too long, and its queue holds 30. The second is a viewer that needs next to no time. What does the slow program do to
-# the quick one?
-#
-# - **a** The camera waits for the slow one: both get about five pictures a second.
-#   when `rate < 0.5 * rate_alone`
-#   ✗ `publish` does not wait for a callback. The camera does not even know that one is slow.
-# - **b** The quick one gets its pictures, and they get as old as those of the slow one.
-#   when `rate >= 0.5 * rate_alone and age >= 0.5 * slow_age`
-#   ✗ Pictures get old in a queue, and each subscription has a queue of its own. That of the viewer is empty.
-# - **c** Nothing that you would see.
-#   when `rate >= 0.5 * rate_alone and age < 0.5 * slow_age`
-#   ✓ Each subscription has a queue of its own. Only the slow program works on old pictures.
-
-# %%
-predict("slow-beside-quick")
-
-# %% id="slow-beside-quick"
-from lesson_nodes import toy_detector
-from lesson_nodes.toy_scope import ToyScope
-
-
-async def quick_view(*others, until):
-    """The ages (s) of a quick viewer's pictures, and how many it gets in a second."""
-    ages, arrivals = [], []
-
-    def view(image):
-        ages.append(age_of(image))
-        arrivals.append(time.monotonic())
-
-    viewer = fresh(Node, "viewer")
-    viewer.create_subscription(Image, "/camera/image", view, qos_profile_sensor_data)
-    await run(viewer, *others, seconds=60, until=lambda: until(ages))
-    viewer.destroy_node()
-    return np.median(ages), (len(ages) - 1) / (arrivals[-1] - arrivals[0])
-
-
-start(head_camera, width=160)
-_, rate_alone = await quick_view(until=lambda ages: len(ages) >= 60)
-start(toy_detector, depth=30)
-slow = fresh(ToyScope)
-age, rate = await quick_view(slow, until=lambda ages: len(slow.ages) >= 20)
-stop()
-slow_age = slow.ages[-1]
-print("a picture of the slow one is older than 0.5 s:", slow_age > 0.5)
-print("a picture of the quick one is half as old or older:", age >= 0.5 * slow_age)
-print("the quick one gets half as many pictures or fewer:", rate <= 0.5 * rate_alone)
+# %% id="smaller-gain"
+follower = fresh(HeadFollower, qos_profile_sensor_data, gain=0.05)
+error_px, lost_share = await follow(follower)
+for gain, px in ((0.25, error_before_px), (0.05, error_px)):
+    off = about(px, "px", between=(10, 180))
+    print(f"gain {gain:.2f}: ball typically {off} off center")
 reveal(
-    "slow-beside-quick", rate=rate, rate_alone=rate_alone, age=age, slow_age=slow_age
+    "smaller-gain",
+    error_px=error_px,
+    error_before_px=error_before_px,
+    lost_share=lost_share,
 )
 
-# %% [markdown]
-# That is why nobody warns you. Viewer, camera and network look fine. Only the slow program acts on pictures that are a
-# second old. For cameras, keep the queue short.
+# %% [markdown] prediction="large-gain-old-images"
+# ### Experiment 2: a large gain and old images
 #
-# *Reliable* on both sides changes nothing here. DDS confirms a picture when it enters the queue, not when your callback
-# has handled it, so nothing is sent again. We measured it: the network carries as many bytes as with best effort.
+# With a larger gain, the head follows more closely, so why not correct the whole error each time?
+#
+# Images are never quite fresh, because exposure, transfer, and detection take time. We hold each image back for 0.1 s
+# (three frames) and set the gain to 1.0. How does the head move?
+#
+# - **a** It swings past the ball, back and forth.
+#   when `error_px >= 2 * error_before_px`
+#   ✓ Each turn is based on an image taken before the last three turns. The node corrects the same error several times, so
+#   the head overshoots.
+# - **b** It follows the ball closely, 0.1 s behind.
+#   when `error_px < 2 * error_before_px and error_px > 0.5 * error_before_px`
+#   ✗ A delay in a feedback loop doesn't just shift the motion in time. The node keeps reacting to errors that it has
+#   already corrected.
+# - **c** It keeps the ball exactly in the center.
+#   when `error_px <= 0.5 * error_before_px`
+#   ✗ With fresh images, it nearly would. These are 0.1 s old, so they show an error that's out of date.
+
+# %%
+predict("large-gain-old-images")
+
+# %% id="large-gain"
+from collections import deque
+
+
+class LateFollower(HeadFollower):
+    """A HeadFollower that gets each image three images later."""
+
+    waiting = None
+
+    def on_image(self, image: Image) -> None:
+        self.waiting = self.waiting or deque()
+        self.waiting.append(image)
+        if len(self.waiting) > 3:
+            super().on_image(self.waiting.popleft())
+
+
+follower = fresh(LateFollower, qos_profile_sensor_data, gain=1.0)
+error_px, _ = await follow(follower)
+show_film(
+    follower.film,
+    "left: the ball jumps from side to side; right: seen from above, the line of sight "
+    "swings past the ball, back and forth",
+    6,
+)
+reveal("large-gain-old-images", error_px=error_px, error_before_px=error_before_px)
+
+# %% [markdown]
+# Is the gain to blame, or are the old images? Let's change one of them at a time.
+
+# %%
+late = fresh(LateFollower, qos_profile_sensor_data, gain=0.25)
+error_small_gain_px, _ = await follow(late)
+
+# %% id="gain-and-delay"
+eager = fresh(HeadFollower, qos_profile_sensor_data, gain=1.0)
+error_fresh_px, _ = await follow(eager)
+for name, off in {
+    "gain 1.00, 0.1 s older: ": about(error_px, "px", between=(40, 320)),
+    "gain 0.25, 0.1 s older: ": about(error_small_gain_px, "px", between=(10, 60)),
+    "gain 1.00, fresh images:": about(error_fresh_px, "px", between=(1, 25)),
+}.items():
+    print(name, off, "off center")
+
+# %% [markdown]
+# The loop is like a shower that reacts ten seconds late: you turn the knob too far, then too far back. A smaller gain
+# helps, and so do fresher images. With `QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)`, only the newest
+# image waits in the queue.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **`step` ignored.** The rows have 32 bytes of padding. A program that takes `3 * width` for the length of a row shifts
-# each row a little more.
+# **Ignoring `step`.** This code assumes rows of `3 * width` bytes. Each row is really 32 bytes longer, so the error grows
+# by 32 bytes with every row.
 
 # %% id="step-ignored"
 skewed = np.frombuffer(image.data, np.uint8)[: image.height * image.width * 3]
 skewed = skewed.reshape(image.height, image.width, 3)
-print("with step, the ball is found:   ", find_ball(pixels) is not None)
-print("without step, the ball is found:", find_ball(skewed) is not None)
+for name, read in (("using step:   ", pixels), ("ignoring step:", skewed)):
+    ball = find_ball(read)
+    if ball is None:
+        print(name, "no ball found")
+    else:
+        print(name, f"ball at column {ball[0]:.0f}, row {ball[1]:.0f}")
+show(
+    drawn.side_by_side([pixels, skewed], ["Using step", "Ignoring step"]),
+    "left: the desk; right: the same bytes as slanted stripes in wrong colors",
+)
 
 # %% [markdown]
-# **A view of a buffer that is used again.** Some drivers write each picture into the same memory. A view that you keep
-# shows the newest picture, and no longer the one that you looked at. rclpy makes a new message for each picture.
-
-# %% id="buffer-used-again"
-buffer = np.zeros((2, 2, 3), np.uint8)  # the memory of a driver
-kept_view, kept_copy = buffer[:], buffer.copy()
-buffer[:] = 200  # the next picture arrives
-print("the view says", kept_view[0, 0, 0], "and the copy", kept_copy[0, 0, 0])
-
-# %% [markdown]
-# Copy what you keep: `pixels.copy()`. And **`imshow` in a callback** does not belong in a node. It draws in the
-# thread that runs your callbacks. And servers and robots have the `headless` build of OpenCV, in which `imshow` only
-# raises an error.
+# The image dissolves into stripes. To repair it, reshape to `(height, step)` first, as `to_pixels` does.
+#
+# **Calling `cv2.imshow` in a callback.** Displaying an image takes time in the thread that runs your callbacks. It also
+# needs an OpenCV build with GUI support. Ubuntu's `python3-opencv` is such a build, but PyPI's `opencv-python-headless`,
+# which this course installs, isn't.
 
 # %% id="imshow" tags=["raises-exception"]
 cv2.imshow("camera", pixels)
 
 # %% [markdown]
-# ## From a worked example to your own
-#
-# **Worked.** In which direction is the ball in our picture, and how far would the neck have to turn?
-
-# %% id="worked"
-x, y, z = direction(*find_ball(pixels))
-print("a vector of length 1:", round(math.sqrt(x * x + y * y + z * z), 6) == 1)
-little = abs(math.degrees(math.atan2(x, z))) < 30
-print("the neck would have to turn:", little, "(by less than 30°)")
+# Publish an annotated image instead, and view it in another program.
 
 # %% [markdown]
-# **Faded.** Convert a picture by its encoding. The lines with `...` are yours.
+# ## From a worked example to your own
+#
+# **Worked.** When you publish a direction, copy the header of the image that it came from. The header contains the stamp,
+# so subscribers know *when* the ball was there.
 
-# %%
-# TODO: a dictionary from encoding to constant,
-# such as {"rgb8": cv2.COLOR_RGB2HSV, "bgr8": ...}.
+# %% id="worked"
+from geometry_msgs.msg import Vector3Stamped
+
+message = Vector3Stamped(header=image.header)
+vector = message.vector
+vector.x, vector.y, vector.z = direction(*find_ball(pixels))
+stamp, taken = message.header.stamp, image.header.stamp
+apart = stamp.sec - taken.sec + (stamp.nanosec - taken.nanosec) / 1e9
+print(f"direction ({vector.x:.2f}, {vector.y:.2f}, {vector.z:.2f})")
+print(f"axes: {message.header.frame_id}, {apart:.1f} s from the image's stamp")
+
+# %% [markdown]
+# **Faded.** Convert an image to HSV according to its encoding. The dictionary is yours.
+
+# %% id="your-codes"
+# TODO: from encoding to constant, such as {"rgb8": cv2.COLOR_RGB2HSV, "bgr8": ...}.
 CODES = ...
 
 
-def to_hsv(image):
-    """HSV pixels of an rgb8 or bgr8 image; None for other encodings."""
-    if image.encoding not in CODES:
-        return None
-    return cv2.cvtColor(to_pixels(image), CODES[image.encoding])
+def ball_hue(pixels, encoding):
+    """The typical hue of the ball's pixels."""
+    hsv = cv2.cvtColor(pixels, CODES[encoding])
+    return float(np.median(hsv[150:280, 120:240][colored][:, 0]))
 
 
-if CODES is ...:
-    print("Fill in the codes, then run this cell again.")
+if CODES is ... or ... in CODES.values():
+    yours(..., None)
 else:
-    print("the shape of the HSV pixels:", to_hsv(image).shape)
+    both = [ball_hue(pixels, "rgb8"), ball_hue(pixels[..., ::-1].copy(), "bgr8")]
+    yours(both, [14.0, 14.0], "The hue must be the same in both orders.")
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/15_camera.ipynb) you write the tracker: it says where the ball is, or
-# that there is none.
+# **Your own.** In the [exercise](../exercises/15_camera.ipynb), you write the node between the camera and the neck. For
+# each image, it publishes the ball's direction or reports that there's no ball.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. `width` is 640, `encoding` is `rgb8`, `step` is 2048. Where does row 2 begin, the third one?**
+# **1. An `rgb8` image has `width` 640 and `step` 2048. Where does its third row begin?**
 #
 # <details><summary>a) At byte 3840</summary>
 #
-# ✗ That is 2 · 3 · 640. It leaves out the padding.
+# ✗ That's 2 · 3 · 640. It leaves out the padding.
 #
 # </details>
 # <details><summary>b) At byte 4096</summary>
 #
-# ✓ 2 · `step`.
+# ✓ Two rows come first, and each takes `step` bytes: 2 · 2048.
 #
 # </details>
 # <details><summary>c) At byte 1280</summary>
 #
-# ✗ That is 2 · 640, as if a pixel were a single byte.
+# ✗ That's 2 · 640, as if each pixel were a single byte.
 #
 # </details>
 #
-# **2. Why not look for the ball by brightness?**
+# **2. Why does `find_ball` use hue rather than brightness?**
 #
-# <details><summary>a) It changes with the light, and other things are bright as well</summary>
+# <details><summary>a) Brightness changes with the light, and other objects are bright, too</summary>
 #
 # ✓ Hue hardly changes when a cloud passes.
 #
 # </details>
-# <details><summary>b) Brightness needs 16 bits</summary>
+# <details><summary>b) Brightness would need 16 bits per pixel</summary>
 #
-# ✗ A byte is enough for brightness.
-#
-# </details>
-# <details><summary>c) Cameras do not measure brightness</summary>
-#
-# ✗ Brightness is all that they measure, through red, green and blue filters.
+# ✗ One byte is plenty. In our HSV images, *value* is one byte.
 #
 # </details>
+# <details><summary>c) Cameras don't measure brightness</summary>
 #
-# **3. Your viewer shows what happened a second ago. What helps?**
-#
-# <details><summary>a) A longer queue</summary>
-#
-# ✗ Then it shows what happened two seconds ago.
+# ✗ Brightness is all that they measure, through red, green, and blue filters. Color comes from comparing the three.
 #
 # </details>
-# <details><summary>b) Reliable QoS</summary>
 #
-# ✗ It sends again what was lost. Your pictures are not lost: they wait in your queue.
+# **3. The ball is at column 459.5, the center is at column 319.5, and the focal length is 560 px. Where is the ball?**
+#
+# <details><summary>a) 14° left</summary>
+#
+# ✗ Columns are numbered from left to right, so a larger column number is farther to the right.
 #
 # </details>
-# <details><summary>c) A queue of one picture</summary>
+# <details><summary>b) 13° right: 44% of the way to the edge, which is at 29.7°</summary>
 #
-# ✓ The viewer then always gets the newest picture.
+# ✗ The angle isn't proportional to the distance from the center. Its tangent is.
+#
+# </details>
+# <details><summary>c) 14° right</summary>
+#
+# ✓ (459.5 − 319.5) / 560 is 0.25, and the arctangent of 0.25 is 14.0°.
+#
+# </details>
+#
+# **4. Your robot's head swings past the ball, back and forth. What helps?**
+#
+# <details><summary>a) A larger gain</summary>
+#
+# ✗ The head would overshoot even farther.
+#
+# </details>
+# <details><summary>b) Fresher images, or a smaller gain</summary>
+#
+# ✓ With fresher images, the node corrects the same error fewer times. A smaller gain corrects less of it each time.
+#
+# </details>
+# <details><summary>c) Reliable QoS</summary>
+#
+# ✗ It resends lost images. Yours aren't lost; they're late.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
-# I program a robot with ROS 2 Jazzy in Python (rclpy). My robot should keep its eyes on
-# an orange ball. I get sensor_msgs/Image at 30 Hz in an rclpy node, Jazzy. How do I
-# find the ball in changing light, and how do I turn its pixel into an angle for the
-# neck? Name only functions that exist in rclpy for Jazzy.
+# I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My robot should keep its
+# eyes on an orange ball. An rclpy node receives sensor_msgs/Image messages at 30 Hz. How
+# do I find the ball in changing light, and how do I convert its pixel position into an
+# angle for the neck? From rclpy, use only functions that exist in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
 #
-# It asks for `encoding` and `step`, or uses a converter that obeys them. It subscribes with sensor-data QoS and a short
-# queue. It finds the ball by hue and outline, not by brightness. It uses the focal length of `CameraInfo`, and says in
-# which axes the direction is. It copies the stamp of the picture, and says what happens when there is no ball. It turns
-# the neck a part of the way for each picture.
+# It handles `encoding` and `step`, or uses a converter that does. It subscribes with sensor-data QoS and a short queue. It
+# finds the ball by hue and shape rather than brightness, and says what to publish when there's no ball. It takes the
+# focal length from `CameraInfo` and states which way the direction's axes point. It copies the image's stamp. It corrects
+# only part of the error with each image, and mentions that a delay can make the head swing.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two suggestions. We tried both in this course's environment, and both failed.
 #
-# - **`from cv_bridge import CvBridge`:** It comes with a ROS installation, but not with the packages of this course.
-#   `np.frombuffer` does the same in one line.
-# - **`np.array(msg.data).reshape(height, width, 3)`:** It ignores `step` and `encoding`. With padded rows it raises an
-#   error; with `bgr8` it swaps red and blue.
+# - **`from cv_bridge import CvBridge`:** cv_bridge is a separate ROS package, and this course doesn't install it. If it's
+#   installed on your system, use it: it handles encodings and byte order. `np.frombuffer` alone handles neither, and our
+#   `to_pixels` adds only `step`.
+# - **`np.array(msg.data).reshape(height, width, 3)`:** This ignores `step` and `encoding`. With padded rows, it raises an
+#   error. With `bgr8`, it returns an array in which red and blue are swapped.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - `encoding` says what the bytes mean, `step` where a row begins; nobody checks them for you.
-# - Sensor-data QoS and a short queue: the newest picture is the best one.
-# - Hue hardly changes with the light; the center of many pixels is known to a fraction of a pixel.
-# - From pixels to a direction: subtract the middle, divide by the focal length, give it the length 1.
-# - A loop that goes a part of the way with each picture follows a ball, without knowing how far away it is.
+# - `encoding` defines the layout of a pixel, and `step` is the length of a row in bytes. OpenCV reads neither, so your
+#   code has to.
+# - Threshold the hue, not the brightness, and use the shape to reject other orange objects.
+# - From pixel to direction: subtract the center, use the focal length as z, and divide the vector by its length.
+# - A feedback loop corrects part of the error with each image. It doesn't need the ball's distance, but it does need
+#   fresh images.
+# - Cameras often publish with best-effort reliability. Request best effort, too, with a depth of 1 if only the newest
+#   image matters.
 #
 # **Before:** [14 · Arrays and filters](14_arrays_and_filters.ipynb)
+#
+# **Deeper:** [15 · Deeper: bytes and queues](15_camera_deeper.ipynb)
 #
 # **Next:** [16 · An AI model in a node](16_ai_model.ipynb)
 #

@@ -1,17 +1,18 @@
 # %% [markdown]
 # # 16 · An AI model in a node
 #
-# A neural network finds what a threshold cannot tell apart. But it takes time, and meanwhile the world moves on.
+# A neural network can tell objects apart that a color threshold can't. But it takes time, and the world doesn't wait for
+# it. How old are the network's results when the robot uses them?
 #
-# - **Minutes:** 40
+# - **Minutes:** 45
 # - **You need:** lessons [10](10_slow_callbacks.ipynb) and [15](15_camera.ipynb)
-# - **You will be able to:** run a trained network in a node, say how old its outputs are and why, and notice silent
+# - **You will be able to:** run a trained network in a node, measure and explain the age of its outputs, and notice silent
 #   faults
-# - **Left out:** how networks learn, graphics cards, tracking things from picture to picture
+# - **Left out:** how networks learn, graphics cards, tracking objects from image to image
 
 # %% [markdown]
-# How old is what your robot knows? On this desk, everything is orange: a ball, a cup, a plate, a brick. Color does not
-# tell them apart, so lesson 15's tracker would fail. A small network finds them. Watch the box of the ball.
+# Everything on this desk is orange: a ball, a cup, a plate, and a brick. Color doesn't distinguish them, so lesson 15's
+# tracker would fail. A small network finds them. Watch the box around the ball.
 
 # %%
 from lesson_nodes import toy_camera, toy_detector
@@ -45,9 +46,9 @@ show_film(
 )
 
 # %% [markdown]
-# The boxes of cup, plate and brick fit. The box of the ball is late, because the ball has rolled on while the network
-# was computing. Ours is small and needs a few milliseconds. To imitate a large one, the node waits until 0.2 s have
-# passed.
+# The boxes around the cup, the plate, and the brick fit. The ball's box lags behind, because the ball kept rolling while
+# the network was running. Our network is small and needs only a few milliseconds. To imitate a large one, the node waits
+# until 0.2 s have passed.
 
 # %% [markdown] prediction="box-at-depth-10"
 # ## Predict
@@ -83,7 +84,8 @@ show_film(
 )
 
 # %% [markdown]
-# How far behind is it? We run the same network once more on each picture of the films, this time without a delay.
+# How far does the box lag behind? To find out, we run the same network again on each image of the two films, this time
+# without a delay.
 
 # %% id="how-far-behind"
 from statistics import mean
@@ -113,11 +115,10 @@ reveal("box-at-depth-10", near=near, far=far)
 # %% [markdown]
 # ## Look inside
 #
-# What matters for a robot is the **age of the output**: the time from taking the picture to having its result. The
-# detector copies the stamp of the picture into its message, so that every reader can compute it.
+# A robot cares about the **age of the output**: the time from taking the image to having its result. The detector copies
+# the image's stamp into its message, so every subscriber can compute that age.
 #
-# Here is the node (`lesson_nodes/toy_detector.py`). The network is loaded once, in `__init__`, and called like a
-# function.
+# Here's the node (`lesson_nodes/toy_detector.py`). It loads the network once, in `__init__`, and calls it like a function.
 
 # %%
 import inspect
@@ -126,26 +127,29 @@ print(inspect.getsource(toy_detector.ToyDetector.look))
 print(inspect.getsource(toy_detector.ToyDetector.answer))
 
 # %% [markdown]
-# Each detection goes out as a *marker* with the header of its picture: the label in `ns`, the place in pixels. The
-# option `stamps_now` builds in a fault on purpose; a section further down shows it.
+# The node publishes each detection as a *marker* with the image's header. The marker's `ns` holds the label, and its
+# position is in pixels. The option `stamps_now` builds in a fault on purpose. A later section shows its effect.
 #
-# What does the network get? Not bytes from 0 to 255, but `float32` from 0 to 1. In the array, the axis of the
-# colors comes before rows and columns, not after them. And there are always 160 by 120 pixels. ONNX Runtime refuses
-# another type of number or another shape. Nothing checks the range of the numbers, nor the order of the colors.
+# The network's input isn't bytes from 0 to 255, but `float32` values from 0 to 1. The array's color axis comes before the
+# rows and columns, not after them. The size is always 160 by 120 pixels. ONNX Runtime rejects any other number type or
+# shape. But it checks neither the range of the values nor the order of the colors.
 
 # %% id="input"
+from workbook.lesson import about
 from workbook.models.detector import to_input
 
 picture = first.film[-1][0]
 numbers = to_input(picture)
 print("a picture:", picture.shape, picture.dtype)
-print("for the network:", numbers.shape, numbers.dtype, "up to 1:", numbers.max() <= 1)
+top = about(numbers.max(), between=(0.5, 1.0))
+print("for the network:", numbers.shape, numbers.dtype, "up to", top)
 print("found:", sorted(one.label for one in detector(picture)))
 
 # %% [markdown]
-# **Where the network comes from.** PyTorch trained it on pictures that the camera of lesson 15 would take, with random
-# desks (`workbook/models/train.py`). It was saved in the format ONNX, and **ONNX Runtime** runs it without PyTorch. A
-# second file holds its *provenance*: how it was made, and how good it is on pictures that it never saw.
+# **Where the network comes from.** PyTorch trained it on images of random desks, rendered as lesson 15's camera would see
+# them (`workbook/models/train.py`). The network was saved in the ONNX format, and **ONNX Runtime** runs it without
+# PyTorch. A second file holds the network's *provenance*: how it was made, and how accurate it is on images that it
+# wasn't trained on.
 
 # %% id="provenance"
 import tomllib
@@ -158,9 +162,9 @@ print(f"right on held-back pictures: {made['accuracy']['reached']:.1%}")
 print("SHA-256 of the file:", made["sha256"]["desk_detector.onnx"][:12], "...")
 
 # %% [markdown]
-# `make model` trains it again, in less than five minutes. After `make env EXTRAS=torch`, PyTorch runs the same network:
-# `DeskDetector(TorchNetwork())`. With `EXTRAS=tensorflow`, Keras does: `DeskDetector(KerasNetwork())`. Both classes are
-# in `workbook.models.networks`. The node stays as it is.
+# `make model` trains the network again in less than five minutes. You can also run the same network with other libraries.
+# After `make env EXTRAS=torch`, `DeskDetector(TorchNetwork())` uses PyTorch. With `EXTRAS=tensorflow`,
+# `DeskDetector(KerasNetwork())` uses Keras. Both classes are in `workbook.models.networks`, and the node doesn't change.
 
 # %% [markdown] prediction="age-at-depth-1"
 # ## Change it
@@ -192,21 +196,19 @@ age = {depth: median(scope.ages[-6:]) for depth, scope in scopes.items()}
 print("outputs of each depth:", min(22, *(len(one.ages) for one in scopes.values())))
 reveal("age-at-depth-1", age=age[1], age_at_10=age[10])
 
-# %% tags=["nbval-ignore-output"]
-for depth in DEPTHS:
-    print(f"depth {depth:2}: {age[depth]:.2f} s old")
-
 # %% id="older-with-depth"
-print("a deeper queue makes older outputs:", age[1] < age[10] < age[50])
-print("depth 50: more than four times as old as depth 1:", age[50] > 4 * age[1])
+USUAL = {1: (0.2, 0.4), 5: (0.25, 0.6), 10: (0.35, 0.9), 50: (1.0, 3.0)}
+for depth in DEPTHS:
+    print(f"depth {depth:2}:", about(age[depth], "s old", between=USUAL[depth]))
 
 # %%
 from workbook.pictures.figures import figure, show
 
 fig, axes = figure(7.0, 3.0)
+height = -1.0
 for depth, scope in scopes.items():
     axes.plot(scope.ages[:22], marker=".", color="#2f78d0")
-    height = scope.ages[21] + {1: -0.06, 5: -0.02, 10: 0.1}.get(depth, 0.0)
+    height = max(scope.ages[21], height + 0.17)  # labels must not touch
     axes.annotate(f"depth {depth}", (21.4, height), va="center")
 axes.set_title("A deep queue makes old outputs")
 axes.set(xlabel="output", ylabel="age (s)", ylim=(0, None), xlim=(-0.5, 25))
@@ -217,8 +219,8 @@ show(
 )
 
 # %% [markdown]
-# The queue fills, and from then on each picture waits. A full queue of *n* pictures at 30 Hz is *n*/30 s long. With
-# depth 50, the queue needs a few seconds to fill, so a short test looks good. The robot gets worse while it runs.
+# Once the queue is full, each image has to wait. At 30 Hz, a full queue of *n* images spans *n*/30 s. With a depth of 50,
+# the queue takes about two seconds to fill, so a shorter test looks good. The robot's outputs get older while it runs.
 
 # %% [markdown] prediction="thread"
 # ### Experiment 2: a thread with the newest picture
@@ -244,9 +246,9 @@ print(inspect.getsource(toy_detector.ToyDetector.keep_newest))
 print(inspect.getsource(toy_detector.ToyDetector.work))
 
 # %% [markdown]
-# `waiting` is a `queue.Queue(maxsize=1)`. If the thread has not fetched the last picture, the callback throws it
-# away. Then it puts in the new one. The thread takes what it finds. It handles exceptions itself, because nobody else
-# would see them.
+# `waiting` is a `queue.Queue(maxsize=1)`. If the thread hasn't taken the previous image yet, the callback discards that
+# image. Then it puts in the new one, and the thread takes it when the network is free. The thread handles its own
+# exceptions, because otherwise they'd go unnoticed.
 
 # %%
 threaded = await watch(number=22, where="thread")
@@ -260,9 +262,9 @@ before, after = beats_per_second(scopes[1]), beats_per_second(threaded)
 reveal("thread", beats=after, beats_before=before, age=median(threaded.ages))
 
 # %% id="thread"
-print("in the callback, a third of the heartbeats or more is missing:", before < 6.7)
-print("in a thread, many more of them come:", after >= 1.3 * before)
-print("in a thread, the outputs are 0.2 s old or older:", median(threaded.ages) >= 0.2)
+print("in the callback:", about(before, "beats a second", between=(2, 6.7)))
+print("in a thread:    ", about(after, "beats a second", between=(6, 11)))
+print("in a thread, outputs are", about(median(threaded.ages), "s old", between=(0.2, 0.5)))
 
 # %%
 from workbook.pictures.timeline import strip
@@ -276,20 +278,26 @@ def from_zero(beats):
 both = {"in callback": scopes[1], "in thread": threaded}
 rows = {name: from_zero(scope.beats) for name, scope in both.items()}
 show(
-    strip(rows, periods=dict.fromkeys(rows, 0.1), end=3.0),
+    strip(
+        rows,
+        periods=dict.fromkeys(rows, 0.1),
+        end=3.0,
+        title="A thread keeps the heartbeat regular (red: beats are missing)",
+    ),
     "heartbeats: with gaps while the network is in the callback, regular with a thread",
 )
 
 # %% [markdown]
-# The thread helps because the network waits outside Python, or releases the **GIL**, the lock that lets only one thread
-# run Python code. ONNX Runtime and PyTorch release it while they compute. Not every model does; the
-# [deeper notebook](16_ai_model_deeper.ipynb) measures what happens then.
+# The thread helps because the network waits outside Python, or because it releases the **GIL**, the lock that lets only
+# one thread run Python code. ONNX Runtime and PyTorch release the GIL while they compute, but not every model does. The
+# [deeper notebook](16_ai_model_deeper.ipynb) measures the effect of a model that holds the GIL.
 
 # %% [markdown]
-# ### Experiment 3: how sure is sure enough?
+# ### Experiment 3: choosing a score threshold
 #
-# Each detection has a **score** from 0 to 1. The node drops what is below a *threshold* of 0.5. Sometimes the network
-# is wrong, and still gives a score above that. Here are two such pictures.
+# Each detection has a **score** from 0 to 1. The node drops detections whose score is below a *threshold* of 0.5.
+# Sometimes the network is wrong, but its score is above the threshold. Here are two such images. The blue ball gets no
+# box, because the network learned only the orange toys.
 
 # %%
 from workbook.models.accuracy import accuracy, held_back
@@ -332,14 +340,16 @@ reveal(
 
 # %% [markdown]
 # A score is not a probability: networks tend to be
-# [more confident than they should be](https://arxiv.org/abs/1706.04599). Choose the threshold on pictures that were
-# not used for training. Then think of the robot: a hand that grasps should miss a cup rather than grab an arm.
+# [more confident than they should be](https://arxiv.org/abs/1706.04599). Choose the threshold on images that weren't used
+# for training. Then think of the robot: a hand that grasps should miss a cup rather than grab an arm.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# Most faults of a model raise nothing. **The wrong color order, or the wrong scaling**: the same network on the same
-# pictures, read as `bgr8`, and with numbers up to 255.
+# Most faults in a model's input raise no exception.
+#
+# **The wrong color order or scaling.** Here's the same network on the same images: first correctly, then interpreted as
+# `bgr8`, and then with values up to 255.
 
 # %% id="silently-wrong"
 from workbook.models.networks import OnnxNetwork
@@ -348,46 +358,101 @@ network = OnnxNetwork()
 as_it_is = accuracy(detector, 60).right
 in_bgr = accuracy(detector, 60, lambda picture: picture[..., ::-1]).right
 unscaled = accuracy(DeskDetector(lambda numbers: network(255 * numbers)), 60).right
-print("right colors and scaling: more than 90 % right:", as_it_is > 0.9)
-print("wrong color order:        less than 20 % right:", in_bgr < 0.2)
-print("numbers up to 255:        less than 20 % right:", unscaled < 0.2)
+for words, right in (
+    ("right colors and scaling:", as_it_is),
+    ("wrong color order:       ", in_bgr),
+    ("numbers up to 255:       ", unscaled),
+):
+    print(words, f"{right:.0%} of the pictures right")
 
 # %% [markdown]
-# No error, no warning. So keep a few pictures with known content, and check the detector with them in a test.
+# There's no error and no warning. So keep a few images with known content, and check the detector against them in a test.
 #
-# **Detections with the wrong stamp.** This detector stamps its output when it publishes it.
+# **Detections with the wrong stamp.** This detector stamps its output with the time of publishing.
 
 # %% id="stamped-now"
 stamped = await watch(number=8, stamps_now=True)
-impossible = median(stamped.ages) < 0.2
-print("by their stamps, outputs are younger than 0.2 s:", impossible)
+by_stamps = about(median(stamped.ages), "s old", between=(0, 0.15))
+print("by their stamps, outputs are", by_stamps)
 
 # %% [markdown]
-# No output can be that young: the network alone takes 0.2 s. The reader believes that the ball is there *now*. Copy
-# the header of the picture.
+# No output can be that young, because the network alone takes 0.2 s. So a subscriber assumes that the ball is there *now*.
+# Copy the image's header instead.
 #
-# **The network is loaded in each callback.** Large networks take seconds to load; we let this one take one second.
+# **The network is loaded in each callback.** Large networks take seconds to load. We make ours take one second.
 
 # %% id="loaded-each-time"
 loading = await watch(number=4, loads_each_time=True, load_s=1.0)
 stop()
-print("outputs are older than a second:", median(loading.ages) > 1.0)
+print("outputs are", about(median(loading.ages), "s old", between=(1.0, 3.0)))
 
 # %% [markdown]
-# Load it once, in `__init__`. If even that is too slow, load it in the thread, and publish the heartbeat meanwhile.
+# Load the network once, in `__init__`. If even that takes too long, load it in the thread, so that the heartbeat
+# continues during loading.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A ball rolls at 0.45 m/s. How far does it roll in the time that we measured as the age of an output?
+# **Worked.** A ball rolls at 0.45 m/s. How far does it roll during the output age that we measured?
 
 # %% id="worked"
-for depth in (1, 50):
-    at_least = 9 if depth == 1 else 45
-    print(f"depth {depth:2}: {at_least} cm or more:", 45 * age[depth] >= at_least)
+for depth, usual in ((1, (9, 18)), (50, (45, 135))):
+    print(f"depth {depth:2}:", about(45 * age[depth], "cm", between=usual))
 
 # %% [markdown]
-# **Faded.** A queue of length 1 that always holds the newest picture. The line with `...` is yours.
+# **Your turn.** A hand can grasp the ball if the result is at most 5 cm off. How old may it be at most?
+
+# %% id="your-age"
+from workbook.lesson import yours
+
+oldest_s = ...  # TODO: from 5 cm and 45 cm/s
+
+yours(oldest_s, 5 / 45, "Time is distance divided by speed.")
+
+# %% [markdown]
+# **Has the robot fallen?** An `Imu` message holds the acceleration that the sensor in the torso measures. At rest, it points
+# up, with 9.81 m/s². If the robot lies on its side, the sensor lies, too, so the acceleration points along x or y.
+
+# %% id="tilt"
+import math
+
+from geometry_msgs.msg import Vector3
+from sensor_msgs.msg import Imu
+
+
+def tilt(sample):
+    """How far the robot is tilted (°): 0 is upright, 90 lies on its side."""
+    up = sample.linear_acceleration
+    return math.degrees(math.atan2(math.hypot(up.x, up.y), up.z))
+
+
+for pose, up in (
+    ("upright", Vector3(z=9.81)),
+    ("bowed", Vector3(x=6.94, z=6.94)),
+    ("on its side", Vector3(y=9.81)),
+):
+    print(f"{pose + ':':<12} {tilt(Imu(linear_acceleration=up)):.0f}°")
+
+# %% [markdown]
+# A jolt also tilts a sample or two. So count: only several tilted samples *in a row* are a fall, and a sample that isn't
+# tilted starts the count again.
+#
+# **Your turn.** Complete the count. These samples have a jolt of two and then a fall.
+
+# %% id="your-fall"
+def next_row(row, tilt_deg, limit_deg=60.0):
+    """How many samples in a row are tilted, with this one; `row` is the number before."""
+    return ...  # TODO: one more if this sample is tilted, otherwise 0
+
+
+row, rows = 0, []
+for tilt_deg in (3.0, 71.0, 75.0, 8.0, 5.0, 62.0, 80.0, 88.0, 90.0, 90.0):
+    row = next_row(row, tilt_deg)
+    rows.append(row)
+yours(rows, [0, 1, 2, 0, 0, 1, 2, 3, 4, 5], "row + 1 if tilt_deg > limit_deg else 0")
+
+# %% [markdown]
+# **Faded.** A queue of length 1 always holds the newest image. Complete the line with `...`.
 
 # %%
 from contextlib import suppress
@@ -399,80 +464,80 @@ def put_newest(waiting, picture):
     with suppress(Empty):
         ...  # TODO: take the old one out, without waiting
     if waiting.full():
-        return "Fill in the line, then run this cell again."
+        return ...
     waiting.put_nowait(picture)
-    return f"in the queue: {waiting.queue[0]}"
+    return waiting.queue[0]
 
 
 shelf = Queue(maxsize=1)
 put_newest(shelf, "old")
-print(put_newest(shelf, "new"))
+yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/16_ai_model.ipynb) you build a node around a slow model: fresh outputs, a
-# steady heartbeat, and the status `error` when the robot falls.
+# **Your own.** In the [exercise](../exercises/16_ai_model.ipynb), you build a node around a slow model. It publishes fresh
+# outputs, a steady heartbeat, and the status `error` if the robot falls.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. The network takes 0.1 s, pictures come at 30 Hz, the depth is 30. How old are outputs after a minute?**
+# **1. The network takes 0.1 s, images arrive at 30 Hz, and the queue depth is 30. How old are outputs after a minute?**
 #
 # <details><summary>a) About 0.1 s</summary>
 #
-# ✗ Only with a queue of one picture.
+# ✗ That would take a queue of one image.
 #
 # </details>
 # <details><summary>b) About 1.1 s</summary>
 #
-# ✓ A full queue of 30 pictures is a second long, and the network takes 0.1 s.
+# ✓ A full queue of 30 images spans a second, and the network takes 0.1 s.
 #
 # </details>
 # <details><summary>c) A minute</summary>
 #
-# ✗ The queue drops its oldest picture when it is full, so the delay has an end.
+# ✗ A full queue drops its oldest image, so the delay is limited.
 #
 # </details>
 #
-# **2. The network is moved to a thread. What gets better?**
+# **2. You move the network to a thread. What improves?**
 #
 # <details><summary>a) The other callbacks run on time</summary>
 #
-# ✓ That is what the thread is for.
+# ✓ The thread takes the network's waiting time out of the executor.
 #
 # </details>
-# <details><summary>b) It finds more</summary>
+# <details><summary>b) It finds more objects</summary>
 #
 # ✗ It computes the same numbers.
 #
 # </details>
 # <details><summary>c) Its outputs arrive in half the time</summary>
 #
-# ✗ It takes as long as before.
+# ✗ The network takes as long as before.
 #
 # </details>
 #
-# **3. With a new camera driver, the detector finds nothing. Nothing is logged. What do you check first?**
+# **3. With a new camera driver, the detector finds nothing, and the log is empty. What do you check first?**
 #
 # <details><summary>a) The queue depth</summary>
 #
 # ✗ A deep queue makes outputs old, not empty.
 #
 # </details>
-# <details><summary>b) The weights of the network</summary>
+# <details><summary>b) The network's weights</summary>
 #
-# ✗ They have not changed; their hash would tell.
+# ✗ They haven't changed. If they had, their hash would differ.
 #
 # </details>
-# <details><summary>c) The encoding of the pictures</summary>
+# <details><summary>c) The encoding of the images</summary>
 #
-# ✓ The driver may send `bgr8` where there was `rgb8`.
+# ✓ The driver may publish `bgr8` instead of `rgb8`.
 #
 # </details>
 
 # %% [markdown]
 # ## Talk it through
 #
-# Copy the prompt for an AI assistant, or discuss it with a colleague. State your own view first.
+# Write down your own answer first. Then copy the prompt into an AI assistant, or discuss it with a colleague.
 #
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). Write a node that runs an ONNX
@@ -483,33 +548,33 @@ print(put_newest(shelf, "new"))
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The network is loaded once and runs in a thread that takes the newest picture. The subscription is best effort with a
-# depth of 1. Detections copy the header of their picture. The network does not hold up the timer of the heartbeat.
-# With inference in a callback, that takes several threads *and* a callback group of its own. One odd picture does not end the
-# thread: the model is called in a `try`, and the error is logged. A good answer asks what the model was trained with:
-# color order, size and scaling.
+# It loads the network once and runs it in a thread that takes the newest image. It subscribes with best effort and a
+# depth of 1. It copies the image's header into the detections. The network doesn't delay the heartbeat's timer. If
+# inference runs in a callback, that takes several threads *and* a separate callback group. An image that raises an
+# exception doesn't end the thread, because the model is called in a `try` and the error is logged. A good answer also
+# asks how the model was trained: color order, size, and scaling.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Two claims you may meet. Both are wrong: each was tried with the rclpy of this course.
+# Watch for these two suggestions. We tried both with this course's rclpy, and both failed.
 #
-# - **`create_subscription(Image, "/camera/image", self.on_image, 10)`:** A plain 10 asks for reliable delivery. From a
-#   camera that is best effort, such a subscription gets nothing. And ten pictures are a third of a second.
-# - **`CvBridge().imgmsg_to_cv2(msg, "bgr8")`, then the network:** This network was trained with RGB. With blue and red
-#   swapped nothing fails, and its detections are wrong.
+# - **`create_subscription(Image, "/camera/image", self.on_image, 10)`:** A plain 10 requests reliable delivery, so the
+#   subscription receives nothing from a best-effort camera. Ten images also span a third of a second.
+# - **`CvBridge().imgmsg_to_cv2(msg, "bgr8")`, then the network:** This network was trained on RGB images. With blue and
+#   red swapped, there's no error, but the detections are wrong.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - The age of the output counts, from taking the picture to using its result.
-# - A queue of one picture, best effort: the newest is the best one.
-# - A slow network belongs in a thread that takes the newest picture; the executor keeps the heartbeat.
-# - Detections carry the stamp of their picture.
-# - Color order and scaling must be those of the training. No error tells you when they differ.
+# - An output's age runs from taking the image to using its result. It's the network's time plus the time in the queue.
+# - Use a queue of one image with best effort, because the newest image is the most useful one.
+# - Run a slow network in a thread that takes the newest image, so the executor keeps the heartbeat regular.
+# - Copy the image's stamp into its detections.
+# - Use the color order and scaling from training, because a mismatch raises no error.
 #
 # **Before:** [15 · A camera](15_camera.ipynb)
 #

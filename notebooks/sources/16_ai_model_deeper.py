@@ -1,19 +1,20 @@
 # %% [markdown]
 # # 16 · Deeper: falls, and where a model runs
 #
-# A robot should notice early that it is falling. Which model can do that, and where should a model run so that it holds
-# up nothing?
+# A robot should notice early that it's falling. Which model can do that, and where should a model run so that it doesn't
+# delay other callbacks?
 #
 # - **Minutes:** 35
 # - **You need:** lesson [16](16_ai_model.ipynb)
 # - **You will be able to:**
-#   - train a small model for numbers, and judge it by what its mistakes cost
-#   - say when a thread is enough for a model, and when it takes a process
-#   - keep a node alive when its model fails
+#   - train a small model on numbers, and judge it by the cost of its mistakes
+#   - decide whether a model can run in a thread or needs a process
+#   - keep a node running when its model fails
 # - **Left out:** recurrent networks, and graphics cards
 
 # %% [markdown]
-# Here are two episodes of a robot: it bows, and it falls. The IMU in its torso measures the tilt.
+# Here are two episodes. In the first one, a robot bows, and in the second, it falls. The IMU in its torso measures the
+# tilt.
 
 # %%
 from workbook.models.falls import RATE_HZ, all_windows, episodes, windows
@@ -69,8 +70,7 @@ predict("tilt-or-window")
 # %% [markdown]
 # ## Run it
 #
-# A row of the table is a window: ten samples of four channels. scikit-learn learns from 300 episodes in about a
-# second.
+# Each row of the table is a window: ten samples of four channels. scikit-learn trains on 300 episodes in about a second.
 
 # %%
 from sklearn.linear_model import LogisticRegression
@@ -106,11 +106,11 @@ reveal("tilt-or-window", gain=median(rule.late_s) - median(learned.late_s))
 # %% [markdown]
 # ## Look inside
 #
-# A fall begins when nothing holds the body any more. From then on, each window is labeled as a fall. Whole episodes
-# were held back, not single windows: neighbors share nine of ten samples, so a model that has seen one knows the
-# other.
+# A fall begins when nothing supports the body anymore. From then on, each window is labeled as a fall. We held back whole
+# episodes, not single windows. Neighboring windows share nine of ten samples, so a model that was trained on one
+# practically knows the other.
 #
-# These are the other inputs of the model, besides the tilt, and its output:
+# Here are one of the model's other inputs, the hip angle, and its output:
 
 # %%
 show(
@@ -123,7 +123,7 @@ show(
 )
 
 # %% [markdown]
-# In a bow the hip bends, in a fall it stays straight. How often is the model right, window by window?
+# In a bow, the hip bends, but in a fall, it stays straight. How often is the model right, window by window?
 
 # %%
 from sklearn.metrics import confusion_matrix
@@ -150,8 +150,8 @@ print("right on more than 98 % of the held-back windows:", right > 0.98)
 print("a model that always says 'no fall', more than 90 %:", fine > 0.9)
 
 # %% [markdown]
-# Falls are rare. So a high share of right windows says little: a model that never sees a fall has one, too. Count
-# what a mistake costs: alarms that come late, and false ones. The threshold trades one against the other.
+# Falls are rare. So a high share of correct windows means little, because a model that never reports a fall has one,
+# too. Count the costly mistakes instead: late alarms and false alarms. The threshold trades one for the other.
 
 # %% id="late-or-false"
 LEVELS = (0.1, 0.5, 0.9)
@@ -176,9 +176,9 @@ axes.set_title("An early alarm costs false alarms")
 show(fig, "delay against false alarms: a low threshold is early and often wrong")
 
 # %% [markdown]
-# A robot that is pushed and catches itself looks like one that falls, for a moment. If the robot only
-# stretches out its arms, a false alarm does little harm. If it cuts its power, a false alarm makes it fall. In a node,
-# the window is a `collections.deque(maxlen=10)`. Empty it when the source restarts.
+# A robot that is pushed and catches itself briefly looks like a falling one. If the robot only stretches out its arms, a
+# false alarm does little harm. If it cuts its power, a false alarm makes it fall. In a node, keep the window in a
+# `collections.deque(maxlen=10)`. Clear the window when the source restarts.
 
 # %% [markdown] prediction="which-holds-the-heartbeat"
 # ## Change it
@@ -254,7 +254,7 @@ async def think(model):
 
 
 # %% [markdown]
-# Now the models. Each works for two seconds.
+# Now let's run three models. Each works for two seconds.
 
 # %%
 import random
@@ -312,7 +312,7 @@ show(
 )
 
 # %% [markdown]
-# So a pure Python model does not stop the heartbeat. But it makes each beat wait for the lock:
+# So a pure Python model doesn't stop the heartbeat. But it makes each beat wait for the lock:
 
 # %%
 import sys
@@ -320,8 +320,8 @@ import sys
 print("a thread that waits asks for the lock after", sys.getswitchinterval(), "s")
 
 # %% [markdown]
-# A callback that gives up the lock several times waits several times. And two threads of Python code never compute at
-# the same moment, however many cores there are. For C code that keeps the lock, no thread helps.
+# A callback that releases the lock several times waits several times. And two threads never run Python code at the same
+# time, no matter how many cores there are. If C code keeps the lock, a thread doesn't help.
 
 # %% [markdown] prediction="to-another-process"
 # ### A process beside the node
@@ -377,9 +377,8 @@ ratio = shortest(lambda: ask(large)) / shortest(lambda: ask(small))
 reveal("to-another-process", ratio=ratio)
 
 # %% [markdown]
-# Hand over what the model needs: the picture in the model's size, and its header. Or let the second process be a node
-# of its own that subscribes to the camera. Then nobody hands over anything; lesson 16's `toy_detector` is such a
-# process.
+# Pass the process only the model's input, in the model's size, along with the header. Or make the second process a node
+# that subscribes to the camera. Then no code has to pass images along. Lesson 16's `toy_detector` is such a process.
 #
 # Does a process help with C code that keeps the lock?
 
@@ -389,9 +388,9 @@ print("the model took 2 s or more:", beside_it.took_s >= 2.0)
 print("silent for 1.5 s or more:  ", beside_it.silence() >= 1.5)
 
 # %% [markdown]
-# The thread waits for the answer without the lock. `spawn` starts a fresh Python, which loads the model again. The
-# alternative `fork` copies a process without its threads. DDS works in threads of its own; the copy would lack them.
-# So do not use `fork` beside rclpy.
+# The thread waits for the result without holding the lock. `spawn` starts a new Python process, which loads the model
+# again. The alternative, `fork`, copies a process without its threads. DDS runs in its own threads, and the copy would
+# lack them. So don't use `fork` together with rclpy.
 
 # %% [markdown] prediction="eight-at-once"
 # ### Eight pictures at once
@@ -430,11 +429,11 @@ eight = processor_s(lambda: network(pictures), 30)
 reveal("eight-at-once", ratio=eight / (8 * one))
 
 # %% [markdown]
-# A batch also waits for its last picture. At 30 Hz the first of eight is then 7/30 s old, or 0.23 s, before anything
-# is computed. Batches are for training and for recordings.
+# A batch also waits for its last image. At 30 Hz, the first of eight images is then 7/30 s old, or 0.23 s, before the
+# network starts. Batches are for training and for recordings.
 #
-# The first call costs more than the later ones: memory is reserved then, and many libraries also compile. We load the
-# network sixty times, call it twice each time, and compare the fastest ones.
+# The first call costs more than later ones, because it reserves memory. Many libraries also compile code then. We load
+# the network sixty times, call it twice each time, and compare the fastest first call with the fastest second call.
 
 # %% id="warm-up"
 
@@ -449,15 +448,15 @@ firsts, seconds = zip(*(two_calls() for _ in range(60)), strict=True)
 print("the first call takes longer than the second:", min(firsts) > min(seconds))
 
 # %% [markdown]
-# So call the network once with an empty picture after loading it. This is a *warm-up*. Our network is small: when we
-# tried it on an idle machine, its first call took a tenth longer. A large one may take seconds for its first picture.
-# Subscribe to the camera when the warm-up is done.
+# So call the network once with an empty image after loading it. This is called a *warm-up*. Our network is small: in our
+# test on an idle machine, its first call took a tenth longer. A large network may take seconds for its first image.
+# Subscribe to the camera after the warm-up.
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **The model raises in a thread.** Python ends this thread, and only this thread. It calls
-# `threading.excepthook` with the exception.
+# **The model raises an exception in a thread.** Python ends only this thread. It calls `threading.excepthook` with the
+# exception.
 
 # %% id="raised-in-a-thread"
 unseen = []
@@ -479,10 +478,10 @@ print("five more beats:", len(blind.beats) >= done + 5)
 print("the thread is alive:", blind.worker.is_alive())
 
 # %% [markdown]
-# The heartbeat says "alive", and the detector is dead. Call the model in a `try`, as `ToyDetector.work` does. And let
-# the heartbeat say what matters: publish it only if the last answer is young enough.
+# The heartbeat reports "alive", but the detector is dead. Call the model in a `try`, as `ToyDetector.work` does. And make
+# the heartbeat depend on the detector: publish it only if the last result is recent enough.
 #
-# **The node's own method as a task.** It looks natural: the pool should call `self.look`.
+# **A node's method as a task.** It looks natural to pass `self.look` to the pool.
 
 # %% id="method-as-a-task"
 try:
@@ -491,10 +490,10 @@ except Exception as fault:
     print(f"{type(fault).__name__}: {fault}")
 
 # %% [markdown]
-# A method takes its node along, and a node cannot be sent. Submit a function of a module, with plain data. A function
-# from a notebook's cell fails, too: the other process cannot import it.
+# A method refers to its node, and a node can't be pickled. Submit a function from a module, with plain data. A function
+# from a notebook cell fails, too, because the other process can't import it.
 #
-# **The process crashes.** A fault in C code ends a process at once. We let it end with exit code 3:
+# **The process crashes.** A fault in C code ends a process immediately. We make it end with exit code 3:
 
 # %% id="process-crashed" tags=["raises-exception"]
 import os
@@ -502,8 +501,9 @@ import os
 pool.submit(os._exit, 3).result()
 
 # %% [markdown]
-# In a thread this would have ended the node. Here it is an exception, and the node can start the next process. That
-# takes a while, and here the model takes two seconds more to load. Does the heartbeat stop meanwhile?
+# In a thread, this crash would have ended the node. Here, it's an exception, and the node can start the next process.
+# That takes a while, and in this example the model takes two more seconds to load. Does the heartbeat stop during that
+# time?
 
 # %% id="slow-start"
 pool.shutdown()
@@ -516,18 +516,19 @@ print("the first answer took 2 s or more:", again.took_s >= 2.0)
 print("silent for 1.5 s or more:         ", again.silence() >= 1.5)
 
 # %% [markdown]
-# The thread waits, and the node works. Until the first answer is there, the node should say so: publish "starting" as
-# its status, not "operational".
+# The thread waits, but the node keeps running. Until the first result arrives, publish "starting" as the status instead
+# of "operational".
 
 # %% [markdown]
 # ## Take away
 #
-# - For a few numbers, a small model from scikit-learn may be enough. Hold back whole episodes.
-# - When falls are rare, do not count right windows. Count late alarms and false ones.
-# - A thread is enough if the model releases the GIL. Python code has to release it when another thread
-#   waits. C code releases it only if it was written to do so.
-# - A process of its own helps against code that keeps the GIL, and against crashes. What it gets is copied: send little.
-# - Load and warm up before the first picture. On one core, a batch saves little and makes outputs old.
+# - For a few numbers, a small scikit-learn model may be enough. Hold back whole episodes.
+# - If falls are rare, don't count correct windows. Count late alarms and false alarms.
+# - A thread is enough if the model releases the GIL. Python code has to release it when another thread waits. C code
+#   releases it only if it was written to do so.
+# - A separate process helps against code that keeps the GIL, and against crashes. Its input is copied, so pass it little
+#   data.
+# - Load the model and warm it up before the first image. On one core, a batch saves little and makes outputs old.
 #
 # **Before:** [16 · An AI model in a node](16_ai_model.ipynb)
 #

@@ -172,8 +172,8 @@ def test_a_deeper_notebook_comes_after_its_lesson_and_leads_to_the_next(tmp_path
 def test_a_deeper_notebook_is_listed_below_its_lesson(tmp_path: Path) -> None:
     tree = course_with(tmp_path, at_21_beeps=LESSON, at_21_beeps_deeper=DEEPER)
     assert table(tree).splitlines()[2:] == [
-        "| 21 | [Beeps](notebooks/21_beeps.ipynb) | in the lesson, not graded | **ready** |",
-        "| | [Deeper: the length of a beep](notebooks/21_beeps_deeper.ipynb) | | optional |",
+        "| 21 | [Beeps](notebooks/21_beeps.ipynb) | in the lesson, not graded |",
+        "| | [Deeper: the length of a beep](notebooks/21_beeps_deeper.ipynb) | |",
     ]
     assert list_page(tree).index("21_beeps.ipynb") < list_page(tree).index("21_beeps_deeper.ipynb")
 

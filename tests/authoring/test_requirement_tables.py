@@ -6,6 +6,7 @@ import pytest
 
 from workbook.authoring import requirements
 from workbook.authoring.checking import check
+from workbook.authoring.demands import untied_demands
 from workbook.authoring.requirements import WITHOUT_TABLE, stale_exceptions, table_violations
 from workbook.authoring.skeleton import new_exercise
 from workbook.authoring.task_text import folded, missing_words, nearest_sentence
@@ -268,3 +269,42 @@ def test_sentences_from_two_places_are_no_quotation() -> None:
 def test_a_sentence_may_run_over_lines() -> None:
     assert nearest_sentence("It never stops.", TASK) == "It beats, and never stops."
     assert "It beats, and never stops. Nothing else" in folded(TASK)
+
+
+@pytest.mark.parametrize(
+    ("sentence", "word"),
+    [
+        ("You may not edit the driver.", "may not"),
+        ("The knee must cool down.", "must"),
+        ("Do not poll.", "Do not"),
+        ("Don't change the class.", "Don't"),
+        ("Don’t change the class.", "Don't"),
+        ("It can't wait.", "can't"),
+        ("Change only `main`.", "only"),
+    ],
+)
+def test_a_demand_that_no_requirement_quotes_is_told(course: Tree, sentence: str, word: str) -> None:
+    story = "# somebody has to know in time."
+    change(course.solutions / f"{STEM}.py", story, f"{story} {sentence}")
+    [problem] = told(course)
+    assert problem.startswith(
+        f"{NAME}: no requirement quotes the sentence {sentence!r}, which demands something"
+    )
+    assert f"({word!r})" in problem
+    with table(course).open("a", encoding="utf-8") as file:
+        file.write(f'\n[[requirement]]\nid = "told"\nsentence = "{sentence[:-1]}"\nnot_judged = "Why."\n')
+    assert told(course) == []
+
+
+@pytest.mark.parametrize(
+    "sentence", ["**Not part of it:** you must not care.", "Mustard is yellow.", "Nothing else matters."]
+)
+def test_a_sentence_that_demands_nothing_needs_no_requirement(sentence: str) -> None:
+    assert list(untied_demands(f"{TASK}\n{sentence}\n", [])) == []
+
+
+def test_a_quotation_of_a_part_or_of_more_ties_a_sentence() -> None:
+    task = "It beats. It must not stop, ever. It counts."
+    for quote in ("must not\nstop", "It must not stop, ever.", "It beats. It must not stop, ever."):
+        assert list(untied_demands(task, [quote])) == []
+    assert list(untied_demands(task, ["It beats."])) == [("It must not stop, ever.", "must")]

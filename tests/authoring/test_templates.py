@@ -27,7 +27,7 @@ SLUGS = {
 """Short and long: names decide how long lines are."""
 """Answers that pass live for eight real seconds, and only wait meanwhile."""
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.whole]
 
 
 @pytest.fixture(scope="module")

@@ -207,7 +207,7 @@ def test_a_change_that_does_not_apply_is_refused(tree: Tree, text: str, says: st
         ("# lose: loud\n# says: honk\n", ":1: unknown field 'lose'. Did you mean loses"),
         ("# loses:\n# says: honk\n", ":1: '# loses:' is empty"),
         ("# loses: loud\n# cause: a\n# cause: b\n", ":3: .* second time"),
-        ("# loses: loud\n# says: honk\n# thorough: no\n", "'# thorough:' must be 'yes', not 'no'"),
+        ("# loses: loud\n# says: honk\n# soak: no\n", "'# soak:' must be 'yes', not 'no'"),
         ("# loses: loud\n# says: honk\n# compiles: no\n", "says '# compiles: no', but it does compile"),
         ("# loses: loud\n# says: honk\n# on: right/long.py\n", "write solution, starter or right/NAME.py"),
         ("# loses: loud\n# says: honk\n# on: short.py\n", "write solution, starter or right/NAME.py"),
@@ -229,7 +229,7 @@ def test_a_header_says_everything_that_is_expected(tree: Tree) -> None:
             tree,
             '# replaces: print("honk")\nprint(\n',
             "# A bracket\n# is open.\n# loses: loud, long\n# skips: last\n# cause: syntax.error\n"
-            "# says: was never: closed\n# says: line 3\n# thorough: yes\n# compiles: no\n",
+            "# says: was never: closed\n# says: line 3\n# soak: yes\n# compiles: no\n",
         )
     )
     assert header.about == "A bracket is open."
@@ -237,7 +237,7 @@ def test_a_header_says_everything_that_is_expected(tree: Tree) -> None:
     assert header.skips == frozenset({"last"})
     assert header.causes == {"syntax.error"}
     assert header.says == ("was never: closed", "line 3")
-    assert header.thorough
+    assert header.soak
     assert not header.compiles
     assert header.on is None
 

@@ -84,7 +84,7 @@ def generated_class(exercise: Exercise, out: Path) -> Iterator[Result]:
         judgement = judge_recording(exercise, "a" * 64, stored)
         tries = [judgement]
         if number % 20 == 5:
-            doubtful = replace(judgement, doubt=DOUBT)
+            doubtful = replace(judgement, inconclusive_reason=DOUBT)
             tries = [doubtful, doubtful]
         yield graded_result(submission, tries, by)
     yield ungradable_result(Submission("Zuse", "answers/zuse.py", ""), "the file is empty", by)

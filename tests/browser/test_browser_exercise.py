@@ -122,7 +122,7 @@ def test_a_wrong_answer_then_the_right_one(
     expect(card).to_contain_text(f"Hand in this file: answers/{STEM}.py")
     expect(card).to_contain_text("2 more points than before.")
     expect(card).to_contain_text("What comes next: 10")
-    expect(card).to_contain_text("real seconds had passed", timeout=CELL_MS)
+    expect(card).to_contain_text("Then started again and watched for", timeout=CELL_MS)
     robot = card.locator("img")
     expect(robot).to_have_attribute("alt", re.compile("^Your robot moves"))
     expect(robot).to_have_js_property("naturalWidth", 315)

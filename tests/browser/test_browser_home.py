@@ -139,7 +139,23 @@ def check_names_of_files(page: LabPage, artifacts: Path) -> None:
             page.page.screenshot(path=artifacts / f"names_{width}.png")
             raise AssertionError(f"cut at {width} px: {page.page.evaluate(_CUT_NAMES)}") from error
         page.page.screenshot(path=artifacts / f"names_{width}.png")
+    check_a_row_with_another_name(page)
     page.page.set_viewport_size(USUAL)
+
+
+def check_a_row_with_another_name(page: LabPage) -> None:
+    """The last file gets a name that comes first: all names move one row down, into elements that had others before."""
+    names = page.page.locator(".jp-DirListing-itemName")
+    refresh = page.page.locator('[data-command="filebrowser:refresh"]').first
+    file = page.lab.work / "notebooks" / "zz_last.txt"
+    file.touch()
+    refresh.click()
+    expect(names.filter(has_text="zz_\u200blast.txt")).to_have_count(1)
+    file = file.rename(file.with_name("00_a_file_with_a_long_name_that_comes_before_all_others.txt"))
+    refresh.click()
+    expect(names.filter(has_text="before_\u200ball_\u200bothers")).to_have_count(1)
+    page.page.wait_for_function(f"() => ({_CUT_NAMES.strip()})().length === 0")
+    file.unlink()
 
 
 def check_layout(page: LabPage, artifacts: Path) -> None:
@@ -188,7 +204,9 @@ def check_prompt(page: LabPage, artifacts: Path) -> None:
     page.page.keyboard.press("Enter")
     expect(prompt.locator("button")).to_have_text("Copied")
     copied = page.page.evaluate("navigator.clipboard.readText()")
-    assert copied.startswith("I program a robot with ROS 2 Jazzy") and copied.endswith("in rclpy for Jazzy.")
+    assert copied.startswith("I'm programming a robot with ROS 2 Jazzy") and copied.endswith(
+        "exist in Jazzy."
+    )
     expect(button).to_have_text("Copy")
 
 

@@ -103,7 +103,10 @@ def check_robot(page: LabPage, moments: list[float], artifacts: Path) -> None:
     (artifacts / "frames.json").write_text(json.dumps(measured) + "\n", encoding="utf-8")
 
 
-@pytest.mark.parametrize("stem", LESSONS)
+@pytest.mark.parametrize(
+    "stem",
+    [pytest.param(stem, marks=() if stem == ROBOT_LESSON else pytest.mark.whole) for stem in LESSONS],
+)
 def test_a_lesson_runs_from_top_to_bottom(
     stem: str, page: LabPage, lab: StudentLab, artifacts: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:

@@ -17,7 +17,7 @@ from .lab_page import LabPage
 from .panel_notebook import QUIET, SAYS, TURNS, WAVES, write_notebook
 from .student_lab import StudentLab, await_end, running
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 WIDTHS = (800, 1280, 1600)
 IDLE_S = 20.0
 MOST_OF_A_CORE = 0.05

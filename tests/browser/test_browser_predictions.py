@@ -9,7 +9,7 @@ from playwright.sync_api import Locator, ViewportSize, expect
 from .axe import violations
 from .lab_page import NOTEBOOK, LabPage
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 LESSON = "notebooks/05_timers.ipynb"
 ENOUGH_CONTRAST = 4.5
 WIDE, NARROW = ViewportSize(width=1280, height=1000), ViewportSize(width=800, height=1000)

@@ -10,7 +10,7 @@ from .lab_page import NOTEBOOK, LabPage
 from .panel_notebook import write_notebook
 from .student_lab import StudentLab
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 ENOUGH = 4.5
 CODE = '''\
 # A comment, a decorator, and each kind of word that has a color.

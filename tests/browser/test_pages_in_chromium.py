@@ -16,7 +16,7 @@ from .axe import violations
 from .generated_class import SIZE, STEM, generated_class
 from .student_lab import ROOT
 
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.whole]
 THEMES = ("light", "dark")
 WIDTHS = (400, 800, 1280)
 BESIDE = "document.documentElement.scrollWidth - document.documentElement.clientWidth"

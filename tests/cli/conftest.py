@@ -13,7 +13,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 @dataclass(frozen=True)
-class Said:
+class Published:
     """What one command printed, and its exit code."""
 
     code: int
@@ -21,7 +21,7 @@ class Said:
     err: str
 
 
-Type = Callable[..., Said]
+Type = Callable[..., Published]
 
 
 @pytest.fixture
@@ -45,7 +45,7 @@ def course(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def typed(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> Type:
     """Runs `workbook` with arguments, in a terminal of 80 columns unless `columns` says otherwise."""
 
-    def type_it(*arguments: str, columns: int = 80) -> Said:
+    def type_it(*arguments: str, columns: int = 80) -> Published:
         monkeypatch.setenv("COLUMNS", str(columns))
         if "WORKBOOK_ANSWERS" in os.environ:
             monkeypatch.setenv("WORKBOOK_ANSWERS", "")
@@ -55,6 +55,6 @@ def typed(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -
         except SystemExit as ended:
             code = int(ended.code or 0)
         said = capsys.readouterr()
-        return Said(code, said.out, said.err)
+        return Published(code, said.out, said.err)
 
     return type_it

@@ -16,7 +16,7 @@ from workbook.exercise.source import stems
 from workbook.lab.health import HealthFinding
 from workbook.recording.recording import Recording
 from workbook.ros.tables import Table
-from workbook.ros.tools import Edge, Graph
+from workbook.ros.tools import Broken, Edge, Graph
 
 WIDTHS = (80, 60)
 
@@ -51,6 +51,17 @@ def test_an_arrow_of_the_graph_stays_on_its_line() -> None:
     graph = Graph(("/brain", "/eyes", "/idle"), {"/robot/seen": ("std_msgs/msg/String",)}, edges)
     assert graph.text(80) == str(graph)
     assert graph.text(60) == "/eyes → /robot/seen → /brain\n    std_msgs/msg/String\n/idle"
+
+
+def test_an_arrow_that_brings_nothing_is_drawn_broken_with_the_reason() -> None:
+    reason = "/deaf does not hear /eyes: it asks for reliable and gets best effort."
+    deaf, brain = Edge("/deaf", "subscribes", "/robot/seen"), Edge("/brain", "subscribes", "/robot/seen")
+    eyes, types = Edge("/eyes", "publishes", "/robot/seen"), {"/robot/seen": ("std_msgs/msg/String",)}
+    broken = (Broken("/robot/seen", "/eyes", "/deaf", reason),)
+    alone = Graph(("/deaf", "/eyes"), types, (deaf, eyes), broken).text(60)
+    assert alone == f"/eyes → /robot/seen ✗ /deaf\n    std_msgs/msg/String\n\n✗ /robot/seen: {reason}"
+    both = Graph(("/brain", "/deaf", "/eyes"), types, (brain, deaf, eyes), broken).text(60)
+    assert both.startswith("/eyes → /robot/seen → /brain, ✗ /deaf\n")
 
 
 @pytest.mark.parametrize("columns", WIDTHS)

@@ -104,10 +104,10 @@ class Watching:
 def watch(tmp_path: Path) -> Iterator[Callable[..., Watching]]:
     started: list[Watching] = []
 
-    def start(text: str) -> Watching:
+    def start(text: str, *more: str) -> Watching:
         file = tmp_path / f"{STEM}.py"
         file.write_text(text)
-        started.append(Watching(file, str(file)))
+        started.append(Watching(file, str(file), *more))
         return started[-1]
 
     yield start
@@ -136,6 +136,12 @@ def test_each_save_is_judged_in_the_same_slot_on_one_screen(watch: Callable[...,
     watching.screen_with("SyntaxError", "Keys: h hint")
     assert watching.end() == 1
     assert "Stopped watching." in watching.screen_with("Stopped watching.")
+
+
+def test_it_shows_how_far_a_judgement_is(watch: Callable[..., Watching]) -> None:
+    watching = watch(SOLUTION, "--as-graded")
+    watching.screen_with("Still watching your program ...", " s, ", " on /robot/battery")
+    watching.end()
 
 
 def test_ctrl_c_ends_an_answer_under_way(watch: Callable[..., Watching]) -> None:

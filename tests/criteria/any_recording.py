@@ -24,9 +24,9 @@ from workbook.recording.recording import (
     NodeSeen,
     Phase,
     ProcessRecord,
+    Published,
     PublisherSeen,
     Recording,
-    Said,
     ServiceSeen,
     SubscriberSeen,
     TopicRecording,
@@ -146,7 +146,7 @@ class Flood:
             room -= bytes_of(value)
             if room < 0:
                 break
-            found.append((self._times(self._random, recording.robot_s), value))
+            found.append((self._times(self._random, recording.simulated_s), value))
         offset = topic.arrivals[0].wall - topic.arrivals[0].t
         return tuple(
             Arrival(t, t + offset, value, t + offset - 0.001)
@@ -159,7 +159,7 @@ class Flood:
             return recording.calls
         more = []
         for number in range(MOST_CALLS):
-            one, t = calls[number % len(calls)], self._times(self._random, recording.robot_s)
+            one, t = calls[number % len(calls)], self._times(self._random, recording.simulated_s)
             later = None if one.answered_t is None else t + one.answered_t - one.t
             more.append(replace(one, t=t, wall=t, answered_t=later, answered_wall=later))
         others = [one for one in recording.calls if one.by != "program"]
@@ -311,7 +311,7 @@ class Strange:
 
     def recording(self, recording: Recording) -> Recording:
         """The same watch of another program."""
-        topics = {name: self.topic(one, recording.robot_s) for name, one in recording.topics.items()}
+        topics = {name: self.topic(one, recording.simulated_s) for name, one in recording.topics.items()}
         if self._seldom() and topics:
             del topics[self._one(list(topics))]
         if self._seldom():
@@ -330,7 +330,7 @@ class Strange:
             kind, value = self.foreign()
             arrivals = tuple(Arrival(t / 10, t / 10, value) for t in range(self._one((0, 1, 30))))
             seen = PublisherSeen(self._name(), kind, "reliable", "volatile", 0.0)
-            found[name] = TopicRecording(name, (seen,), (), arrivals, (0.0, recording.robot_s))
+            found[name] = TopicRecording(name, (seen,), (), arrivals, (0.0, recording.simulated_s))
         return found
 
     def _changes(self) -> list[Callable[[Recording], Recording]]:
@@ -345,9 +345,9 @@ class Strange:
                 one, follows_clock=self._one((None, True, False)), in_lockstep=self._seldom()
             ),
             lambda one: replace(one, following={name: self._seldom() for name in one.topics}),
-            lambda one: replace(one, robot_s=self._one((0.0, 1.0, one.robot_s / 2)), phases=()),
-            lambda one: replace(one, phases=(Phase(1.0, 0.0, 1.0), Phase(20.0, 1.0, one.robot_s))),
-            lambda one: replace(one, said=tuple(self._begin_of(one.said))),
+            lambda one: replace(one, simulated_s=self._one((0.0, 1.0, one.simulated_s / 2)), phases=()),
+            lambda one: replace(one, phases=(Phase(1.0, 0.0, 1.0), Phase(20.0, 1.0, one.simulated_s))),
+            lambda one: replace(one, published=tuple(self._begin_of(one.published))),
             lambda one: replace(one, calls=()),
             lambda one: replace(one, calls=one.calls[: self._random.randrange(len(one.calls) + 1)]),
             lambda one: replace(one, calls=tuple(self._call(it) for it in one.calls)),
@@ -359,7 +359,7 @@ class Strange:
             lambda one: replace(one, notes=(self._log(), "field checks: "), wanted=()),
         ]
 
-    def _begin_of(self, said: Sequence[Said]) -> Iterator[Said]:
+    def _begin_of(self, said: Sequence[Published]) -> Iterator[Published]:
         """What was said until the watch ended early; what comes before the start is always said."""
         left = self._random.randrange(len(said) + 1)
         return (one for place, one in enumerate(said) if place < left or one.t <= BEFORE_START)
@@ -367,7 +367,7 @@ class Strange:
     def _call(self, call: CallSeen) -> CallSeen:
         if self._seldom():
             return replace(call, response=None, answered_t=None, answered_wall=None)
-        if call.by == "bench" and call.response is not None:
+        if call.by == "judge" and call.response is not None:
             return replace(call, response=self.value(call.response))
         return replace(call, request=self.value(call.request)) if call.by == "program" else call
 
@@ -406,7 +406,7 @@ class Strange:
             exit=None if signal else self._one((0, 1, 2, 120, 255)),
             signal=signal,
             ended_at=self._one((None, 0.0, 1.5, 9.0)),
-            ended_by="itself" if by_itself else "bench",
+            ended_by="itself" if by_itself else "judge",
             limits_hit=self._one(((), ("memory",), ("output", "processes"), ("nothing we know",))),
             log=self._log(),
             end_log=self._log(),

@@ -15,7 +15,7 @@ from workbook.recording.recording import (
 )
 
 NODE = "/humanoid"
-LIVING = ProcessRecord(program="answer.py", exit=0, ended_at=8.0, ended_by="bench", watched_for=8.0)
+LIVING = ProcessRecord(program="answer.py", exit=0, ended_at=8.0, ended_by="judge", watched_for=8.0)
 
 
 def publisher(kind: str, node: str = NODE) -> PublisherSeen:
@@ -47,7 +47,7 @@ def recorded(
     return Recording(
         clock=clock,
         domain_id=17,
-        robot_s=14.0,
+        simulated_s=14.0,
         wall_s=14.5,
         topics={topic.name: topic for topic in topics},
         nodes=(NodeSeen(NODE, 0.1),) if nodes else (),

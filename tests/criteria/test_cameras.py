@@ -7,8 +7,8 @@ import pytest
 from sensor_msgs.msg import Image
 
 import workbook.criteria as see
-from workbook.recording.script import says
-from workbook.watching.speaker import fill
+from workbook.recording.script import publish
+from workbook.watching.script_player import fill
 
 VIEW = see.CameraView(
     see.Scene(see.on_desk(0.8, 0.1)), (500, 40), seed=1, number=2, encoding="bgr8", padding=32
@@ -32,7 +32,7 @@ def test_the_same_view_gives_the_same_bytes_and_another_number_others() -> None:
 
 def test_a_script_takes_them_as_they_are() -> None:
     fields = see.camera_image(VIEW)
-    assert says("/camera/image", Image, [(0.5, fields)]).lines[0].value is fields
+    assert publish("/camera/image", Image, [(0.5, fields)]).lines[0].value is fields
 
 
 def test_a_direction_has_length_one_and_points_to_the_place() -> None:

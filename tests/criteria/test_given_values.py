@@ -66,6 +66,7 @@ def test_a_text_is_not_empty() -> None:
     [
         ([[0.1, 0.1], [0.2, 0.2], [0.3, 0.3], [0.3, 0.3], [0.3, 0.3]], "varies.stands-still"),
         ([[0.1, 0.0], [0.1, 0.1], [0.2, 0.1], [0.2, 0.2], [0.3, 0.2]], "varies.one-at-a-time"),
+        ([[0.0, 0.0], [0.1, 0.1], [0.1, 0.2], [0.4, 0.6], [0.4, 0.6]], "varies.two-kinds"),
     ],
 )
 def test_arrays_that_do_not_move_from_message_to_message(rows: list[list[float]], cause: str) -> None:

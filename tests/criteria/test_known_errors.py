@@ -204,11 +204,11 @@ Humanoid()
         "text_in_floats",
         "Float32MultiArray(data=['0.1'])",
         "TypeError",
-        "float(angle)",
+        "float(level)",
         check_fields=True,
     ),
-    in_node("text_in_float", "Float32(data='0.1')", "AssertionError", "float(angle)", check_fields=True),
-    in_node("text_in_array", "Float32MultiArray(data=['0.1'])", "TypeError", "float(angle)"),
+    in_node("text_in_float", "Float32(data='0.1')", "AssertionError", "float(level)", check_fields=True),
+    in_node("text_in_array", "Float32MultiArray(data=['0.1'])", "TypeError", "float(level)"),
     in_node(
         "undefined", "self.pub = self.create_publisher(Joints, 'x', 10)", "NameError", "Import or define it"
     ),
@@ -263,9 +263,9 @@ Humanoid()
     Case(
         "while_handling",
         "try:\n    1 / 0\nexcept ZeroDivisionError:\n    unknown\n",
-        "NameError",
-        4,
-        "Import or define it",
+        "ZeroDivisionError",
+        2,
+        "Read the end of the log",
     ),
 ]
 

@@ -146,7 +146,7 @@ class Module:
     no_rate = topic("/robot/name", String)
     one = says("one", BAD)
     two = says("two", BAD)
-    how = watching(robot_seconds=30.0, to_the_end=True)
+    how = watching(simulated_seconds=30.0, to_the_end=True)
 
 
 def test_a_module_tells_its_criteria_topics_and_plan() -> None:
@@ -155,25 +155,25 @@ def test_a_module_tells_its_criteria_topics_and_plan() -> None:
     plan = plan_for(topics_in(module), watching_in(module))  # type: ignore[arg-type]
     assert plan.topics == ("/robot/battery", "/robot/status", "/robot/name")
     assert plan.step_s == pytest.approx(0.05)
-    assert plan.robot_s == 30.0
+    assert plan.simulated_s == 30.0
     assert plan.paced == ("/robot/battery", "/robot/status")
     assert plan.wall_s == 8.5
 
 
 def test_without_a_word_on_it_a_watch_covers_nine_of_the_longest_period() -> None:
     plan = plan_for((Module.battery,), watching())
-    assert plan.robot_s == 18.0
+    assert plan.simulated_s == 18.0
     assert not watching().to_the_end
 
 
 def test_a_script_may_be_drawn_for_each_run() -> None:
-    how = watching(script=lambda rng: [script.says("/said", String, [(0.5, str(rng.random()))])])
+    how = watching(script=lambda rng: [script.publish("/said", String, [(0.5, str(rng.random()))])])
     plan = plan_for((Module.battery,), how)
     one, other = how.drawn(plan, 1), how.drawn(plan, 2)
     assert one == how.drawn(plan, 1)
     assert one.script != other.script
     assert (one.seed, other.seed, plan.seed) == (1, 2, None)
-    fixed = watching(script=[script.says("/said", String, [(0.5, "so")])])
+    fixed = watching(script=[script.publish("/said", String, [(0.5, "so")])])
     assert fixed.drawn(plan_for((), fixed), 1) == plan_for((), fixed)
 
 

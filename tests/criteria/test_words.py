@@ -1,4 +1,4 @@
-"""Every verdict that is not passed has a cause of its own, and the words of each are those that were agreed on."""
+"""Every verdict that is not passed has a cause of its own."""
 
 import ast
 import subprocess
@@ -9,18 +9,7 @@ from pathlib import Path
 import pytest
 
 import workbook.criteria as see
-from tests.criteria.words_of import (
-    COMMAND,
-    ROOT,
-    WORDS,
-    Source,
-    as_toml,
-    exercises,
-    is_cause,
-    kept_in,
-    vocabulary,
-    with_words,
-)
+from tests.criteria.causes_in import ROOT, Source, exercises, is_cause, vocabulary
 
 FILES = (*vocabulary(), *exercises())
 LONGEST_FUNCTION = 40
@@ -38,21 +27,8 @@ def test_every_verdict_that_is_not_passed_names_its_cause_first(path: Path) -> N
 @pytest.mark.parametrize("path", exercises(), ids=lambda path: path.stem)
 def test_a_cause_stands_in_one_place(path: Path) -> None:
     """Once in an exercise and the vocabulary together: so a verdict that is passed on keeps an id of its own."""
-    sites = [site.cause for one in (path, *vocabulary()) for site in Source(one).sites]
-    assert not [cause for cause, times in Counter(sites).items() if times > 1]
-
-
-@pytest.mark.parametrize("path", with_words(), ids=lambda path: path.stem)
-def test_the_words_of_each_cause_are_as_kept(path: Path) -> None:
-    kept = kept_in(path)
-    assert kept.is_file() and kept.read_text(encoding="utf-8") == as_toml(path), (
-        f"The words of {path.relative_to(ROOT)} are not those in {kept.relative_to(ROOT)}. If they are meant to be, "
-        f"run `{COMMAND}` and read what it changes."
-    )
-
-
-def test_no_words_are_kept_of_files_that_are_gone() -> None:
-    assert {path.stem for path in WORDS.glob("*.toml")} == {path.stem for path in with_words()}
+    named = [cause for one in (path, *vocabulary()) for cause in Source(one).causes()]
+    assert not [cause for cause, times in Counter(named).items() if times > 1]
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
@@ -85,37 +61,6 @@ def test_a_public_word_says_in_one_line_what_it_is(name: str) -> None:
         assert (word.__doc__ or "").splitlines()[0].endswith("."), name
 
 
-SNIPPET = """
-LATE = ("It is {slow}.", "Be quick.")
-EXPECTED = f"at most {LIMIT} s"
-
-def rate(recording):
-    saw = "one" if recording else f"{count(recording)} messages"
-    if late(recording):
-        return see.failed("rate.late", saw, EXPECTED, *LATE)
-
-    def fail(cause, because, try_this="Try again."):
-        return failed(cause, saw, expected=EXPECTED, because=because, try_this=try_this)
-
-    if recording:
-        return fail("rate.first", "First.")
-    return fail("rate.second", because="Second.", try_this="Think.") or passed("all is well")
-"""
-
-
-def test_words_are_read_with_their_alternatives(tmp_path: Path) -> None:
-    path = tmp_path / "snippet.py"
-    path.write_text(SNIPPET)
-    saw = ["one", "{} messages"]
-    expected = ["at most {} s"]
-    assert Source(path).words() == {
-        "rate.first": {"saw": saw, "expected": expected, "because": ["First."], "try": ["Try again."]},
-        "rate.late": {"saw": saw, "expected": expected, "because": ["It is {{slow}}."], "try": ["Be quick."]},
-        "rate.second": {"saw": saw, "expected": expected, "because": ["Second."], "try": ["Think."]},
-        "other words": {"texts": ["all is well"]},
-    }
-
-
 @pytest.mark.parametrize(
     "cause", ["", "rate", "rate.", "Rate.fast", "rate.too_fast", "rate.too.fast", "-a.b"]
 )
@@ -141,7 +86,7 @@ from pathlib import Path
 import workbook.criteria
 from workbook.criteria.runner import run_criteria
 from workbook.exercise.definition import load_exercise
-from workbook.exercise.conclusiveness import find_doubt
+from workbook.exercise.inconclusive import find_inconclusive_reason
 from workbook.exercise.source import stems
 from workbook.recording.recording import Recording
 
@@ -151,7 +96,7 @@ for stem in stems(root / "solutions"):
     for path in sorted((root / "tests" / "recordings" / stem).glob("*.json")):
         recording = Recording.load(path)
         judged = run_criteria(exercise.criteria, recording)
-        find_doubt(judged, recording, exercise.plan, exercise.periods)
+        find_inconclusive_reason(judged, recording, exercise.plan, exercise.periods)
         print(stem, path.stem, sum(one.points for one in judged))
 assert not {"rclpy", "rpyutils"} & sys.modules.keys()
 """

@@ -21,7 +21,7 @@ def listening(*subscribers: SubscriberSeen) -> Recording:
 @pytest.mark.parametrize("asked", [ASKED, replace(ASKED, deadline=0.5), replace(ASKED, deadline=2.0)])
 def test_a_subscription_may_ask_for_less_than_is_offered(asked: SubscriberSeen) -> None:
     for qos in ("best_effort", "reliable", "latched"):
-        assert see.hears(listening(asked), see.says(BEAT, String, [], qos=qos, deadline=0.5)).ok
+        assert see.hears(listening(asked), see.publish(BEAT, String, [], qos=qos, deadline=0.5)).ok
 
 
 @pytest.mark.parametrize(
@@ -38,7 +38,7 @@ def test_a_subscription_may_ask_for_less_than_is_offered(asked: SubscriberSeen) 
     ],
 )
 def test_asking_for_more_is_told_with_the_policy(asked: SubscriberSeen, words: str, step: str) -> None:
-    verdict = see.hears(listening(asked), see.says(BEAT, String, [], qos="best_effort", deadline=0.5))
+    verdict = see.hears(listening(asked), see.publish(BEAT, String, [], qos="best_effort", deadline=0.5))
     assert not verdict.ok
     assert words in verdict.saw
     assert step in verdict.try_this
@@ -46,18 +46,18 @@ def test_asking_for_more_is_told_with_the_policy(asked: SubscriberSeen, words: s
 
 
 def test_a_deadline_that_nobody_offers_is_told() -> None:
-    verdict = see.hears(listening(replace(ASKED, deadline=2.0)), see.says(BEAT, String, []))
+    verdict = see.hears(listening(replace(ASKED, deadline=2.0)), see.publish(BEAT, String, []))
     assert "asks for a deadline of 2 s, and none is offered" in verdict.saw
     assert "no deadline" in verdict.expected
 
 
 def test_one_of_several_subscriptions_that_matches_is_enough() -> None:
-    said = see.says(BEAT, String, [], qos="best_effort")
+    said = see.publish(BEAT, String, [], qos="best_effort")
     assert see.hears(listening(replace(ASKED, reliability="reliable"), ASKED), said).ok
 
 
 def test_nobody_listens() -> None:
-    assert "nothing subscribes" in see.hears(recorded(), see.says(BEAT, String, [])).saw
+    assert "nothing subscribes" in see.hears(recorded(), see.publish(BEAT, String, [])).saw
 
 
 @pytest.mark.parametrize(
@@ -77,6 +77,25 @@ def test_a_message_is_kept_by_a_reliable_transient_local_publisher(
     assert verdict.ok is (words == "")
     assert words in verdict.saw
     assert verdict.ok or (verdict.because and verdict.try_this)
+
+
+@pytest.mark.parametrize(
+    ("lifespan", "kept", "cause"),
+    [
+        (None, None, ""),
+        (None, 1, ""),
+        (7200.0, 1, ""),
+        (0.3, 1, "kept-for-latecomers.lifespan"),
+        (0.3, 0, "kept-for-latecomers.lifespan"),
+        (None, 0, "kept-for-latecomers.not-delivered"),
+    ],
+)
+def test_what_is_kept_must_reach_a_late_subscription(
+    lifespan: float | None, kept: int | None, cause: str
+) -> None:
+    offers = replace(publisher(BOOL), durability="transient_local", lifespan=lifespan)
+    topic = replace(on_topic(ALARM, BOOL), publishers=(offers,), kept=kept)
+    assert see.kept_for_latecomers(recorded(topic), see.topic(ALARM, Bool)).cause == cause
 
 
 def test_a_topic_of_another_type_is_told_first() -> None:

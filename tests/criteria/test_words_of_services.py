@@ -23,7 +23,7 @@ def with_clients(*clients: tuple[str, str], log: str = "") -> Recording:
 def test_one_call_that_arrived_suffices() -> None:
     call = CallSeen(SERVICE, "program", 1.0, 1.2, {})
     assert see.calls_service(replace(recorded(), calls=(call,)), SERVICE, TRIGGER).ok
-    by_bench = replace(recorded(), calls=(replace(call, by="bench"),))
+    by_bench = replace(recorded(), calls=(replace(call, by="judge"),))
     assert not see.calls_service(by_bench, SERVICE, TRIGGER).ok
 
 

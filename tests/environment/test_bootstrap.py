@@ -74,7 +74,7 @@ class Checkout:
         }
         script = self.course / "workbook" / "lab" / "bootstrap.py"
         command = [str(python), "-I", str(script), *arguments]
-        return subprocess.run(command, env=environ, capture_output=True, text=True, timeout=60)
+        return subprocess.run(command, env=environ, capture_output=True, text=True, timeout=600)
 
     def log(self, name: str) -> str:
         path = self.top / name

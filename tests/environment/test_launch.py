@@ -119,3 +119,27 @@ def test_the_first_start_opens_the_first_lesson_and_later_ones_open_at_home(
     main(["lab"])
     opened = [[one for one in line if "default_url" in one] for line in started]
     assert opened == [["--LabApp.default_url=/lab/tree/notebooks/00_start_here.ipynb"], []]
+
+
+@pytest.mark.parametrize("variable", ["HOME", "JUPYTER_RUNTIME_DIR", "IPYTHONDIR"])
+def test_a_folder_that_jupyter_cannot_write_is_said_in_one_line(
+    variable: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A file in its place cannot be written into, not even by root."""
+    for name in (
+        "JUPYTER_RUNTIME_DIR",
+        "JUPYTER_DATA_DIR",
+        "JUPYTER_CONFIG_DIR",
+        "IPYTHONDIR",
+        "XDG_RUNTIME_DIR",
+    ):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("HOME", str(tmp_path))
+    file = tmp_path / "file"
+    file.touch()
+    monkeypatch.setenv(variable, str(file))
+    assert main(["lab", "--no-browser"]) == 1
+    said = capsys.readouterr().err
+    assert f"JupyterLab keeps files in {file}" in said
+    assert "Set HOME to a folder of yours" in said
+    assert len(said.strip().splitlines()) == 1

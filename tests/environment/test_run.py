@@ -98,13 +98,20 @@ def test_an_unlisted_skip_fails_in_ci_only(
     report = tmp_path / "report.xml"
     write = f"import pathlib; pathlib.Path({str(report)!r}).write_text({REPORT!r})"
     step = proof.Step("tests", "style", (sys.executable, "-c", write), report)
-    monkeypatch.setattr(proof, "steps", lambda _jobs: [step])
+    monkeypatch.setattr(proof, "steps", lambda _jobs, *, whole: [step])
     assert proof.main([]) == code
     assert ("test_light (no Chromium)" in capfd.readouterr().out) == bool(code)
 
 
 def test_workers_can_be_chosen(proof: ModuleType) -> None:
     assert proof.steps("7")[-1].command[-2:] == ("-n", "7")
+
+
+def test_the_core_leaves_out_what_belongs_to_the_whole_run(proof: ModuleType) -> None:
+    tests, all_tests = (proof.steps(whole=whole)[-1] for whole in (False, True))
+    marks = tests.command.index("-m", 3) + 1
+    assert tests.command[marks] == tests.alone[marks] == "not whole"
+    assert "not whole" not in all_tests.command
 
 
 def test_how_busy_the_processors_were_is_kept(

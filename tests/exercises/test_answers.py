@@ -306,3 +306,161 @@ def test_the_domains_that_a_program_may_stand_on_are_found() -> None:
     text = "DOMAIN = 30\nrclpy.init(domain_id=31, args=['a'])\nos.environ['ROS_DOMAIN_ID'] = '42'\nPERIOD_S = 2.0\n"
     assert domains_named(text) == {30, 31, 42}
     assert domains_named("rclpy.init()\nself.create_timer(2, self.tick)\n") == frozenset()
+
+
+# --- other kinds of files, and cells that are nearly answers ------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("raw", "words"),
+    [
+        (b"x = 1\n<<<<<<< HEAD\ny = 1\n=======\ny = 2\n>>>>>>> theirs\n", "conflict in line 2"),
+        (b"version https://git-lfs.github.com/spec/v1\noid sha256:12\nsize 3\n", "Git LFS"),
+        (b"<!DOCTYPE html><html></html>", "web page"),
+        (b"{\\rtf1\\ansi print(1)}", "RTF"),
+        (b"%PDF-1.7\n", "PDF"),
+        (b"PK\x03\x04\x14\x00", "ZIP"),
+        (b"\x89PNG\r\n\x1a\n\0", "picture"),
+        (b"Traceback (most recent call last):\n  File 'a.py'\n", "error message"),
+        (b"$ python answer.py\nhello\n", "terminal"),
+        (b"me@robot:~/ws$ python3 a.py\n", "terminal"),
+        (b">>> import rclpy\n>>> rclpy.init()\n", "interactive session"),
+        (b"From: me\nTo: you\nSubject: my answer\n\nHello\n", "e-mail"),
+        (b"!pip install rclpy\nimport rclpy\n", "line 1 is a notebook command"),
+        (b"import rclpy\n%matplotlib inline\n", "line 2 is a notebook command"),
+    ],
+)
+def test_other_kinds_of_files_under_the_name_of_a_program(raw: bytes, words: str, program: Path) -> None:
+    program.write_bytes(raw)
+    assert words in refused(program)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        'notes = """\n<<<<<<< HEAD\n>>>>>>> theirs\n!pip\n"""\n',
+        '"""\nFrom: me\nTo: you\n"""\n',
+        "speed = = 3\n!pip\n",
+        "def f(:\n    x = 5\n% 3\n",
+    ],
+)
+def test_programs_are_not_taken_for_something_else(text: str, program: Path) -> None:
+    program.write_text(text)
+    assert text_of(program) == text
+
+
+def test_a_notebook_under_the_name_of_a_program_is_read(program: Path) -> None:
+    store(program, code("%%answer 09\nx = 1"))
+    assert text_of(program) == "x = 1\n"
+    store(program, code("x = 1"))
+    assert "no cell that begins with" in refused(program)
+
+
+def test_the_answer_in_an_exported_notebook_is_read(program: Path) -> None:
+    lines = [
+        "#!/usr/bin/env python",
+        "get_ipython().run_line_magic('pip', 'list')",
+        "get_ipython().run_cell_magic('answer', '05_timers', 'x = 0')",
+        "get_ipython().run_cell_magic('answer', '09 --check', 'x = \"a\"\\n')",
+        "x = 2",
+    ]
+    program.write_text("\n".join(lines))
+    assert text_of(program) == 'x = "a"\n'
+
+
+@pytest.mark.parametrize(
+    ("cells", "words"),
+    [
+        ([code(line + "\nx = 1")], f"cell 1 has the line `{' '.join(line.split())}`")
+        for line in (
+            "%answer 09",
+            "%%Answer 09",
+            "%%ANSWER 09",
+            "%%anwser 09",
+            "%%answr 09",
+            "%%answers 09",
+            "%% answer 09",
+            "# %%answer 09",
+            "#%%answer 09",
+            "%%answer",
+            "%%answer: 09",
+            "%%answer '09'",
+            '%%answer "09"',
+            "%%answer 09.py",
+            "%%answer 09 # final",
+            "%%answer = 09",
+            "\uff05\uff05answer 09",
+            "%%%answer 09",
+            "!!answer 09",
+            "%%answer09",
+            "> %%answer 09",
+        )
+    ]
+    + [
+        ([code("x = 1"), code("%%time\n%%answer 09\nx = 1")], "cell 2 has `%%answer 09` in line 2"),
+        ([{"cell_type": "markdown", "source": "%%answer 09\nx"}], "it is a markdown cell"),
+        ([{"cell_type": "raw", "source": "%%answer 09\nx"}], "it is a raw cell"),
+        ([code("%%answer 09_joint_postions\nx = 1")], "the notebook answers 09_joint_postions, and not"),
+    ],
+)
+def test_a_cell_that_is_nearly_an_answer_is_told(cells: list[Any], words: str, notebook: Path) -> None:
+    assert words in refused(store(notebook, *cells))
+
+
+def test_an_empty_last_answer_tells_of_the_one_above(notebook: Path) -> None:
+    store(notebook, code("%%answer 09\nx = 1"), code("y"), code("%%answer 09\n"))
+    said = refused(notebook)
+    assert "cell 3, is empty" in said
+    assert "cell 1" in said
+
+
+@pytest.mark.parametrize(
+    ("raw", "words"),
+    [
+        (b"", "empty"),
+        (b"null", "other data"),
+        (b"[]", "other data"),
+        (b"{}", "no list of cells"),
+        (b'{"cells": [null]}', "cell 1 is damaged"),
+        (b'{"cells": [', "cut off"),
+        (b"import rclpy\n", "something else"),
+        (b'{"worksheets": []}', "nbformat 3"),
+        (b'{"cells": [{"source": "gr\xfc\xdf"}]}', "not UTF-8"),
+        (b'{"cells": [\n<<<<<<< HEAD\n', "conflict in line 2"),
+    ],
+)
+def test_a_notebook_that_is_none_is_refused_in_a_sentence(raw: bytes, words: str, notebook: Path) -> None:
+    notebook.write_bytes(raw)
+    said = refused(notebook)
+    assert words in said
+    assert "Error" not in said
+
+
+@pytest.mark.parametrize(
+    ("cells", "words"),
+    [
+        (["%%answer 09\nrobot = 1", "%%answer 09\nrobot = 2"], "Cells 1 and 2 begin with"),
+        (
+            ["%%answer 09\nimport rclpy", "class Body:\n    pass"],
+            "Cell 2, right after the answer, holds code",
+        ),
+        (["%%answer 09\nimport rclpy", "", "    def tick(self):\n        pass"], "Cell 3, right after"),
+        (["%%answer 09\nimport rclpy", "%check 09", "import math"], ""),
+        (["%%answer 09\nimport rclpy", "%%answer 05\nimport math"], ""),
+        (["import math", "%%answer 09\nimport rclpy"], ""),
+    ],
+)
+def test_what_else_the_notebook_holds_is_noted(tmp_path: Path, cells: list[str], words: str) -> None:
+    path = tmp_path / "answer.ipynb"
+    notebook = {
+        "nbformat": 4,
+        "nbformat_minor": 5,
+        "metadata": {},
+        "cells": [
+            {"cell_type": "code", "source": text, "metadata": {}, "outputs": [], "execution_count": None}
+            for text in cells
+        ],
+    }
+    path.write_text(json.dumps(notebook))
+    answer = read_answer(path, "09_joint_positions")
+    assert words in answer.note and bool(answer.note) == bool(words)

@@ -1,5 +1,6 @@
 """Exercise 16 on recordings made by hand: a good one, and causes that no wrong answer reaches."""
 
+import random
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import Any
@@ -10,7 +11,7 @@ from tests.criteria.by_hand import ended_by_itself, publisher, recorded
 from workbook.criteria import Verdict
 from workbook.exercise.course import course_folder
 from workbook.exercise.definition import load_exercise
-from workbook.recording.recording import Arrival, Recording, Said, SubscriberSeen, TopicRecording
+from workbook.recording.recording import Arrival, Published, Recording, SubscriberSeen, TopicRecording
 
 CRITERIA = {one.id: one for one in load_exercise("16_ai_model", course_folder()).criteria}
 NAMES: dict[str, Any] = CRITERIA["survives"].judge.__globals__
@@ -77,13 +78,13 @@ def recording(
             ("/robot/imu", "sensor_msgs/msg/Imu"),
         )
     }
-    said = [Said("/camera/image", at, at, {}) for at in SENT] + [
-        Said("/robot/imu", at, at, {}) for at in FELT
+    said = [Published("/camera/image", at, at, {}) for at in SENT] + [
+        Published("/robot/imu", at, at, {}) for at in FELT
     ]
     return replace(
         made,
         topics={**made.topics, **listeners},
-        said=tuple(sorted(said, key=lambda one: one.wall)),
+        published=tuple(sorted(said, key=lambda one: one.wall)),
         process=replace(made.process, log=log),
         seed=SEED,
     )
@@ -213,6 +214,40 @@ def test_a_cause(cause: str, criterion: str, make: Callable[[], Recording]) -> N
     assert verdict.expected and verdict.because and verdict.try_this
 
 
+@pytest.mark.parametrize("lag", [4, 6, 7])
+@pytest.mark.parametrize("blur", [0.0, 1.5])
+def test_the_header_of_a_later_picture_costs_the_point_for_stamps_alone(lag: int, blur: float) -> None:
+    """The model takes 0.2 s, and the header is that of the newest picture when it returns."""
+    dice = random.Random(lag)
+    made = []
+    for number in range(8, 52):
+        shown = 6 * number
+        if not {shown, shown + lag} & set(RUN.in_glare):
+            message = markers_of(shown + lag, shown)
+            for one in message["markers"]:
+                one["pose"] = {
+                    "position": {k: v + dice.gauss(0.0, blur) for k, v in one["pose"]["position"].items()}
+                }
+            made.append((SENT[shown] + lag / 30 + 0.01, message))
+    seen = recording(made)
+    verdict = judged("stamps_kept", seen)
+    assert verdict.cause == "stamps-kept.later-picture", verdict
+    others = {
+        name: judged(name, seen).saw for name in ("fresh", "right", "survives") if not judged(name, seen).ok
+    }
+    assert others == {}
+
+
+def test_without_stamps_freshness_is_not_judged() -> None:
+    nothing = {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": ""}
+    made = [
+        (at, {"markers": [{**one, "header": nothing} for one in value["markers"]]}) for at, value in found()
+    ]
+    seen = recording(made)
+    assert judged("stamps_kept", seen).cause == "stamps-kept.no-stamp"
+    assert {judged(name, seen).status for name in ("fresh", "right")} == {"skipped"}
+
+
 def test_a_fall_that_waits_for_the_model_is_told_apart() -> None:
     """The status comes right after each message with detections: one thread serves both."""
     after = [(at + 0.005, {"data": "error" if at > FALLEN + 0.7 else "operational"}) for at, _ in found()]
@@ -223,8 +258,8 @@ def test_a_fall_that_waits_for_the_model_is_told_apart() -> None:
 
 def test_a_program_that_ended_before_the_fall_is_not_blamed_for_it() -> None:
     seen = recording(status=beats(until=5.0))
-    cut = tuple(one for one in seen.said if one.wall < 5.0)
-    verdict = judged("fall_reported", replace(seen, said=cut, process=ended_by_itself()))
+    cut = tuple(one for one in seen.published if one.wall < 5.0)
+    verdict = judged("fall_reported", replace(seen, published=cut, process=ended_by_itself()))
     assert verdict.cause == "fall-reported.ended-before"
 
 
@@ -241,3 +276,44 @@ def test_the_heartbeat_of_a_program_that_ended_counts_until_its_end() -> None:
     ended = replace(seen, process=ended_by_itself(), wanted=(STATUS, DETECTIONS))
     cut = {**ended.topics, DETECTIONS: on(DETECTIONS, "visualization_msgs/msg/MarkerArray", found(until=3.9))}
     assert judged("heartbeat_kept", replace(ended, topics=cut)).ok
+
+
+STANDS_AT, STANDS_S = 4.0, 0.9
+
+
+def held_up(seen: Recording) -> Recording:
+    """The recording of a machine on which everything stood still once, for so long."""
+
+    def late(at: float) -> float:
+        return at if at < STANDS_AT else at + STANDS_S
+
+    def moved(topic: TopicRecording) -> TopicRecording:
+        arrivals = tuple(replace(one, t=late(one.t), wall=late(one.wall)) for one in topic.arrivals)
+        return replace(topic, arrivals=arrivals, window=topic.window and (0.0, late(topic.window[1])))
+
+    return replace(
+        seen,
+        topics={name: moved(topic) for name, topic in seen.topics.items()},
+        published=tuple(replace(one, t=late(one.t), wall=late(one.wall)) for one in seen.published),
+    )
+
+
+def test_a_machine_that_stood_still_costs_a_right_answer_nothing() -> None:
+    seen = held_up(recording())
+    lost = {name: one(seen) for name, one in CRITERIA.items() if name != "program_runs" and not one(seen).ok}
+    assert lost == {}
+
+
+def test_a_program_that_stands_still_alone_loses() -> None:
+    """The judge went on sending."""
+    still = held_up(recording())
+    alone = replace(still, published=recording().published)
+    assert judged("heartbeat_kept", alone).cause == "heartbeat-kept.held-up"
+
+
+@pytest.mark.parametrize(("cause", "criterion", "make"), CASES, ids=[case[0] for case in CASES])
+def test_a_machine_that_stood_still_hides_no_cause(
+    cause: str, criterion: str, make: Callable[[], Recording]
+) -> None:
+    verdict = judged(criterion, held_up(make()))
+    assert (verdict.status, verdict.cause) == ("failed", cause), verdict

@@ -8,9 +8,9 @@ import pytest
 from rclpy.serialization import deserialize_message, serialize_message
 from std_msgs.msg import Float32
 
-from tests.exercises.test_proofs import ROOT, SEEDS
+from tests.exercises.proofs import ROOT, SEEDS
 from workbook.exercise.definition import Exercise, load_exercise
-from workbook.recording.script import Says
+from workbook.recording.script import Publishes
 
 EXERCISE = load_exercise("04_subscriptions_and_callbacks", ROOT)
 CRITERIA = EXERCISE.criteria[-1].judge.__globals__
@@ -19,7 +19,7 @@ CRITERIA = EXERCISE.criteria[-1].judge.__globals__
 def lines(exercise: Exercise) -> tuple[list[tuple[float, float]], list[float]]:
     """The readings with their times (s), and those of the other robot."""
     ours, others = exercise.plan.script.parts
-    assert isinstance(ours, Says) and isinstance(others, Says)
+    assert isinstance(ours, Publishes) and isinstance(others, Publishes)
     return [(one.at, one.value["data"]) for one in ours.lines], [one.value["data"] for one in others.lines]
 
 

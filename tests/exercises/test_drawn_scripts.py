@@ -4,11 +4,11 @@ from dataclasses import replace
 
 import pytest
 
-from tests.exercises.test_proofs import ROOT, SEEDS, STEMS
+from tests.exercises.proofs import ROOT, SEEDS, STEMS
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
-from workbook.grading.pool import Slot
-from workbook.recording.script import Part, Says, Script, Serves
+from workbook.grading.slots.client import Slot
+from workbook.recording.script import Part, Publishes, Script, Serves
 
 DRAWN = tuple(stem for stem in STEMS if not isinstance(load_exercise(stem, ROOT).watching.script, Script))
 
@@ -32,13 +32,13 @@ def test_a_script_is_drawn_from_its_seed_alone(exercise: Exercise) -> None:
 
 def test_every_draw_has_the_same_topics_and_ends_in_time(exercise: Exercise) -> None:
     plan = exercise.plan
-    watched_s = plan.robot_s if exercise.source.clock == "simulated" else plan.wall_s
+    watched_s = plan.simulated_s if exercise.source.clock == "simulated" else plan.wall_s
     for seed in range(SEEDS):
         script = exercise.drawn(seed).plan.script
         assert [*map(shape, script.parts)] == [*map(shape, plan.script.parts)]
         assert script.last_at < watched_s
         for part in script.parts:
-            assert not isinstance(part, Says) or part.lines
+            assert not isinstance(part, Publishes) or part.lines
 
 
 def test_a_slot_draws_from_the_seed_that_it_is_given_and_else_from_another_each_time() -> None:
@@ -46,13 +46,13 @@ def test_a_slot_draws_from_the_seed_that_it_is_given_and_else_from_another_each_
     answer = Answer(exercise.source.solution_code)
     with Slot() as slot:
         recordings = [
-            slot.judge(exercise.stem, answer, thorough=False, seed=seed).recording for seed in (7, None, None)
+            slot.judge(exercise.stem, answer, soak=False, seed=seed).recording for seed in (7, None, None)
         ]
     assert len({one.seed for one in recordings if one is not None}) == 3
     for one in recordings:
         assert one is not None and one.seed is not None
         part = exercise.drawn(one.seed).plan.script.parts[0]
-        assert isinstance(part, Says)
-        said = [word.value for word in one.said if word.topic == part.topic]
+        assert isinstance(part, Publishes)
+        said = [word.value for word in one.published if word.topic == part.topic]
         assert repr(said) == repr([dict(line.value) for line in part.lines])
     assert recordings[0] is not None and recordings[0].seed == 7

@@ -7,10 +7,10 @@ from dataclasses import replace
 import pytest
 
 from tests.criteria.by_hand import on_topic, recorded
-from tests.exercises.test_proofs import ROOT
+from tests.exercises.proofs import ROOT
 from workbook.exercise.definition import load_exercise
-from workbook.recording.recording import Said
-from workbook.recording.script import Says
+from workbook.recording.recording import Published
+from workbook.recording.script import Publishes
 
 EXERCISE = load_exercise("10_slow_callbacks", ROOT)
 CRITERIA = {one.id: one for one in EXERCISE.criteria}
@@ -26,7 +26,7 @@ Waiting = list[float]
 
 def requested(seed: int) -> list[Event]:
     [part] = EXERCISE.drawn(seed).plan.script.parts
-    assert isinstance(part, Says)
+    assert isinstance(part, Publishes)
     return [(line.at, line.value["data"]) for line in part.lines]
 
 
@@ -60,10 +60,12 @@ def told(wrong: Callable[[list[Event]], Sequence[Event]], criterion: str) -> set
     causes = set()
     for seed in range(SEEDS):
         requests = requested(seed)
-        said = tuple(Said("/robot/plan_request", at, at, {"data": distance}) for at, distance in requests)
+        said = tuple(
+            Published("/robot/plan_request", at, at, {"data": distance}) for at, distance in requests
+        )
         plans = sorted(wrong(requests))
         heard = on_topic("/robot/plan", times=[at for at, _ in plans], values=[bend for _, bend in plans])
-        causes.add(CRITERIA[criterion](replace(recorded(heard), said=said)).cause)
+        causes.add(CRITERIA[criterion](replace(recorded(heard), published=said)).cause)
     return causes
 
 

@@ -7,11 +7,11 @@ from itertools import groupby
 import pytest
 
 from tests.criteria.by_hand import on_topic, recorded
-from tests.exercises.test_proofs import ROOT
+from tests.exercises.proofs import ROOT
 from workbook.criteria import Recording
 from workbook.exercise.definition import load_exercise
-from workbook.recording.recording import Said
-from workbook.recording.script import Says
+from workbook.recording.recording import Published
+from workbook.recording.script import Publishes
 
 EXERCISE = load_exercise("11_polling_against_callbacks", ROOT)
 CRITERIA = {one.id: one for one in EXERCISE.criteria}
@@ -23,14 +23,14 @@ Touch = tuple[float, int]
 
 def touches(seed: int) -> list[Touch]:
     [part] = EXERCISE.drawn(seed).plan.script.parts
-    assert isinstance(part, Says)
+    assert isinstance(part, Publishes)
     return [(line.at, line.value["data"]) for line in part.lines]
 
 
 def recording_of(said: Sequence[Touch], reports: Sequence[Touch]) -> Recording:
-    words = tuple(Said("/robot/touch", at, at, {"data": number}) for at, number in said)
+    words = tuple(Published("/robot/touch", at, at, {"data": number}) for at, number in said)
     times, numbers = [at + PROMPTLY_S for at, _ in reports], [number for _, number in reports]
-    return replace(recorded(on_topic("/monitor/seen", "std_msgs/msg/Int32", times, numbers)), said=words)
+    return replace(recorded(on_topic("/monitor/seen", "std_msgs/msg/Int32", times, numbers)), published=words)
 
 
 def told(wrong: Callable[[list[Touch]], Sequence[Touch]], criterion: str) -> set[str]:

@@ -7,7 +7,7 @@ from operator import itemgetter
 import pytest
 
 from tests.criteria.by_hand import every, on_topic, recorded
-from tests.exercises.test_proofs import ROOT
+from tests.exercises.proofs import ROOT
 from workbook.exercise.definition import load_exercise
 from workbook.recording.recording import CallSeen
 from workbook.recording.script import Serves
@@ -70,7 +70,7 @@ def cause_in(calls: list[Asked], said: Sequence[Report], criterion: str) -> str:
     words = sorted(((at + PROMPTLY_S, word) for at, word in said if at < end), key=itemgetter(0))
     health = on_topic("/robot/health", TEXT, [at for at, _ in words], [word for _, word in words])
     heart = on_topic("/robot/heartbeat", TEXT, every(0.2, 62), ["alive"] * 62, window=(0.0, end))
-    recording = replace(recorded(health, heart), calls=tuple(map(call_seen, calls)), robot_s=end)
+    recording = replace(recorded(health, heart), calls=tuple(map(call_seen, calls)), simulated_s=end)
     return CRITERIA[criterion](recording).cause
 
 

@@ -9,11 +9,11 @@ from itertools import pairwise
 import pytest
 
 from tests.criteria.by_hand import on_topic, recorded
-from tests.exercises.test_proofs import ROOT
+from tests.exercises.proofs import ROOT
 from workbook.criteria import Recording
 from workbook.exercise.definition import load_exercise
-from workbook.recording.recording import Said, SubscriberSeen, TopicRecording
-from workbook.recording.script import Says
+from workbook.recording.recording import Published, SubscriberSeen, TopicRecording
+from workbook.recording.script import Publishes
 
 EXERCISE = load_exercise("13_qos_and_discovery", ROOT)
 CRITERIA = {one.id: one for one in EXERCISE.criteria}
@@ -239,7 +239,7 @@ def watched(wrong: type[Dashboard], seed: int) -> Recording:
     """What such a program does in one run. Its timers begin at some moment, another one for each seed."""
     phases = random.Random(seed)
     status, heart = EXERCISE.drawn(seed).plan.script.parts
-    assert isinstance(status, Says) and isinstance(heart, Says)
+    assert isinstance(status, Publishes) and isinstance(heart, Publishes)
     end = EXERCISE.plan.wall_s
     dashboard = wrong()
     first, *changes = status.lines
@@ -264,9 +264,11 @@ def watched(wrong: type[Dashboard], seed: int) -> Recording:
     beats = SubscriberSeen("/dashboard", TEXT, "best_effort", "volatile")
     heard = [replace(on_topic(status.topic), publishers=(), subscribers=(asks,))]
     heard += [replace(on_topic(heart.topic), publishers=(), subscribers=(beats,))]
-    said = [Said(part.topic, one.at, one.at, one.value) for part in (status, heart) for one in part.lines]
+    said = [
+        Published(part.topic, one.at, one.at, one.value) for part in (status, heart) for one in part.lines
+    ]
     said.sort(key=lambda one: one.t)
-    return replace(recorded(line, alarm, *heard), said=tuple(said), robot_s=end)
+    return replace(recorded(line, alarm, *heard), published=tuple(said), simulated_s=end)
 
 
 def unzipped(pairs: Sequence[tuple[float, object]]) -> tuple[list[float], list[object]]:
@@ -345,7 +347,7 @@ def test_what_was_shown_in_one_run_is_wrong_in_nearly_all_others() -> None:
 @pytest.mark.parametrize("seed", range(SEEDS))
 def test_most_statuses_last_until_a_line_must_show_them(seed: int) -> None:
     status, _ = EXERCISE.drawn(seed).plan.script.parts
-    assert isinstance(status, Says)
+    assert isinstance(status, Publishes)
     begins = [*(max(0.0, line.at) for line in status.lines), EXERCISE.plan.wall_s]
     lasting = [end - begin >= LASTS_S for begin, end in pairwise(begins)]
     assert sum(lasting) >= 5 and all(lasting[-2:])

@@ -6,15 +6,15 @@ from typing import Any
 
 import pytest
 
-from tests.exercises.test_proofs import ROOT, SEEDS
+from tests.exercises.proofs import ROOT, SEEDS
 from workbook.exercise.definition import load_exercise
-from workbook.recording.script import Says
+from workbook.recording.script import Publishes
 
 
 def words(exercise: str, seed: int, topic: str) -> list[Any]:
     """What the judge says on a topic in one draw."""
     parts = load_exercise(exercise, ROOT).drawn(seed).plan.script.parts
-    [part] = [one for one in parts if isinstance(one, Says) and one.topic == topic]
+    [part] = [one for one in parts if isinstance(one, Publishes) and one.topic == topic]
     return [line.value["data"] for line in part.lines]
 
 
@@ -54,7 +54,7 @@ def test_06_says_every_number_once(seed: int) -> None:
     assert len({*jobs}) == len(jobs) == made["JOBS"] + made["JOBS_IN_A_ROW"]
     assert len({*words("06_spinning", seed, "/quiet/words")}) == made["QUIET_WORDS"]
     part = load_exercise("06_spinning", ROOT).drawn(seed).plan.script.parts[1]
-    assert isinstance(part, Says)
+    assert isinstance(part, Publishes)
     burst = [line.at for line in part.lines if line.value["data"]][: made["BURST_WORDS"]]
     assert len({*burst}) == 1 and 0.2 < burst[0] < 1.0
 

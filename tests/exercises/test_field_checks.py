@@ -119,7 +119,7 @@ def test_an_int_is_run_again_and_quoted(exercise: Exercise, observer: Observer) 
     assert len(recording.notes) == 1
     assert COMPLAINT in because(judgement)
     # The rest of the recording is that of the first run: stock ROS, and the end that was asked for.
-    assert recording.process.ended_by == "bench"
+    assert recording.process.ended_by == "judge"
     assert COMPLAINT not in recording.process.log
     stored = Recording.from_json(recording.to_json())
     assert judge_recording(exercise, "", stored).criteria == judgement.criteria

@@ -20,7 +20,7 @@ from workbook.recording.recording import (
     Recording,
     TopicRecording,
 )
-from workbook.recording.script import Says
+from workbook.recording.script import Publishes
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -113,7 +113,7 @@ def calls_of_publish_level(delay: float) -> Recording:
     exercise = load_exercise("03_publishers_and_messages", ROOT)
     number_in = exercise.criteria[-1].judge.__globals__["number_in"]
     [part] = exercise.plan.script.parts
-    assert isinstance(part, Says)
+    assert isinstance(part, Publishes)
     [line] = part.lines
     levels, now = [], 1.0
     said = [Arrival(now, now, {"data": "made"}, now)]
@@ -138,14 +138,14 @@ def calls_of_publish_level(delay: float) -> Recording:
     return Recording(
         clock="wall",
         domain_id=17,
-        robot_s=4.5,
+        simulated_s=4.5,
         wall_s=5.0,
         topics={
             "/driver/report": topic("/driver/report", "String", said),
             "/robot/battery": topic("/robot/battery", "Float32", levels),
         },
         nodes=(NodeSeen("/battery_publisher", 0.1),),
-        process=ProcessRecord(program="answer.py", exit=0, ended_at=5.0, ended_by="bench", watched_for=5.0),
+        process=ProcessRecord(program="answer.py", exit=0, ended_at=5.0, ended_by="judge", watched_for=5.0),
     )
 
 

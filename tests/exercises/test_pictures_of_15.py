@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from tests.exercises.test_proofs import SEEDS
+from tests.exercises.proofs import SEEDS
 from workbook.criteria import seen_pixel, things_seen
 from workbook.exercise.course import course_folder
 from workbook.exercise.definition import load_exercise

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 import pytest
 
-from tests.exercises.test_proofs import SEEDS
+from tests.exercises.proofs import SEEDS
 from workbook.criteria import camera_image
 from workbook.exercise.course import course_folder
 from workbook.exercise.definition import load_exercise

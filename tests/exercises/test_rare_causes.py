@@ -9,10 +9,10 @@ import pytest
 
 from tests.criteria.by_hand import LIVING, ended_by_itself, every, on_topic, publisher, recorded
 from workbook.criteria import Verdict
-from workbook.exercise.conclusiveness import BUSY_MACHINE
 from workbook.exercise.definition import load_exercise
-from workbook.recording.recording import CallSeen, Recording, Said, TopicRecording
-from workbook.recording.script import Says
+from workbook.exercise.inconclusive import BUSY_MACHINE
+from workbook.recording.recording import CallSeen, Published, Recording, TopicRecording
+from workbook.recording.script import Publishes
 
 ROOT = Path(__file__).resolve().parents[2]
 FLOAT, TEXT, NUMBERS = "std_msgs/msg/Float32", "std_msgs/msg/String", "std_msgs/msg/Int32MultiArray"
@@ -129,18 +129,18 @@ def test_11_a_busy_machine_hides_how_much_a_loop_wants(used: float, in_line_s: f
 
 def test_13_a_line_that_follows_only_while_the_heart_beats() -> None:
     changes = [(-1.0, "error"), (2.0, "operational"), (4.5, "error"), (6.0, "operational")]
-    said = tuple(Said("/robot/status", at, at, {"data": word}) for at, word in changes)
+    said = tuple(Published("/robot/status", at, at, {"data": word}) for at, word in changes)
     times = every(0.5, 27)
     line = on_topic("/dashboard/line", TEXT, times, ["error" if at < 6.0 else "operational" for at in times])
-    verdict = judged("13_qos_and_discovery", "status_follows", replace(recorded(line), said=said))
+    verdict = judged("13_qos_and_discovery", "status_follows", replace(recorded(line), published=said))
     refused_for("status-follows.only-sometimes", verdict, 'named "operational" only after later changes')
 
 
-def touches_of_11() -> tuple[tuple[Said, ...], list[float], list[int]]:
+def touches_of_11() -> tuple[tuple[Published, ...], list[float], list[int]]:
     """What the judge says in one run, the moments (s) and the numbers."""
     [part] = load_exercise("11_polling_against_callbacks", ROOT).plan.script.parts
-    assert isinstance(part, Says)
-    said = tuple(Said(part.topic, line.at, line.at, line.value) for line in part.lines)
+    assert isinstance(part, Publishes)
+    said = tuple(Published(part.topic, line.at, line.at, line.value) for line in part.lines)
     return said, [one.t for one in said], [one.value["data"] for one in said]
 
 
@@ -148,7 +148,7 @@ def test_11_a_program_that_ends_in_a_pause_without_touches() -> None:
     said, moments, numbers = touches_of_11()
     seen = on_topic("/monitor/seen", "std_msgs/msg/Int32", moments[:40], numbers[:40])
     for process, cause in ((ended_by_itself(exit=0), "ended"), (LIVING, "stops")):
-        recording = replace(recorded(seen, process=process), said=said)
+        recording = replace(recorded(seen, process=process), published=said)
         verdict = judged("11_polling_against_callbacks", "none_missed", recording)
         refused_for(f"none-missed.{cause}", verdict, f"nothing after touch {numbers[39]}: 20 missed")
 
@@ -230,7 +230,8 @@ def monitor(*readings: float) -> Recording:
     late = replace(seen, publishers=tuple(replace(one, first_seen=2.0) for one in seen.publishers))
     said = [(0.5 + 0.1 * n, level) for n, level in enumerate((52.0, 50.25, 49.5, 49.25))]
     return replace(
-        recorded(late), said=tuple(Said("/robot/battery", at, at, {"data": level}) for at, level in said)
+        recorded(late),
+        published=tuple(Published("/robot/battery", at, at, {"data": level}) for at, level in said),
     )
 
 
@@ -258,7 +259,7 @@ def test_06_words_handled_twice() -> None:
     heard = [[1, word] for word in range(1, 21)]
     recording = pumped(["begin 1"], heard=[*heard, [1, 1]])
     recording = replace(
-        recording, said=tuple(Said("/robot/words", 0.5, 0.5, {"data": word}) for _, word in heard)
+        recording, published=tuple(Published("/robot/words", 0.5, 0.5, {"data": word}) for _, word in heard)
     )
     verdict = judged("06_spinning", "words_handled", recording)
     refused_for("words-handled.more-than-once", verdict, "21 words handled, but only 20 were sent")
@@ -295,7 +296,7 @@ def test_06_the_first_call_raises(log: str, cause: str, words: str) -> None:
 def test_11_a_little_late_on_a_busy_machine() -> None:
     said, moments, numbers = touches_of_11()
     late = on_topic("/monitor/seen", "std_msgs/msg/Int32", [at + 0.02 for at in moments], numbers)
-    busy = replace(recorded(late), said=said, in_line_s=0.3)
+    busy = replace(recorded(late), published=said, in_line_s=0.3)
     verdict = judged("11_polling_against_callbacks", "quick", busy)
     refused_for("quick.busy-machine", verdict, "waited 0.3 s for a processor")
     assert verdict.cause.endswith(BUSY_MACHINE)
@@ -310,7 +311,7 @@ def test_07_what_the_node_reports_while_it_is_called_is_its_own() -> None:
     battery = on_topic("/robot/battery", FLOAT, moments, [99.875, 99.75, 42.0, 99.625, 55.2, 99.5])
     status = on_topic("/robot/status", TEXT, [2.62, 2.63], ["operational", "error"])
     seen = recorded(battery, status, on_topic("/driver/report", TEXT, [2.7], [""]))
-    own = made["by_itself"](replace(seen, said=(Said("/driver/go", 2.6, 2.6, {"data": "go"}),)))
+    own = made["by_itself"](replace(seen, published=(Published("/driver/go", 2.6, 2.6, {"data": "go"}),)))
     assert [one.value["data"] for one in own.topic("/robot/battery").arrivals] == [
         99.875,
         99.75,

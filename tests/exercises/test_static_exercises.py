@@ -63,7 +63,7 @@ def exercise(kind: str) -> Exercise:
     short = replace(
         real,
         criteria=(clean, guarded),
-        plan=replace(real.plan, topics=("/robot/battery",), robot_seconds=4.0),
+        plan=replace(real.plan, topics=("/robot/battery",), simulated_seconds=4.0),
         periods={},
         probes={MISUSE.name: MISUSE.code},
     )

@@ -4,7 +4,7 @@ from types import ModuleType
 
 from workbook.exercise.course import course_folder
 from workbook.exercise.definition import load_exercise
-from workbook.recording.script import Says
+from workbook.recording.script import Publishes
 
 ROOT = course_folder()
 
@@ -26,7 +26,7 @@ def constants_of(stem: str) -> ModuleType:
 def lines_of(stem: str) -> int:
     """How many messages the judge sends."""
     [part] = load_exercise(stem, ROOT).plan.script.parts
-    assert isinstance(part, Says)
+    assert isinstance(part, Publishes)
     return len(part.lines)
 
 

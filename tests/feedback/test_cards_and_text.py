@@ -18,7 +18,7 @@ from workbook.feedback.markdown import as_markdown
 from workbook.feedback.moment import Film, Moment
 from workbook.feedback.review import review_prompt
 from workbook.feedback.text import as_text
-from workbook.feedback.wording import first_to_mend, worst_first
+from workbook.feedback.wording import clock_line, first_to_mend, worst_first
 from workbook.recording.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -269,12 +269,16 @@ def test_a_program_that_never_ran_shows_neither_points_of_none_nor_seconds_of_no
     for text in (Reader(as_html(judgement)).text, as_text(judgement), as_markdown(judgement)):
         assert not re.search(r"\b0( of |/)0\b|\b0(\.0)? (real )?s(econds)?\b", text)
         assert "ended before there was anything to watch" in text.replace("&#46;", ".")
+    recording = judgement.recording
+    assert recording is not None
+    running = replace(recording, process=replace(recording.process, ended_by=None))
+    assert clock_line(replace(judgement, recording=running)) == "There was nothing to watch."
     assert "needed" in Reader(as_html(judgement)).text
     assert "<progress" not in as_html(not_judged())
 
 
 def test_a_card_of_a_gradebook_promises_no_other_try() -> None:
-    doubtful = replace(judged("period_for_frequency"), doubt="this machine was busy")
+    doubtful = replace(judged("period_for_frequency"), inconclusive_reason="this machine was busy")
     assert "another try decides" in as_html(doubtful)
     assert "another try decides" not in as_html(doubtful, Extras(is_graded=True))
     assert "another try decides" not in as_markdown(doubtful)
@@ -341,7 +345,7 @@ def test_each_result_says_which_clock_was_used() -> None:
     assert "14 s of robot time" in as_text(judged("solution"))
     assert "wall clock" in as_text(judged("period_for_frequency"))
     lived = replace(judged("solution"), watched_real_life=True)
-    assert "kept running until" in as_text(lived)
+    assert "Then started again" in as_text(lived)
 
 
 def test_parts_of_points_are_shown() -> None:

@@ -47,7 +47,7 @@ def change(out: Path, text: str, *more: str) -> int:
 
 
 def table(path: Path) -> dict[str, dict[str, str]]:
-    with path.open(newline="", encoding="utf-8") as file:
+    with path.open(newline="", encoding="utf-8-sig") as file:
         rows = list(csv.DictReader(file))
     return {next(iter(row.values())): row for row in rows}
 
@@ -105,7 +105,7 @@ def test_a_change_survives_a_run_that_goes_on(out: Path, tmp_path: Path) -> None
     (tmp_path / "class" / "zoe.py").write_text("")
     command = [
         "grade",
-        str(tmp_path / "class"),
+        str(tmp_path / "class" / "zoe.py"),
         "--exercise",
         STEM,
         "--out",
@@ -115,6 +115,15 @@ def test_a_change_survives_a_run_that_goes_on(out: Path, tmp_path: Path) -> None
     ]
     assert main(command) == 0
     assert scores(out) == {"ada": "10", "bob": "10", "eve": "", "zoe": ""}
+
+
+def test_a_change_that_takes_points_away_is_reported(out: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """As after a corrected criterion, which gives more than the change did."""
+    assert change(out, f"bob,{STEM},total,7,generous,Dr. Lee\n") == 0
+    told = capsys.readouterr().out
+    assert "bob: the judge gives 10 points for total, and the change by Dr. Lee lowers them to 7." in told
+    assert change(out, CHANGE) == 0
+    assert "ada: the judge gives" not in capsys.readouterr().out
 
 
 def test_a_change_comes_before_lateness(out: Path) -> None:

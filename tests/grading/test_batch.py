@@ -16,16 +16,17 @@ from typing import Any
 import pytest
 
 from tests.programs.support import CLIMB, is_gone, wait_until
+from workbook.cli.grade_screen import conclude
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.judgement import Judgement, judge_recording
-from workbook.grading import local, pool
 from workbook.grading.batch import Batch, BatchProgress, BatchSummary
 from workbook.grading.judges import Job
-from workbook.grading.local import LocalSlots, judge_all
-from workbook.grading.pool import Slot
 from workbook.grading.results import Result
 from workbook.grading.results_file import read_results
+from workbook.grading.slots import pool, scheduler
+from workbook.grading.slots.client import Slot
+from workbook.grading.slots.scheduler import LocalSlots, judge_all
 from workbook.inside.proc import process_tree
 from workbook.recording.recording import Recording
 
@@ -57,7 +58,7 @@ class Judges:
         jobs: Iterable[Job[Any]],
         slots: int,
         *,
-        thorough: bool = True,
+        soak: bool = True,
         isolation: str = "limits",
         stop: Callable[[], bool] = lambda: False,
         fills: bool = False,
@@ -75,7 +76,7 @@ class Judges:
 @pytest.fixture
 def judges(exercise: Exercise, monkeypatch: pytest.MonkeyPatch) -> Judges:
     judges = Judges(exercise)
-    monkeypatch.setattr(local, "judge_all", judges)
+    monkeypatch.setattr(scheduler, "judge_all", judges)
     return judges
 
 
@@ -108,7 +109,7 @@ def test_everybody_gets_one_result(exercise: Exercise, hand_ins: Path, judges: J
     assert {progress.total for progress in seen} == {5}
     assert seen[0].left_s is None
     assert seen[-1].left_s == 0
-    assert (hand_ins.parent / "out" / "grades.csv").read_text().count("\n") == 6
+    assert (hand_ins.parent / "out" / "grades.csv").read_text("utf-8-sig").count("\n") == 6
 
 
 def test_a_second_run_runs_nothing(exercise: Exercise, hand_ins: Path, judges: Judges) -> None:
@@ -151,13 +152,35 @@ def test_other_line_ends_are_no_change(exercise: Exercise, hand_ins: Path, judge
     assert judges.asked == []
 
 
-def test_changed_criteria_run_everybody_again(exercise: Exercise, hand_ins: Path, judges: Judges) -> None:
+def test_changed_criteria_change_no_mark(
+    exercise: Exercise, hand_ins: Path, judges: Judges, capsys: pytest.CaptureFixture[str]
+) -> None:
     grade(exercise, hand_ins)
+    before = lines(hand_ins.parent / "out")
     judges.asked.clear()
-    summary = grade(replace(exercise, criteria_sha256="c" * 64), hand_ins)
-    assert judges.asked == ["s0", "s1", "s2", "s3"]
-    assert {one.attempt for one in summary.results} == {2}
-    assert {one.versions.criteria for one in summary.results} == {"c" * 64}
+    newer = replace(exercise, criteria_sha256="c" * 64)
+    summary = grade(newer, hand_ins)
+    assert judges.asked == []
+    assert lines(hand_ins.parent / "out") == before
+    assert (summary.kept, summary.frozen) == (5, 5)
+    conclude(summary, hand_ins.parent / "out", [])
+    assert "5 of these kept their marks although the criteria have changed since." in capsys.readouterr().out
+    (hand_ins / "s2.py").write_text("robot = 'changed'\n")
+    summary = grade(newer, hand_ins)
+    assert judges.asked == ["s2"]
+    assert (summary.kept, summary.frozen) == (4, 4)
+    judged_by = {one.student: one.versions.criteria for one in summary.results}
+    assert judged_by.pop("s2") == "c" * 64
+    assert set(judged_by.values()) == {exercise.criteria_sha256}
+
+
+def test_nothing_is_said_of_frozen_marks_where_the_criteria_are_the_same(
+    exercise: Exercise, hand_ins: Path, judges: Judges, capsys: pytest.CaptureFixture[str]
+) -> None:
+    grade(exercise, hand_ins)
+    summary = grade(exercise, hand_ins)
+    conclude(summary, hand_ins.parent / "out", [])
+    assert "--regrade" not in capsys.readouterr().out
 
 
 def test_a_fault_of_ours_runs_again(exercise: Exercise, hand_ins: Path, judges: Judges) -> None:
@@ -262,7 +285,10 @@ def test_lateness_is_taken_off_in_the_gradebook_and_who_has_no_time_is_named(
     command += ["--deadline", "2025-02-01T00:00+00:00", "--late-per-day", "0.1"]
     for _ in range(2):  # the second time everything is there already
         assert main(command) == 0, capsys.readouterr()
-        rows = {row["student"]: row["score"] for row in csv.DictReader((out / "grades.csv").open(newline=""))}
+        rows = {
+            row["student"]: row["score"]
+            for row in csv.DictReader((out / "grades.csv").open(encoding="utf-8-sig", newline=""))
+        }
         assert rows == {"ada": "9", "bob": "8", "eve": "9"}
         assert "1 of 3 (eve)" in capsys.readouterr().out
 
@@ -373,7 +399,7 @@ def test_a_killed_grader_goes_on_and_leaves_no_process(tmp_path: Path) -> None:
     for one in results:
         if one.status == "graded":
             assert json.loads((out / str(one.recording)).read_text())["format"] == 1
-    rows = (out / "grades.csv").read_text().splitlines()
+    rows = (out / "grades.csv").read_text("utf-8-sig").splitlines()
     assert [row.split(",")[0] for row in rows] == ["student", "s1", "s2", "s3", "s4", "s5"]
 
 
@@ -413,7 +439,7 @@ def test_a_slot_ends_with_everything_that_its_answer_started(tmp_path: Path) -> 
 
     def work() -> None:
         try:
-            slot.judge(STEM, Answer(once(marks, "time.sleep(600)")), thorough=False)
+            slot.judge(STEM, Answer(once(marks, "time.sleep(600)")), soak=False)
         except Exception as error:
             errors.append(error)
 
@@ -430,7 +456,7 @@ def test_a_slot_ends_with_everything_that_its_answer_started(tmp_path: Path) -> 
 def test_a_daemon_does_not_outlive_the_judgement(tmp_path: Path) -> None:
     marks = tmp_path / "marks"
     with Slot() as slot:
-        first = slot.judge(STEM, Answer(once(marks, "raise SystemExit(4)")), thorough=False)
+        first = slot.judge(STEM, Answer(once(marks, "raise SystemExit(4)")), soak=False)
         pids = pids_in(marks)
         assert first.status == "graded"
         wait_until(lambda: all(map(is_gone, pids[1:])))
@@ -440,7 +466,7 @@ def test_a_daemon_does_not_outlive_the_judgement(tmp_path: Path) -> None:
 
 def test_a_job_that_cannot_be_judged_is_said_and_the_slot_lives_on() -> None:
     with Slot() as slot:
-        unknown = slot.judge("77_levitation", Answer("x = 1\n"), thorough=False)
+        unknown = slot.judge("77_levitation", Answer("x = 1\n"), soak=False)
         assert unknown.status == "infra_error"
         assert "77_levitation" in (unknown.reason or "")
         assert slot.is_running
@@ -473,7 +499,7 @@ def test_check_says_not_yet_with_exit_code_1(tmp_path: Path) -> None:
 
 
 def test_check_tries_once_more_what_crashes_at_ctrl_c(tmp_path: Path) -> None:
-    """As rclpy itself does now and then: see `workbook.exercise.conclusiveness`."""
+    """As rclpy itself does now and then: see `workbook.exercise.inconclusive`."""
     stem, was_here = "08_humanoid_status_publisher", tmp_path / "was here"
     solution = load_exercise(stem, ROOT).source.solution_code
     shutdown = "    finally:\n        rclpy.try_shutdown()"
@@ -546,10 +572,47 @@ def test_types_are_learned_once_before_slots_start_that_cannot_write(monkeypatch
         done.append("judged")
         return None, Judgement(job.stem, job.answer.sha256, "infra_error", "nobody judges here", (), None)
 
-    monkeypatch.setattr(local, "warm_cache", lambda: done.append("warmed"))
+    monkeypatch.setattr(scheduler, "warm_cache", lambda: done.append("warmed"))
     monkeypatch.setattr(pool, "judge_with_retry", judged)
     answer = Answer("")
     list(judge_all([Job("a", "09_joint_positions", answer)], 1))
     assert done == ["judged"]
     list(judge_all([Job("a", "07_typed_nodes", answer), Job("b", "07_typed_nodes", answer)], 1))
     assert done == ["judged", "warmed", "judged", "judged"]
+
+
+@pytest.mark.parametrize("place", [".", "graded", "deep/graded", ".."])
+def test_results_among_the_answers_are_no_hand_ins(
+    place: str, exercise: Exercise, hand_ins: Path, judges: Judges
+) -> None:
+    out = hand_ins / place
+    for _ in range(2):
+        out.mkdir(parents=True, exist_ok=True)
+        summary = Batch(exercise, out, LocalSlots(2)).run([hand_ins])
+        for name in ("recordings", "pages", "gradescope"):
+            (out / name).mkdir(exist_ok=True)
+        names = {result.student for result in summary.results} - {"deep"}
+        assert names == {"s0", "s1", "s2", "s3", "s4"}
+    other = Batch(exercise, hand_ins.parent / "other", LocalSlots(2)).run([hand_ins])
+    if place == "graded":
+        assert len(other.results) == 5
+
+
+def test_a_result_without_a_hand_in_is_named_and_left_out(
+    exercise: Exercise, hand_ins: Path, judges: Judges, tmp_path: Path
+) -> None:
+    out = hand_ins.parent / "out"
+
+    def listed() -> set[str]:
+        with (out / "grades.csv").open(encoding="utf-8-sig", newline="") as file:
+            return {row["student"] for row in csv.DictReader(file)}
+
+    assert not grade(exercise, hand_ins).remarks
+    (hand_ins / "s2.py").rename(hand_ins / "s9.py")
+    (remark,) = grade(exercise, hand_ins).remarks
+    assert remark.startswith("1 earlier result has no hand-in in this run: s2. Exports leave them out")
+    assert listed() == {"s0", "s1", "s3", "s4", "s9"}
+    late = tmp_path / "s7.py"
+    late.write_text("raise SystemExit\n")
+    assert not Batch(exercise, out, LocalSlots(2)).run([late]).remarks
+    assert listed() == {"s0", "s1", "s3", "s4", "s7", "s9"}

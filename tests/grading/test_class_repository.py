@@ -22,6 +22,7 @@ from workbook.criteria.runner import CriterionResult
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement, judge_recording
 from workbook.feedback.markdown import as_markdown, plain
+from workbook.grading import github
 from workbook.grading.github import Pushed, all_hold, classroom, encoded, not_run, runners, summary
 from workbook.grading.hand_ins import hand_in_named
 from workbook.grading.new_results import GradedBy, Submission, graded_result, ungradable_result
@@ -127,6 +128,7 @@ def test_what_holds_is_green_and_what_nobody_handed_in_is_not_red(tmp_path: Path
     good, poor = (Pushed(EXERCISE, result(tmp_path, name)) for name in ("solution", "eleven_values"))
     nothing = Pushed(EXERCISE, None)
     assert all_hold([good, nothing])
+    assert not all_hold([nothing])
     assert not all_hold([good, poor])
     assert not all_hold([Pushed(EXERCISE, refused())])
 
@@ -522,3 +524,17 @@ def test_a_fault_of_ours_is_told_as_one(tmp_path: Path, monkeypatch: pytest.Monk
         report({f"{name.upper()}_RESULTS": value for name, value in lines.items()}, ",".join(lines))["total"]
         == 0
     )
+
+
+def test_the_only_answer_to_the_only_exercise_needs_no_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(github, "grade_one", lambda exercise, hand_in, *_: hand_in)
+    (tmp_path / "answers").mkdir()
+    assert github.grade_pushed([EXERCISE], tmp_path, tmp_path, "limits")[0].result is None
+    path = tmp_path / "answers" / "homework.py"
+    path.write_text(SOLUTION)
+    (only,) = github.grade_pushed([EXERCISE], tmp_path, tmp_path, "limits")
+    assert only.result is not None and getattr(only.result, "path", None) == path
+    several = github.grade_pushed([EXERCISE, load_exercise(OTHER, ROOT)], tmp_path, tmp_path, "limits")
+    assert [one.result for one in several] == [None, None]

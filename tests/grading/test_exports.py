@@ -14,6 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from workbook.cli.grade_screen import conclude_regrading
 from workbook.exercise.definition import OWN_CRITERIA, load_exercise
 from workbook.exercise.judgement import judge_recording
 from workbook.feedback.text import as_text
@@ -358,4 +359,51 @@ def test_regrading_runs_nothing_and_tells_whose_marks_changed(tmp_path: Path, ow
     assert now["ada", STEM].attempt == 2
     assert now["ada", STEM].versions.criteria == exercise.criteria_sha256
     assert now["eve", STEM].score == 10.0
+    size = len((tmp_path / RESULTS).read_text())
     assert not any(one.changed for one in regrade(tmp_path, exercise))
+    assert len((tmp_path / RESULTS).read_text()) == size
+
+
+def test_regrading_lists_every_criterion_that_changed_and_not_only_sums(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mine = result(tmp_path, "ada", "eleven_values")
+    first, second = [one for one in mine.criteria if one.points >= 1][:2]
+    others = [one for one in mine.criteria if one not in (first, second)]
+    moved = (replace(first, points=first.points - 1), replace(second, points=second.points + 1))
+    older = replace(mine, criteria=(*moved, *others))
+    with ResultsFile(tmp_path / RESULTS) as file:
+        file.append(older)
+    [found] = regrade(tmp_path, EXERCISE)
+    assert (found.before, found.after, found.changed) == (mine.score, mine.score, True)
+    assert {one.id for one in found.criteria} == {first.id, second.id}
+    conclude_regrading([found], STEM)
+    assert f"    {first.id}: {first.points - 1:g} → {first.points:g}" in capsys.readouterr().out
+
+
+def test_the_same_criteria_in_another_version_of_the_course_are_judged_again(tmp_path: Path) -> None:
+    mine = result(tmp_path, "ada")
+    older = replace(mine, versions=replace(mine.versions, workbook="0.0.9", rclpy="7.1.2", python="3.11.1"))
+    with ResultsFile(tmp_path / RESULTS) as file:
+        file.append(older)
+    [found] = regrade(tmp_path, EXERCISE)
+    assert not found.changed
+    now = last_results(tmp_path / RESULTS)["ada", STEM]
+    assert now.versions == replace(older.versions, workbook=mine.versions.workbook)
+
+
+def test_the_pages_say_which_version_judged(tmp_path: Path) -> None:
+    mine = result(tmp_path, "ada")
+    older = replace(mine, student="bob", versions=replace(mine.versions, workbook="0.0.9"))
+    told = f"workbook 0.0.9, criteria {EXERCISE.criteria_sha256[:12]}, rclpy"
+    assert f"Judged by {told}" in student_page(older, EXERCISE, tmp_path)
+    page = class_page([mine, older], EXERCISE)
+    assert f"{told} {mine.versions.rclpy} (1)" in page
+    assert told in json.loads(gradescope(older))["extra_data"]["judged_by"]
+
+
+def test_a_note_on_the_hand_in_is_on_the_page_and_in_the_table(plain: Result, tmp_path: Path) -> None:
+    note = "Cells 1 and 2 begin with %%answer. Cell 2 was judged, because the last one counts."
+    one = replace(plain, reason=note)
+    assert note in student_page(one, load_exercise(STEM, ROOT), tmp_path)
+    assert note in grades_csv([one])

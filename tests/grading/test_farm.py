@@ -29,7 +29,10 @@ from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement, judge_recording
 from workbook.exercise.serialization import judgement_from_afar, judgement_to_json
 from workbook.grading import farm_worker
-from workbook.grading.farm_worker import FarmJob, Kind, Rack
+from workbook.grading.farm_worker import FarmJob
+from workbook.grading.slots import pool as slot_pool
+from workbook.grading.slots.client import slot_environment
+from workbook.grading.slots.pool import Kind, SlotPool
 from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.recording.recording import Recording
 
@@ -418,25 +421,57 @@ def test_the_version_of_a_course_is_in_each_file_that_judges(
 
 
 class _Slot:
+    is_running = True
+
     def __init__(self) -> None:
         self.closed = threading.Event()
+        self.environ = slot_environment(None)
 
     def close(self) -> None:
         self.closed.set()
 
 
 def test_a_slot_waits_for_the_next_answer_of_its_kind_and_not_for_ever() -> None:
-    rack = Rack(idle_s=0.2)
+    pool = SlotPool(idle_s=0.2)
     slot: Any = _Slot()
     kind = Kind("limits", None)
-    rack.give(kind, slot)
-    assert rack.take(Kind("sandbox", None)) is None
-    assert rack.take(kind) is slot
-    assert rack.take(kind) is None
+    pool.give(kind, slot)
+    assert pool.take_warm(Kind("sandbox", None)) is None
+    assert pool.take_warm(kind) is slot
+    assert pool.take_warm(kind) is None
     assert not slot.closed.is_set()
-    rack.give(kind, slot)
+    pool.give(kind, slot)
     assert slot.closed.wait(30.0)
-    assert rack.take(kind) is None
+    assert pool.take_warm(kind) is None
+
+
+class _Server(_Slot):
+    """What slots are forked from."""
+
+
+def test_with_the_last_slot_of_a_kind_goes_what_it_was_forked_from(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[_Server] = []
+
+    def start(*_: object) -> _Server:
+        made.append(_Server())
+        return made[-1]
+
+    monkeypatch.setattr(slot_pool, "slot_server", start)
+    pool = SlotPool(idle_s=0.2)
+    slots: list[Any] = [_Slot(), _Slot()]
+    kind, other = Kind("limits"), Kind("sandbox")
+    for one in (kind, kind, other):
+        pool.fork_from_now_on(one)
+    of_kind, of_other = made
+    monkeypatch.setattr(slot_pool, "Slot", lambda *_, **__: slots[0])
+    assert pool.take(other) is slots[0]
+    pool.give(kind, slots[1])
+    assert of_kind.closed.wait(30.0) and slots[1].closed.is_set()
+    assert not of_other.closed.is_set(), "one of its slots is at work"
+    pool.fork_from_now_on(kind)
+    assert len(made) == 3
+    pool.give(other, slots[0])
+    assert of_other.closed.wait(30.0)
 
 
 # --- what is taken from a reply ---------------------------------------------------------------------------------------

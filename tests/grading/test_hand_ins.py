@@ -9,11 +9,13 @@ import pytest
 
 from workbook.grading.hand_ins import (
     HandIn,
+    all_hand_ins,
     find_hand_ins,
     hand_in_below,
     infer_exercise,
     names_exercise,
 )
+from workbook.grading.roster import Roster, read_aliases
 
 STEM = "09_joint_positions"
 NOTEBOOK = json.dumps({"cells": [{"cell_type": "code", "source": f"%%answer {STEM}\nx = 1\n"}]})
@@ -235,3 +237,15 @@ def test_a_file_that_says_nothing_names_no_exercise(tree: Tree) -> None:
     assert infer_exercise([root / "s1042.py"], [STEM]) == []
     assert names_exercise(root / "s1043_timers.py", "05_timers")
     assert not names_exercise(root / "s1043_timers.py", STEM)
+
+
+def test_names_that_look_alike_are_one_student(tree: Tree, tmp_path_factory: pytest.TempPathFactory) -> None:
+    together, apart = "Zo\u00eb", "Zoe\u0308"
+    assert list(found(tree(f"{apart}.py"))) == [together]
+    aliases = tmp_path_factory.mktemp("aliases") / "who.csv"
+    aliases.write_text(f"{together}.py,s1\n", encoding="utf-8")
+    whole = all_hand_ins([tree()], STEM)
+    assert [one.student for one in Roster(read_aliases(aliases)).hand_ins(whole)] == ["s1"]
+    both = found(tree(f"{together}.py"))
+    assert list(both) == [together]
+    assert "2 hand-ins of one student" in (both[together].problem or "")

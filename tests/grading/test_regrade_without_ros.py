@@ -3,9 +3,12 @@
 import json
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
-from workbook.exercise.definition import load_exercise
+import pytest
+
+from workbook.exercise.definition import OWN_CRITERIA, load_exercise
 from workbook.exercise.judgement import judge_recording
 from workbook.exercise.source import stems
 from workbook.grading.new_results import GradedBy, Submission, graded_result
@@ -79,6 +82,49 @@ def test_regrading_needs_no_rclpy(tmp_path: Path) -> None:
     scores = [json.loads(line)["score"] for line in (out / RESULTS).read_text().splitlines()]
     assert sorted(scores[3:]) == sorted(score + 2 for score in scores[:3])
     assert len(list((out / "pages").glob("*.html"))) == 4
+
+
+CRASHES = STRICTER.replace('see.passed("seen")', "see.passed(str(1 // 0))")
+
+
+def grade_stored(out: Path, criteria: str, own: Path, *, keep: bool = True) -> list[str]:
+    """Grade two stored recordings by these criteria of one's own; returns the command that judges them again."""
+    own.mkdir()
+    (own / f"{STEM}.py").write_text(criteria)
+    with pytest.MonkeyPatch.context() as patch, ResultsFile(out / RESULTS) as file:
+        patch.setenv(OWN_CRITERIA, str(own))
+        exercise = load_exercise(STEM, ROOT)
+        for name in ("solution", "eleven_values"):
+            stored = Recording.load(ROOT / "tests" / "recordings" / STEM / f"{name}.json")
+            judgement = judge_recording(exercise, "a" * 64, stored)
+            if not keep:
+                judgement = replace(judgement, recording=None)
+            submission = Submission(name, f"{name}.py", "a" * 64)
+            file.append(graded_result(submission, [judgement], GradedBy(exercise, "sandbox", out)))
+    return ["grade", "--regrade", "--exercise", STEM, "--criteria", str(own), "--out", str(out)]
+
+
+def test_an_answer_whose_criterion_crashed_is_judged_again(tmp_path: Path) -> None:
+    own = tmp_path / "own"
+    command = grade_stored(tmp_path / "out", CRASHES, own)
+    found = without_rclpy(REGRADE, *command)
+    assert found.returncode == 1, found.stdout + found.stderr
+    assert "solution: not judged again" in found.stdout
+    (own / f"{STEM}.py").write_text(STRICTER)
+    found = without_rclpy(REGRADE, *command)
+    assert found.returncode == 0, found.stdout + found.stderr
+    assert "the marks of 2 changed" in found.stdout
+    assert "solution: no score → 12" in found.stdout
+    assert "eleven_values: no score → 11" in found.stdout
+
+
+def test_an_answer_without_a_recording_has_to_be_graded(tmp_path: Path) -> None:
+    own = tmp_path / "own"
+    command = grade_stored(tmp_path / "out", CRASHES, own, keep=False)
+    (own / f"{STEM}.py").write_text(STRICTER)
+    found = without_rclpy(REGRADE, *command)
+    assert found.returncode == 1, found.stdout + found.stderr
+    assert "Run `workbook grade` on the answers again" in found.stdout
 
 
 def test_the_criteria_of_every_exercise_need_no_rclpy() -> None:

@@ -15,14 +15,14 @@ from workbook.cli.main import main
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement, judge_recording, judgement_as_provisional
+from workbook.exercise.retries import counting, judge_until_sure, until_sure, what_counts
 from workbook.exercise.serialization import judgement_from_json, judgement_to_json
 from workbook.feedback.card import as_html
 from workbook.feedback.text import as_text
-from workbook.grading import local
 from workbook.grading.judges import Job
 from workbook.grading.regrade import regrade
 from workbook.grading.results_file import last_results, read_results
-from workbook.grading.retries import counting, judge_until_sure, until_sure, what_counts
+from workbook.grading.slots import scheduler
 from workbook.recording.recording import Recording
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -31,9 +31,9 @@ EXERCISE = load_exercise(STEM, ROOT)
 DOUBT = "this machine was so busy that the judge itself had to wait for 0.80 s"
 
 
-def judgement(recording: str, doubt: str = "") -> Judgement:
+def judgement(recording: str, inconclusive_reason: str = "") -> Judgement:
     stored = Recording.load(ROOT / "tests" / "recordings" / STEM / f"{recording}.json")
-    return replace(judge_recording(EXERCISE, "a" * 64, stored), doubt=doubt)
+    return replace(judge_recording(EXERCISE, "a" * 64, stored), inconclusive_reason=inconclusive_reason)
 
 
 GOOD, POOR = judgement("solution"), judgement("period_for_frequency")
@@ -48,18 +48,29 @@ WALKS, ENDS = (
 )
 
 
-def made(walks: float = 5.0, ends: float = 5.0, *, doubt: str = "", end_only: bool = False) -> Judgement:
+def made(
+    walks: float = 5.0, ends: float = 5.0, *, inconclusive_reason: str = "", end_only: bool = False
+) -> Judgement:
     """A judgement of two criteria, one of which is about the end."""
     criteria = tuple(
         replace(one, points=points, status="passed" if points == one.max_points else "failed")
         for one, points in ((WALKS, walks), (ENDS, ends))
     )
-    return Judgement(STEM, "a" * 64, "graded", None, criteria, None, doubt=doubt, end_only=end_only)
+    return Judgement(
+        STEM,
+        "a" * 64,
+        "graded",
+        None,
+        criteria,
+        None,
+        inconclusive_reason=inconclusive_reason,
+        end_only=end_only,
+    )
 
 
 FULL, LOW = made(), made(walks=2.0)
-END, LOW_END = (made(walks, 0.0, doubt="it crashed", end_only=True) for walks in (5.0, 2.0))
-BUSY, LOW_BUSY, ZERO_BUSY = (made(walks, doubt=DOUBT) for walks in (4.0, 2.0, 0.0))
+END, LOW_END = (made(walks, 0.0, inconclusive_reason="it crashed", end_only=True) for walks in (5.0, 2.0))
+BUSY, LOW_BUSY, ZERO_BUSY = (made(walks, inconclusive_reason=DOUBT) for walks in (4.0, 2.0, 0.0))
 EVERY = (FULL, LOW, END, LOW_END, BUSY, LOW_BUSY, LOST)
 
 
@@ -124,9 +135,9 @@ def test_no_luck_and_no_disturbance_earns_a_point(tries: tuple[Judgement, ...]) 
 
 
 def test_what_every_end_shows_leaves_no_doubt() -> None:
-    assert counting((END, END, END)).doubt == ""
-    assert counting((END, LOST, END)).doubt == "it crashed"
-    assert counting((LOW_BUSY, LOW_BUSY, LOW_BUSY)).doubt == DOUBT
+    assert counting((END, END, END)).inconclusive_reason == ""
+    assert counting((END, LOST, END)).inconclusive_reason == "it crashed"
+    assert counting((LOW_BUSY, LOW_BUSY, LOW_BUSY)).inconclusive_reason == DOUBT
 
 
 def test_only_what_is_in_doubt_is_tried_again_and_after_all_others() -> None:
@@ -220,7 +231,7 @@ def graded(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> tuple[Path, str]:
     judges = Judges()
-    monkeypatch.setattr(local, "judge_all", judges)
+    monkeypatch.setattr(scheduler, "judge_all", judges)
     folder = tmp_path / "class"
     folder.mkdir()
     for student in Judges.tries:
@@ -245,17 +256,17 @@ def test_each_answer_has_one_line_with_all_tries_and_recordings(graded: tuple[Pa
         "ada": (10, 2), "bob": (8, 2), "eve": (8, 0), "mia": (None, 3), "zoe": (8, 2),
     }  # fmt: skip
     ada = results["ada"]
-    assert ada.doubt == ""
+    assert ada.inconclusive_reason == ""
     assert [one.counts for one in ada.tries] == [False, True]
     assert [one.score for one in ada.tries] == [8, 10]
-    assert ada.tries[0].doubt == DOUBT
+    assert ada.tries[0].inconclusive_reason == DOUBT
     assert ada.tries[1].recording == ada.recording != ada.tries[0].recording
     for one in ada.tries:
         assert one.recording is not None
         assert json.loads((out / one.recording).read_text())["format"] == 1
         assert [each.id for each in one.criteria] == [each.id for each in ada.criteria]
     assert results["mia"].status == "infra_error"
-    assert [one.doubt for one in results["mia"].tries] == [DOUBT, "", ""]
+    assert [one.inconclusive_reason for one in results["mia"].tries] == [DOUBT, "", ""]
     assert not any(one.counts for one in results["mia"].tries)
     assert [one.counts for one in results["zoe"].tries] == [True, False]
     assert [one.end_only for one in results["zoe"].tries] == [True, False]
@@ -272,7 +283,7 @@ def test_the_instructor_is_told_how_many_and_by_name_who_differs(graded: tuple[P
         in told
     )
     assert "joint_positions_bob: Tried" not in told
-    with (out / "grades.csv").open(newline="") as file:
+    with (out / "grades.csv").open(encoding="utf-8-sig", newline="") as file:
         rows = {row["student"].rpartition("_")[2]: row for row in csv.DictReader(file)}
     assert {name: row["tries"] for name, row in rows.items()} == {
         "ada": "2", "bob": "2", "eve": "1", "mia": "", "zoe": "2",
@@ -305,8 +316,9 @@ def test_regrading_judges_both_recordings_again(graded: tuple[Path, str]) -> Non
     )
     found = {one.student.rpartition("_")[2]: one for one in regrade(out, kinder)}
     assert {name: (one.before, one.after) for name, one in found.items()} == {
-        "ada": (10, 8), "bob": (8, 8), "eve": (8, 8), "zoe": (8, 8),
+        "ada": (10, 8), "bob": (8, 8), "eve": (8, 8), "mia": (None, None), "zoe": (8, 8),
     }  # fmt: skip
+    assert "Run `workbook grade`" in found["mia"].problem
     ada = last_results(out / "results.jsonl")["joint_positions_ada", STEM]
     assert [one.score for one in ada.tries] == [8, 8]
     assert [one.counts for one in ada.tries] == [False, True], "of equal tries the sound one"

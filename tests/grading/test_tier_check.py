@@ -8,14 +8,16 @@ import pytest
 
 from tests.programs.support import is_gone
 from workbook.exercise.answers import Answer
-from workbook.grading import pool, tier_check
+from workbook.grading import tier_check
 from workbook.grading.judges import Job
-from workbook.grading.local import judge_all
-from workbook.grading.pool import Slot, standby
+from workbook.grading.slots import pool
+from workbook.grading.slots.client import Slot
+from workbook.grading.slots.pool import warm_slots
+from workbook.grading.slots.scheduler import judge_all
 from workbook.isolation import tiers
 
 STEM = "09_joint_positions"
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.whole]
 
 
 @pytest.fixture(autouse=True)
@@ -76,7 +78,7 @@ def test_a_slot_that_has_ended_meanwhile_is_not_taken(started: list[Slot]) -> No
 
 def test_what_nobody_takes_ends(started: list[Slot]) -> None:
     assert tier_check.tier_problem("limits") is None
-    standby.close()
+    warm_slots.close()
     assert not started[0].is_running
     assert is_gone(started[0]._process.pid)
 

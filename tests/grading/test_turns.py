@@ -1,5 +1,6 @@
 """Turns: in a tier in which answers meet, one is judged at a time, whoever of this user judges it."""
 
+import queue
 import select
 import subprocess
 import sys
@@ -8,14 +9,14 @@ from pathlib import Path
 
 import pytest
 
-from workbook.grading.turns import turn
+from workbook.grading.slots.pool import turn
 from workbook.isolation.tiers import Isolation
 
 LONG_S = 60.0
 """So long a test waits for what must come: only a broken program lets it pass."""
 TAKES_A_TURN = """
 import sys
-from workbook.grading.turns import turn
+from workbook.grading.slots.pool import turn
 print("waits", flush=True)
 with turn("landlock"):
     print("has it", flush=True)
@@ -81,3 +82,46 @@ def test_without_a_cache_the_turns_of_one_process_remain(
         assert not has_it.wait(0.2)
     assert has_it.wait(LONG_S)
     thread.join()
+
+
+def test_whoever_waits_hears_how_many_come_first() -> None:
+    heard: queue.SimpleQueue[tuple[int, int]] = queue.SimpleQueue()
+    may_end = threading.Event()
+
+    def take(number: int) -> None:
+        with turn("uid", lambda place: heard.put((number, place))):
+            assert may_end.wait(LONG_S)
+
+    threads = [threading.Thread(target=take, args=(number,)) for number in (1, 2)]
+    with turn("uid"):
+        for number, thread in enumerate(threads, start=1):
+            thread.start()
+            assert heard.get(timeout=LONG_S) == (number, number)
+    assert {heard.get(timeout=LONG_S) for _ in threads} == {(1, 0), (2, 1)}
+    may_end.set()
+    assert heard.get(timeout=LONG_S) == (2, 0)
+    for thread in threads:
+        thread.join()
+
+
+def test_another_grader_counts_as_one_that_comes_first() -> None:
+    places: list[int] = []
+    waits = threading.Event()
+
+    def take() -> None:
+        def note(place: int) -> None:
+            places.append(place)
+            waits.set()
+
+        with turn("uid", note):
+            pass
+
+    with grader() as other:
+        assert [said_by(other), said_by(other)] == ["waits", "has it"]
+        thread = threading.Thread(target=take)
+        thread.start()
+        assert waits.wait(LONG_S)
+        assert places == [1]
+        other.kill()
+    thread.join()
+    assert places == [1, 0]

@@ -9,9 +9,9 @@ import pytest
 
 from tests.programs.support import wait_until
 from workbook.programs import unconfined
+from workbook.programs.fork_client import OwnServer
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
-from workbook.programs.warm_start import OwnServer
 from workbook.ros.domains import lease_domain
 
 KEY = secrets.token_bytes(32)

@@ -23,13 +23,13 @@ from workbook.isolation.memory_groups import (
 )
 from workbook.isolation.tiers import BEST_FIRST, Isolation, known_problem, lease_for, make_tier
 from workbook.lab.health import check_sandbox
+from workbook.programs.fork_client import ForkServer
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
-from workbook.programs.warm_start import ForkServer
 from workbook.recording.limits import MB, Limits
 from workbook.recording.recording import ProcessRecord
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.slow]
+pytestmark = [pytest.mark.sandbox, pytest.mark.slow, pytest.mark.whole]
 FILES_IN_MEMORY = """
 for folder in ("/tmp", "/dev/shm"):
     with open(f"{folder}/much", "wb") as file:
@@ -166,7 +166,7 @@ def test_files_in_memory_count_as_memory_or_are_bounded_by_their_folders(
         assert (record.exit, record.limits_hit) == (0, ()), "two folders of 64 MiB, and no more"
         assert "written" in record.log
     else:
-        assert (record.limits_hit, record.ended_by) == (("memory",), "bench")
+        assert (record.limits_hit, record.ended_by) == (("memory",), "judge")
         assert record.signal == "SIGKILL"
         assert "written" not in record.log
 
@@ -184,7 +184,7 @@ def test_what_the_kernel_keeps_is_counted_where_no_table_of_descriptors_shows_it
         assert groups_problem()
         assert (record.exit, record.limits_hit) == (0, ())
     else:
-        assert (record.limits_hit, record.ended_by) == (("descriptors",), "bench"), record.log
+        assert (record.limits_hit, record.ended_by) == (("descriptors",), "judge"), record.log
 
 
 @pytest.mark.parametrize("tier", BEST_FIRST)
@@ -195,7 +195,7 @@ def test_memory_of_many_processes_together_ends_them_in_every_tier(
     if not works_here(tier):
         return
     record = record_of(MANY_SMALL_ONES, tier, groups, tmp_path, Limits(memory=200 * MB, processes=64))
-    assert (record.limits_hit, record.ended_by) == (("memory",), "bench")
+    assert (record.limits_hit, record.ended_by) == (("memory",), "judge")
 
 
 @pytest.mark.parametrize("tier", [one for one in BEST_FIRST if one != "limits"])
@@ -214,7 +214,7 @@ def test_no_answer_leaves_its_group_or_raises_its_limit(
 
 SLOT = """
 import sys
-from workbook.grading.pool import Slot
+from workbook.grading.slots.client import Slot
 slot = Slot("sandbox")
 print(slot._groups and slot._groups.path, flush=True)
 slot._read_line(0.0, 1e12)

@@ -16,7 +16,7 @@ from tests.hostile.traces import Traces
 from tests.programs.support import wait_until
 from workbook.isolation.bubblewrap import sandbox_problem
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.slow]
+pytestmark = [pytest.mark.sandbox, pytest.mark.slow, pytest.mark.whole]
 STEM = "09_joint_positions"
 KILLS = 30
 KILLS_PER_CLASS = 10
@@ -95,7 +95,7 @@ def finish(grading: Grading) -> float:
     assert grader.returncode == 0, said
     students = sorted([*(f"s{number}" for number in range(STUDENTS - 2)), "daemon", "empty"])
     assert sorted(grading.results()) == students
-    with (grading.out / "grades.csv").open(newline="") as file:
+    with (grading.out / "grades.csv").open(encoding="utf-8-sig", newline="") as file:
         assert [row["student"] for row in csv.DictReader(file)] == students
     left = [path.name for path in grading.out.rglob("*") if path.name.endswith(".part")]
     assert left == [], "half-written files"

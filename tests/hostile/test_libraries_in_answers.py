@@ -9,10 +9,10 @@ import pytest
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
 from workbook.feedback.text import as_text
-from workbook.grading.pool import Slot
+from workbook.grading.slots.client import Slot
 from workbook.isolation.bubblewrap import sandbox_problem
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.slow]
+pytestmark = [pytest.mark.sandbox, pytest.mark.slow, pytest.mark.whole]
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
 OPENCV = """
@@ -76,7 +76,7 @@ def test_a_right_answer_that_uses_a_library_gets_full_marks(library: str, thread
         pytest.skip(f"{library} is not installed")
     right = load_exercise(STEM, ROOT).source.solution_code
     program = PROGRAMS[library].replace("@@THREADS@@", str(threads))
-    judgement = slot.judge(STEM, Answer(program + right), thorough=False)
+    judgement = slot.judge(STEM, Answer(program + right), soak=False)
     told = as_text(judgement)
     assert judgement.recording is not None
     if threads == max(THREADS) and not judgement.full_marks:

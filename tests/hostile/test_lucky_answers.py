@@ -14,8 +14,8 @@ from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.judgement import Judgement
 from workbook.exercise.judging import Judge
+from workbook.exercise.retries import until_sure, what_counts
 from workbook.feedback.text import as_text
-from workbook.grading.retries import until_sure, what_counts
 from workbook.watching.observer import Observer
 from workbook.watching.wall_time import OwnLoad
 
@@ -89,7 +89,7 @@ def test_a_program_that_keeps_the_processors_busy_itself_casts_no_doubt_on_its_r
     assert {one.id for one in judgement.criteria if one.status in ("failed", "partial")} == {"status_kept"}, (
         as_text(judgement)
     )
-    assert judgement.doubt == "", judgement.doubt
+    assert judgement.inconclusive_reason == "", judgement.inconclusive_reason
     assert recording.in_line_s == 0.0
 
 

@@ -14,15 +14,16 @@ from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
 from workbook.feedback.text import as_text
 from workbook.grading.judges import Job
-from workbook.grading.local import judge_all, slot_server
-from workbook.grading.pool import Slot
+from workbook.grading.slots.client import Slot
+from workbook.grading.slots.pool import slot_server
+from workbook.grading.slots.scheduler import judge_all
 from workbook.inside import proc
 from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.isolation.sandbox import SandboxTier
+from workbook.programs.fork_client import ForkServer
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
 from workbook.programs.usage import limit_exceeded
-from workbook.programs.warm_start import ForkServer
 from workbook.recording.limits import ANSWER_LIMITS
 
 pytestmark = [
@@ -78,7 +79,7 @@ def test_no_right_answer_is_harmed_by_what_others_leave_in_its_slot(right_answer
     jobs = [Job(f"right {number}", STEM, Answer(right_answer)) for number in range(VICTIMS)]
     for number in range(ATTACKERS):
         jobs.insert(5 * number, Job(f"attacker {number}", STEM, Answer(attacker)))
-    judged = {job.key: one for job, one in judge_all(jobs, SLOTS, thorough=False, isolation="sandbox")}
+    judged = {job.key: one for job, one in judge_all(jobs, SLOTS, soak=False, isolation="sandbox")}
     for number in range(VICTIMS):
         one = judged[f"right {number}"]
         assert one.full_marks, f"{one.reason}\n{as_text(one)}"
@@ -192,7 +193,7 @@ def test_the_programs_of_one_slot_have_different_seeds_for_hashes() -> None:
         slot = stack.enter_context(Slot("sandbox", server=server))
         while len(seeds) < 2 and judgements < ENOUGH:
             judgements += 1
-            judgement = slot.judge(STEM, Answer(TELLS_ITS_SEED), thorough=False)
+            judgement = slot.judge(STEM, Answer(TELLS_ITS_SEED), soak=False)
             assert judgement.recording is not None
             seeds.add(judgement.recording.process.log)
     assert len(seeds) == 2 and all("seed" in one for one in seeds), seeds

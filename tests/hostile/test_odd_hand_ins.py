@@ -98,7 +98,7 @@ def test_every_table_has_one_row_for_each_and_no_formula(
 ) -> None:
     out, _ = graded
     for table, head in (("grades.csv", 1), ("canvas.csv", 2), ("moodle.csv", 1), ("nbgrader.csv", 1)):
-        with (out / table).open(newline="", encoding="utf-8") as file:
+        with (out / table).open(newline="", encoding="utf-8-sig") as file:
             rows = list(csv.reader(file))
         assert len(rows) == len(NAMES) + head
         assert len({len(row) for row in rows}) == 1

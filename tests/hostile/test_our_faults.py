@@ -17,13 +17,14 @@ from tests.programs.support import CLIMB
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.judgement import Judgement
-from workbook.grading import pool, slot_health
 from workbook.grading.batch import Batch
 from workbook.grading.hand_ins import HandIn
 from workbook.grading.judges import Job
-from workbook.grading.local import judge_all
-from workbook.grading.pool import Slot, SlotBroken
-from workbook.grading.slot_health import SlotHealth
+from workbook.grading.slots import client, pool
+from workbook.grading.slots import health as slot_health
+from workbook.grading.slots.client import Slot, SlotBroken
+from workbook.grading.slots.health import SlotHealth
+from workbook.grading.slots.scheduler import judge_all
 from workbook.isolation.bubblewrap import NoSandbox
 from workbook.isolation.tiers import Isolation
 
@@ -95,16 +96,20 @@ def test_a_slot_that_dies_again_and_again_is_named_with_its_answer() -> None:
     assert found["next"].status == "graded"
 
 
+def judged_alone(job: Job[str]) -> tuple[Slot | None, Judgement]:
+    return pool.judge_with_retry(pool.warm_slots, None, pool.Kind(), job, soak=False)
+
+
 def test_an_answer_that_keeps_the_judge_from_coming_to_an_end_is_ungradable(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     class Impatient(Slot):
         def judge(self, stem: str, answer: Answer, **options: Any) -> Judgement:
-            monkeypatch.setattr(pool, "ANSWER_DEADLINE_S", 5.0 if answer.text == HOLDER else PATIENCE_S)
+            monkeypatch.setattr(client, "ANSWER_DEADLINE_S", 5.0 if answer.text == HOLDER else PATIENCE_S)
             return super().judge(stem, answer, **options)
 
     monkeypatch.setattr(pool, "Slot", Impatient)
-    slot, judgement = pool.judge_with_retry(None, Job("holder", STEM, Answer(HOLDER)), thorough=False)
+    slot, judgement = judged_alone(Job("holder", STEM, Answer(HOLDER)))
     assert (judgement.status, judgement.score) == ("ungradable", None)
     assert "stopped_judge: the slot did not answer in time, 2 times" in (judgement.reason or "")
     assert slot is not None and slot.is_running, "the slot that has judged a right answer goes on"
@@ -116,12 +121,12 @@ def test_a_busy_machine_is_no_reason_to_give_an_answer_up(monkeypatch: pytest.Mo
     right = load_exercise(STEM, ROOT).source.solution_code
     with Slot() as slot:
         monkeypatch.setattr(SlotHealth, "slowed_by", lambda _: PATIENCE_S / 0.2)
-        monkeypatch.setattr(pool, "ANSWER_DEADLINE_S", 0.2)
-        assert slot.judge(STEM, Answer(right), thorough=False).full_marks
+        monkeypatch.setattr(client, "ANSWER_DEADLINE_S", 0.2)
+        assert slot.judge(STEM, Answer(right), soak=False).full_marks
         monkeypatch.undo()
-        monkeypatch.setattr(pool, "ANSWER_DEADLINE_S", 0.2)
+        monkeypatch.setattr(client, "ANSWER_DEADLINE_S", 0.2)
         with pytest.raises(SlotBroken, match="did not answer in time"):
-            slot.judge(STEM, Answer(right + "\n"), thorough=False)
+            slot.judge(STEM, Answer(right + "\n"), soak=False)
 
 
 def test_how_much_a_slot_was_slowed_down_is_seen_from_outside(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -155,7 +160,7 @@ def test_where_no_right_answer_can_be_judged_either_the_fault_is_ours(
             raise SlotBroken("the slot did not answer in time")
 
     monkeypatch.setattr(pool, "Slot", Broken)
-    slot, judgement = pool.judge_with_retry(None, Job("any", STEM, Answer("x = 1\n")), thorough=True)
+    slot, judgement = judged_alone(Job("any", STEM, Answer("x = 1\n")))
     assert slot is None
     assert (judgement.status, judgement.score) == ("infra_error", None)
     assert judged == ["x = 1\n", "x = 1\n", load_exercise(STEM, ROOT).source.solution_code]
@@ -164,7 +169,7 @@ def test_where_no_right_answer_can_be_judged_either_the_fault_is_ours(
         raise FileNotFoundError("the instructor has it")
 
     monkeypatch.setattr(pool, "load_exercise", no_solution)
-    _, judgement = pool.judge_with_retry(None, Job("any", STEM, Answer("x = 1\n")), thorough=True)
+    _, judgement = judged_alone(Job("any", STEM, Answer("x = 1\n")))
     assert judgement.status == "infra_error"
 
 

@@ -11,13 +11,14 @@ import pytest
 from tests.programs.support import wait_until
 from workbook.exercise.answers import Answer
 from workbook.exercise.definition import load_exercise
-from workbook.grading import slot_health
 from workbook.grading.judges import Job
-from workbook.grading.pool import STOPPED_JUDGE, Slot, SlotBroken, judge_with_retry
-from workbook.grading.slot_health import SlotHealth
+from workbook.grading.slots import health as slot_health
+from workbook.grading.slots.client import Slot, SlotBroken
+from workbook.grading.slots.health import SlotHealth
+from workbook.grading.slots.pool import STOPPED_JUDGE, Kind, judge_warm, warm_slots
 from workbook.isolation.bubblewrap import sandbox_problem
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.slow]
+pytestmark = [pytest.mark.sandbox, pytest.mark.slow, pytest.mark.whole]
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
 SPEAKS_FOR_DDS = """
@@ -79,9 +80,7 @@ def test_packets_over_all_messages_that_there_can_be_stop_no_grader(
     monkeypatch.setattr(slot_health, "STUCK_S", 1.0)
     solution = load_exercise(STEM, ROOT).source.solution_code
     hostile = Answer(SPEAKS_FOR_DDS.replace("@@KIND@@", kind) + solution)
-    slot, judgement = judge_with_retry(None, Job(kind, STEM, hostile), thorough=False, isolation="sandbox")
-    assert slot is not None
-    slot.close()
+    judgement = judge_warm(warm_slots, Kind("sandbox"), Job(kind, STEM, hostile), soak=False)
     assert judgement.status in ("graded", "ungradable"), judgement.reason
     assert judgement.score is None or judgement.score < 10.0
     if judgement.status == "ungradable":
@@ -126,5 +125,5 @@ def test_a_slot_is_given_up_once_it_takes_too_much_memory(monkeypatch: pytest.Mo
     with Slot("sandbox") as slot:
         monkeypatch.setattr(slot_health, "SLOT_BYTES", 1)
         with pytest.raises(SlotBroken, match="too much memory"):
-            slot.judge(STEM, waits, thorough=False)
+            slot.judge(STEM, waits, soak=False)
         slot.kill()

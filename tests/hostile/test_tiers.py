@@ -32,7 +32,7 @@ from workbook.isolation.user_ids import Ids, NoIds, lease_ids
 from workbook.recording.limits import ANSWER_LIMITS
 from workbook.watching.tier_self_test import problem_in
 
-pytestmark = pytest.mark.slow
+pytestmark = [pytest.mark.slow, pytest.mark.whole]
 ROOT = Path(__file__).resolve().parents[2]
 ANSWERS = Path(__file__).parent / "answers"
 STEM = "09_joint_positions"

@@ -1,5 +1,7 @@
 """Programs that behave in one way on simulated time, and in another one when a person runs them."""
 
+from pathlib import Path
+
 import pytest
 
 from workbook.exercise.answers import Answer
@@ -8,6 +10,7 @@ from workbook.exercise.judgement import Judgement
 from workbook.exercise.judging import Judge
 from workbook.watching.observer import Observer
 
+ROOT = Path(__file__).resolve().parents[2]
 EXERCISE = load_exercise("09_joint_positions")
 RIGHT = EXERCISE.source.solution_code
 READY = '        self.get_logger().info("Humanoid status publisher started")\n'
@@ -24,6 +27,18 @@ ON_SET = """\
 """
 
 
+LATCH = """\
+        self.was_judged = getattr(self, "was_judged", False) or self.get_parameter("use_sim_time").value
+        if not self.was_judged:
+            return
+"""
+
+
+def right_answer(name: str) -> str:
+    """A right answer that is stored for the proofs."""
+    return (ROOT / "tests" / "right_answers" / EXERCISE.stem / f"{name}.py").read_text(encoding="utf-8")
+
+
 def changed(old: str, new: str) -> str:
     """The reference answer with one part replaced."""
     assert old in RIGHT
@@ -33,7 +48,7 @@ def changed(old: str, new: str) -> str:
 def judged(text: str, exercise: Exercise = EXERCISE) -> Judgement:
     """Judge a program as a grader does."""
     with Observer() as observer:
-        return Judge(observer).judge(exercise, Answer(text), thorough=True)
+        return Judge(observer).judge(exercise, Answer(text), soak=True)
 
 
 def clock_of(judgement: Judgement) -> str:
@@ -66,8 +81,9 @@ def test_a_program_that_is_as_it_was_in_real_time_is_judged_on_simulated_time() 
             f"        {REAL}:\n            return\n{PUBLISH_STATUS}",
             {"status_kept"},
         ),
+        (PUBLISH_STATUS, LATCH + PUBLISH_STATUS, {"status_kept"}),
     ],
-    ids=["ten times as fast", "seven angles", "silent"],
+    ids=["ten times as fast", "seven angles", "silent", "silent until it was switched once"],
 )
 def test_what_a_program_does_in_real_time_counts(old: str, new: str, lost: set[str]) -> None:
     judgement = judged(changed(old, new))
@@ -93,27 +109,66 @@ def test_what_a_program_does_after_some_real_seconds_counts(late: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("ready", "publish"),
+    "publish",
     [
-        ("", f"{PUBLISH_STATUS}        for _ in range(9 {REAL} else 0):\n    {PUBLISH_STATUS}"),
-        (
-            "        self.was_judged = False\n",
-            f'        self.was_judged |= self.get_parameter("use_sim_time").value\n'
-            f"        if not self.was_judged:\n            return\n{PUBLISH_STATUS}",
-        ),
+        f"{PUBLISH_STATUS}        for _ in range(9 {REAL} else 0):\n    {PUBLISH_STATUS}",
+        LATCH + PUBLISH_STATUS,
     ],
     ids=["ten times as fast", "silent until it was switched once"],
 )
-def test_where_the_end_is_judged_what_a_program_does_in_real_time_counts_as_well(
-    ready: str, publish: str
-) -> None:
-    """There, another process lives in real time, and has never been switched."""
+def test_where_the_end_is_judged_what_a_program_does_in_real_time_counts_as_well(publish: str) -> None:
     exercise = load_exercise("08_humanoid_status_publisher")
     text = exercise.source.solution_code
-    assert text.count(READY) == text.count(PUBLISH_STATUS) == 1
-    judgement = judged(text.replace(READY, READY + ready).replace(PUBLISH_STATUS, publish), exercise)
+    assert text.count(PUBLISH_STATUS) == 1
+    judgement = judged(text.replace(PUBLISH_STATUS, publish), exercise)
     assert {one.id for one in judgement.criteria if one.status in ("failed", "partial")} == {"status_kept"}
     assert clock_of(judgement) == "wall"
+
+
+@pytest.mark.parametrize("once", [False, True], ids=["on simulated time only", "only once it was switched"])
+@pytest.mark.parametrize(
+    ("stem", "callback", "lost"),
+    [
+        (
+            "04_subscriptions_and_callbacks",
+            "def on_battery(self, message: Float32) -> None:\n",
+            {"passes_on", "alarms_come"},
+        ),
+        ("14_arrays_and_filters", "def on_joints(self, message: JointState) -> None:\n", {"answers_come"}),
+    ],
+    ids=["04", "14"],
+)
+def test_a_callback_that_acts_on_simulated_time_only_is_played_the_script_in_real_time(
+    stem: str, callback: str, lost: set[str], once: bool
+) -> None:
+    exercise = load_exercise(stem)
+    text = exercise.source.solution_code
+    assert text.count(callback) == 1
+    acts = LATCH if once else f"        {REAL}:\n            return\n"
+    judgement = judged(text.replace(callback, callback + acts), exercise)
+    assert {one.id for one in judgement.criteria if one.status in ("failed", "partial")} == lost
+    assert clock_of(judgement) == "wall"
+
+
+def test_a_topic_that_simulated_time_cannot_judge_does_not_shield_another_one() -> None:
+    """The joints come from a thread that waits in real time, so the whole program is judged on the wall clock."""
+    publish = '        self.status_pub.publish(String(data="operational"))\n'
+    text = right_answer("thread_with_sleep").replace("time.sleep(2.0)", "threading.Event().wait(2.0)")
+    assert text.count(publish) == text.count("Event") == 1
+    ten_times = f"{publish}        for _ in range(9 {REAL} else 0):\n    {publish}"
+    judgement = judged(text.replace(publish, ten_times))
+    assert {one.id for one in judgement.criteria if one.status in ("failed", "partial")} == {"status_kept"}
+    assert clock_of(judgement) == "wall"
+
+
+def test_an_answer_that_loses_a_point_on_purpose_is_watched_in_real_time_too() -> None:
+    silent = f"        {REAL}:\n            return\n{PUBLISH_STATUS}"
+    text = changed(PUBLISH_STATUS, silent).replace(
+        PUBLISH_JOINTS, f"        message.data.pop()\n{PUBLISH_JOINTS}"
+    )
+    judgement = judged(text)
+    lost = {one.id for one in judgement.criteria if one.status in ("failed", "partial")}
+    assert lost == {"status_kept", "twelve_values"}
 
 
 def test_a_program_that_sets_use_sim_time_itself_is_silent_for_a_person_too() -> None:
@@ -143,10 +198,16 @@ COMPARES_TIMES = RIGHT.replace(
 )
 
 
-def test_a_jump_back_of_the_clock_is_not_the_fault_of_a_program_that_compares_times() -> None:
-    judgement = judged(COMPARES_TIMES)
+@pytest.mark.parametrize(
+    "text",
+    [COMPARES_TIMES, *map(right_answer, ("multi_threaded_executor", "spin_thread_and_rate"))],
+    ids=["compares times of its clock", "MultiThreadedExecutor", "create_rate"],
+)
+def test_a_right_program_is_as_it_was_when_it_is_started_again(text: str) -> None:
+    judgement = judged(text)
     assert judgement.full_marks
-    assert clock_of(judgement) == "wall"
+    assert judgement.watched_real_life
+    assert clock_of(judgement) == "simulated"
 
 
 @pytest.mark.parametrize(
@@ -154,14 +215,12 @@ def test_a_jump_back_of_the_clock_is_not_the_fault_of_a_program_that_compares_ti
     [
         changed(READY, ON_SET.format(accepts="False")),
         changed(READY, ON_SET.format(accepts="1 / 0")),
-        changed(READY, ON_SET.format(accepts="all(one.value for one in parameters)")),
         changed(SUPER, f"{SUPER}, start_parameter_services=False"),
         changed(READY, '        self.create_timer(0.1, lambda: __import__("time").sleep(0.07))\n'),
     ],
     ids=[
         "refuses the switch",
         "ends with an error at the switch",
-        "refuses the switch back",
         "has no parameter services",
         "sleeps most of the time",
     ],

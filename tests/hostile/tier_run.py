@@ -9,10 +9,10 @@ from functools import partial
 from typing import Any
 
 from workbook.exercise.answers import Answer
+from workbook.exercise.retries import counting, judge_until_sure
 from workbook.feedback.text import as_text
 from workbook.grading.judges import Job
-from workbook.grading.local import LocalSlots
-from workbook.grading.retries import counting, judge_until_sure
+from workbook.grading.slots.scheduler import LocalSlots
 from workbook.grading.tier_check import tier_problem
 from workbook.isolation.tiers import named_tier
 
@@ -24,7 +24,7 @@ def main() -> None:
     jobs = [Job(name, STEM, Answer(text)) for name, text in json.load(sys.stdin).items()]
     told: dict[str, Any] = {"problem": tier_problem(tier), "judgements": {}}
     # What a tier keeps a program from shows before its real seconds.
-    judge = partial(LocalSlots(int(sys.argv[2]), tier).judge_all, thorough=False)
+    judge = partial(LocalSlots(int(sys.argv[2]), tier).judge_all, soak=False)
     if told["problem"] is None:
         for job, tries in judge_until_sure(jobs, judge):
             judgement = counting(tries)

@@ -11,6 +11,8 @@ import pytest
 
 from tests.programs.support import is_gone, wait_until, write
 from workbook.inside import RUN
+from workbook.programs.process import NodeProcess
+from workbook.programs.spec import ProgramSpec
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment
 
@@ -297,3 +299,83 @@ def test_a_program_whose_parent_is_gone_already_does_not_start(run: Run) -> None
     done = run("print('started')\n", host_options=("--parent", str(os.getpid() + 1)))
     assert done.stdout == ""
     assert done.returncode == 1
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "import traceback\ntraceback.print_stack()\n",
+        "import faulthandler\nfaulthandler.dump_traceback()\n",
+        "import logging\nlogging.warning('x', stack_info=True)\n",
+        "try:\n    import nothing_here\nexcept ImportError as error:\n    raise ValueError('no') from error\n",
+        "import warnings\nwarnings.simplefilter('error')\nwarnings.warn('x')\n",
+        "import threading\nt = threading.Thread(target=lambda: 1 / 0)\nt.start()\nt.join()\n",
+        "import rclpy\nrclpy.init()\nrclpy.init()\n",
+        "raise ExceptionGroup('several', [ValueError('a'), OSError('b')])\n",
+    ],
+    ids=["print_stack", "faulthandler", "logging", "chain", "warning", "thread", "wrapped", "group"],
+)
+def test_no_list_of_calls_shows_the_host(text: str, tmp_path: Path, domain: int) -> None:
+    program = write(tmp_path, text)
+    with NodeProcess(ProgramSpec(program), domain) as process:
+        assert process.wait(120.0)
+    log = process.log.text()
+    assert program.name in log and "line " in log
+    assert "inside/" not in log and "host.py" not in log and "frozen" not in log, log
+
+
+def test_each_thread_writes_its_traceback_in_one_piece(run: Run) -> None:
+    text = (
+        "import threading\nstart = threading.Barrier(8)\ndef work(number):\n"
+        "    start.wait()\n    raise ValueError(number)\n"
+        "threads = [threading.Thread(target=work, args=(n,)) for n in range(8)]\n"
+        "[one.start() for one in threads]\n[one.join() for one in threads]\n"
+    )
+    blocks = run(text).stderr.split("Exception in thread ")[1:]
+    assert len(blocks) == 8
+    assert all(one.count("Traceback (most") == 1 and one.count("ValueError: ") == 1 for one in blocks)
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ("String(data={})", "The field 'data' of String takes string, and got dict: {}"),
+        ("String(data=('a',))", "The field 'data' of String takes string, and got tuple: ('a',)"),
+        ("Int32(data=1.5)", "The field 'data' of Int32 takes int32, and got float: 1.5"),
+        ("UInt8(data=-1)", "The field 'data' of UInt8 takes uint8, and got int: -1"),
+        (
+            "Float32MultiArray(data=[0.0, 'b'])",
+            "The field 'data[1]' of Float32MultiArray takes float, and got str: 'b'",
+        ),
+        (
+            "Twist(linear=(1.0,))",
+            "The field 'linear' of Twist takes geometry_msgs/Vector3, and got tuple: (1.0,)",
+        ),
+        (
+            "Header(stamp=node.get_clock().now())",
+            "takes builtin_interfaces/Time, and got rclpy.time.Time: Time(",
+        ),
+        ("Image(data=np.ones((2, 2), dtype=np.uint8))", "takes uint8, and got numpy.ndarray: "),
+    ],
+)
+def test_a_value_that_does_not_fit_is_named_with_its_field(given: str, said: str, run: Run) -> None:
+    done = run(
+        "import rclpy\nimport numpy as np\nfrom geometry_msgs.msg import Twist\nfrom sensor_msgs.msg import Image\n"
+        "from std_msgs.msg import Float32MultiArray, Header, Int32, String, UInt8\n"
+        f"rclpy.init()\nnode = rclpy.create_node('a')\nmessage = {given}\n"
+        "node.create_publisher(type(message), 'x', 10).publish(message)\n"
+    )
+    assert said in done.stderr, done.stderr
+
+
+def test_a_thread_that_keeps_the_program_from_its_end_is_named(tmp_path: Path, domain: int) -> None:
+    text = (
+        "import threading, time\ndef go_on():\n    while True:\n        time.sleep(0.1)\n"
+        "thread = threading.Thread(target=go_on)\nthread.start()\nprint('ready', flush=True)\ntime.sleep(999)\n"
+    )
+    with NodeProcess(ProgramSpec(write(tmp_path, text)), domain) as process:
+        wait_until(lambda: "ready" in process.log.text())
+        process.interrupt()
+        wait_until(
+            lambda: "Still running: Thread-1 (go_on), line " in process.log.text(), instead=process.log.text
+        )

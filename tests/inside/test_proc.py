@@ -45,3 +45,18 @@ def test_of_this_machine_the_time_goes_on() -> None:
     assert 0 <= idle <= passed
     while proc.idle_and_all_s()[1] <= passed:
         time.sleep(TICK_S)
+
+
+def test_paths_with_spaces_are_read_whole(tmp_path: Path) -> None:
+    maps, sockets = (tmp_path / name for name in ("maps", "unix"))
+    library = "/home/ä b/my course/.venv/lib/liblttng-ust-1.so"
+    maps.write_text(
+        f"7f00-7f10 r-xp 00000000 08:01 123                        {library}\n7f20-7f30 rw-p 00000000 00:00 0\n"
+    )
+    assert proc.mapped_libraries("liblttng-ust-", str(maps)) == {library}
+    sockets.write_text(
+        "Num       RefCount Protocol Flags    Type St Inode Path\n"
+        "0000: 00000002 00000000 00010000 0001 01 11 @/my course/lease\n"
+        "0000: 00000003 00000000 00000000 0001 03 12\n"
+    )
+    assert proc.unix_socket_names(str(sockets)) == {"@/my course/lease"}

@@ -116,4 +116,4 @@ def test_below_all_isolation_a_program_that_fills_shared_memory_is_ended(
     finally:
         for path in Path("/dev/shm").glob(f"{name}-*"):
             path.unlink()
-    assert (record.limits_hit, record.ended_by) == (("disk",), "bench")
+    assert (record.limits_hit, record.ended_by) == (("disk",), "judge")

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = ("README.md", "CONTRIBUTING.md", "environment.md", "exercises/*.md", "docs/*.md")
+PAGES = ("*.md", "exercises/*.md", "docs/*.md")
 TASKS = ("solutions/*.py",)
 LESSONS = ("notebooks/sources/*.py",)
 MUSEUM = ("notebooks/sources/museum/*.toml", "notebooks/sources/planned.toml")

@@ -125,7 +125,7 @@ def test_a_node_of_the_notebook_that_is_seen_late_is_not_taken_for_the_programs(
 def test_a_program_that_falls_silent_is_ended_and_one_that_starts_slowly_is_not() -> None:
     begin = "import time\ntime.sleep(1.0)\nprint('here', flush=True)\n"
     silent = run_program(begin + "time.sleep(600)\n", silence=0.5)
-    assert (silent.ended_by, silent.log) == ("bench", "here\n")
+    assert (silent.ended_by, silent.log) == ("judge", "here\n")
     talking = run_program(
         begin + "for n in range(6):\n    time.sleep(0.5)\n    print(n, flush=True)\n", silence=2.0
     )

@@ -1,7 +1,7 @@
 """How a recorded lesson node has ended."""
 
 from workbook.criteria.vocabulary.known_errors import ended_in_order
-from workbook.exercise.conclusiveness import crashed_on_interrupt
+from workbook.exercise.inconclusive import crashed_on_interrupt
 from workbook.recording.recording import Recording
 
 

@@ -38,7 +38,7 @@ def observer() -> Iterator[Observer]:
 
 
 def recorded(observer: Observer, name: str, *topics: str, **parameters: object) -> list[TopicRecording]:
-    """A few periods of what a lesson node publishes, on robot time (shortest period 1 s, longest 2 s)."""
+    """A few periods of what a lesson node publishes, on simulated time (shortest period 1 s, longest 2 s)."""
     plan = Plan(topics=topics, shortest_period=1.0, longest_period=2.0)
     spec = ProgramSpec(ROOT / "lesson_nodes" / f"{name}.py", parameters=parameters)
     with observer.watch(spec, plan, "simulated") as watch:
@@ -114,7 +114,7 @@ def test_control_c_ends_it_with_exit_code_zero(name: str, way: str) -> None:
     target = ["-m", f"lesson_nodes.{name}"] if way == "module" else [f"lesson_nodes/{name}.py"]
     code, log = ended_by_control_c(name, target)
     if code == -signal.SIGSEGV:
-        # Once in thousands of times rclpy itself crashes here: see workbook.exercise.conclusiveness.
+        # Once in thousands of times rclpy itself crashes here: see workbook.exercise.inconclusive.
         code, log = ended_by_control_c(name, target)
     assert "started" in log
     assert ended_in_order(code, log), log

@@ -4,11 +4,11 @@ import math
 
 import pytest
 
-from lesson_nodes import figure_driver, tiny_camera
+from lesson_nodes import battery_levels, figure_driver, tiny_camera
 from lesson_nodes.level_desk import LevelDesk
 from tests.lesson_nodes.ending import ended_well
 from workbook.criteria.vocabulary.known_errors import ended_in_order
-from workbook.lesson import arrivals, record, run_program, start
+from workbook.lesson import arrivals, record, run_program, start, values
 from workbook.recording.recording import Recording
 
 DRIVE, CAMERA = "/robot/cmd_vel", "/robot/camera"
@@ -148,3 +148,9 @@ def test_the_desk_ends_on_ctrl_c_without_a_word() -> None:
     assert ended_in_order(outcome.exit, outcome.log), outcome.log
     if outcome.exit == 0:
         assert set(outcome.log.split()) == {"waiting"}
+
+
+def test_the_levels_are_published_as_they_are_named_and_once() -> None:
+    recording = record(battery_levels, {"/robot/battery": 0.5}, seconds=4, levels=["80.0", "0.5", "80"])
+    assert values(recording, "/robot/battery") == [80.0, 0.5, 0.0]
+    assert ended_well(recording), recording.process

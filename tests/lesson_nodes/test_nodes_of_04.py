@@ -16,7 +16,7 @@ from workbook.lesson.programs import program_file
 from workbook.programs.spec import ProgramSpec
 from workbook.recording.plan import Plan
 from workbook.recording.recording import Recording
-from workbook.recording.script import Script, says
+from workbook.recording.script import Script, publish
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
 from workbook.watching.observer import Observer
@@ -26,9 +26,11 @@ PATIENCE_S = 20.0
 
 
 def told(program: ModuleType, distances: list[float], answer: str, **parameters: object) -> Recording:
-    """What a lesson node makes of distances, a tenth of a second of robot time apart."""
+    """What a lesson node makes of distances, a tenth of a second of simulated time apart."""
     lines = [(0.3 + 0.1 * number, distance) for number, distance in enumerate(distances)]
-    plan = Plan((answer,), 0.1, 1.0, robot_seconds=3.0, script=Script((says(DISTANCE, Float32, lines),)))
+    plan = Plan(
+        (answer,), 0.1, 1.0, simulated_seconds=3.0, script=Script((publish(DISTANCE, Float32, lines),))
+    )
     with Observer() as observer:
         with observer.watch(
             ProgramSpec(program_file(program), parameters=parameters), plan, "simulated"

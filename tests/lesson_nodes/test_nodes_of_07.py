@@ -23,7 +23,7 @@ def test_each_shape_reports_thirty_times_a_minute_and_ends_well_on_ctrl_c(shape:
     assert [node.name for node in recording.nodes] == [f"/{name(shape)}"]
     assert len(arrivals(recording, BATTERY)) == 30
     assert values(recording, BATTERY) == [99.5 - 0.5 * number for number in range(30)]
-    assert recording.process.ended_by == "bench"
+    assert recording.process.ended_by == "judge"
     assert ended_in_order(recording.process.exit, recording.process.log + recording.process.end_log)
 
 

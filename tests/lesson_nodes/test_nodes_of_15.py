@@ -15,7 +15,7 @@ from sensor_msgs.msg import CompressedImage, Image
 from std_msgs.msg import Float32MultiArray
 
 from lesson_nodes.ball_scope import BallScope
-from lesson_nodes.head_camera import AT_REST, HeadCamera, ball_at, pinhole
+from lesson_nodes.head_camera import AT_REST, HeadCamera, ball_at, frame, pinhole
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import prepare
 
@@ -61,6 +61,44 @@ def test_the_same_seed_brings_the_same_pictures_and_another_seed_others() -> Non
     assert taken[0] == taken[1]
     assert taken[0] != taken[2]
     assert taken[0][0] != taken[0][1]
+
+
+def test_a_frozen_camera_publishes_one_frame_again_and_again() -> None:
+    node, published = camera(frozen=20)
+    for _ in range(3):
+        node.publish_picture()
+    rolling, others = camera()
+    rolling.count = 20
+    rolling.publish_picture()
+    assert {image.data.tobytes() for image in published} == {others[0].data.tobytes()}
+    assert (pixels_of(published[0]) == frame(20, 160)).all()
+
+
+def test_a_camera_that_waits_takes_the_next_picture_after_joint_positions_or_half_a_second(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    now = [100.0]
+    monkeypatch.setattr("lesson_nodes.head_camera.time.monotonic", lambda: now[0])
+    node, published = camera(waits=True)
+    node.take_picture()
+    node.take_picture()
+    assert len(published) == 1
+    node.on_joints(Float32MultiArray(data=[0.2, *AT_REST[1:]]))
+    node.take_picture()
+    assert len(published) == 2
+    now[0] += 0.49
+    node.take_picture()
+    assert len(published) == 2
+    now[0] += 0.01
+    node.take_picture()
+    assert len(published) == 3
+
+
+def test_a_camera_that_does_not_wait_takes_a_picture_at_each_tick() -> None:
+    node, published = camera()
+    for _ in range(3):
+        node.take_picture()
+    assert len(published) == 3
 
 
 def test_an_image_says_what_its_bytes_mean() -> None:

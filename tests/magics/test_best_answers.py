@@ -72,7 +72,7 @@ def test_what_was_judged_meanwhile_is_not_lowered_by_a_check_that_ends_later(fol
 
 
 def test_the_last_word_of_a_check_counts_and_is_one_try(folder: Path) -> None:
-    """Full marks on robot time, and then the program ends before its real seconds have passed."""
+    """Full marks on simulated time, and then the program ends before its real seconds have passed."""
     check(folder, "robot = 'ends early'\n", FULL, EIGHT)
     progress = load_progress(STEM)
     assert (progress.tries, progress.solved, progress.best) == (1, False, 8.0)

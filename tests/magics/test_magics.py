@@ -106,6 +106,19 @@ def test_a_syntax_error_is_shown_at_once(kernel: Kernel) -> None:
     assert card.startswith("0 of 10 points.")
 
 
+def test_a_program_that_waits_for_a_clock_is_told_so_when_it_starts(kernel: Kernel) -> None:
+    name = 'super().__init__("humanoid_status_publisher"'
+    assert SOURCE.solution_code.count(name) == 1
+    own = ", parameter_overrides=[rclpy.parameter.Parameter('use_sim_time', value=True)]"
+    answer(kernel, SOURCE.solution_code.replace(name, name + own))
+    try:
+        said = kernel.good("%start").text
+    finally:
+        kernel.good("%stop")
+    assert "waits for /clock, which nothing publishes" in said
+    answer(kernel, SOURCE.solution_code)
+
+
 def test_a_program_runs_beside_the_notebook(kernel: Kernel) -> None:
     answer(kernel, SOURCE.solution_code)
     before = alone(kernel)

@@ -99,6 +99,15 @@ def test_a_lesson_on_real_ros_passes_again_and_again(tmp_path: Path) -> None:
         assert "2 passed" in said
 
 
+def test_files_that_a_lesson_writes_are_gone_afterward_and_new_each_time(tmp_path: Path) -> None:
+    path = built(tmp_path, "%%writefile my_wave.py\nwave = 1", "import my_wave\nprint(my_wave.wave)")
+    assert "Writing my_wave.py" in path.read_text(encoding="utf-8")
+    for _ in range(2):
+        code, said = nbval(path)
+        assert code == 0, said
+        assert [one.name for one in path.parent.iterdir()] == [path.name]
+
+
 def test_two_builds_of_a_lesson_on_real_ros_are_the_same(tmp_path: Path) -> None:
     first = built(tmp_path, PUB_SUB, END).read_bytes()
     assert built(tmp_path, PUB_SUB, END).read_bytes() == first
@@ -121,6 +130,35 @@ def test_the_last_state_is_compared_and_noise_is_not(tmp_path: Path) -> None:
     assert "Cell 0: Cell outputs differ" in said
     assert "Cell 1: Cell outputs differ" in said
     assert "2 failed, 2 passed" in said
+
+
+MEASURED = """\
+from workbook.lesson import about
+age = 23.1
+print(f"JPEG: {about(age, 'ms', between=(5, 60)):>10} old, raw: {about(9.4, 'ms', between=(5, 60)):>10} old")"""
+
+
+def test_a_marked_number_may_differ_within_its_range_and_the_words_may_not(tmp_path: Path) -> None:
+    path = built(tmp_path, MEASURED, MEASURED)
+    assert "JPEG:    ≈ 23 ms old, raw:   ≈ 9.4 ms old" in path.read_text(encoding="utf-8")
+    changed(path, "JPEG:    ≈ 23 ms old", "JPEG: ≈ 1,402.5 ms old")
+    code, said = nbval(path)
+    assert code == 0, said
+    changed(path, "raw:   ≈ 9.4 ms old", "raw:   ≈ 9.4 s old")
+    code, said = nbval(path)
+    assert code == 1
+    assert "Cell outputs differ" in said
+
+
+@pytest.mark.parametrize("tags", [(), ("nbval-ignore-output",)], ids=["compared", "ignored"])
+def test_a_marked_number_outside_of_its_range_fails(tags: tuple[str, ...], tmp_path: Path) -> None:
+    path = built(
+        tmp_path, "from pathlib import Path\nage = 23.1", MEASURED.replace("age = 23.1\n", ""), tags=tags
+    )
+    changed(path, "age = 23.1", "age = 81.0")
+    code, said = nbval(path)
+    assert code == 1
+    assert "unusual on this machine" in said
 
 
 @pytest.mark.parametrize(

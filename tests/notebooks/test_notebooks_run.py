@@ -1,41 +1,52 @@
-"""Every notebook runs from top to bottom and shows what is committed: strict nbval, lesson by lesson.
+"""Every notebook runs from top to bottom and shows what is committed: strict nbval, notebook by notebook.
 
-Where there is a Chromium, the lessons are run in JupyterLab, and compared there (`test_browser_lessons`).
+The whole run leaves the lessons to JupyterLab, where `test_browser_lessons` compares them, if there is a Chromium.
 """
 
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
 
 from tests.calm import MOST_TAKEN, TRIES, await_calm, taken_s
-from workbook.authoring.comparing import compare
+from workbook.authoring.comparing import compare_stems
 from workbook.authoring.tree import Tree
-from workbook.lab.health import chromium
 
 ROOT = Path(__file__).resolve().parents[2]
 TREE = Tree(ROOT)
-LESSONS_TOO = chromium() is None
-STEMS = sorted({*(TREE.lesson_stems() if LESSONS_TOO else ()), *TREE.exercise_stems()})
-NUMBERS = sorted({stem[:2] for stem in STEMS})
+LESSONS, EXERCISES = TREE.lesson_stems(), TREE.exercise_stems()
 
 
 def test_there_is_something_to_run() -> None:
-    assert NUMBERS
+    assert LESSONS
+    assert EXERCISES
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", NUMBERS)
-def test_a_lesson_and_its_exercise_show_what_is_committed(
-    number: str, capfd: pytest.CaptureFixture[str]
+@pytest.mark.outside_browser
+@pytest.mark.parametrize("stem", LESSONS)
+def test_a_lesson_shows_what_is_committed(stem: str, capfd: pytest.CaptureFixture[str]) -> None:
+    show_what_is_committed(capfd, lessons=[stem])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("stem", EXERCISES)
+def test_an_exercise_shows_what_is_committed(stem: str, capfd: pytest.CaptureFixture[str]) -> None:
+    """With the starter, and with the solution put in."""
+    show_what_is_committed(capfd, exercises=[stem])
+
+
+def show_what_is_committed(
+    capfd: pytest.CaptureFixture[str], *, lessons: Sequence[str] = (), exercises: Sequence[str] = ()
 ) -> None:
-    """The lesson as it is, the exercise with the starter, and the exercise with the solution put in.
+    """Fail unless these notebooks do.
 
     What failed while the host gave the processors to others has shown nothing, and is run again.
     """
     for _ in range(TRIES):
         began, before = time.monotonic(), taken_s()
-        failed = compare(TREE, [number], lessons=LESSONS_TOO)
+        failed = compare_stems(TREE, lessons, exercises)
         output = capfd.readouterr().out
         if not failed or taken_s() - before < MOST_TAKEN * (time.monotonic() - began):
             break

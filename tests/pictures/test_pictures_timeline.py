@@ -133,7 +133,7 @@ def test_the_end_of_the_program_is_marked_in_robot_time() -> None:
 
 
 @pytest.mark.parametrize(
-    "process", [ProcessRecord(), ProcessRecord(signal="SIGINT", ended_at=2.4, ended_by="bench")]
+    "process", [ProcessRecord(), ProcessRecord(signal="SIGINT", ended_at=2.4, ended_by="judge")]
 )
 def test_a_program_that_lived_to_the_end_has_no_mark(process: ProcessRecord) -> None:
     record = recording({STATUS: range(1, 20)}, process=process)
@@ -143,7 +143,7 @@ def test_a_program_that_lived_to_the_end_has_no_mark(process: ProcessRecord) -> 
 
 def test_a_program_that_published_nothing_can_be_drawn() -> None:
     record = Recording(
-        "wall", 3, robot_s=5.0, wall_s=5.0, process=ProcessRecord(exit=1, ended_at=0.4, ended_by="itself")
+        "wall", 3, simulated_s=5.0, wall_s=5.0, process=ProcessRecord(exit=1, ended_at=0.4, ended_by="itself")
     )
     assert np.count_nonzero(colored(timeline.timeline(record), palette.RED)) > 0
     assert timeline.describe(record) == "timeline of messages: nothing was published; the program ended early"

@@ -22,7 +22,7 @@ def line_of_ancestors():
             pid = int(file.read().rsplit(")", 1)[1].split()[1])
 
 def judge():
-    return next(pid for pid, command in line_of_ancestors() if b"workbook.grading.slot" in command)
+    return next(pid for pid, command in line_of_ancestors() if b"workbook.grading.slots" in command)
 """
 """For an answer that is not sandboxed: who started it, and the slot that judges it (another process forked it)."""
 

@@ -72,7 +72,7 @@ time.sleep(600)
 
 def test_memory_of_all_processes_together_is_limited(tmp_path: Path, domain: int) -> None:
     record = ended(tmp_path, domain, HOGS, processes=64, memory=700 * MEGABYTE)
-    assert (record.limits_hit, record.ended_by) == (("memory",), "bench")
+    assert (record.limits_hit, record.ended_by) == (("memory",), "judge")
 
 
 def test_what_processes_share_is_counted_once(
@@ -118,7 +118,7 @@ held = [socket.socket() for _ in range(10)]
 time.sleep(60)
 """
     record = ended(tmp_path, domain, program, sockets=30, processes=64)
-    assert (record.limits_hit, record.ended_by) == (("sockets",), "bench")
+    assert (record.limits_hit, record.ended_by) == (("sockets",), "judge")
 
 
 def test_threads_of_all_processes_together_are_limited(tmp_path: Path, domain: int) -> None:
@@ -133,7 +133,7 @@ for _ in range(10):
 time.sleep(60)
 """
     record = ended(tmp_path, domain, program, threads=30, processes=64)
-    assert (record.limits_hit, record.ended_by) == (("processes",), "bench")
+    assert (record.limits_hit, record.ended_by) == (("processes",), "judge")
 
 
 def test_what_waits_in_sockets_is_added_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

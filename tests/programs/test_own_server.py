@@ -14,14 +14,14 @@ from pathlib import Path
 import pytest
 
 from tests.programs.support import is_gone, wait_until, write
-from tests.programs.test_warm_start import IMPORTS, NAMES, OF_ITSELF, finished
+from tests.programs.test_fork_client import IMPORTS, NAMES, OF_ITSELF, finished
 from workbook.inside.proc import children
 from workbook.programs import unconfined
 from workbook.programs.ending import RUN_MARK, processes_marked
+from workbook.programs.fork_client import ForkedProgram, OwnServer
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
 from workbook.programs.tier import Order
-from workbook.programs.warm_start import OwnServer, WarmProgram
 from workbook.recording.limits import NO_LIMITS, Limits
 from workbook.ros.domains import lease_domain
 from workbook.ros.environment import child_environment
@@ -35,11 +35,11 @@ import time
 from pathlib import Path
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
-from workbook.programs.warm_start import WarmProgram, own_server
+from workbook.programs.fork_client import ForkedProgram, own_server
 
 own_server.keep()
 program = NodeProcess(ProgramSpec(Path(sys.argv[1])), int(sys.argv[2]))
-assert isinstance(program._child, WarmProgram)
+assert isinstance(program._child, ForkedProgram)
 while "ready" not in program.log.text():
     time.sleep(0.01)
 print(own_server.pid, program.pid, flush=True)
@@ -72,7 +72,7 @@ def start(tmp_path: Path, domain: int, server: OwnServer, monkeypatch: pytest.Mo
         program = write(tmp_path, text)
         spec = ProgramSpec(program, arguments, **options)  # type: ignore[arg-type]
         started.append(NodeProcess(spec, domain))
-        assert isinstance(started[-1]._child, WarmProgram) is forked
+        assert isinstance(started[-1]._child, ForkedProgram) is forked
         return started[-1]
 
     yield start_it
@@ -126,28 +126,28 @@ def test_a_dead_server_costs_nothing_but_time(start: Start, server: OwnServer) -
 def test_a_server_that_cannot_fork_is_no_obstacle(
     tmp_path: Path, domain: int, server: OwnServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from tests.programs.test_warm_start import refuse
-    from workbook.programs import warm_start
+    from tests.programs.test_fork_client import refuse
+    from workbook.programs import fork_client
 
     assert server.ready() is not None
     monkeypatch.setattr(unconfined, "own_server", server)
-    monkeypatch.setattr(warm_start.ForkServer, "spawn", refuse)
+    monkeypatch.setattr(fork_client.ForkServer, "spawn", refuse)
     program = NodeProcess(ProgramSpec(write(tmp_path, "print('alive')")), domain)
-    assert not isinstance(program._child, WarmProgram)
+    assert not isinstance(program._child, ForkedProgram)
     assert finished(program) == "alive\n"
 
 
 def test_a_server_that_does_not_come_up_is_no_obstacle(
     tmp_path: Path, domain: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from workbook.programs import warm_start
+    from workbook.programs import fork_client
 
     own = OwnServer()
     own.keep()
-    monkeypatch.setattr(warm_start, "SERVER", "no_such_file")
+    monkeypatch.setattr(fork_client, "SERVER", "no_such_file")
     monkeypatch.setattr(unconfined, "own_server", own)
     program = NodeProcess(ProgramSpec(write(tmp_path, "print('alive')")), domain)
-    assert not isinstance(program._child, WarmProgram)
+    assert not isinstance(program._child, ForkedProgram)
     assert finished(program) == "alive\n"
     own.close()
 
@@ -160,7 +160,7 @@ def test_the_first_program_is_forked_too(
     monkeypatch.setattr(unconfined, "own_server", own)
     before = time.monotonic()
     program = NodeProcess(ProgramSpec(write(tmp_path, "print('alive')")), domain)
-    assert isinstance(program._child, WarmProgram)
+    assert isinstance(program._child, ForkedProgram)
     assert program.started_at - before > time.monotonic() - program.started_at, (
         "the server's start counts as its own"
     )
@@ -206,7 +206,7 @@ from workbook.isolation.limits import LimitsTier
 from workbook.inside.orphans import adopt_orphans
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
-from workbook.programs.warm_start import own_server
+from workbook.programs.fork_client import own_server
 
 adopt_orphans()
 own_server.keep()
@@ -226,7 +226,7 @@ def test_what_a_program_leaves_behind_goes_and_the_server_stays(tmp_path: Path, 
     done = subprocess.run(
         [sys.executable, "-c", SWEEPER, str(domain), *map(str, programs)], capture_output=True, text=True
     )
-    assert done.stdout.splitlines() == [f"WarmProgram {killed} True" for killed in (False, True, False)]
+    assert done.stdout.splitlines() == [f"ForkedProgram {killed} True" for killed in (False, True, False)]
 
 
 def test_a_program_that_nobody_waits_for_ends_and_nobody_hears_of_it(

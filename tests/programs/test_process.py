@@ -12,10 +12,10 @@ from tests.programs.support import children_of_this_process, is_gone, wait_until
 from workbook.programs import unconfined
 from workbook.programs.domains_used import domains_of_ports
 from workbook.programs.ending import kill_programs_of, processes_marked
+from workbook.programs.fork_client import ForkedProgram, OwnServer
 from workbook.programs.log import LOG_KEPT_BYTES
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
-from workbook.programs.warm_start import OwnServer, WarmProgram
 from workbook.recording.limits import Limits
 from workbook.recording.plain_text import plain_text
 from workbook.ros import scratch
@@ -71,7 +71,7 @@ def start(
         program = write(tmp_path, text, f"answer_{len(started)}.py")
         spec = ProgramSpec(program, arguments, **options)  # type: ignore[arg-type]
         started.append(NodeProcess(spec, domain))
-        assert isinstance(started[-1]._child, WarmProgram) is forked
+        assert isinstance(started[-1]._child, ForkedProgram) is forked
         return started[-1]
 
     yield start_it
@@ -131,7 +131,7 @@ def test_a_flood_is_stopped(start: Start) -> None:
     assert program.wait(60.0)
     record = program.record()
     assert record.limits_hit == ("output",)
-    assert record.ended_by == "bench"
+    assert record.ended_by == "judge"
     assert record.signal == "SIGKILL"
     program.stop()
     assert program.log.text().startswith("before the flood\n")
@@ -277,7 +277,7 @@ def test_a_program_that_ends_on_ctrl_c(start: Start) -> None:
     assert program.record().ended_by is None
     program.stop(patience_s=30.0)
     record = program.record()
-    assert (record.exit, record.ended_by) == (0, "bench")
+    assert (record.exit, record.ended_by) == (0, "judge")
     assert (record.log, record.end_log) == ("ready\n", "good night\n")
     assert not program.killed
 
@@ -296,7 +296,7 @@ def test_a_program_that_ignores_ctrl_c_is_killed(start: Start) -> None:
     program.stop(patience_s=0.1)
     record = program.record()
     assert program.killed
-    assert (record.exit, record.signal, record.ended_by) == (None, "SIGKILL", "bench")
+    assert (record.exit, record.signal, record.ended_by) == (None, "SIGKILL", "judge")
 
 
 DAEMONS = """

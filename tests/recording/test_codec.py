@@ -14,6 +14,7 @@ from tests.recording.test_recording import recordings, same
 from workbook.recording.codec import (
     ALWAYS_STORED,
     NOT_STORED,
+    STORED_IF_SET,
     UNKNOWN_FIELDS,
     Malformed,
     decode,
@@ -150,7 +151,11 @@ def as_before(value: Any) -> Any:
         return {str(key): as_before(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
         return [as_before(item) for item in value]
-    return {one.name: as_before(getattr(value, one.name)) for one in fields(value) if one.name != "format"}
+    return {
+        one.metadata.get("stored as", one.name): as_before(getattr(value, one.name))
+        for one in fields(value)
+        if one.name != "format" and (one.metadata != STORED_IF_SET or getattr(value, one.name))
+    }
 
 
 @given(recordings)
@@ -174,3 +179,14 @@ def test_data_changed_anywhere_is_refused_or_read(recording: Recording, data: st
     except ValueError:
         return
     assert same(Recording.from_json(read.to_json()), read)
+
+
+def test_a_field_that_is_stored_if_set_is_left_out_while_it_is_empty() -> None:
+    @dataclass(frozen=True)
+    class Seldom:
+        often: str = ""
+        problem: str = field(default="", metadata=STORED_IF_SET)
+
+    for one, data in ((Seldom(), {"often": ""}), (Seldom("", "none"), {"often": "", "problem": "none"})):
+        assert encode(one) == data
+        assert decode(Seldom, data) == one

@@ -59,7 +59,7 @@ processes = st.builds(
     exit=st.none() | st.integers(0, 255),
     signal=st.sampled_from([None, "SIGKILL"]),
     ended_at=st.none() | moments,
-    ended_by=st.sampled_from([None, "itself", "bench"]),
+    ended_by=st.sampled_from([None, "itself", "judge"]),
     watched_for=moments,
     limits_hit=st.sampled_from([(), ("output", "cpu")]),
     log=st.text(max_size=50),
@@ -71,7 +71,7 @@ recordings = st.builds(
     clock=st.sampled_from(["simulated", "wall"]),
     domain_id=st.integers(1, 101),
     phases=st.lists(st.builds(Phase, moments, moments, moments), max_size=2).map(tuple),
-    robot_s=moments,
+    simulated_s=moments,
     wall_s=moments,
     topics=st.lists(topics, max_size=3).map(lambda found: {topic.name: topic for topic in found}),
     nodes=st.lists(st.builds(NodeSeen, names, moments), max_size=2).map(tuple),
@@ -227,7 +227,7 @@ def test_an_older_recording_knows_nothing_of_a_type_checker() -> None:
 def test_an_unseen_topic_is_an_empty_recording() -> None:
     recording = Recording.from_json(WHOLE)
     assert recording.topic("/nobody") == TopicRecording("/nobody")
-    assert "/nobody" not in {topic.name for topic in recording.published()}
+    assert "/nobody" not in {topic.name for topic in recording.with_publishers()}
 
 
 # --- messages as plain data -----------------------------------------------------------------------------------

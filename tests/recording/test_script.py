@@ -2,7 +2,7 @@
 
 from std_msgs.msg import Float32
 
-from workbook.recording.script import says
+from workbook.recording.script import publish
 
 STEPS = 100
 
@@ -12,5 +12,5 @@ def test_a_sum_of_floats_makes_no_line_late() -> None:
     sums = [0.5 + 0.1 * n for n in range(STEPS)]
     steps = [(500_000_000 + 100_000_000 * n) / 1e9 for n in range(STEPS)]  # as a simulated clock counts
     assert any(one > step for one, step in zip(sums, steps, strict=True))
-    part = says("/robot/level", Float32, [(at, 1.0) for at in sums])
+    part = publish("/robot/level", Float32, [(at, 1.0) for at in sums])
     assert [line.at for line in part.lines] == steps

@@ -73,3 +73,29 @@ def test_a_number_outside_is_refused_before_anything_starts(with_knobs: Any) -> 
     outcome = with_knobs.run("await knobs.knob(PROGRAM, 'right_period_s', 9.0, between=(0.1, 1.0))")
     assert outcome.error == "ValueError" and "from 0.1 to 1.0" in outcome.message
     assert with_knobs.good("print(started, made)").text == "[] []\n"
+
+
+SLID = """
+import asyncio
+drawn = []
+def draw(number):
+    drawn.append(number)
+    return programs_png
+async def move():
+    for value in ({values}):
+        made[-1]._slider.value = value
+        while drawn[-1] != value:
+            await asyncio.sleep(0.02)
+task = asyncio.ensure_future(move())
+await knobs.slide("length", 9, draw, between=(1, 30), describe="a curve", seconds=1)
+await task
+print(drawn, made[-1]._slider.disabled)
+"""
+PNG = "from workbook.pictures.figures import figure, render\nprograms_png = render(figure()[0])"
+
+
+def test_each_move_draws_the_figure_again(with_knobs: Any) -> None:
+    with_knobs.good(PNG)
+    with_knobs.good("made.clear()")
+    said = with_knobs.good(SLID.format(values="4, 16,")).text.splitlines()
+    assert said[-1] == "[9, 4, 16] True"

@@ -10,7 +10,7 @@ import pytest
 
 from workbook.ros import lease_holders as module
 from workbook.ros.domains import lease_domain
-from workbook.ros.lease_holders import HOLDER_PREFIX, LEASE_PREFIX, Holder, lease_holders, told
+from workbook.ros.lease_holders import HOLDER_PREFIX, LEASE_PREFIX, Holder, lease_holders, who_holds_them
 
 ME = os.getuid()
 NOBODY = 65_534
@@ -114,7 +114,7 @@ def test_an_odd_announcement_counts_for_nothing(odd: str, own_names: str) -> Non
 def test_holders_are_named_by_how_much_they_hold_and_what_to_do_is_said() -> None:
     hog = [Holder(number, NOBODY, 4711, 1.0e9, "python hog.py") for number in range(1, 91)]
     mine = [Holder(number, ME, 12, 1.7e9, "python -m ipykernel") for number in range(91, 101)]
-    said = told([*hog, *mine, Holder(101, None)])
+    said = who_holds_them([*hog, *mine, Holder(101, None)])
     assert re.search(r"^Leased: 90 domains by \w+ \(process 4711, `python hog\.py`, since 2001-09-0\d", said)
     assert "; 10 domains by you (process 12, `python -m ipykernel`, since 20" in said
     assert "; 1 domain by somebody. Close notebooks" in said
@@ -122,7 +122,7 @@ def test_holders_are_named_by_how_much_they_hold_and_what_to_do_is_said() -> Non
 
 
 def test_many_holders_are_counted() -> None:
-    said = told([Holder(number, 100_000 + number, number) for number in range(1, 102)])
+    said = who_holds_them([Holder(number, 100_000 + number, number) for number in range(1, 102)])
     assert said.count("process") == module.MOST_NAMED and f"and {101 - module.MOST_NAMED} more" in said
     assert len(said) < 600
 

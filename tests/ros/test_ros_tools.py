@@ -4,13 +4,17 @@ import io
 import os
 import pty
 import re
+import signal
 import subprocess
 import sys
+import time
 
 import pytest
 
+from workbook.programs.process import NodeProcess
+from workbook.programs.spec import ProgramSpec
 from workbook.ros.domains import lease_domain
-from workbook.ros.environment import child_environment
+from workbook.ros.environment import child_environment, profile_with_default_times
 from workbook.ros.notebook_registry import OpenNotebook, announce, open_notebooks, withdraw
 from workbook.ros.topic_monitor import rate_of
 
@@ -111,7 +115,7 @@ def test_the_graph_is_plain_data_and_a_table(kernel, robot):
     kernel.good(LISTENER)
     outcome = kernel.good(
         "g = graph()\nprint(g.nodes)\nprint(g.topics['/robot/status'])\nfor edge in g.edges: print(*edge)\n"
-        "print(g._repr_html_().count('<tr>'))"
+        "print(g._repr_html_().count('<tr>'))\nprint(*g.broken[0][:3])"
     )
     assert outcome.text.splitlines() == [
         "('/robot/status', '/talker')",
@@ -122,6 +126,7 @@ def test_the_graph_is_plain_data_and_a_table(kernel, robot):
         "/talker subscribes /chatter",
         "/talker subscribes /robot/joints",
         "4",
+        "/robot/joints /robot/status /talker",
     ]
     html = kernel.good("print(topic_list()._repr_html_() == topic_list()._repr_html_())")
     assert html.text == "True\n"
@@ -170,7 +175,7 @@ def test_a_look_is_quick(kernel, robot):
         "times = []\nfor _ in range(5):\n    start = time.perf_counter()\n    graph()\n"
         "    times.append(time.perf_counter() - start)\nprint(sorted(times)[2])"
     )
-    assert float(outcome.text) < 2.0  # what a look waits for at the longest, where it knows nobody
+    assert float(outcome.text) < 2.0  # whoever runs here has answered before
 
 
 def command(*arguments, **environ):
@@ -198,12 +203,67 @@ def test_the_terminal_sees_nodes_and_topics(robot, domain):
         workbook("topic", "echo", "/robot/status", "--count=2", on).stdout == "data: operational\n---\n" * 2
     )
     rate = workbook("topic", "hz", "/robot/status", "--seconds=2", on)
-    assert 1 < float(rate.stdout.splitlines()[1].split()[0]) < MOST_PER_SECOND
+    *each_second, _header, summary = rate.stdout.splitlines()
+    assert 1 < float(summary.split()[0]) < MOST_PER_SECOND
+    assert len(each_second) >= 2 and " Hz, from " in each_second[-1]
     missing = workbook("topic", "echo", "/robot/battery", "--timeout=0.5", on)
     assert missing.returncode == 1
     told = " ".join(missing.stderr.split())
     assert "Nobody publishes /robot/battery. Published now: /robot/joints, /robot/status." in told
     assert told.endswith("Waiting for it; Ctrl-C ends. Still nobody publishes /robot/battery.")
+
+
+PLAIN = """
+import rclpy
+from rclpy.node import Node
+rclpy.init()
+try:
+    rclpy.spin(Node("player_%d"))
+except KeyboardInterrupt:
+    pass
+rclpy.try_shutdown()
+"""
+
+
+@pytest.fixture
+def plain_programs(tmp_path, domain):
+    """Three programs that announce themselves as rarely as a program without our profile: every three seconds."""
+    programs = []
+    for number in range(3):
+        file = tmp_path / f"player_{number}.py"
+        file.write_text(PLAIN % number)
+        spec = ProgramSpec(file)
+        programs.append(NodeProcess(spec, domain, write_profile=profile_with_default_times))
+    yield programs
+    for program in programs:
+        program.stop()
+
+
+def until_all_are_seen(domain):
+    """Wait until the three programs have been started."""
+    end = time.monotonic() + 60
+    while len(workbook("node", "list", f"--domain={domain}").stdout.split()) < 3:
+        assert time.monotonic() < end
+
+
+def test_every_look_waits_for_programs_that_announce_themselves_rarely(plain_programs, domain):
+    """Whoever looks may wait for three seconds: then all answer, and nothing is reported as missing."""
+    until_all_are_seen(domain)
+    for _ in range(6):
+        done = workbook("node", "list", f"--domain={domain}")
+        assert (done.stdout, done.stderr) == ("/player_0\n/player_1\n/player_2\n", "")
+
+
+def test_nobody_waits_for_a_program_that_is_stopped_and_it_is_named(plain_programs, domain):
+    until_all_are_seen(domain)
+    stopped = plain_programs[1].pid
+    os.kill(stopped, signal.SIGSTOP)
+    try:
+        done = workbook("node", "list", f"--domain={domain}")
+    finally:
+        os.kill(stopped, signal.SIGCONT)
+    assert done.stdout == "/player_0\n/player_2\n"
+    assert f"is stopped, so its nodes may be missing (process {stopped})" in done.stderr
 
 
 def test_a_misspelled_topic_is_told_at_once_and_awaited(robot, domain, start_script):
@@ -216,6 +276,31 @@ def test_a_misspelled_topic_is_told_at_once_and_awaited(robot, domain, start_scr
     assert process.wait(20) == 0
     process.stdout.close()
     process.stderr.close()
+
+
+def test_an_interrupted_measurement_is_told(robot, domain):
+    line, ours = command("topic", "hz", "/robot/status", "--seconds=600", f"--domain={domain}")
+    process = subprocess.Popen(line, env=ours, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    while " Hz, from " not in process.stdout.readline():
+        assert process.poll() is None
+    process.send_signal(2)
+    rest, errors = process.communicate(timeout=20)
+    assert process.returncode == 130, errors
+    assert float(rest.splitlines()[-1].split()[0]) > 1 and "Traceback" not in errors
+
+
+HELD = ROBOT.replace("rclpy.init(", "rclpy.init(args=['--ros-args', '-p', 'use_sim_time:=true'], ")
+
+
+@pytest.mark.parametrize(
+    "arguments", [("hz", "/robot/status", "--seconds=1"), ("echo", "/robot/status", "--timeout=3")]
+)
+def test_a_topic_whose_node_waits_for_the_clock_is_told(arguments, start_script, domain):
+    assert start_script(HELD).stdout.readline() == "up\n"
+    seen = workbook("topic", *arguments, f"--domain={domain}")
+    told = " ".join((seen.stderr + seen.stdout).split())
+    assert told.count("/robot/status uses simulated time (use_sim_time), but nobody publishes /clock.") == 1
+    assert "no message" in told.lower()
 
 
 def test_an_endless_echo_ends_cleanly_on_interrupt(robot, domain):

@@ -43,3 +43,14 @@ def test_the_direction_of_a_pixel_leads_back_to_it(column: float, row: float, fa
 def test_what_is_behind_the_camera_is_refused() -> None:
     with pytest.raises(ValueError, match="in front"):
         CAMERA.pixel(np.array([0.0, 0.0, -1.0]))
+
+
+@pytest.mark.parametrize("pan", [0.0, 0.4, -0.6])
+def test_a_pixel_of_a_level_plane_leads_back_to_its_place(pan: float) -> None:
+    camera = Pinhole()
+    pixel = camera.pixel(camera.seen_from((0.9, 0.2, -0.41), pan))
+    assert camera.on_level(*pixel, -0.41, pan) == pytest.approx((0.9, 0.2))
+
+
+def test_a_ray_above_the_horizon_does_not_meet_the_plane() -> None:
+    assert Pinhole(pitch=0.0).on_level(319.5, 100.0, -0.41) is None

@@ -16,8 +16,8 @@ from workbook.inside.proc import resident_bytes
 from workbook.programs.spec import ProgramSpec
 from workbook.recording.plan import BYTES_PER_TOPIC
 from workbook.recording.recording import Arrival, Recording
+from workbook.watching.message_quota import MessageQuota
 from workbook.watching.observer import Observer
-from workbook.watching.room import Room
 from workbook.watching.watched_topic import WatchedTopic, finished
 
 WATCH_S = 10.0
@@ -57,7 +57,7 @@ def image(data: bytes, width: int = 640) -> bytes:
 
 
 def kept(*messages: bytes) -> tuple[Arrival, ...]:
-    watched = WatchedTopic("/camera/image_raw", Room(BYTES_PER_TOPIC, 1000), CAMERA_TOPIC.features)
+    watched = WatchedTopic("/camera/image_raw", MessageQuota(BYTES_PER_TOPIC, 1000), CAMERA_TOPIC.features)
     watched.subscribed_type = "sensor_msgs/msg/Image"
     for moment, raw in enumerate(messages):
         watched.keep(float(moment), float(moment), float(moment), raw)
@@ -92,7 +92,7 @@ def test_a_message_of_which_no_features_can_be_told_is_kept_without() -> None:
 
 @pytest.mark.parametrize("told", [object(), [0.0] * 10_000], ids=["no data", "too much"])
 def test_features_are_few_and_plain(told: object) -> None:
-    watched = WatchedTopic("/camera/image_raw", Room(BYTES_PER_TOPIC, 10), {"data": lambda _: told})
+    watched = WatchedTopic("/camera/image_raw", MessageQuota(BYTES_PER_TOPIC, 10), {"data": lambda _: told})
     watched.subscribed_type = "sensor_msgs/msg/Image"
     watched.keep(0.0, 0.0, 0.0, image(b"\x01"))
     assert finished(watched, 1.0).arrivals[0].value["data"]["features"] is None

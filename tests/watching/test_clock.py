@@ -33,7 +33,7 @@ def test_simulated_time_begins_at_the_present_time_of_day_and_goes_on_in_equal_s
     assert before <= first <= after
     assert later == [first + 100_000_000, first + 200_000_000]
     assert clock.now == pytest.approx(0.2)
-    assert clock.robot_time(time.monotonic()) == pytest.approx(0.2)
+    assert clock.simulated_time(time.monotonic()) == pytest.approx(0.2)
 
 
 def test_a_step_is_due_after_the_time_that_the_speed_gives_it() -> None:
@@ -42,14 +42,3 @@ def test_a_step_is_due_after_the_time_that_the_speed_gives_it() -> None:
     assert 5.0 < clock.until_due() <= 10.0
     clock.run_at(1e9)
     assert clock.until_due() < 0.001
-
-
-def test_after_a_stop_robot_time_goes_on_with_real_time() -> None:
-    clock = SimulatedClock(StandIn(), 0.1)
-    clock.publish()
-    clock.advance()
-    early = time.monotonic()
-    clock.stop()
-    later = time.monotonic()
-    assert clock.robot_time(early) == pytest.approx(0.1)
-    assert 5.1 <= clock.robot_time(later + 5.0) <= 5.1 + (later - early)

@@ -17,7 +17,7 @@ def each(period: float, start: float, end: float) -> list[float]:
 
 
 def of_the_wall_clock(period: float, phases: list[Phase]) -> list[float]:
-    """Times (s of robot time) of what is published every `period` real seconds."""
+    """Times (s of simulated time) of what is published every `period` real seconds."""
     times, real = [], 0.0
     for phase in phases:
         begun, real = real, real + (phase.end - phase.start) / phase.speed
@@ -34,7 +34,7 @@ def test_equal_intervals_at_both_paces_follow() -> None:
 
 
 def test_what_is_quicker_than_the_steps_of_a_slow_clock_proves_nothing() -> None:
-    """On a busy machine robot time went at 0.1 and 0.6: most messages of 50 Hz came within one step of the clock."""
+    """On a busy machine simulated time went at 0.1 and 0.6: most messages of 50 Hz came within one step."""
     phases = [Phase(0.113, 0.0, 0.2), Phase(0.605, 0.2, 4.7), Phase(0.2, 4.7, 9.0)]
     times = [moment // STEP_S * STEP_S for moment in of_the_wall_clock(0.02, phases)]
     assert follows(phases, times, STEP_S) is not True
@@ -104,7 +104,7 @@ def test_phases_are_compared_in_which_the_messages_came() -> None:
 
 
 def test_a_pace_that_changes_once_follows_as_well() -> None:
-    """Five messages a second for 36 s, and then every second one is left out: as robot time went for such a program."""
+    """Five messages a second for 36 s, and then every second one is left out: so it went for such a program."""
     ends = (10.0, 17.6, 20.0, 30.0, 37.6, 40.0, 50.0, 57.6, 60.0)
     speeds = (90.0, 40.0, 95.0) * 3
     starts = (0.0, *ends)

@@ -1,4 +1,4 @@
-"""Robot time waits for a program that has work to do, but not for ever."""
+"""Simulated time waits for a program that has work to do, but not for ever."""
 
 import time
 from contextlib import closing

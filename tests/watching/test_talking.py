@@ -19,11 +19,11 @@ from workbook.criteria.vocabulary.pairing import script
 from workbook.programs.spec import ProgramSpec
 from workbook.recording.plan import Plan
 from workbook.recording.recording import Clock, Recording
-from workbook.recording.script import BEFORE_START, Part, Script, calls, says, serves
+from workbook.recording.script import BEFORE_START, Part, Script, calls, publish, serves
 from workbook.ros.environment import LOOPBACK_PROFILE, profile_with_default_times, profile_with_lease
 from workbook.watching.observer import Observer
 from workbook.watching.recorder import Recorder
-from workbook.watching.speaker import SERVED_EVERY_S, Speaker
+from workbook.watching.script_player import SERVED_EVERY_S, ScriptPlayer
 
 HEAD = """
 import rclpy
@@ -88,11 +88,16 @@ def watch(
 def test_what_is_said_comes_back_in_order(observer: Observer, tmp_path: Path, clock: Clock) -> None:
     lines = [(0.05 * number, level) for number, level in enumerate(LEVELS)]
     recording = watch(
-        observer, tmp_path, ECHO, says("/robot/level", Float32, lines), topics=("/robot/echo",), clock=clock
+        observer,
+        tmp_path,
+        ECHO,
+        publish("/robot/level", Float32, lines),
+        topics=("/robot/echo",),
+        clock=clock,
     )
-    assert [one.value["data"] for one in recording.said] == list(LEVELS)
+    assert [one.value["data"] for one in recording.published] == list(LEVELS)
     assert [one.value["data"] for one in recording.topic("/robot/echo").arrivals] == list(LEVELS)
-    assert [round(one.t, 2) for one in recording.said[:3]] == pytest.approx([0.0, 0.05, 0.1], abs=0.1)
+    assert [round(one.t, 2) for one in recording.published[:3]] == pytest.approx([0.0, 0.05, 0.1], abs=0.1)
 
 
 DIES_AFTER_THREE = ECHO.replace(
@@ -110,9 +115,9 @@ DIES_AFTER_THREE = ECHO.replace(
 def test_what_a_program_did_not_live_to_hear_is_in_its_recording(
     observer: Observer, tmp_path: Path, clock: Clock
 ) -> None:
-    part = says("/robot/level", Float32, [(0.1 * number, level) for number, level in enumerate(LEVELS)])
+    part = publish("/robot/level", Float32, [(0.1 * number, level) for number, level in enumerate(LEVELS)])
     recording = watch(observer, tmp_path, DIES_AFTER_THREE, part, clock=clock, seconds=3.0)
-    assert 3 <= len(recording.said) < len(LEVELS)
+    assert 3 <= len(recording.published) < len(LEVELS)
     assert [one.value["data"] for one in script(recording, part.topic)] == list(LEVELS)
 
 
@@ -140,8 +145,8 @@ def test_a_program_that_is_still_at_work_is_waited_for(observer: Observer, tmp_p
         observer,
         tmp_path,
         SLOW_STARTER,
-        says("/robot/level", Float32, lines),
-        says("/other_robot/level", Float32, [(0.0, 1.0)], awaited=False),
+        publish("/robot/level", Float32, lines),
+        publish("/other_robot/level", Float32, [(0.0, 1.0)], awaited=False),
         topics=("/robot/echo",),
     )
     assert [one.value["data"] for one in recording.topic("/robot/echo").arrivals] == list(LEVELS)
@@ -152,7 +157,7 @@ def bench(observer: Observer) -> Iterator[Node]:
     context = Context()
     rclpy.init(context=context, domain_id=observer.domain_id, signal_handler_options=SignalHandlerOptions.NO)
     try:
-        node = Node("bench", context=context)
+        node = Node("judge", context=context)
         yield node
         node.destroy_node()
     finally:
@@ -173,7 +178,7 @@ def test_a_node_whose_name_comes_after_its_publisher_is_waited_for(
 
     monkeypatch.setattr(Recorder, "present", known_later)
     fragile = ECHO.replace("self.echo.publish", "lambda level: self.show(level)")  # there is no such method
-    level = says("/robot/level", Float32, [(0.0, 1.0)])
+    level = publish("/robot/level", Float32, [(0.0, 1.0)])
     recording = watch(observer, tmp_path, fragile, level, topics=("/robot/echo",))
     assert recording.process.ended_by == "itself"
     assert [node.name for node in recording.nodes] == ["/robot"]
@@ -181,49 +186,63 @@ def test_a_node_whose_name_comes_after_its_publisher_is_waited_for(
 
 def test_what_is_not_awaited_holds_nothing_up(bench: Node) -> None:
     for awaited in (True, False):
-        script = Script((says("/other_robot/level", Float32, [(0.0, 2.0)], awaited=awaited),))
-        assert Speaker(bench, script, lambda moment: moment).ready() is not awaited
+        script = Script((publish("/other_robot/level", Float32, [(0.0, 2.0)], awaited=awaited),))
+        assert ScriptPlayer(bench, script, lambda moment: moment).ready() is not awaited
 
 
 def test_the_next_line_of_all_parts_is_what_is_waited_for(bench: Node) -> None:
-    level = says("/robot/level", Float32, [(BEFORE_START, 0.0), (1.0, 1.0), (3.0, 2.0)])
-    speaker = Speaker(
-        bench, Script((level, says("/robot/word", String, [(2.0, "stop")]))), lambda moment: moment
+    level = publish("/robot/level", Float32, [(BEFORE_START, 0.0), (1.0, 1.0), (3.0, 2.0)])
+    player = ScriptPlayer(
+        bench, Script((level, publish("/robot/word", String, [(2.0, "stop")]))), lambda moment: moment
     )
-    assert speaker.until_next(0.25) == 0.75
-    speaker.play(1.0)
-    assert speaker.until_next(1.0) == 1.0
-    speaker.play(2.5)
-    assert speaker.until_next(2.5) == 0.5
-    assert speaker.until_next(3.5) == 0.0
-    speaker.play(3.5)
-    assert speaker.until_next(3.5) == math.inf
+    assert player.until_next(0.25) == 0.75
+    player.play(1.0)
+    assert player.until_next(1.0) == 1.0
+    player.play(2.5)
+    assert player.until_next(2.5) == 0.5
+    assert player.until_next(3.5) == 0.0
+    player.play(3.5)
+    assert player.until_next(3.5) == math.inf
 
 
 def test_lines_that_come_late_keep_their_pauses_where_nobody_can_stop_the_clock(bench: Node) -> None:
     lines = [(1.0, 1.0), (1.1, 2.0), (1.1, 3.0), (1.2, 4.0)]
-    speaker = Speaker(bench, Script((says("/robot/level", Float32, lines),)), lambda moment: moment)
+    player = ScriptPlayer(bench, Script((publish("/robot/level", Float32, lines),)), lambda moment: moment)
     said: list[list[float]] = []
     for moment in (0.99, 1.005, 1.5, 1.59, 1.61):  # held up from 1.005 s to 1.5 s
-        before = len(speaker.said())
-        speaker.play(moment, keep_pauses=True)
-        said.append([line.value["data"] for line in speaker.said()[before:]])
+        before = len(player.published())
+        player.play(moment, keep_pauses=True)
+        said.append([line.value["data"] for line in player.published()[before:]])
     assert said == [[], [1.0], [2.0, 3.0], [], [4.0]]
-    assert speaker.late_s == pytest.approx(0.4)
+    assert player.late_s == pytest.approx(0.4)
+
+
+def test_the_parts_of_a_script_share_one_delay(bench: Node) -> None:
+    """The judge is held up while one part is due and another is not: both go on together."""
+    images = publish("/robot/level", Float32, [(1.0, 10.0), (2.0, 20.0), (3.0, 30.0)])
+    samples = publish("/robot/other", Float32, [(1.5, 15.0), (2.5, 25.0)])
+    player = ScriptPlayer(bench, Script((samples, images)), lambda moment: moment)
+    said: list[list[float]] = []
+    for moment in (1.9, 2.39, 2.41, 2.91, 3.41, 3.91):  # held up until 1.9 s, when both first lines are due
+        before = len(player.published())
+        player.play(moment, keep_pauses=True)
+        said.append([line.value["data"] for line in player.published()[before:]])
+    assert said == [[10.0], [], [15.0], [20.0], [25.0], [30.0]]
+    assert player.late_s == pytest.approx(0.9)
 
 
 def test_on_robot_time_all_that_is_due_is_said(bench: Node) -> None:
-    script = Script((says("/robot/level", Float32, [(1.0, 1.0), (1.1, 2.0), (1.2, 3.0)]),))
-    speaker = Speaker(bench, script, lambda moment: moment)
-    speaker.play(1.15)
-    assert [line.value["data"] for line in speaker.said()] == [1.0, 2.0]
+    script = Script((publish("/robot/level", Float32, [(1.0, 1.0), (1.1, 2.0), (1.2, 3.0)]),))
+    player = ScriptPlayer(bench, script, lambda moment: moment)
+    player.play(1.15)
+    assert [line.value["data"] for line in player.published()] == [1.0, 2.0]
 
 
 @pytest.mark.parametrize(
     "part", [serves("/robot/reset", Trigger, [({}, 0.0)]), calls("/robot/reset", Trigger, [])]
 )
 def test_whoever_calls_or_is_called_may_come_at_any_moment(bench: Node, part: Part) -> None:
-    assert Speaker(bench, Script((part,)), lambda moment: moment).until_next(0.0) == SERVED_EVERY_S
+    assert ScriptPlayer(bench, Script((part,)), lambda moment: moment).until_next(0.0) == SERVED_EVERY_S
 
 
 LATE = (
@@ -249,11 +268,11 @@ class Robot(Node):
 def test_what_was_said_before_the_start_reaches_those_who_ask_for_it(
     observer: Observer, tmp_path: Path, durability: str, shown: str
 ) -> None:
-    status = says("/robot/status", String, [(BEFORE_START, "standing")], qos="latched")
+    status = publish("/robot/status", String, [(BEFORE_START, "standing")], qos="latched")
     recording = watch(observer, tmp_path, LATE % durability, status, topics=("/dashboard/line",), seconds=2.0)
     arrivals = recording.topic("/dashboard/line").arrivals
     assert {one.value["data"] for one in arrivals if one.t > HANDED_OVER_S} == {shown}
-    assert recording.said[0].t == BEFORE_START
+    assert recording.published[0].t == BEFORE_START
 
 
 CLIENT = (
@@ -344,7 +363,7 @@ def test_a_driver_calls_a_function_in_the_process_of_the_answer(observer: Observ
         observer,
         tmp_path,
         FUNCTION,
-        says("/driver/level", Float32, lines),
+        publish("/driver/level", Float32, lines),
         topics=("/driver/result",),
         seconds=0.6,
         driver=DRIVER,
@@ -379,7 +398,7 @@ rclpy.try_shutdown()
 
 
 def test_twins_are_counted_and_a_clean_end_leaves_no_node(observer: Observer, tmp_path: Path) -> None:
-    """A good-bye that gets lost, as in one of a hundred ends on a very busy machine, is not repeated: see `doubt`."""
+    """A good-bye that gets lost, as in one of a hundred ends on a very busy machine, is not repeated."""
     for _ in range(TRIES):
         recording = watch(observer, tmp_path, TWINS % "", seconds=0.5)
         assert {node.name: node.most for node in recording.nodes} == {"/arm": 2, "/robot/head": 1}
@@ -416,7 +435,9 @@ def test_processor_time_is_sampled_and_everything_survives_storage(
     observer: Observer, tmp_path: Path
 ) -> None:
     lines = [(0.1, 1.0)]
-    recording = watch(observer, tmp_path, ECHO, says("/robot/level", Float32, lines), topics=("/robot/echo",))
+    recording = watch(
+        observer, tmp_path, ECHO, publish("/robot/level", Float32, lines), topics=("/robot/echo",)
+    )
     samples = recording.process.processor
     assert len(samples) >= 5
     assert all(a[0] < b[0] and a[1] <= b[1] for a, b in zip(samples, samples[1:], strict=False))
@@ -446,7 +467,7 @@ class Robot(Node):
 def test_a_deadline_can_be_requested_where_one_is_offered(
     observer: Observer, tmp_path: Path, offered: float | None, misses: bool
 ) -> None:
-    level = says("/robot/level", Float32, [(0.0, 1.0)], deadline=offered)
+    level = publish("/robot/level", Float32, [(0.0, 1.0)], deadline=offered)
     recording = watch(observer, tmp_path, WATCHFUL, level, topics=("/watchdog/late",), seconds=1.5)
     assert bool(recording.topic("/watchdog/late").arrivals) is misses
     assert [one.deadline for one in recording.topic("/robot/level").subscribers] == [0.5]
@@ -456,12 +477,12 @@ def test_a_deadline_can_be_requested_where_one_is_offered(
 @pytest.mark.parametrize("deadline", [0.0, -1.0, float("nan")])
 def test_an_offered_deadline_is_above_zero(deadline: float) -> None:
     with pytest.raises(ValueError, match="above zero"):
-        says("/robot/level", Float32, [], deadline=deadline)
+        publish("/robot/level", Float32, [], deadline=deadline)
 
 
 def test_calls_without_end_are_not_all_kept(bench: Node, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("workbook.watching.speaker.CALLS_KEPT", 3)
-    speaker = Speaker(
+    monkeypatch.setattr("workbook.watching.script_player.CALLS_KEPT", 3)
+    player = ScriptPlayer(
         bench, Script((serves("/robot/self_test", Trigger, [({}, 0.0)]),)), lambda moment: moment
     )
     client = bench.create_client(Trigger, "/robot/self_test")
@@ -472,9 +493,9 @@ def test_calls_without_end_are_not_all_kept(bench: Node, monkeypatch: pytest.Mon
             client.handle.send_request(Trigger.Request())
     deadline = time.monotonic() + 20.0
     while answered < 3 and time.monotonic() < deadline:
-        speaker.poll()
+        player.poll()
         with client.handle:
             answered += client.handle.take_response(Trigger.Response)[0] is not None
-    speaker.poll()
+    player.poll()
     assert answered == 3
-    assert [call.answered_t is not None for call in speaker.calls()] == [True] * 3
+    assert [call.answered_t is not None for call in player.calls()] == [True] * 3

@@ -133,11 +133,11 @@ def carry_outputs(target: Path, wanted: document.Notebook) -> bool:
     def code(notebook: document.Notebook) -> list[Any]:
         return [cell for cell in notebook.cells if cell.cell_type == "code"]
 
-    def told(cells: list[Any]) -> list[tuple[str, str, Any]]:
+    def shown_cells(cells: list[Any]) -> list[tuple[str, str, Any]]:
         return [(cell.id, cell.source, cell.metadata) for cell in cells]
 
     shown = code(built)
-    if built.metadata != wanted.metadata or told(shown) != told(code(wanted)):
+    if built.metadata != wanted.metadata or shown_cells(shown) != shown_cells(code(wanted)):
         return False
     if not all(cell.execution_count for cell in shown):
         return False

@@ -33,22 +33,37 @@ def compare_run(tree: Tree, stem: str, ran: Path) -> int:
         return _nbval(tree, top, ["nbval.plugin", GLUE], environment={RAN: str(ran)})
 
 
-def compare(
-    tree: Tree, names: Iterable[str] = (), *, lessons: bool = True, jobs: int = 1, extra: Sequence[str] = ()
-) -> int:
+def compare(tree: Tree, names: Iterable[str] = (), *, jobs: int = 1, extra: Sequence[str] = ()) -> int:
     """Run the named notebooks, or all, and compare what they show with what is committed.
 
-    Lessons run as they are, exercises as a student goes through them: with the starter, and then, in the same
-    kernel, with the solution put in. Without `lessons` only exercises run. `extra` goes to pytest. Returns its exit
-    code.
+    `extra` goes to pytest. Returns its exit code.
 
     Raises:
         AuthoringError: a notebook is not built, or an exercise cannot be.
     """
-    stems, exercises = building.select(tree, names)
+    lessons, exercises = building.select(tree, names)
+    return compare_stems(tree, lessons, exercises, jobs=jobs, extra=extra)
+
+
+def compare_stems(
+    tree: Tree,
+    lessons: Iterable[str],
+    exercises: Iterable[str],
+    *,
+    jobs: int = 1,
+    extra: Sequence[str] = (),
+) -> int:
+    """Run these lessons and exercises, and compare as `compare` does.
+
+    Lessons run as they are, exercises as a student goes through them: with the starter, and then, in the same
+    kernel, with the solution put in.
+
+    Raises:
+        AuthoringError: a notebook is not built, or an exercise cannot be.
+    """
     with tempfile.TemporaryDirectory(prefix="notebooks-") as scratch:
         top = Path(scratch)
-        for stem in stems if lessons else ():
+        for stem in lessons:
             built = tree.notebooks / f"{stem}.ipynb"
             _put(top / "notebooks" / built.name, _read(built))
         for stem in exercises:

@@ -84,7 +84,7 @@ def _document(tree: Tree, exercise: Exercise, program: str) -> Document:
 
 
 def _practice(source: ExerciseSource) -> str:
-    return "**Here you practise to**\n\n" + "\n".join(f"- {objective}" for objective in source.objectives)
+    return "**You will practice**\n\n" + "\n".join(f"- {objective}" for objective in source.objectives)
 
 
 def _your_program(source: ExerciseSource) -> str:

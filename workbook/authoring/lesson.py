@@ -9,6 +9,7 @@ from typing import Any
 import jupytext
 
 from workbook.authoring.document import Cell, Document, with_ids
+from workbook.authoring.plain_helpers import with_plain_helpers
 from workbook.authoring.predictions import read_prediction
 from workbook.authoring.tree import AuthoringError, Tree
 from workbook.lesson.prediction import Prediction
@@ -39,19 +40,11 @@ def read_lesson(tree: Tree, stem: str) -> Document:
         tags = metadata.pop("tags", [])
         asked = metadata.pop("prediction", None)
         where = f"{shown}, cell {number} ({_first_line(read.source)})"
-        if read.cell_type not in ("markdown", "code"):
-            raise AuthoringError(f"{where}: a lesson has markdown and code cells, not {read.cell_type} cells")
-        if metadata:
-            raise AuthoringError(
-                f"{where}: only id, tags and prediction may be set, not {', '.join(sorted(metadata))}"
-            )
-        unknown = [tag for tag in tags if tag not in TAGS]
-        if unknown:
-            raise AuthoringError(f"{where}: unknown tag {unknown[0]!r}; lessons use {' and '.join(TAGS)}")
-        if not read.source.strip():
-            raise AuthoringError(f"{where}: this cell is empty")
+        _refuse_unknown(read.cell_type, read.source, metadata, tags, where)
         line = lines[number - 1] if number <= len(lines) else 0
         source = read.source
+        if read.cell_type == "markdown":
+            source = with_plain_helpers(source, where)
         if asked is not None:
             try:
                 source, prediction = read_prediction(str(asked), source)
@@ -64,6 +57,21 @@ def read_lesson(tree: Tree, stem: str) -> Document:
     except ValueError as error:
         raise AuthoringError(f"{shown}: {error}") from error
     return Document(named, _metadata(tree, stem, text, named, predictions), tuple(predictions))
+
+
+def _refuse_unknown(kind: str, source: str, metadata: dict[str, object], tags: list[str], where: str) -> None:
+    """Raise AuthoringError for a cell that no lesson has. `metadata`: what is left of it after the known names."""
+    if kind not in ("markdown", "code"):
+        raise AuthoringError(f"{where}: a lesson has markdown and code cells, not {kind} cells")
+    if metadata:
+        raise AuthoringError(
+            f"{where}: only id, tags and prediction may be set, not {', '.join(sorted(metadata))}"
+        )
+    unknown = [tag for tag in tags if tag not in TAGS]
+    if unknown:
+        raise AuthoringError(f"{where}: unknown tag {unknown[0]!r}; lessons use {' and '.join(TAGS)}")
+    if not source.strip():
+        raise AuthoringError(f"{where}: this cell is empty")
 
 
 def inputs(tree: Tree, text: str) -> tuple[Path, ...]:

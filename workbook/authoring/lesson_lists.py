@@ -43,21 +43,21 @@ def list_page(tree: Tree) -> str:
 
 
 def table(tree: Tree) -> str:
-    """The table of the README: every lesson with its exercise, and what is planned."""
+    """The table of the README: every lesson with its exercise; below it, what is planned."""
     exercises = _exercises(tree)
-    rows = {}
+    lines = ["| | lesson | exercise |", "|---|---|---|"]
     for stem in tree.main_stems():
         title = title_of(tree, stem).partition(" · ")[2]
         own = [exercise for exercise in exercises.values() if exercise.stem[:2] == stem[:2]]
         link = f"[{own[0].title}](exercises/{own[0].stem}.ipynb)" if own else "in the lesson, not graded"
-        rows[stem[:2]] = f"[{title}](notebooks/{stem}.ipynb) | {link} | **ready** |"
+        lines.append(f"| {stem[:2]} | [{title}](notebooks/{stem}.ipynb) | {link} |")
         if deeper := tree.deeper_stem(stem):
             title = title_of(tree, deeper).partition(" · ")[2]
-            rows[stem[:2]] += f"\n| | [{title}](notebooks/{deeper}.ipynb) | | optional |"
-    for number, title in planned(tree).items():
-        rows.setdefault(number, f"{title} | | planned |")
-    lines = ["| | lesson | exercise | |", "|---|---|---|---|"]
-    return "\n".join([*lines, *(f"| {number} | {rows[number]}" for number in sorted(rows))])
+            lines.append(f"| | [{title}](notebooks/{deeper}.ipynb) | |")
+    titles = [f"*{title}*" for title in planned(tree).values()]
+    if titles:
+        lines += ["", f"Planned: {', '.join(titles)}."]
+    return "\n".join(lines)
 
 
 def planned(tree: Tree) -> dict[str, str]:

@@ -1,11 +1,13 @@
 """A pytest plugin that lets nbval see what JupyterLab shows.
 
-nbval by itself drops updates of a display and piles up cleared outputs, so that a picture that moves never equals
-the one committed. This plugin applies both as they come. Pictures inside HTML are not compared. It also sets the
+nbval by itself drops updates of a display and piles up cleared outputs, so that a picture that moves never equals the
+one committed. This plugin applies both as they come. Pictures inside HTML are not compared. Numbers marked as varying
+(`≈ 23 ms`) count as equal, but a cell fails when one of them is outside of its range. The plugin also sets the
 sanitize file unless another is given, compares only text in notebooks whose metadata says `workbook.compare: text`,
-fails a cell whose magic does not exist, talks to kernels over Unix sockets, and gives each notebook an answers folder
-of its own unless WORKBOOK_ANSWERS is set. Nobody looks at what moves, and it is drawn twice a second only. With
-WORKBOOK_RAN it starts no kernel, and compares what that notebook shows, which was run elsewhere.
+fails a cell whose magic does not exist, talks to kernels over Unix sockets, and runs each in an empty folder, so that
+nothing is left in the checkout. It gives each notebook an answers folder of its own unless WORKBOOK_ANSWERS is set.
+Nobody looks at what moves, and it is drawn twice a second only. With WORKBOOK_RAN it starts no kernel, and compares
+what that notebook shows, which was run elsewhere.
 """
 
 import gc
@@ -24,8 +26,9 @@ import pytest
 from nbval.plugin import IPyNbCell, IPyNbFile, NbCellError
 
 from workbook.authoring.kernels import PrivateKernelManager
-from workbook.authoring.outputs import SANITIZE, without_pictures
+from workbook.authoring.outputs import SANITIZE, texts, without_numbers, without_pictures
 from workbook.authoring.replay import RAN, Replay
+from workbook.lesson.measured import UNUSUAL
 from workbook.lesson.predictions import UNATTENDED
 from workbook.ros.scratch import sweep_scratch
 
@@ -39,7 +42,7 @@ _own_folder = pytest.StashKey[Path]()
 
 def pytest_configure(config: pytest.Config) -> None:
     """Run kernels on Unix sockets, set the sanitize file, and draw live pictures twice a second only."""
-    nbval.kernel.KernelManager = PrivateKernelManager
+    nbval.kernel.KernelManager = KernelInAnEmptyFolder
     ran = os.environ.get(RAN)
     if ran:
         nbval.plugin.RunningKernel = lambda *_, **__: Replay(Path(ran))
@@ -85,11 +88,15 @@ def pytest_collectstart(collector: pytest.Collector) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
-    """Run a cell with display updates applied. Raises NbCellError when the cell uses a magic that does not exist."""
+    """Run a cell with display updates applied.
+
+    Raises:
+        NbCellError: the cell uses a magic that does not exist, or shows a number outside of its range.
+    """
     if not isinstance(item, IPyNbCell):
         return (yield)
     sanitize = item.sanitize
-    item.sanitize = lambda text: sanitize(without_pictures(text) if isinstance(text, str) else text)
+    item.sanitize = lambda text: sanitize(_comparable(text) if isinstance(text, str) else text)
     notebook: Any = item.parent
     ask = notebook.get_kernel_message
     notebook.get_kernel_message = LiveOutputs(ask, lambda: item.test_outputs)
@@ -100,7 +107,27 @@ def pytest_runtest_call(item: pytest.Item) -> Generator[None, object, object]:
     for output in item.test_outputs or ():
         if output.get("name") == "stderr" and output["text"].startswith(NO_MAGIC):
             raise NbCellError(item.cell_num, output["text"].strip(), item.cell.source)
+        for line in (line for text in texts(output) for line in text.splitlines() if UNUSUAL in line):
+            raise NbCellError(item.cell_num, f"A number is outside of its range: {line}", item.cell.source)
     return result
+
+
+def _comparable(text: str) -> str:
+    return without_numbers(without_pictures(text))
+
+
+class KernelInAnEmptyFolder(PrivateKernelManager):
+    """Run the kernel in a folder that goes when the kernel is shut down, as do the files that a notebook writes."""
+
+    def start_kernel(self, **options: Any) -> None:
+        """Start the kernel there, wherever its notebook is."""
+        self._folder = Path(tempfile.mkdtemp(prefix="notebook-"))
+        super().start_kernel(**{**options, "cwd": str(self._folder)})
+
+    def cleanup_connection_file(self) -> None:
+        """Remove the folder as well."""
+        super().cleanup_connection_file()
+        shutil.rmtree(self._folder, ignore_errors=True)
 
 
 class LiveOutputs:

@@ -8,6 +8,8 @@ from typing import Any
 
 import nbformat
 
+from workbook.lesson.measured import MARK
+
 SANITIZE = Path(__file__).with_name("sanitize.cfg")
 """Patterns in nbval's format, shared by the builder and nbval."""
 
@@ -22,6 +24,8 @@ def patterns() -> tuple[tuple[re.Pattern[str], str], ...]:
 
 PICTURE = re.compile(r'(src(?:set)?="data:image/[a-z+]+;base64,[^"]*")')
 """A picture inside HTML."""
+_MARKED = re.compile(rf"{MARK} -?\d[\d,]*(?:\.\d+)?")
+_SPACES = re.compile(r" {2,}")
 
 
 def sanitized(text: str) -> str:
@@ -36,6 +40,15 @@ def sanitized(text: str) -> str:
 def without_pictures(text: str) -> str:
     """The text with a word in the place of each picture inside HTML."""
     return PICTURE.sub('src="picture"', text)
+
+
+def without_numbers(text: str) -> str:
+    """The text with a word in the place of each number marked as varying, and without the spaces that align it."""
+    lines = text.split("\n")
+    for place, line in enumerate(lines):
+        if _MARKED.search(line):
+            lines[place] = _SPACES.sub(" ", _MARKED.sub(f"{MARK} number", line))
+    return "\n".join(lines)
 
 
 def normalize(notebook: nbformat.NotebookNode) -> None:

@@ -1,4 +1,4 @@
-"""What is generated besides notebooks: whole pages, and parts of the README and of CONTRIBUTING between markers."""
+"""What is generated besides notebooks: whole pages, and parts of the README and the manuals between markers."""
 
 import re
 from collections.abc import Iterator
@@ -19,7 +19,7 @@ BESIDE_LESSONS = ("museum", PLANNED, RUN_TIMES, TOO_LARGE)
 
 
 def pages(tree: Tree) -> dict[Path, str]:
-    """Every generated page with what it must hold. The README and CONTRIBUTING only where they are there.
+    """Every generated page with what it must hold. The README and the manual only where they are there.
 
     Raises AuthoringError when a page has lost its markers, BrokenMuseum when the museum cannot be read.
     """
@@ -31,7 +31,7 @@ def pages(tree: Tree) -> dict[Path, str]:
     }
     for name, part, text in (
         ("README.md", "lessons", table(tree)),
-        ("CONTRIBUTING.md", "vocabulary", vocabulary()),
+        ("docs/vocabulary.md", "vocabulary", vocabulary()),
     ):
         path = tree.root / name
         if path.is_file():

@@ -12,6 +12,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, TypeGuard
 
+from workbook.authoring.demands import untied_demands
 from workbook.authoring.task_text import folded, missing_words, task_text
 from workbook.authoring.tree import Tree, entries
 from workbook.authoring.violations import Violation, line_of
@@ -25,7 +26,7 @@ KEYS = ("id", "sentence", "criteria", "wrong", "not_judged")
 
 _MISSING = (
     "is missing: write a [[requirement]] for each demand of the task, with id, sentence, criteria and wrong; "
-    "see 'The requirements' in CONTRIBUTING.md"
+    "see 'The requirements' in docs/exercises.md"
 )
 _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 _ROW = re.compile(r"\s*\[\[\s*requirement\s*\]\]")
@@ -129,6 +130,8 @@ def _violations(
     yield from _same_ids(file, rows)
     if exercise is not None:
         yield from _unknown_sentences(file, rows, exercise)
+        if not malformed:
+            yield from _untied(file, rows, exercise)
         yield from _names(tree, file, rows, exercise, whole=not malformed)
 
 
@@ -236,6 +239,17 @@ def _unknown_sentences(file: TableFile, rows: list[Requirement], exercise: Exerc
         for quote in one.sentences:
             if folded(quote) not in known:
                 yield file.at_text(one.row, quote, f"{one.title}: {missing_words(quote, task)}")
+
+
+def _untied(file: TableFile, rows: list[Requirement], exercise: Exercise) -> Iterator[Violation]:
+    """Commands and prohibitions of the task that no row quotes."""
+    quotes = [quote for one in rows for quote in one.sentences]
+    for sentence, word in untied_demands(task_text(exercise.source), quotes):
+        words = (
+            f"no requirement quotes the sentence {sentence!r}, which demands something ({word!r}). Quote it where a "
+            "criterion judges it or under not_judged, or take it out of the task"
+        )
+        yield Violation(file.name, words)
 
 
 def _names(

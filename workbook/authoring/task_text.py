@@ -25,7 +25,7 @@ def folded(text: str) -> str:
 def missing_words(quote: str, task: str) -> str:
     """What to tell of a quotation that the task does not have: its first sentence that is missing, and the nearest."""
     known = folded(task)
-    gone = next((one for one in _sentences(quote) if one not in known), None)
+    gone = next((one for one in sentences(quote) if one not in known), None)
     if gone is None:
         return "the task has these sentences at different places: make a list of them"
     words = f"the task does not say {gone!r}"
@@ -37,7 +37,7 @@ def missing_words(quote: str, task: str) -> str:
 
 def nearest_sentence(quote: str, task: str) -> str | None:
     """The sentence or table row of the task with a part that is most like a quotation; None if none is close."""
-    ranked = [(_likeness(quote.split(), one.split()), one) for one in _sentences(task)]
+    ranked = [(_likeness(quote.split(), one.split()), one) for one in sentences(task)]
     best, sentence = max(ranked, default=(0.0, ""), key=lambda pair: pair[0])
     return sentence if best else None
 
@@ -52,7 +52,7 @@ def _likeness(wanted: list[str], words: list[str]) -> float:
     return 2.0 * shared / (len(wanted) + part)
 
 
-def _sentences(text: str) -> Iterator[str]:
+def sentences(text: str) -> Iterator[str]:
     """The sentences of a text, folded; a table row, a heading or the item of a list is no part of another."""
     block: list[str] = []
     for line in [*text.splitlines(), ""]:

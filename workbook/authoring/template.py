@@ -1,6 +1,6 @@
 """The shape of a lesson, as rules: which sections it has, in which order, and what each must hold.
 
-A rule takes a section and yields what is wrong with it, in words for the author. CONTRIBUTING.md explains the shape.
+A rule takes a section and yields what is wrong with it, in words for the author. docs/lessons.md explains the shape.
 """
 
 import re

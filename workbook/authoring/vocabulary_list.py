@@ -1,4 +1,4 @@
-"""The list of the vocabulary in CONTRIBUTING: each word of `workbook.criteria`, its arguments and its first line."""
+"""The table in docs/vocabulary.md: each word of `workbook.criteria`, its arguments and its first line."""
 
 import ast
 import importlib

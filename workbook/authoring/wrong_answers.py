@@ -15,7 +15,7 @@ The header is the comment that the file begins with. Its sentences say what the 
     skips      criteria that are skipped, all of them; where the field is missing, they are not compared
     cause      id that the verdict of the first lost criterion must carry; two, where milliseconds decide
     says       words that the feedback of the first lost criterion must hold; may be repeated
-    thorough   `yes`: the mistake shows only in real seconds
+    soak       `yes`: the mistake shows only in real seconds
     compiles   `no`: Python cannot compile it
     on         the program that is changed: `solution` (the default), `starter` or `right/NAME.py`
 
@@ -37,7 +37,7 @@ from workbook.authoring.tree import AuthoringError, Tree, entries
 from workbook.exercise import source
 from workbook.exercise.answers import Answer, read_answer
 
-FIELDS = ("loses", "also", "skips", "cause", "says", "thorough", "compiles", "on")
+FIELDS = ("loses", "also", "skips", "cause", "says", "soak", "compiles", "on")
 SOLUTION, STARTER = "solution", "starter"
 _FIELD = re.compile(r"#\s*(?P<name>[a-z]+):\s*(?P<value>.*)")
 _CHANGE = re.compile(r"# (?P<verb>replaces|after|before):(?: (?P<text>.*))?")
@@ -63,7 +63,7 @@ class Header:
     causes: frozenset[str]
     """Of which the first lost criterion must carry one: more than one where milliseconds decide."""
     says: tuple[str, ...]
-    thorough: bool
+    soak: bool
     compiles: bool
     on: str | None
     """None where the field is missing."""
@@ -178,7 +178,7 @@ def _header(path: Path, lines: Sequence[str]) -> tuple[Header, int]:
         skips=_names(fields["skips"]) if "skips" in fields else None,
         causes=_names(fields.get("cause", ())),
         says=tuple(fields.get("says", ())),
-        thorough=_only(path, fields, "thorough", "yes"),
+        soak=_only(path, fields, "soak", "yes"),
         compiles=not _only(path, fields, "compiles", "no"),
         on=fields["on"][0] if "on" in fields else None,
     )

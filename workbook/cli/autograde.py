@@ -42,7 +42,8 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     github = places.add_parser(
         "github",
         parents=[isolation],
-        help="write a summary. Exit code 0: all that was handed in is right, 1: not yet, 2: a fault of the grader",
+        help="write a summary. Exit code 0: all that was handed in is right, 1: not yet or nothing handed in, "
+        "2: a fault of the grader",
     )
     github.add_argument("exercises", metavar="EXERCISE", nargs="+")
     github.add_argument("--answers", metavar="FOLDER", required=True, type=Path)

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from workbook.cli import terminal
-from workbook.cli.places import as_typed, student_answers
+from workbook.cli.paths import as_typed, student_answers
 from workbook.cli.verdict_text import FULL_MARKS, NOT_JUDGED, NOT_YET, verdict_text
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def register(subparsers: "argparse._SubParsersAction[argparse.ArgumentParser]") 
     parser.add_argument(
         "--as-graded",
         action="store_true",
-        help="also keep a passing program running for 8 real seconds, as the instructor's grader does",
+        help="also start the program again for 8 real seconds, as the instructor's grader does",
     )
     parser.add_argument(
         "--seed",
@@ -134,7 +134,7 @@ def _judge(
         exercise = load_exercise(stem)
     except BrokenCriteria as error:
         return _not_judged(error)
-    judgement = _judgement_of(exercise, answer, started, thorough=options.as_graded, seed=options.seed)
+    judgement = _judgement_of(exercise, answer, started, soak=options.as_graded, seed=options.seed)
     print(verdict_text(judgement, terminal.in_color(sys.stdout)))
     _note(judgement, answer, file)
     if judgement.status != "graded":
@@ -148,11 +148,11 @@ def _judge(
 
 
 def _judgement_of(
-    exercise: "Exercise", answer: "Answer", started: "StartedAnswer", *, thorough: bool, seed: int | None
+    exercise: "Exercise", answer: "Answer", started: "StartedAnswer", *, soak: bool, seed: int | None
 ) -> "Judgement":
     """Judge the started program; one more try, if that is inconclusive, starts it anew."""
     from workbook.exercise.judging import Judge
-    from workbook.grading.retries import until_sure
+    from workbook.exercise.retries import until_sure
     from workbook.watching.observer import Observer
 
     with Observer(started.lease) as observer:
@@ -163,7 +163,7 @@ def _judgement_of(
             return judge.judge(
                 exercise,
                 answer,
-                thorough=thorough,
+                soak=soak,
                 report=_report,
                 started=running.pop() if running else None,
                 seed=seed,
@@ -176,9 +176,9 @@ def _report(judgement: "Judgement") -> None:
     """Say what is still under way."""
     from workbook.feedback import wording
 
-    if judgement.doubt:
+    if judgement.inconclusive_reason:
         terminal.say(wording.provisional_line(judgement), sys.stderr)
     elif judgement.provisional:
         print("Judging it on the wall clock as well; that takes some seconds ...", file=sys.stderr)
     else:
-        print("Judged on robot time; checking that it keeps running ...", file=sys.stderr)
+        print("Judged once; watching it in real time as well ...", file=sys.stderr)

@@ -47,7 +47,7 @@ def run(options: argparse.Namespace) -> int:
 def topics_of(exercises: tuple[str, ...]) -> tuple[str, ...]:
     """The topics that the exercises are about, without those that only the judge's drivers use."""
     from workbook.exercise.definition import BrokenCriteria, load_exercise
-    from workbook.recording.script import Says
+    from workbook.recording.script import Publishes
 
     topics: set[str] = set()
     for stem in exercises:
@@ -56,5 +56,5 @@ def topics_of(exercises: tuple[str, ...]) -> tuple[str, ...]:
         except BrokenCriteria:  # Tab need not know them
             continue
         topics.update(plan.topics)
-        topics.update(part.topic for part in plan.script.parts if isinstance(part, Says))
+        topics.update(part.topic for part in plan.script.parts if isinstance(part, Publishes))
     return tuple(sorted(topic for topic in topics if not topic.startswith("/driver/")))

@@ -19,13 +19,14 @@ from workbook.cli.grade_screen import (
     conclude_repetition,
     say_broken,
 )
+from workbook.cli.grade_similar import list_similar
 
 if TYPE_CHECKING:
     from workbook.exercise.definition import Exercise
-    from workbook.grading.appeals import Override
+    from workbook.grading.appeals import OverrideLine
     from workbook.grading.batch import Batch
     from workbook.grading.gradebook import GradebookOptions
-    from workbook.grading.judges import Judges
+    from workbook.grading.judges import GradingBackend
     from workbook.isolation.tiers import Isolation
 
 
@@ -83,10 +84,11 @@ def run(options: argparse.Namespace) -> int:
     """Grade or regrade. Returns the exit code: 2 when an option, the course or the sandbox cannot be used."""
     from workbook.exercise.answers import Ungradable
     from workbook.exercise.course import NoCourse
-    from workbook.exercise.definition import OWN_CRITERIA, BrokenCriteria, load_exercise
+    from workbook.exercise.definition import OWN_CRITERIA, BrokenCriteria, load_exercise, own_criteria
     from workbook.exercise.source import SourceError, UnknownExercise
     from workbook.grading.judges import NoJudges
     from workbook.grading.roster import BadOption
+    from workbook.grading.similar import NoComparison
     from workbook.isolation.bubblewrap import NoSandbox
 
     try:
@@ -95,9 +97,13 @@ def run(options: argparse.Namespace) -> int:
             if not options.criteria.is_dir():
                 raise BadOption(f"--criteria {options.criteria}: there is no such folder")
             os.environ[OWN_CRITERIA] = str(options.criteria.resolve())
+        _check_paths(options, books.formats)
         lines = lines_of(options)
-        _check_paths(options)
         exercise = load_exercise(_exercise_name(options))
+        if options.criteria is not None and own_criteria(exercise.stem) is None:
+            raise BadOption(f"--criteria {options.criteria}: the folder holds no {exercise.stem}.py")
+        if options.similar:
+            return list_similar(options, exercise)
         if options.regrade:
             return _regrade(options, exercise, books, lines)
         if not options.paths:
@@ -112,16 +118,28 @@ def run(options: argparse.Namespace) -> int:
         SourceError,
         NoSandbox,
         NoJudges,
+        NoComparison,
         OSError,
     ) as error:
         terminal.complain("grade", error)
         return 2
 
 
-def _check_paths(options: argparse.Namespace) -> None:
-    """Raises BadOption where there is nothing to look at."""
+def _check_paths(options: argparse.Namespace, formats: Sequence[str]) -> None:
+    """Raises BadOption where there is nothing to look at, or an option would have no effect."""
     from workbook.grading.roster import BadOption
 
+    for first, second in (
+        ("regrade", "paths"),
+        ("regrade", "repeat"),
+        ("regrade", "retry_stopped"),
+        ("repeat", "override"),
+    ):
+        if getattr(options, first) and getattr(options, second):
+            other = "a path" if second == "paths" else f"--{second.replace('_', '-')}"
+            raise BadOption(f"{other} has no effect with --{first}: leave one of them out")
+    if options.column is not None and not {"canvas", "moodle"} & set(formats):
+        raise BadOption("--column needs --format canvas or --format moodle")
     if options.regrade and not options.exercise:
         raise BadOption("--regrade needs --exercise: it looks at results, not at files")
     if not options.regrade and not options.paths:
@@ -133,10 +151,10 @@ def _check_paths(options: argparse.Namespace) -> None:
 
 def _judges(
     options: argparse.Namespace, exercise: "Exercise", screen: GradeScreen
-) -> "AbstractContextManager[Judges]":
+) -> "AbstractContextManager[GradingBackend]":
     """Who judges: slots of this machine, or a farm. Says who. Raises BadOption, NoSandbox, NoJudges."""
-    from workbook.grading.local import LocalSlots
     from workbook.grading.roster import BadOption
+    from workbook.grading.slots.scheduler import LocalSlots
     from workbook.isolation.tiers import meets_others
 
     if options.farm is not None:
@@ -152,7 +170,9 @@ def _judges(
     return nullcontext(LocalSlots(slots, isolation, fills=options.slots is None))
 
 
-def _farm(options: argparse.Namespace, stem: str, screen: GradeScreen) -> "AbstractContextManager[Judges]":
+def _farm(
+    options: argparse.Namespace, stem: str, screen: GradeScreen
+) -> "AbstractContextManager[GradingBackend]":
     """Each worker tries itself what it can do: this machine runs no answer."""
     from workbook.grading.farm import Farm
     from workbook.grading.farm_connection import check_address
@@ -174,13 +194,18 @@ def _farm(options: argparse.Namespace, stem: str, screen: GradeScreen) -> "Abstr
 
 
 def _warning(isolation: "Isolation") -> str:
-    from workbook.isolation.tiers import covers, leaves_open
+    from workbook.isolation.tiers import covers, leaves_open, unfiltered
 
-    return "" if isolation == "sandbox" else f": {covers(isolation)}. {leaves_open(isolation).rstrip('.')}"
+    if isolation == "sandbox" and not unfiltered(isolation):
+        return ""
+    return f": {covers(isolation)}. {leaves_open(isolation).rstrip('.')}"
 
 
 def _grade(
-    options: argparse.Namespace, exercise: "Exercise", books: "GradebookOptions", lines: "Sequence[Override]"
+    options: argparse.Namespace,
+    exercise: "Exercise",
+    books: "GradebookOptions",
+    lines: "Sequence[OverrideLine]",
 ) -> int:
     from workbook.grading.batch import Batch
     from workbook.grading.gradebook import write_gradebook
@@ -188,7 +213,6 @@ def _grade(
     whose = roster(options)
     screen = GradeScreen()
     with _judges(options, exercise, screen) as judges:
-        options.out.mkdir(parents=True, exist_ok=True)
         batch = Batch(
             exercise,
             options.out,
@@ -197,6 +221,8 @@ def _grade(
             retry_stopped=options.retry_stopped,
             seed=options.seed,
         )
+        batch.check_paths(options.paths)
+        options.out.mkdir(parents=True, exist_ok=True)
         if options.repeat is not None:
             return _repeat(options, exercise, batch, judges)
         stopping = Stopping()
@@ -218,7 +244,10 @@ def _grade(
 
 
 def _regrade(
-    options: argparse.Namespace, exercise: "Exercise", books: "GradebookOptions", lines: "Sequence[Override]"
+    options: argparse.Namespace,
+    exercise: "Exercise",
+    books: "GradebookOptions",
+    lines: "Sequence[OverrideLine]",
 ) -> int:
     """Judge stored recordings again and tell whose marks changed. This way needs no ROS."""
     from workbook.grading.gradebook import write_gradebook
@@ -240,12 +269,14 @@ def _regrade(
     return code
 
 
-def _repeat(options: argparse.Namespace, exercise: "Exercise", batch: "Batch", judges: "Judges") -> int:
+def _repeat(
+    options: argparse.Namespace, exercise: "Exercise", batch: "Batch", judges: "GradingBackend"
+) -> int:
     """Judge everything several times and name the answers whose verdict changes."""
     from workbook.exercise.answers import Ungradable, read_answer
     from workbook.grading.judges import Job
+    from workbook.grading.repeatability import unsteady
     from workbook.grading.roster import BadOption
-    from workbook.grading.steadiness import unsteady
 
     if options.repeat < 2:
         raise BadOption("--repeat must be at least 2")

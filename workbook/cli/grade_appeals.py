@@ -10,12 +10,12 @@ from workbook.cli.grade_screen import printable, say_broken
 
 if TYPE_CHECKING:
     from workbook.exercise.definition import Exercise
-    from workbook.grading.appeals import Override
+    from workbook.grading.appeals import OverrideLine
     from workbook.grading.gradebook import GradebookOptions
     from workbook.grading.results import Result, StudentAndExercise
 
 
-def lines_of(options: argparse.Namespace) -> "list[Override]":
+def lines_of(options: argparse.Namespace) -> "list[OverrideLine]":
     """The changes that the command brings; none without `--override`. Raises BadOption, also for kept ones."""
     from workbook.grading.appeals import kept, read_lines
 
@@ -23,7 +23,7 @@ def lines_of(options: argparse.Namespace) -> "list[Override]":
     return [] if options.override is None else read_lines(options.override)
 
 
-def take(out: Path, lines: "Sequence[Override]", results: "Mapping[StudentAndExercise, Result]") -> int:
+def take(out: Path, lines: "Sequence[OverrideLine]", results: "Mapping[StudentAndExercise, Result]") -> int:
     """Keep changes that all fit, or none of them. Returns 2 when one fits nobody, else 0. Raises FolderInUse."""
     from workbook.grading.appeals import fit, keep
     from workbook.grading.results_file import RESULTS, ResultsFile
@@ -42,7 +42,7 @@ def take(out: Path, lines: "Sequence[Override]", results: "Mapping[StudentAndExe
 
 def say_changes(out: Path, results: "Mapping[StudentAndExercise, Result]") -> None:
     """Print how many marks a person has changed, and which changes are not applied."""
-    from workbook.grading.appeals import OVERRIDES, kept, with_changes, without_effect
+    from workbook.grading.appeals import OVERRIDES, deductions, kept, with_changes, without_effect
 
     changes = kept(out)
     changed = [one for one in with_changes(results.values(), changes) if one.by_hand]
@@ -51,12 +51,15 @@ def say_changes(out: Path, results: "Mapping[StudentAndExercise, Result]") -> No
         print(f"{what} marks that a person changed ({out / OVERRIDES}):")
     for one in changed:
         print(f"  {printable(one.student)}: {printable(one.changed_by_hand())}")
-    for sentence in without_effect(results, changes):
+    for sentence in (*deductions(results, changes), *without_effect(results, changes)):
         print(f"  {printable(sentence)}.")
 
 
 def only_override(
-    options: argparse.Namespace, exercise: "Exercise", books: "GradebookOptions", lines: "Sequence[Override]"
+    options: argparse.Namespace,
+    exercise: "Exercise",
+    books: "GradebookOptions",
+    lines: "Sequence[OverrideLine]",
 ) -> int:
     """Change marks and write the gradebook; nothing is judged. Returns the exit code."""
     from workbook.grading.gradebook import write_gradebook

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from workbook.grading.gradebook import GradebookOptions
+    from workbook.grading.lateness import Lateness
     from workbook.grading.roster import Roster
 
 SLOTS_PER_CORE = {"simulated": 2, "wall": 4}
@@ -44,7 +45,7 @@ def _add_judges(parser: argparse.ArgumentParser) -> None:
         type=int,
         help=f"answers judged at once (default: {SLOTS_PER_CORE['simulated']} per core on robot time, "
         f"{SLOTS_PER_CORE['wall']} per core on the wall clock, and more while processors are idle). Answers that "
-        "are only kept running do not count. With uid and landlock it is always one",
+        "are only watched in real time do not count. With uid and landlock it is always one",
     )
     parser.add_argument(
         "--farm",
@@ -87,6 +88,11 @@ def _add_gradebook(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--column", metavar="NAME", help='the name of the exercise in Canvas or Moodle: "Exercise 09 (12345)"'
     )
+    parser.add_argument(
+        "--no-bom",
+        action="store_true",
+        help="write CSV files without the byte order mark that Excel needs, for a system that refuses it",
+    )
 
 
 def _add_appeals(parser: argparse.ArgumentParser) -> None:
@@ -128,7 +134,20 @@ def _add_hand_ins(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_lateness(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--deadline", metavar="DATE", help="when it was due: 2026-05-31T23:59+02:00")
+    parser.add_argument(
+        "--deadline",
+        metavar="DATE",
+        help="when it was due: 2026-05-31T23:59, with +02:00 for another zone; a date alone means the end of that day",
+    )
+    parser.add_argument(
+        "--timezone", metavar="NAME", help="the zone of deadlines without one (default: this machine's)"
+    )
+    parser.add_argument(
+        "--extensions",
+        metavar="CSV",
+        type=Path,
+        help="lines of `student,deadline`: the deadlines of single students",
+    )
     parser.add_argument(
         "--late-per-day",
         metavar="SHARE",
@@ -145,32 +164,53 @@ def _add_repetition(parser: argparse.ArgumentParser) -> None:
         type=int,
         help="judge each answer N times and name those whose verdict changes; the gradebook is left alone",
     )
+    parser.add_argument(
+        "--similar",
+        action="store_true",
+        help="judge nothing: list pairs of answers that are the same but for names and layout. This is a hint, and "
+        "never a verdict",
+    )
 
 
 def gradebook_options(options: argparse.Namespace) -> "GradebookOptions":
     """What to make of the results. Raises BadOption."""
     from workbook.grading.exports import FORMATS
     from workbook.grading.gradebook import GradebookOptions
-    from workbook.grading.lateness import Lateness, parse_moment
     from workbook.grading.roster import BadOption
 
     formats = tuple(filter(None, (name.strip().lower() for name in options.format.split(","))))
     for name in formats:
         if name not in FORMATS:
             raise BadOption(f"--format {name}: there are {', '.join(FORMATS)}")
-    lateness = None
-    if options.deadline is not None:
-        deadline = parse_moment(options.deadline)
-        if deadline is None:
-            raise BadOption(f"--deadline {options.deadline}: write it as 2026-05-31T23:59+02:00")
-        if not 0.0 < options.late_per_day <= 1.0:
-            raise BadOption("--deadline needs --late-per-day with a share above 0 and at most 1, such as 0.1")
-        lateness = Lateness(deadline, options.late_per_day)
-    elif options.late_per_day:
-        raise BadOption("--late-per-day needs --deadline")
+    lateness = _lateness(options)
     if options.assignment is not None and Path(options.assignment).name != options.assignment:
         raise BadOption(f"--assignment {options.assignment}: it is the name of a folder, without any /")
-    return GradebookOptions(formats, lateness, options.column, options.assignment)
+    return GradebookOptions(formats, lateness, options.column, options.assignment, bom=not options.no_bom)
+
+
+def _lateness(options: argparse.Namespace) -> "Lateness | None":
+    """The late penalty; None without a deadline. Raises BadOption."""
+    from workbook.grading.deadlines import FORM, parse_deadline, read_extensions, zone_named
+    from workbook.grading.lateness import Lateness
+    from workbook.grading.roster import BadOption
+
+    if options.deadline is None:
+        for given, name in (
+            (options.late_per_day, "--late-per-day"),
+            (options.extensions, "--extensions"),
+            (options.timezone, "--timezone"),
+        ):
+            if given:
+                raise BadOption(f"{name} needs --deadline")
+        return None
+    zone = zone_named(options.timezone)
+    deadline = parse_deadline(options.deadline, zone)
+    if deadline is None:
+        raise BadOption(f"--deadline {options.deadline}: write it as {FORM}")
+    if not 0.0 < options.late_per_day <= 1.0:
+        raise BadOption("--deadline needs --late-per-day with a share above 0 and at most 1, such as 0.1")
+    extensions = {} if options.extensions is None else read_extensions(options.extensions, zone)
+    return Lateness(deadline, options.late_per_day, extensions)
 
 
 def roster(options: argparse.Namespace) -> "Roster":

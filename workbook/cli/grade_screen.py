@@ -10,9 +10,9 @@ if TYPE_CHECKING:
     from workbook.grading.batch import BatchProgress, BatchSummary
     from workbook.grading.lateness import Lateness
     from workbook.grading.regrade import Regraded
+    from workbook.grading.repeatability import Unsteady
     from workbook.grading.results import Result
     from workbook.grading.results_file import BrokenLine
-    from workbook.grading.steadiness import Unsteady
 
 
 def minutes(seconds: float) -> str:
@@ -100,11 +100,19 @@ def conclude(summary: "BatchSummary", out: Path, written: "Sequence[Path]") -> i
     for result in summary.results:
         if result.status != "graded":
             print(f"  {printable(result.student)}: {printable(outcome(result))}")
+    for result in summary.results:
+        if result.status == "graded" and result.reason:
+            print(f"  {printable(result.student)}: {printable(result.reason)}")
     for line in _about_tries(summary.results):
         print(line)
     for remark in summary.remarks:
         print(f"{printable(remark)}.")
     print(f"{summary.judged} judged in {minutes(summary.seconds)}, {summary.kept} kept from an earlier run.")
+    if summary.frozen:
+        print(
+            f"{summary.frozen} of these kept their marks although the criteria have changed since. To judge them "
+            "again and list every difference, use --regrade."
+        )
     print(f"Everything: {out / 'results.jsonl'}   Made from it: {', '.join(map(str, written))}")
     if summary.stopped:
         print("Stopped early. Run the same command again to go on.")
@@ -118,10 +126,16 @@ def conclude_regrading(found: "Sequence[Regraded]", exercise: str) -> int:
     troubled = [one for one in found if one.problem]
     print(f"{len(found)} recordings of {exercise} judged again; the marks of {len(changed)} changed.")
     for one in changed:
-        print(f"  {printable(one.student)}: {one.before:g} → {one.after:g}")
+        print(f"  {printable(one.student)}: {_points(one.before)} → {_points(one.after)}")
+        for change in one.criteria:
+            print(f"    {change.id}: {_points(change.before)} → {_points(change.after)}")
     for one in troubled:
         print(f"  {printable(one.student)}: not judged again: {printable(one.problem)}")
     return 1 if troubled else 0
+
+
+def _points(points: float | None) -> str:
+    return "no score" if points is None else f"{points:g}"
 
 
 def conclude_repetition(found: "Sequence[Unsteady]", answers: int, times: int) -> int:
@@ -149,12 +163,24 @@ def _about_tries(results: "Sequence[Result]") -> list[str]:
 
 
 def about_lateness(results: "Sequence[Result]", lateness: "Lateness | None") -> list[str]:
-    """A note on students whose hand-in time is unknown, so that lateness cost them nothing; empty if there are none."""
-    unknown = [] if lateness is None else lateness.unknown(results)
-    if not unknown:
+    """Return sentences on the deadlines, and on hand-ins whose time is missing or unreadable."""
+    from workbook.grading.deadlines import about_unknown, in_words
+
+    if lateness is None:
         return []
-    names = ", ".join(printable(one.student) for one in unknown[:5]) + (", …" if len(unknown) > 5 else "")
-    return [
-        f"No points were deducted for lateness where no timestamp.txt gave the time of the hand-in: {len(unknown)} of "
-        f"{len(results)} ({names})."
-    ]
+    said = [f"Deadline: {in_words(lateness.deadline)}."]
+    for one in results:
+        if (own := lateness.deadline_of(one.student)) != lateness.deadline:
+            said.append(f"Deadline of {printable(one.student)}: {in_words(own)}.")
+    said.append(f"{printable(about_unknown(lateness.extensions, [one.student for one in results]))}.")
+    unknown = lateness.unknown(results)
+    for group, why in (
+        ([one for one in unknown if one.submitted_at], "because the time in timestamp.txt cannot be read"),
+        ([one for one in unknown if not one.submitted_at], "because there is no timestamp.txt with a time"),
+    ):
+        if group:
+            names = ", ".join(printable(one.student) for one in group[:5]) + (", …" if len(group) > 5 else "")
+            said.append(
+                f"Nothing was subtracted for lateness, {why}: {len(group)} of {len(results)} ({names})."
+            )
+    return [sentence for sentence in said if sentence != "."]

@@ -4,7 +4,9 @@ import argparse
 import math
 import os
 import sys
+import time
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 from workbook.cli import terminal
@@ -122,13 +124,48 @@ def _echo(tools: Any, options: argparse.Namespace) -> Any:
         print(f"{message_text(message)}\n---", flush=True)
 
     echo = tools.topic_echo(
-        options.topic, options.count, options.timeout, on_message=show, on_silence=_say_who_is_there(options)
+        options.topic,
+        options.count,
+        options.timeout,
+        on_message=show,
+        on_silence=_say_who_is_there(options),
+        on_held=_say_who_waits,
     )
-    return None if echo.messages else echo
+    return None if echo.messages else replace(echo, held=())
 
 
 def _hz(tools: Any, options: argparse.Namespace) -> Any:
-    return tools.topic_hz(options.topic, options.seconds, on_silence=_say_who_is_there(options))
+    """A line each second, and a summary at the end: also where Ctrl-C is the end."""
+    from workbook.ros.topic_monitor import rate_of
+
+    topic, began, lines = "/" + options.topic.strip("/"), time.monotonic(), 0
+    times: Sequence[float] = ()
+
+    def look(so_far: Sequence[float]) -> None:
+        nonlocal times, lines
+        times = so_far
+        if time.monotonic() - began >= lines + 1.0:
+            lines += 1
+            print(rate_of(topic, times, lines).line(), flush=True)
+
+    try:
+        rate = tools.topic_hz(
+            topic,
+            options.seconds,
+            on_silence=_say_who_is_there(options),
+            on_held=_say_who_waits,
+            on_look=look,
+        )
+        return replace(rate, held=())
+    except KeyboardInterrupt:
+        print(rate_of(topic, times, round(time.monotonic() - began, 1)).text(terminal.width()), flush=True)
+        raise
+
+
+def _say_who_waits(nodes: Sequence[str]) -> None:
+    from workbook.ros.topic_monitor import clock_notes
+
+    terminal.say(" ".join(clock_notes(nodes)), sys.stderr)
 
 
 def _say_who_is_there(options: argparse.Namespace) -> Callable[[Sequence[str]], None]:

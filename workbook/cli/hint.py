@@ -31,7 +31,7 @@ def register(subparsers: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Print the hint and remember that it was shown."""
-    from workbook.cli.places import student_answers
+    from workbook.cli.paths import student_answers
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.exercise.source import SourceError, UnknownExercise, find, load
 

@@ -19,10 +19,10 @@ from workbook import cli
 from workbook.cli.parsing import CommandParser, show_what_is_below
 
 GROUPS = (
-    ("Lessons and exercises", ("lab", "check", "hint", "progress", "restore", "reset")),
+    ("Lessons and exercises", ("lab", "check", "hint", "progress", "restore", "reset", "report")),
     ("The robot of the open notebook", ("node", "topic", "graph")),
     ("This machine", ("doctor", "completion")),
-    ("For instructors and authors", ("grade", "package", "new")),
+    ("For instructors and authors", ("grade", "student", "replay", "package", "new")),
     ("What other systems call", ("autograde",)),
 )
 

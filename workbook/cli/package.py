@@ -69,7 +69,7 @@ def run_students(options: argparse.Namespace) -> int:
 def run_gradescope(options: argparse.Namespace) -> int:
     """Write the zip file of an autograder."""
     from workbook.exercise.course import course_folder
-    from workbook.exercise.definition import OWN_CRITERIA, load_exercise
+    from workbook.exercise.definition import OWN_CRITERIA, load_exercise, own_criteria
     from workbook.grading.packaging import CannotPackage, gradescope_zip
 
     def work() -> int:
@@ -78,6 +78,8 @@ def run_gradescope(options: argparse.Namespace) -> int:
                 raise CannotPackage(f"--criteria {options.criteria}: there is no such folder")
             os.environ[OWN_CRITERIA] = str(options.criteria.resolve())
         exercise = load_exercise(options.exercise)
+        if options.criteria is not None and own_criteria(exercise.stem) is None:
+            raise CannotPackage(f"--criteria {options.criteria}: the folder holds no {exercise.stem}.py")
         names = gradescope_zip(exercise, course_folder(), options.out)
         size = options.out.stat().st_size / 1e6
         print(

@@ -18,7 +18,7 @@ def register(subparsers: Any) -> None:
 
 def run(_options: argparse.Namespace) -> int:
     """Print the table."""
-    from workbook.cli.places import student_answers
+    from workbook.cli.paths import student_answers
     from workbook.exercise.course import NoCourse
     from workbook.exercise.definition import BrokenCriteria
     from workbook.magics.progress_table import progress_table

@@ -20,7 +20,7 @@ def register(subparsers: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Restore, and say what became of both versions."""
-    from workbook.cli.places import as_typed, student_answers
+    from workbook.cli.paths import as_typed, student_answers
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.exercise.source import UnknownExercise, find
     from workbook.lesson.best_answers import NothingJudged, best_text, hands_in_another, restore_best

@@ -4,7 +4,7 @@ A criteria file imports this package alone, as `see`, and message types. It runs
 """
 
 from workbook.criteria.criterion import Criterion, Topic, criterion, topic, watching
-from workbook.criteria.verdict import Verdict, all_of, failed, partial, passed
+from workbook.criteria.verdict import Verdict, all_of, failed, not_judged, partial, passed
 from workbook.criteria.vocabulary.arrays import length, varies
 from workbook.criteria.vocabulary.batteries import begins_full, drains, word_fits_charge
 from workbook.criteria.vocabulary.cameras import (
@@ -26,7 +26,7 @@ from workbook.criteria.vocabulary.pairing import (
     latest_before,
     outputs,
     pair_in_order,
-    said,
+    published,
     script,
 )
 from workbook.criteria.vocabulary.phrasing import count, listing, number
@@ -35,7 +35,7 @@ from workbook.criteria.vocabulary.programs import alive_at_end, ended_by_error, 
 from workbook.criteria.vocabulary.qos import hears, kept_for_latecomers
 from workbook.criteria.vocabulary.rates import counts, keeps_period, rate, topic_pace
 from workbook.criteria.vocabulary.services import answered_calls, calls_of, calls_service, offers
-from workbook.criteria.vocabulary.silences import program_ended
+from workbook.criteria.vocabulary.silences import ended_or_error, program_ended
 from workbook.criteria.vocabulary.subscriptions import asks_for_other_qos, listens
 from workbook.criteria.vocabulary.texts import has_text, one_of
 from workbook.criteria.vocabulary.topics import needs_messages, no_message, publishes
@@ -48,8 +48,8 @@ from workbook.criteria.vocabulary.type_checks import (
     probe,
 )
 from workbook.criteria.vocabulary.values import once, part_of, values
-from workbook.recording.recording import Arrival, CallSeen, Recording, Said
-from workbook.recording.script import BEFORE_START, calls, says, serves
+from workbook.recording.recording import Arrival, CallSeen, Published, Recording
+from workbook.recording.script import BEFORE_START, calls, publish, serves
 from workbook.recording.script import Part as Part  # a union: named in hints, and no word of the vocabulary
 from workbook.scenes.scene import Box, Cup, Plate, Scene, on_desk
 
@@ -66,8 +66,8 @@ __all__ = [
     "Output",
     "Plate",
     "Probe",
+    "Published",
     "Recording",
-    "Said",
     "Scene",
     "Topic",
     "Verdict",
@@ -89,6 +89,7 @@ __all__ = [
     "driver_calls",
     "driver_reports",
     "ended_by_error",
+    "ended_or_error",
     "exits_cleanly",
     "failed",
     "failed_at_the_end",
@@ -114,6 +115,7 @@ __all__ = [
     "never_rises",
     "no_message",
     "nodes_gone_at_end",
+    "not_judged",
     "number",
     "offers",
     "on_desk",
@@ -129,11 +131,11 @@ __all__ = [
     "processor_share",
     "program_ended",
     "program_runs",
+    "publish",
+    "published",
     "publishes",
     "rate",
     "really_arrives",
-    "said",
-    "says",
     "script",
     "seen_direction",
     "seen_pixel",

@@ -12,7 +12,7 @@ from workbook.recording.recording import Recording
 from workbook.recording.script import NOTHING_SAID, Part, Script
 from workbook.recording.type_names import type_name
 
-Judgement = Callable[[Recording], Verdict]
+CriterionFunction = Callable[[Recording], Verdict]
 Draw = Callable[[Random], Sequence[Part]]
 """Makes the parts of a script from random numbers."""
 
@@ -29,7 +29,7 @@ class Criterion:
     points: float
     needs: tuple["Criterion", ...]
     hidden: bool
-    judge: Judgement = field(compare=False)
+    judge: CriterionFunction = field(compare=False)
     about_end: bool = False
 
     def __post_init__(self) -> None:
@@ -46,7 +46,7 @@ def criterion(
     needs: Sequence[Criterion] = (),
     hidden: bool = False,
     about_end: bool = False,
-) -> Callable[[Judgement], Criterion]:
+) -> Callable[[CriterionFunction], Criterion]:
     """Make a criterion of a function that takes a recording and returns a verdict.
 
     `points` may be 0 for a condition that only others need. `about_end`: it judges how the program ends, which a bug in
@@ -57,7 +57,7 @@ def criterion(
     if not title.strip():
         raise ValueError("a criterion needs a title: it is what the student reads")
 
-    def make(function: Judgement) -> Criterion:
+    def make(function: CriterionFunction) -> Criterion:
         return Criterion(function.__name__, title, points, tuple(needs), hidden, function, about_end)
 
     return make
@@ -115,7 +115,7 @@ class Watching:
     `script`: the same in each run, or the function that draws one.
     """
 
-    robot_seconds: float | None = None
+    simulated_seconds: float | None = None
     wall_seconds: float | None = None
     to_the_end: bool = False
     script: Script | Draw = NOTHING_SAID
@@ -131,7 +131,7 @@ class Watching:
 
 def watching(
     *,
-    robot_seconds: float | None = None,
+    simulated_seconds: float | None = None,
     wall_seconds: float | None = None,
     to_the_end: bool = False,
     script: Sequence[Part] | Draw = (),
@@ -140,20 +140,19 @@ def watching(
 ) -> Watching:
     """Declare how to watch, once per criteria file.
 
-    `robot_seconds`: robot time to watch in all, instead of nine of the longest period. `wall_seconds`: real time to
-    watch on the wall clock, instead of four of the longest period. `to_the_end`: the program is sent Ctrl-C (SIGINT)
-    before it is judged, so that criteria see how it ends, and which of its nodes stay on the graph. `script`: the
-    messages, services and calls that the judge sends to the program meanwhile, made with `says`, `serves` and `calls`.
-    A program could answer a fixed script from a table. So `script` may be a function: given a `random.Random`, it draws
-    them again for each run. What matters to the criteria must be in each draw, and they judge by what the recording
-    says (`said`, `calls`).
-    `bytes_per_topic`: how many bytes of messages are kept of each topic, those of the judge not counted. Of a field
-    with more than 4096 elements only the beginning, the size and the SHA-256 are kept, and hardly more is counted.
-    `steps_per_period`: into how many steps of robot time the shortest judged period is divided. Each step costs about
-    two milliseconds: fewer of them make a long watch of a fast topic quicker.
+    `simulated_seconds`: simulated time to watch in all, instead of nine of the longest period. `wall_seconds`: real
+    time to watch on the wall clock, instead of four of the longest period. `to_the_end`: the program is sent Ctrl-C
+    (SIGINT) before it is judged, so that criteria see how it ends, and which of its nodes stay on the graph. `script`:
+    the messages, services and calls that the judge sends to the program meanwhile, made with `says`, `serves` and
+    `calls`. A program could answer a fixed script from a table. So `script` may be a function: given a `random.Random`,
+    it draws them again for each run. What matters to the criteria must be in each draw, and they judge by what the
+    recording says (`said`, `calls`). `bytes_per_topic`: how many bytes of messages are kept of each topic, those of the
+    judge not counted. Of a field with more than 4096 elements only the beginning, the size and the SHA-256 are kept,
+    and hardly more is counted. `steps_per_period`: into how many steps of simulated time the shortest judged period is
+    divided. Each step costs about two milliseconds: fewer of them make a long watch of a fast topic quicker.
     """
     return Watching(
-        robot_seconds,
+        simulated_seconds,
         wall_seconds,
         to_the_end,
         script if callable(script) else Script(tuple(script)),
@@ -185,7 +184,7 @@ def plan_for(topics: Iterable[Topic], how: Watching) -> Plan:
         tuple(one.name for one in declared),
         min(periods),
         max(periods),
-        how.robot_seconds,
+        how.simulated_seconds,
         how.wall_seconds,
         how.script if isinstance(how.script, Script) else NOTHING_SAID,
         how.to_the_end,

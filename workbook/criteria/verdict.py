@@ -9,14 +9,14 @@ Whatever is not passed names its cause first: `failed("rate.too-fast", saw, expe
   arguments into a local function that takes the id first.
 - A verdict that the vocabulary made keeps its own id when an exercise passes it on.
 
-Wrong answers name the id that they must get; the words of each id are kept in `tests/criteria/words/`.
+Wrong answers name the id that they must get.
 """
 
 import re
 from dataclasses import dataclass, replace
 from typing import Literal
 
-VerdictStatus = Literal["passed", "failed", "partial"]
+VerdictStatus = Literal["passed", "failed", "partial", "skipped"]
 
 CAUSE = re.compile(r"[a-z][a-z0-9]*(?:-[a-z0-9]+)*\.[a-z][a-z0-9]*(?:-[a-z0-9]+)*")
 """What a cause id looks like: "rate.too-fast"."""
@@ -28,12 +28,12 @@ class Verdict:
 
     `saw` and `expected` are facts, `because` the likely reason, `try_this` one next step; `cause` is the id of this
     reason. `share` is the part of the points that is earned (0 to 1). `about_time` marks failures that depend on rates
-    and silences: if they come from robot time, the program is judged on the wall clock before they count,
-    unless `pace_of` names the topic whose pace was judged, and that topic is proved to follow robot time.
+    and silences: if they come from simulated time, the program is judged on the wall clock before they count,
+    unless `pace_of` names the topic whose pace was judged, and that topic is proved to follow simulated time.
     `recheck_fields` marks values that suggest a wrong type in a message field: the program is then run once more with
     field checks on, to quote their error.
 
-    Raises ValueError when the cause of a verdict that is not passed is no id.
+    Raises ValueError when the cause of a verdict that takes points away is no id.
     """
 
     status: VerdictStatus
@@ -48,7 +48,7 @@ class Verdict:
     cause: str = ""
 
     def __post_init__(self) -> None:
-        if not self.ok and CAUSE.fullmatch(self.cause) is None:
+        if self.status in ("failed", "partial") and CAUSE.fullmatch(self.cause) is None:
             raise ValueError(f'a cause is named like "rate.too-fast", not {self.cause!r}')
 
     @property
@@ -104,6 +104,11 @@ def partial(
     return Verdict(
         "partial", saw, expected, because, try_this, share=share, about_time=about_time, cause=cause
     )
+
+
+def not_judged(why: str) -> Verdict:
+    """Another criterion has failed, and without it nothing can be said of this one. `why`: what is missing."""
+    return Verdict("skipped", f"not judged, because {why}")
 
 
 def all_of(*verdicts: Verdict) -> Verdict:

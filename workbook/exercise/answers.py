@@ -4,14 +4,17 @@ import ast
 import hashlib
 import re
 import tokenize
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from io import BytesIO
 from pathlib import Path
+from typing import Any
 
+from workbook.exercise.file_kinds import binary_kind, exported_answer, kind_of
 from workbook.exercise.notebook_cells import LARGEST_NOTEBOOK_BYTES as LARGEST_NOTEBOOK_BYTES
 from workbook.exercise.notebook_cells import answer_cells
 from workbook.exercise.notebook_cells import means as means
 from workbook.exercise.notebook_cells import named_exercise as named_exercise
+from workbook.recording.codec import NOT_STORED
 
 LARGEST_ANSWER_BYTES = 1_000_000
 """A hundred times a long answer; more is no program that a person wrote."""
@@ -29,9 +32,13 @@ class Ungradable(ValueError):
 
 @dataclass(frozen=True)
 class Answer:
-    """The program of one answer and the SHA-256 of it."""
+    """The program of one answer and the SHA-256 of it.
+
+    `note`: what else the notebook holds that may have been meant, as a sentence.
+    """
 
     text: str
+    note: str = field(default="", compare=False, metadata=NOT_STORED)
 
     @property
     def sha256(self) -> str:
@@ -66,6 +73,9 @@ def syntax_mistake(text: str, name: str = "answer.py") -> SyntaxMistake | None:
 
 def read_program(raw: bytes) -> str:
     """Decode a Python file as Python does (byte order mark, coding line). Raises Ungradable."""
+    kind = binary_kind(raw)
+    if kind is not None:
+        raise Ungradable(f"the file is {kind} and not a program. Hand in the program itself, as plain text")
     if raw[:2] in (b"\xff\xfe", b"\xfe\xff"):
         raise Ungradable("the file is UTF-16 text; Python reads UTF-8. Save it again as UTF-8")
     if b"\0" in raw:
@@ -97,19 +107,42 @@ def _as_utf8(text: str) -> str:
     return "\n".join(lines)
 
 
-def answer_in_notebook(path: Path, stem: str) -> str:
+def answer_in_notebook(path: Path, stem: str) -> Answer:
     """The program in the last cell whose first non-blank line is `%%answer STEM`. Raises Ungradable, OSError."""
     found = answer_cells(path, stem)
     if "problem" in found:
         raise Ungradable(found["problem"])
     if found["text"] is not None:
-        return str(found["text"])
+        if not str(found["text"]).strip() and len(found["answers"]) > 1:
+            *others, last = found["answers"]
+            raise Ungradable(
+                f"the last cell with `{ANSWER_MAGIC} {stem}`, cell {last}, is empty, and only the last one counts. "
+                f"Another one is cell {others[-1]}: delete cell {last}"
+            )
+        return Answer(str(found["text"]), _note(found, stem))
     if found["named"]:
         raise Ungradable(
             f"the notebook answers {', '.join(sorted(found['named']))}, and not {stem}: no cell begins with "
-            f"`{ANSWER_MAGIC} {stem}`"
+            f"`{ANSWER_MAGIC} {stem}`" + "".join(f". But {miss}" for miss in found["near"][:1])
         )
-    raise Ungradable(f"the notebook has no cell that begins with `{ANSWER_MAGIC} {stem}`")
+    near = "".join(f". But {miss}" for miss in found["near"][:1]) + "".join(
+        f". And {miss}" for miss in found["near"][1:]
+    )
+    raise Ungradable(f"the notebook has no cell that begins with `{ANSWER_MAGIC} {stem}`{near}")
+
+
+def _note(found: dict[str, Any], stem: str) -> str:
+    """What the notebook holds besides the answer that counts; empty if nothing else looks like a part of it."""
+    *others, last = found["answers"]
+    if others:
+        cells = " and ".join(map(str, found["answers"]))
+        return f"Cells {cells} begin with `{ANSWER_MAGIC} {stem}`. Cell {last} was judged, because the last one counts."
+    if found["after"] is not None:
+        return (
+            f"Cell {found['after']}, right after the answer, holds code that was not judged. If it belongs to the "
+            "answer, put everything into one cell."
+        )
+    return ""
 
 
 def exercises_named(path: Path) -> list[str]:
@@ -126,6 +159,15 @@ def exercises_named(path: Path) -> list[str]:
     return [stem for stem in [named_exercise(first)] if stem]
 
 
+def _program_in(path: Path, stem: str) -> str:
+    """The text of a .py file, or the answer in it where it is a notebook by another name, or exported from one."""
+    text = read_program(path.read_bytes())
+    if text.lstrip().startswith("{") and re.search(r'"(cells|worksheets)"\s*:', text):
+        return with_line_feeds(answer_in_notebook(path, stem).text)
+    exported = exported_answer(text, stem)
+    return text if exported is None else with_line_feeds(exported)
+
+
 def read_answer(path: Path, stem: str) -> Answer:
     """Read an answer to exercise `stem` from a .py or .ipynb file.
 
@@ -139,10 +181,12 @@ def read_answer(path: Path, stem: str) -> Answer:
     if path.stat().st_size > largest:
         advice = ". Clear the outputs of the notebook and save it again" if path.suffix == ".ipynb" else ""
         raise Ungradable(f"the file is larger than {largest // 1_000_000} MB{advice}")
+    note = ""
     if path.suffix == ".ipynb":
-        text = with_line_feeds(answer_in_notebook(path, stem))
+        found = answer_in_notebook(path, stem)
+        text, note = with_line_feeds(found.text), found.note
     elif path.suffix == ".py":
-        text = read_program(path.read_bytes())
+        text = _program_in(path, stem)
         lines = text.lstrip().split("\n")
         named = named_exercise(lines[0]) if lines else None
         if named is not None:
@@ -160,7 +204,10 @@ def read_answer(path: Path, stem: str) -> Answer:
     if len(text) > LARGEST_ANSWER_BYTES:
         raise Ungradable(f"the answer is larger than {LARGEST_ANSWER_BYTES // 1_000_000} MB")
     text = _as_utf8(text)
-    return Answer(text if text.endswith("\n") else text + "\n")
+    kind = kind_of(text) if syntax_mistake(text) else None
+    if kind is not None:
+        raise Ungradable(kind)
+    return Answer(text if text.endswith("\n") else text + "\n", note)
 
 
 def domains_named(text: str) -> frozenset[int]:

@@ -16,8 +16,8 @@ JudgementStatus = Literal["graded", "ungradable", "infra_error"]
 class Judgement:
     """What came out for one answer. `provisional`: the judgement on the wall clock is still to come and may differ.
 
-    `doubt`: why points that were lost may be lost without the answer's fault; empty for a conclusive judgement.
-    `end_only`: the doubt is about the program's end alone, and everything else is conclusive.
+    `inconclusive_reason`: why points that were lost may be lost without the answer's fault; empty for a conclusive
+    judgement. `end_only`: the doubt is about the program's end alone, and everything else is conclusive.
     """
 
     stem: str
@@ -28,7 +28,7 @@ class Judgement:
     recording: Recording | None
     provisional: bool = False
     watched_real_life: bool = False
-    doubt: str = ""
+    inconclusive_reason: str = ""
     end_only: bool = False
 
     @property
@@ -41,7 +41,7 @@ class Judgement:
     @property
     def is_disturbed(self) -> bool:
         """Whether the machine or the judge may have cost points, and not only at the program's end."""
-        return bool(self.doubt) and not self.end_only
+        return bool(self.inconclusive_reason) and not self.end_only
 
     @property
     def max_score(self) -> float:

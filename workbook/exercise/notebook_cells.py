@@ -5,7 +5,8 @@ the standard library only.
 
     python -I -S notebook_cells.py STEM < notebook.ipynb
 
-prints `{"named": [stems], "text": the last answer to STEM, or null}`, or `{"problem": sentence}`.
+prints `{"named": [stems], "text": the last answer to STEM, or null}`, or `{"problem": sentence}`. `"after"` is the
+number of the code cell right after the answer, if that holds code that was perhaps meant to be part of it.
 """
 
 import json
@@ -14,6 +15,7 @@ import resource
 import signal
 import subprocess
 import sys
+from difflib import SequenceMatcher
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +32,14 @@ LONGEST_TEXT = 1_000_001
 """Characters that are kept of an answer: one more than may be handed in, so that it is refused."""
 MOST_NAMES = 50
 """Exercises that are told of one notebook."""
+MOST_NEAR, MOST_LINES, ALIKE = 3, 2_000, 0.7
+"""Cells that are told as near misses, lines looked at in each, and how much a word must resemble `answer`."""
+_NEAR_LINE = re.compile(
+    r"""^\s*(?P<comment>[#>"'`\s]*)(?P<percent>[%\uff05\u066a!]*)\s*(?P<word>[^\W\d_]{4,10})(?=\W|\d|$)"""
+)
+_CODE = re.compile(
+    r"^\s*(?:class|def|async|@|import|from|if|for|while|with|try|rclpy\.|self\.)", re.MULTILINE
+)
 _ADVICE = "Clear its outputs and save it again"
 TOO_MUCH_MEMORY = f"reading the notebook takes more than {MEMORY_BYTES // 1_000_000} MB of memory. {_ADVICE}"
 TOO_MUCH_TIME = f"reading the notebook takes more than {CPU_S} s of processor time. {_ADVICE}"
@@ -71,20 +81,91 @@ def cells_of(raw: bytes, stem: str) -> dict[str, Any]:
     if raw.count(b"{") + raw.count(b"[") > MOST_PARTS:
         return {"problem": "this is not a notebook: it consists of millions of empty parts"}
     try:
-        cells = json.loads(raw)["cells"]
-        texts = [_text_of(cell) for cell in cells if cell.get("cell_type") == "code"]
-    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        return {"problem": f"this is not a readable notebook: {repr(error)[:200]}"}
+        notebook = json.loads(raw)
+    except (ValueError, RecursionError):
+        return {"problem": f"this is not a readable notebook: {_why_no_json(raw)}"}
+    problem = _why_no_notebook(notebook)
+    if problem is not None:
+        return {"problem": f"this is not a readable notebook: {problem}"}
     answer: str | None = None
+    answers: list[int] = []
+    near: list[str] = []
     named: dict[str, None] = {}
-    for text in texts:
+    after: int | None = None
+    is_next = False
+    for number, cell in enumerate(notebook["cells"], start=1):
+        text, kind = _text_of(cell), str(cell.get("cell_type"))
         first, _, rest = text.partition("\n")
-        name = named_exercise(first[:1000])
+        name = named_exercise(first[:1000]) if kind == "code" else None
+        if name is None and len(near) < MOST_NEAR:
+            near += [f"cell {number} {miss}" for miss in [_near_miss(text, kind)] if miss]
+        if is_next and kind == "code" and text.strip():
+            is_next, after = False, number if _looks_like_code(text) and name is None else None
         if name is not None and means(name, stem):
             answer = rest[:LONGEST_TEXT]
+            answers.append(number)
+            is_next, after = True, None
         if name is not None and len(named) < MOST_NAMES:
             named[name] = None
-    return {"named": list(named), "text": answer}
+    return {
+        "named": list(named),
+        "text": answer,
+        "answers": answers[-MOST_NAMES:],
+        "near": near,
+        "after": after,
+    }
+
+
+def _looks_like_code(text: str) -> bool:
+    """Whether a cell may be a part of a program: not a magic, and not just a line that looks at a value."""
+    return not text.lstrip().startswith(("%", "!")) and bool(_CODE.search(text[:LONGEST_TEXT]))
+
+
+def _why_no_json(raw: bytes) -> str:
+    """What a file is that should be a notebook, and is no JSON."""
+    start = raw.lstrip(b"\xef\xbb\xbf \t\r\n")[:200]
+    conflict = next((n for n, line in enumerate(raw.split(b"\n"), 1) if line.startswith(b"<<<<<<< ")), None)
+    if not start:
+        return "the file is empty"
+    if conflict is not None:
+        return f"Git left a conflict in line {conflict}. Choose one version, and save it again"
+    if not start.startswith((b"{", b"[")):
+        return "it holds something else than a notebook. Open it in JupyterLab, or hand in the right file"
+    try:
+        raw.decode()
+    except UnicodeDecodeError:
+        return "its text is not UTF-8. Open it in JupyterLab and save it again"
+    return "the file is cut off or damaged. Save it again in JupyterLab, and hand it in again"
+
+
+def _why_no_notebook(found: Any) -> str | None:
+    """What is wrong with JSON that should be a notebook; None where nothing is."""
+    if not isinstance(found, dict):
+        return "the file holds no notebook, but other data"
+    if "worksheets" in found:
+        return "its format is from 2014 or older (nbformat 3). Open it in JupyterLab and save it again"
+    cells = found.get("cells")
+    if not isinstance(cells, list):
+        return "the file has no list of cells"
+    broken = next((n for n, cell in enumerate(cells, 1) if not isinstance(cell, dict)), None)
+    return None if broken is None else f"cell {broken} is damaged. Save the notebook again in JupyterLab"
+
+
+def _near_miss(text: str, kind: str) -> str | None:
+    """How a cell is nearly an answer cell: what was found instead of a `%%answer` line at its top; None if it isn't."""
+    for place, line in enumerate(text[:LONGEST_TEXT].split("\n")[:MOST_LINES], start=1):
+        found = _NEAR_LINE.match(line[:200])
+        word = found["word"].casefold() if found else ""
+        marked = found is not None and (found["percent"] or found["comment"])
+        if not marked or SequenceMatcher(None, word, "answer").ratio() < ALIKE:
+            continue
+        shown = " ".join(line.split())[:60].replace("`", "'")
+        if kind != "code":
+            return f"begins with `{shown}`, but it is a {kind} cell and not a code cell"
+        if place > 1 and named_exercise(line):
+            return f"has `{shown}` in line {place}, and not in its first line"
+        return f"has the line `{shown}`"
+    return None
 
 
 def _text_of(cell: Any) -> str:

@@ -7,6 +7,7 @@ The functions are the very ones that grade; pytest only runs and shows them.
 """
 
 from collections.abc import Iterator
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,9 +15,7 @@ import pytest
 
 if TYPE_CHECKING:
     from workbook.criteria.runner import CriterionResult
-
-MOST_TRIES = 3
-"""As in a grading run: what a busy machine left in doubt is judged again."""
+    from workbook.exercise.judgement import Judgement
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -50,35 +49,33 @@ class CriteriaFile(pytest.File):
         for criterion in exercise.criteria:
             yield CriterionItem.from_parent(self, name=criterion.id)
 
-    def results(self) -> dict[str, "CriterionResult"]:
-        """Results by criterion, from one watch of the answer however many tests ask."""
-        if not hasattr(self, "_results"):
-            self._results = {result.id: result for result in self._judge()}
-        return self._results
+    def result(self, criterion: str) -> "CriterionResult":
+        """The result of a criterion. Raises RuntimeError where no try of the answer counts, as a grader would say."""
+        judgement = self._judgement
+        if judgement.status != "graded":
+            raise RuntimeError(judgement.reason)
+        return next(one for one in judgement.criteria if one.id == criterion)
 
-    def _judge(self) -> tuple["CriterionResult", ...]:
+    @cached_property
+    def _judgement(self) -> "Judgement":
+        """What counts of the answer or the recording, judged once however many tests ask."""
         from workbook.exercise.answers import read_answer
         from workbook.exercise.definition import load_exercise
         from workbook.exercise.judgement import judge_recording
         from workbook.exercise.judging import Judge
+        from workbook.exercise.retries import counting, tries_of
         from workbook.recording.recording import Recording
         from workbook.watching.observer import Observer
 
         exercise = load_exercise(self.path.stem, self.path.parents[2])
         stored = self.config.getoption("--recording", None)
         if stored is not None:
-            judgement = judge_recording(exercise, "", Recording.load(stored))
-        else:
-            answer = read_answer(self.config.getoption("--answer"), exercise.stem)
-            seed = self.config.getoption("--seed", None)
-            for _ in range(MOST_TRIES):
-                with Observer() as observer:
-                    judgement = Judge(observer).judge(exercise, answer, thorough=True, seed=seed)
-                if not judgement.doubt:
-                    break
-        if judgement.status != "graded":
-            raise RuntimeError(judgement.reason)
-        return judgement.criteria
+            return judge_recording(exercise, "", Recording.load(stored))
+        answer = read_answer(self.config.getoption("--answer"), exercise.stem)
+        seed = self.config.getoption("--seed", None)
+        with Observer() as observer:
+            judge = Judge(observer)
+            return counting(tries_of(lambda: judge.judge(exercise, answer, soak=True, seed=seed)))
 
 
 class CriterionFailed(AssertionError):
@@ -91,7 +88,7 @@ class CriterionItem(pytest.Item):
     def runtest(self) -> None:
         """Pass, skip or fail as the criterion did."""
         assert isinstance(self.parent, CriteriaFile)
-        result = self.parent.results()[self.name]
+        result = self.parent.result(self.name)
         if result.status == "skipped":
             pytest.skip(result.saw)
         if result.status != "passed":

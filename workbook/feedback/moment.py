@@ -84,7 +84,7 @@ def film_of(recording: Recording) -> Film:
         first = "first pose" if len(poses) == 1 else f"first {len(poses)} poses"
         text = f"Your robot moves through the {first} that your program sent."
     else:
-        lamp = _lamp(recording, recording.robot_s)
+        lamp = _lamp(recording, recording.simulated_s)
         for number in range(round(WAVE_S * FRAMES_PER_S)):
             pictures.append(humanoid.draw(waving(number / FRAMES_PER_S), lamp=lamp, scale=SCALE))
         text = "The robot waves."
@@ -95,7 +95,7 @@ def _poses(recording: Recording) -> Iterator[tuple[tuple[float, ...], Lamp | Non
     """Twelve angles and the lamp, for each message that holds a pose of the robot."""
     from workbook.pictures.joints import checked
 
-    for topic in recording.published():
+    for topic in recording.with_publishers():
         if not any(kind.endswith("MultiArray") for kind in topic.types):
             continue
         for arrival in topic.arrivals:
@@ -106,8 +106,8 @@ def _poses(recording: Recording) -> Iterator[tuple[tuple[float, ...], Lamp | Non
 
 
 def _lamp(recording: Recording, t: float) -> Lamp | None:
-    """The last status that the program had sent at the robot time `t`."""
-    for topic in recording.published():
+    """The last status that the program had sent at the simulated time `t`."""
+    for topic in recording.with_publishers():
         if topic.name.endswith("/status"):
             words = [
                 one.value.get("data") for one in topic.arrivals if one.t <= t and isinstance(one.value, dict)

@@ -8,7 +8,8 @@ from workbook.exercise.museum import BrokenMuseum, Exhibit, load_museum
 SIGNS = {"passed": "✓", "failed": "✗", "partial": "◐", "skipped": "–"}
 SHORTEST_WATCH_S = 0.5
 """A shorter one would be told as 0 s."""
-NOTHING_WATCHED = "The program ended before there was anything to watch."
+ENDED_TOO_SOON = "The program ended before there was anything to watch."
+NOTHING_WATCHED = "There was nothing to watch."
 WORDS = {"passed": "passes", "failed": "not yet", "partial": "in part", "skipped": "not judged"}
 
 
@@ -99,31 +100,35 @@ def clock_line(judgement: Judgement) -> str:
     recording = judgement.recording
     if recording is None:
         return ""
-    if recording.robot_s < SHORTEST_WATCH_S:
-        return NOTHING_WATCHED
+    if recording.simulated_s < SHORTEST_WATCH_S:
+        return ENDED_TOO_SOON if recording.process.ended_by == "itself" else NOTHING_WATCHED
     if recording.clock == "simulated":
-        line = f"Judged on {recording.robot_s:.0f} s of robot time in {recording.wall_s:.1f} real seconds."
+        line = (
+            f"Judged on {recording.simulated_s:.0f} s of robot time in {recording.wall_s:.1f} real seconds."
+        )
         if judgement.watched_real_life:
-            line += f" Then kept running until {recording.process.watched_for:.0f} real seconds had passed."
+            line += f" Then started again and watched for {recording.process.watched_for:.0f} real seconds."
         return line
-    return f"Judged on the wall clock, {recording.robot_s:.0f} s."
+    return f"Judged on the wall clock, {recording.simulated_s:.0f} s."
 
 
 def provisional_line(judgement: Judgement) -> str:
     """Why this judgement may still change; empty for a final one."""
     if not judgement.provisional:
         return ""
-    if judgement.doubt:
-        return f"Inconclusive: {judgement.doubt}. It is tried once more; that takes some seconds."
+    if judgement.inconclusive_reason:
+        return (
+            f"Inconclusive: {judgement.inconclusive_reason}. It is tried once more; that takes some seconds."
+        )
     return "Provisional: this was seen on fast robot time. The wall clock decides; that takes some seconds."
 
 
 def doubt_line(judgement: Judgement, *, is_graded: bool = False) -> str:
     """Why the judgement is inconclusive; empty for one that is sound. `is_graded`: no other try follows."""
-    if not judgement.doubt or judgement.provisional:
+    if not judgement.inconclusive_reason or judgement.provisional:
         return ""
     then = "." if is_graded else "; another try decides."
-    return f"Inconclusive: {judgement.doubt}. This may not be the program's fault{then}"
+    return f"Inconclusive: {judgement.inconclusive_reason}. This may not be the program's fault{then}"
 
 
 def hidden_line(judgement: Judgement) -> str:

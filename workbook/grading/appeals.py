@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from workbook.grading.changes import ByHand
+from workbook.grading.changes import Override
 from workbook.grading.grades_csv import student_cell
 from workbook.grading.results import CriterionLine, Result, StudentAndExercise
 from workbook.grading.roster import BadOption
@@ -27,7 +27,7 @@ FIX = "Correct the line and run the command again; nothing in this file was appl
 
 
 @dataclass(frozen=True)
-class Override:
+class OverrideLine:
     """One line of a file of changes, not yet known to fit. `points` is None where a change is taken back."""
 
     where: str
@@ -39,9 +39,9 @@ class Override:
     who: str
 
 
-def read_lines(path: Path) -> list[Override]:
+def read_lines(path: Path) -> list[OverrideLine]:
     """The lines of a file, which may begin with the names of the columns. Raises BadOption with the line's number."""
-    lines: list[Override] = []
+    lines: list[OverrideLine] = []
     try:
         with path.open(encoding="utf-8-sig", newline="") as file:
             reader = csv.reader(file)
@@ -56,7 +56,7 @@ def read_lines(path: Path) -> list[Override]:
     return lines
 
 
-def _line(where: str, student: str, cells: Sequence[str]) -> Override:
+def _line(where: str, student: str, cells: Sequence[str]) -> OverrideLine:
     if len(cells) != len(COLUMNS) - 1:
         raise BadOption(
             f"{where}: a line is `{','.join(COLUMNS)}`, and this one has {len(cells) + 1} columns. {FIX}"
@@ -73,12 +73,12 @@ def _line(where: str, student: str, cells: Sequence[str]) -> Override:
         points = math.nan
     if points is not None and not (math.isfinite(points) and points >= 0):
         raise BadOption(f"{where}: {text!r} is not a number of points. {FIX}")
-    return Override(where, student, exercise, criterion, points, reason, who)
+    return OverrideLine(where, student, exercise, criterion, points, reason, who)
 
 
-def fit(lines: Sequence[Override], results: Mapping[StudentAndExercise, Result]) -> list[ByHand]:
+def fit(lines: Sequence[OverrideLine], results: Mapping[StudentAndExercise, Result]) -> list[Override]:
     """The changes that the lines make. Raises BadOption for the first that fits nobody: then none is made."""
-    found: dict[tuple[str, str, str], ByHand] = {}
+    found: dict[tuple[str, str, str], Override] = {}
     for line in lines:
         change = _fit(line, results)
         if change.key in found:
@@ -89,7 +89,7 @@ def fit(lines: Sequence[Override], results: Mapping[StudentAndExercise, Result])
     return list(found.values())
 
 
-def _fit(line: Override, results: Mapping[StudentAndExercise, Result]) -> ByHand:
+def _fit(line: OverrideLine, results: Mapping[StudentAndExercise, Result]) -> Override:
     exercises = {stem for _, stem in results}
     stems = [stem for stem in exercises if line.exercise in (stem, stem.split("_", 1)[-1])]
     if len(stems) != 1:
@@ -113,7 +113,7 @@ def _fit(line: Override, results: Mapping[StudentAndExercise, Result]) -> ByHand
         raise BadOption(
             f"{line.where}: {line.points:g} points are more than the {most:g} that it is worth. {FIX}"
         )
-    return ByHand(
+    return Override(
         result.student,
         result.exercise,
         line.criterion,
@@ -138,7 +138,7 @@ def _most(result: Result, criterion: str) -> float | None:
 # --- kept -------------------------------------------------------------------------------------------------------------
 
 
-def keep(out: Path, changes: Iterable[ByHand]) -> None:
+def keep(out: Path, changes: Iterable[Override]) -> None:
     """Append changes to those of the folder `out`; the last one of each criterion counts."""
     with (out / OVERRIDES).open("a", encoding="utf-8") as file:
         for change in changes:
@@ -147,15 +147,15 @@ def keep(out: Path, changes: Iterable[ByHand]) -> None:
         os.fsync(file.fileno())
 
 
-def kept(out: Path) -> list[ByHand]:
+def kept(out: Path) -> list[Override]:
     """The changes of the folder `out` that count. Raises BadOption for a line that is none."""
     path = out / OVERRIDES
-    found: dict[tuple[str, str, str], ByHand] = {}
+    found: dict[tuple[str, str, str], Override] = {}
     if not path.is_file():
         return []
     for number, line in enumerate(path.read_bytes().splitlines(keepends=True), start=1):
         try:
-            change = decode(ByHand, json.loads(line))
+            change = decode(Override, json.loads(line))
         except (ValueError, RecursionError) as error:
             raise BadOption(
                 f"{path}, line {number}, holds no change of a mark ({error}): restore it, or delete it"
@@ -167,9 +167,9 @@ def kept(out: Path) -> list[ByHand]:
 # --- applied ----------------------------------------------------------------------------------------------------------
 
 
-def with_changes(results: Iterable[Result], changes: Iterable[ByHand]) -> list[Result]:
+def with_changes(results: Iterable[Result], changes: Iterable[Override]) -> list[Result]:
     """The results with all changes made that fit: to this answer, and a criterion that it still has."""
-    by_key: dict[StudentAndExercise, list[ByHand]] = {}
+    by_key: dict[StudentAndExercise, list[Override]] = {}
     for change in changes:
         by_key.setdefault((change.student, change.exercise), []).append(change)
     changed = []
@@ -181,7 +181,7 @@ def with_changes(results: Iterable[Result], changes: Iterable[ByHand]) -> list[R
     return changed
 
 
-def without_effect(results: Mapping[StudentAndExercise, Result], changes: Iterable[ByHand]) -> list[str]:
+def without_effect(results: Mapping[StudentAndExercise, Result], changes: Iterable[Override]) -> list[str]:
     """Sentences on changes that are kept and not applied, because what they were made for is no longer there."""
     said = []
     for one in changes:
@@ -199,7 +199,28 @@ def without_effect(results: Mapping[StudentAndExercise, Result], changes: Iterab
     return said
 
 
-def _fits(result: Result, change: ByHand) -> bool:
+def deductions(results: Mapping[StudentAndExercise, Result], changes: Iterable[Override]) -> list[str]:
+    """Return sentences on changes by which a student now has fewer points than the judge gives.
+
+    A change that was generous once takes points away after a corrected criterion.
+    """
+    said = []
+    for one in changes:
+        result = results.get((one.student, one.exercise))
+        if result is None or one.points is None or not _fits(result, one):
+            continue
+        judged = result.score
+        if one.criterion != TOTAL:
+            judged = next(line.points for line in result.criteria if line.id == one.criterion)
+        if judged is not None and judged > one.points:
+            said.append(
+                f"{one.student}: the judge gives {judged:g} points for {one.criterion}, and the change by {one.who} "
+                f"lowers them to {one.points:g}. To take the change back, give its line with empty points"
+            )
+    return said
+
+
+def _fits(result: Result, change: Override) -> bool:
     most = _most(result, change.criterion)
     return (
         result.answer_sha256 == change.answer_sha256
@@ -209,7 +230,7 @@ def _fits(result: Result, change: ByHand) -> bool:
     )
 
 
-def _changed(result: Result, change: ByHand) -> Result:
+def _changed(result: Result, change: Override) -> Result:
     assert change.points is not None
     if change.criterion == TOTAL:
         before, title, criteria, score = result.score, "the score", result.criteria, change.points
@@ -227,7 +248,7 @@ def _changed(result: Result, change: ByHand) -> Result:
     )
 
 
-def _line_by_hand(line: CriterionLine, change: ByHand) -> CriterionLine:
+def _line_by_hand(line: CriterionLine, change: Override) -> CriterionLine:
     assert change.points is not None
     told = f"{change.points:g} of {line.max_points:g} points, given by {change.who}: {change.reason}"
     saw = f"{told} (the judge: {line.points:g} points, {line.saw})"

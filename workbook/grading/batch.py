@@ -3,23 +3,30 @@
 import hashlib
 import os
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from workbook.exercise.answers import LARGEST_NOTEBOOK_BYTES, Ungradable, read_answer
 from workbook.exercise.definition import Exercise
 from workbook.exercise.judgement import Judgement
+from workbook.exercise.retries import judge_until_sure
 from workbook.grading.gradebook import write_gradebook
 from workbook.grading.hand_ins import HandIn, all_hand_ins
-from workbook.grading.judges import Job, Judges
+from workbook.grading.handed_in import note
+from workbook.grading.judges import GradingBackend, Job
 from workbook.grading.new_results import GradedBy, Submission, graded_result, ungradable_result
-from workbook.grading.pool import STOPPED_JUDGE
+from workbook.grading.pages import PAGES
 from workbook.grading.results import Result, StudentAndExercise
 from workbook.grading.results_file import RESULTS, BrokenLine, Done, ResultsFile, done_before, last_results
-from workbook.grading.retries import judge_until_sure
-from workbook.grading.roster import Roster, about_unused
+from workbook.grading.roster import BadOption, Roster, about_unused
 from workbook.grading.skipped import about_skipped, find_skipped
+from workbook.grading.slots.pool import STOPPED_JUDGE
+
+UNREADABLE = "unreadable"
+"""In place of a time: there is a timestamp.txt, and no time could be read from it."""
+WRITTEN = tuple((name,) for name in ("recordings", PAGES, "gradescope"))
+"""Folders that grading makes among the results, as the first part of a path."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +46,8 @@ class BatchSummary:
     """What one run over a folder of answers did.
 
     `results`: of the answers below the paths of this run; `everything`: all results of the folder that count, by
-    student and exercise. `judged` answers were judged now, `kept` ones in an earlier run, in `seconds` altogether.
+    student and exercise. `judged` answers were judged now, `kept` ones in an earlier run, in `seconds` altogether;
+    `frozen` of those that were kept were judged by other criteria than today's.
     `broken`: lines of results.jsonl that are not a result. `remarks`: sentences on files and aliases that do not count.
     """
 
@@ -47,6 +55,7 @@ class BatchSummary:
     everything: Mapping[StudentAndExercise, Result]
     broken: tuple[BrokenLine, ...]
     kept: int
+    frozen: int
     judged: int
     seconds: float
     stopped: bool
@@ -54,9 +63,9 @@ class BatchSummary:
 
 
 def _submitted_at(hand_in: HandIn) -> str | None:
-    """What the outermost `timestamp.txt` says of all above an answer in what its student handed in.
+    """Return the text of the outermost `timestamp.txt` above an answer, in the folder of its student.
 
-    Others are the student's own. Where the outermost one cannot be read, the time is unknown.
+    Others are the student's own. None if there is none, UNREADABLE if the outermost one cannot be read.
     """
     depth = max(1, len(Path(hand_in.label).parts) - 1)
     for folder in reversed([*hand_in.path.parents][:depth]):
@@ -65,10 +74,10 @@ def _submitted_at(hand_in: HandIn) -> str | None:
             if not os.path.lexists(stamp):
                 continue
             if stamp.is_file() and not stamp.is_symlink() and stamp.stat().st_size < 200:
-                return stamp.read_text(errors="replace").strip() or None
+                return stamp.read_text(errors="replace").strip() or UNREADABLE
         except OSError:
-            pass  # nobody knows then
-        return None
+            pass
+        return UNREADABLE
     return None
 
 
@@ -94,7 +103,7 @@ class Batch:
         self,
         exercise: Exercise,
         out: Path,
-        judges: Judges,
+        judges: GradingBackend,
         roster: Roster | None = None,
         *,
         retry_stopped: bool = False,
@@ -111,14 +120,57 @@ class Batch:
         """What is handed in below `paths`, under the names of the roster."""
         return self._roster.hand_ins(self._found(paths))
 
+    def check_paths(self, paths: Sequence[Path]) -> None:
+        """Raises BadOption where nothing below `paths` is a hand-in."""
+        if not self._found(paths):
+            places = ", ".join(map(str, paths))
+            remarks = about_skipped(find_skipped(paths))
+            raise BadOption(f"there is no answer below {places}" + (f". {remarks}" if remarks else ""))
+
     def _found(self, paths: Sequence[Path]) -> list[HandIn]:
-        return all_hand_ins(paths, self._exercise.stem, self._roster.assignment)
+        found = all_hand_ins(paths, self._exercise.stem, self._roster.assignment)
+        return [one for one in found if not self._is_ours(one.path)]
+
+    def _is_ours(self, path: Path) -> bool:
+        """Whether grading writes this file or folder: where the results lie among the answers, they are none."""
+        path, out = path.resolve(), self._out.resolve()
+        if path.is_dir() and (path == out or (path / RESULTS).is_file()):
+            return True
+        return path.is_relative_to(out) and path.relative_to(out).parts[:1] in WRITTEN
 
     def _remarks(self, paths: Sequence[Path], found: Sequence[HandIn]) -> tuple[str, ...]:
         """What was skipped, and which aliases fit nothing, as sentences."""
         return tuple(
             filter(None, (about_skipped(find_skipped(paths)), about_unused(self._roster.unused(found))))
         )
+
+    def _correct_times(self, hand_ins: Sequence[HandIn], file: ResultsFile) -> None:
+        """Store the times of hand-ins that have changed since an answer was judged. Nothing is judged again."""
+        known = last_results(self._out / RESULTS)
+        for hand_in in hand_ins:
+            result = known.get((hand_in.student, self._exercise.stem))
+            if result is not None and result.submitted_at != (moment := _submitted_at(hand_in)):
+                file.append(replace(result, submitted_at=moment))
+
+    def _note(self, paths: Sequence[Path], hand_ins: Sequence[HandIn]) -> None:
+        """Store who has handed in; only folders hold the hand-ins of all students."""
+        students = [one.student for one in hand_ins]
+        note(self._out, self._exercise.stem, students, whole=all(path.is_dir() for path in paths))
+
+    def _left_over(
+        self,
+        paths: Sequence[Path],
+        everything: Iterable[StudentAndExercise],
+        mine: Container[StudentAndExercise],
+    ) -> Iterator[str]:
+        """A sentence on students with a result and without a hand-in below `paths`, if those are folders."""
+        left = sorted(key[0] for key in everything if key[1] == self._exercise.stem and key not in mine)
+        if left and all(path.is_dir() for path in paths):
+            what = "1 earlier result has" if len(left) == 1 else f"{len(left)} earlier results have"
+            yield (
+                f"{what} no hand-in in this run: {', '.join(left)}. Exports leave them out. If they belong to the "
+                "class, name all folders with answers in one command"
+            )
 
     def run(
         self,
@@ -136,7 +188,7 @@ class Batch:
         broken: list[BrokenLine] = []
         file = ResultsFile(self._out / RESULTS)
         by = GradedBy(self._exercise, self._judges.isolation, self._out)
-        run = _Run(by, file, progress, self._retry_stopped)
+        run = _BatchRun(by, file, progress, self._retry_stopped)
         try:
             jobs = [replace(job, seed=self._seed) for job in run.refuse_or_keep(hand_ins)]
 
@@ -145,8 +197,10 @@ class Batch:
 
             for job, tries in judge_until_sure(jobs, judge):
                 run.judged(job, tries)
+            self._correct_times(hand_ins, file)
         finally:
             file.close()
+            self._note(paths, hand_ins)
             everything = last_results(self._out / RESULTS, broken.append)
             write_gradebook(self._out, self._exercise, everything)
         mine = {(hand_in.student, self._exercise.stem) for hand_in in hand_ins}
@@ -155,14 +209,15 @@ class Batch:
             everything=everything,
             broken=tuple(broken),
             kept=run.kept,
+            frozen=run.frozen,
             judged=run.done,
             seconds=run.seconds,
             stopped=run.done < run.total,
-            remarks=self._remarks(paths, found),
+            remarks=(*self._remarks(paths, found), *self._left_over(paths, everything, mine)),
         )
 
 
-class _Run:
+class _BatchRun:
     """One run of a batch: what is done, and what is still to do. Results go to `file` as they come."""
 
     def __init__(
@@ -179,6 +234,7 @@ class _Run:
         self._progress = progress
         self._earlier: Mapping[str, Done] = done_before(by.out / RESULTS, by.exercise.stem)
         self.kept = 0
+        self.frozen = 0
         self.refused = 0
         self.done = 0
         self.total = 0
@@ -209,25 +265,30 @@ class _Run:
 
     def judged(self, job: Job[HandIn], tries: Sequence[Judgement]) -> None:
         """Take note of an answer that was judged now."""
-        self._add(graded_result(self._submission(job.key, job.answer.sha256), tries, self._by))
+        self._add(
+            graded_result(self._submission(job.key, job.answer.sha256, job.answer.note), tries, self._by)
+        )
 
-    def _submission(self, hand_in: HandIn, sha256: str) -> Submission:
+    def _submission(self, hand_in: HandIn, sha256: str, note: str = "") -> Submission:
         known = self._earlier.get(hand_in.student)
         attempt = 1 if known is None else known.attempt + 1
-        return Submission(hand_in.student, hand_in.label, sha256, _submitted_at(hand_in), attempt)
+        return Submission(hand_in.student, hand_in.label, sha256, _submitted_at(hand_in), attempt, note)
 
     def _keep(self, student: str, sha256: str) -> bool:
-        """Whether an earlier run has judged this very answer by these very criteria; it then counts as kept."""
+        """Whether an earlier run has judged this very answer; it then counts as kept.
+
+        The criteria may have changed since: a mark changes only where `--regrade` was asked for.
+        """
         known = self._earlier.get(student)
         kept = (
             known is not None
             and known.status != "infra_error"
             and not (self._retry_stopped and (known.reason or "").startswith(STOPPED_JUDGE))
             and known.answer_sha256 == sha256
-            and known.criteria_sha256 == self._by.exercise.criteria_sha256
         )
-        if kept:
+        if known is not None and kept:
             self.kept += 1
+            self.frozen += known.criteria_sha256 != self._by.exercise.criteria_sha256
             self.total -= 1
         return kept
 

@@ -8,7 +8,7 @@ from workbook.recording.codec import NOT_STORED, UNKNOWN_FIELDS
 
 
 @dataclass(frozen=True)
-class ByHand:
+class Override:
     """One change: `who` gave a student's answer `points` for a criterion, and why. None takes an earlier one back.
 
     `answer_sha256`: of the answer that it was made for; another answer is judged as ever. `before` and `title` are what

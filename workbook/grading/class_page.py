@@ -58,6 +58,7 @@ def class_page(results: Iterable[Result], exercise: Exercise) -> str:
         left_out=len(rows) - len(shown),
         mean=_mean(graded),
         isolation=_isolation(rows),
+        judged_by=_judged_by(rows),
         distribution=_distribution(graded, round(exercise.max_points)),
         criteria=criteria,
         causes=causes,
@@ -90,7 +91,17 @@ def _mean(graded: Sequence[Result]) -> str:
 def _isolation(rows: Sequence[Result]) -> str:
     tiers = Counter(row.isolation for row in rows)
     told = ", ".join(f"{tier} ({count})" for tier, count in sorted(tiers.items()))
-    return f"Isolation: {told}." if told else ""
+    problems = Counter(row.isolation_problem for row in rows if row.isolation_problem)
+    missing = "".join(f" Of {count} programs: {problem}" for problem, count in problems.most_common())
+    return f"Isolation: {told}.{missing}" if told else ""
+
+
+def _judged_by(rows: Sequence[Result]) -> str:
+    """The versions that judged; how many answers each judged where there are several."""
+    versions = Counter(row.versions.told() for row in rows).most_common()
+    if len(versions) < 2:
+        return "".join(f"Judged by {one}." for one, _ in versions)
+    return f"Judged by {'; '.join(f'{one} ({count})' for one, count in versions)}."
 
 
 def _distribution(graded: Sequence[Result], most: int) -> list[tuple[int, int, float]]:

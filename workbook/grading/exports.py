@@ -13,6 +13,7 @@ from typing import Any
 from markupsafe import escape
 
 from workbook.grading.grades_csv import logins, safe_cell, student_cell
+from workbook.grading.lateness import parse_moment
 from workbook.grading.results import Result
 from workbook.recording.plain_text import without_commands
 
@@ -80,6 +81,7 @@ def gradescope(result: Result) -> str:
             "status": result.status,
             "clock": result.clock,
             "isolation": result.isolation,
+            "judged_by": result.versions.told(),
         },
         "tests": tests,
     }
@@ -136,7 +138,7 @@ def nbgrader(results: Iterable[Result], assignment: str | None = None) -> str:
             [
                 safe_cell(assignment or result.exercise),
                 "",
-                safe_cell(result.submitted_at),
+                safe_cell(result.submitted_at if parse_moment(result.submitted_at) else None),
                 student_cell(result.student),
                 "",
                 "",

@@ -68,7 +68,7 @@ class _Sent(Generic[Key]):
 
 
 class Farm:
-    """Judges on every worker of the scheduler at `address` that has this version of the course. See `Judges`.
+    """Judges on every worker of the scheduler at `address` that has this version of the course. See `GradingBackend`.
 
     `say` is told, a sentence each, which machines are not used, and which are lost. Use as a context manager. Raises
     NoJudges.
@@ -219,10 +219,10 @@ class Farm:
     # --- who judges what ----------------------------------------------------------------------------------------
 
     def judge_all(
-        self, jobs: Iterable[Job[Key]], *, thorough: bool = True, stop: Callable[[], bool] = lambda: False
+        self, jobs: Iterable[Job[Key]], *, soak: bool = True, stop: Callable[[], bool] = lambda: False
     ) -> Iterator[tuple[Job[Key], Judgement]]:
-        """See `Judges`. Raises NoJudges when the scheduler is lost, or no worker is left for a minute."""
-        distribution = _Distribution(self, jobs, thorough)
+        """See `GradingBackend`. Raises NoJudges when the scheduler is lost, or no worker is left for a minute."""
+        distribution = _Distribution(self, jobs, soak)
         try:
             while True:
                 for machine in self._muster():
@@ -246,15 +246,15 @@ class Farm:
         """The workers that answers can be sent to now."""
         return [machine for machine in self._machines.values() if machine.ready]
 
-    def send(self, job: Job[Key], thorough: bool, machine: "_Machine") -> Any:
+    def send(self, job: Job[Key], soak: bool, machine: "_Machine") -> Any:
         """Let a machine judge an answer. Returns the future of its reply."""
-        return self._submit(machine, farm_worker.judge, self._order(job, thorough, machine))
+        return self._submit(machine, farm_worker.judge, self._order(job, soak, machine))
 
-    def _order(self, job: Job[Key], thorough: bool, machine: _Machine) -> str:
+    def _order(self, job: Job[Key], soak: bool, machine: _Machine) -> str:
         return farm_worker.FarmJob(
             exercise=job.stem,
             answer=job.answer.text,
-            thorough=thorough,
+            soak=soak,
             isolation=self._isolation,
             course=self._course,
             own_criteria=_text_of_file(own_criteria(job.stem)),
@@ -288,9 +288,9 @@ class _Distribution(Generic[Key]):
     An answer is settled when its judgement is there, or when it was lost too often.
     """
 
-    def __init__(self, farm: Farm, jobs: Iterable[Job[Key]], thorough: bool) -> None:
+    def __init__(self, farm: Farm, jobs: Iterable[Job[Key]], soak: bool) -> None:
         self._farm = farm
-        self._thorough = thorough
+        self._thorough = soak
         self._waiting = deque(_Task(job) for job in jobs)
         self._suspects: deque[_Task[Key]] = deque()
         self._sent: dict[str, _Sent[Key]] = {}

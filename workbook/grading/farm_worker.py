@@ -9,18 +9,17 @@ import json
 import platform
 import secrets
 import threading
-import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from workbook.exercise.answers import Answer
 from workbook.exercise.course import NoCourse, course_folder, course_sha256
 from workbook.exercise.serialization import judgement_to_json
 from workbook.grading.judges import Job
-from workbook.grading.pool import Slot, judge_with_retry
+from workbook.grading.slots.pool import Kind, SlotPool, judge_with_retry
 from workbook.grading.tier_check import tier_problem
 from workbook.isolation.tiers import Isolation
 from workbook.recording.codec import decode, encode
@@ -42,7 +41,7 @@ class FarmJob:
 
     exercise: str
     answer: str
-    thorough: bool
+    soak: bool
     isolation: Isolation
     course: str
     own_criteria: str | None
@@ -129,15 +128,15 @@ def _judge(order: FarmJob) -> Mapping[str, Any]:
         return {"refused": problem}
     kind = Kind(order.isolation, _folder_of(order.exercise, order.own_criteria))
     job = Job(None, order.exercise, Answer(order.answer), order.seed)
-    slot, judgement = judge_with_retry(
-        _rack.take(kind), job, order.thorough, order.isolation, kind.own_criteria
-    )
+    _slots.fork_from_now_on(kind)
+    slot, judgement = judge_with_retry(_slots, _slots.take_warm(kind), kind, job, soak=order.soak)
     if slot is None:
         return {"fault": judgement.reason}
-    _rack.give(kind, slot)
+    _slots.give(kind, slot)
     return {"judgement": judgement_to_json(judgement)}
 
 
+_slots = SlotPool(IDLE_S)
 _criteria_lock = threading.Lock()
 _criteria: Path | None = None
 
@@ -158,63 +157,3 @@ def _folder_of(stem: str, text: str | None) -> Path | None:
             partial.write_text(text, encoding="utf-8")
             partial.replace(file)
     return folder
-
-
-class Kind(NamedTuple):
-    """What a slot must have in common with a job to judge it."""
-
-    isolation: Isolation
-    own_criteria: Path | None
-
-
-@dataclass(frozen=True)
-class _Waiting:
-    kind: Kind
-    slot: Slot
-    since: float
-
-
-class Rack:
-    """Warm slots with nothing to do. One that waits longer than `idle_s` is ended."""
-
-    def __init__(self, idle_s: float = IDLE_S) -> None:
-        self._idle_s = idle_s
-        self._slots: list[_Waiting] = []
-        self._changed = threading.Condition()
-        self._keeper: threading.Thread | None = None
-
-    def take(self, kind: Kind) -> Slot | None:
-        """A slot of this kind, if one is free."""
-        with self._changed:
-            for one in reversed(self._slots):
-                if one.kind == kind:
-                    self._slots.remove(one)
-                    return one.slot
-        return None
-
-    def give(self, kind: Kind, slot: Slot) -> None:
-        """Keep an idle slot for the next `take` of this kind."""
-        with self._changed:
-            self._slots.append(_Waiting(kind, slot, time.monotonic()))
-            if self._keeper is None:
-                self._keeper = threading.Thread(target=self._keep, name="rack of slots", daemon=True)
-                self._keeper.start()
-            self._changed.notify()
-
-    def _keep(self) -> None:
-        while True:
-            self._next_overdue().slot.close()
-
-    def _next_overdue(self) -> _Waiting:
-        with self._changed:
-            while True:
-                if not self._slots:
-                    self._changed.wait()
-                    continue
-                left = self._slots[0].since + self._idle_s - time.monotonic()
-                if left <= 0:
-                    return self._slots.pop(0)
-                self._changed.wait(left)
-
-
-_rack = Rack()

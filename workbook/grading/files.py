@@ -1,12 +1,36 @@
-"""Writing files that are there whole or not at all."""
+"""Write files atomically, and name the file when the disk is full."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 
-def write_whole(path: Path, text: str) -> Path:
-    """Write a text file; whoever reads it meanwhile finds the old one. Returns the path."""
-    path.parent.mkdir(parents=True, exist_ok=True)
+def write_whole(path: Path, text: str, *, bom: bool = False) -> Path:
+    """Write a text file atomically: readers see the old version until the new one is complete. Return the path.
+
+    `bom`: begin with a byte order mark, without which Excel reads accents as two letters.
+
+    Raises:
+        OSError: the file cannot be written; the error names it, also when the disk is full.
+    """
     partial = path.with_name(f".{path.name}.part")
-    partial.write_text(text, encoding="utf-8", errors="replace")
-    partial.replace(path)
+    with naming(path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            partial.write_text(text, encoding="utf-8-sig" if bom else "utf-8", errors="replace")
+        except OSError:
+            partial.unlink(missing_ok=True)
+            raise
+        partial.replace(path)
     return path
+
+
+@contextmanager
+def naming(path: Path) -> Iterator[None]:
+    """Add `path` to an OSError that names no file, such as that of a full disk."""
+    try:
+        yield
+    except OSError as error:
+        if error.filename is None and error.errno is not None:
+            raise type(error)(error.errno, error.strerror, str(path)) from error
+        raise

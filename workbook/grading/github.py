@@ -15,7 +15,7 @@ from typing import Any
 from workbook.criteria.criterion import Criterion
 from workbook.exercise.definition import Exercise
 from workbook.feedback.markdown import as_markdown, plain_markup
-from workbook.grading.hand_ins import hand_in_named
+from workbook.grading.hand_ins import hand_in_below, hand_in_named
 from workbook.grading.pages import judgement_of
 from workbook.grading.results import CriterionLine, Result
 from workbook.grading.single import grade_one
@@ -24,6 +24,7 @@ from workbook.recording.plain_text import without_commands
 from workbook.templating import as_markup, render
 
 LONGEST_MESSAGE = 1_000
+WHOSE = "the pushed answer"
 NOTHING = "Nothing is handed in for this exercise yet."
 
 
@@ -41,7 +42,10 @@ def grade_pushed(
     """Judge the answers in a student's folder, one exercise after another; recordings go below `out`."""
     found = []
     for exercise in exercises:
-        hand_in = hand_in_named("the pushed answer", folder, exercise.stem)
+        hand_in = hand_in_named(WHOSE, folder, exercise.stem)
+        if hand_in is None and len(exercises) == 1:  # then the only answer needs no name, as in `grade`
+            only = hand_in_below(WHOSE, folder / "answers", exercise.stem)
+            hand_in = only if only.problem is None else None
         result = None if hand_in is None else grade_one(exercise, hand_in, out, isolation)
         found.append(Pushed(exercise, result))
     return tuple(found)
@@ -125,8 +129,8 @@ def _points(one: Pushed) -> str:
 
 
 def all_hold(pushed: Sequence[Pushed]) -> bool:
-    """Whether everything that is shown holds in every answer that was handed in."""
-    return all(
+    """Whether an answer was handed in, and everything that is shown holds in every one that was."""
+    return any(one.result is not None for one in pushed) and all(
         one.result is None
         or (
             one.result.status == "graded"

@@ -10,6 +10,7 @@ from workbook.grading.class_page import class_page
 from workbook.grading.exports import canvas, gradescope, moodle, nbgrader
 from workbook.grading.files import write_whole
 from workbook.grading.grades_csv import grades_csv
+from workbook.grading.handed_in import with_a_hand_in
 from workbook.grading.lateness import Lateness, with_lateness
 from workbook.grading.pages import CLASS, PAGES, page_name, student_page
 from workbook.grading.results import Result, StudentAndExercise
@@ -21,13 +22,15 @@ GRADES = "grades.csv"
 class GradebookOptions:
     """What to make of the results besides grades.csv.
 
-    `column`: what Canvas and Moodle call the exercise. `assignment`: what nbgrader calls it.
+    `column`: what Canvas and Moodle call the exercise. `assignment`: what nbgrader calls it. `bom`: whether tables for
+    people and for Canvas and Moodle begin with a byte order mark; nbgrader's never does.
     """
 
     formats: tuple[str, ...] = ()
     lateness: Lateness | None = None
     column: str | None = None
     assignment: str | None = None
+    bom: bool = True
 
 
 def write_gradebook(
@@ -42,15 +45,17 @@ def write_gradebook(
     read.
     """
     options = options or GradebookOptions()
-    changed = with_changes(results.values(), kept(out))
+    changed = with_changes(with_a_hand_in(out, results.values()), kept(out))
     everything = with_lateness(changed, options.lateness)
     mine = [result for result in everything if result.exercise == exercise.stem]
-    written = [write_whole(out / GRADES, grades_csv(everything))]
+    written = [write_whole(out / GRADES, grades_csv(everything), bom=options.bom)]
     title = options.column or exercise.source.title
     if "canvas" in options.formats:
-        written.append(write_whole(out / "canvas.csv", canvas(mine, title, exercise.max_points)))
+        written.append(
+            write_whole(out / "canvas.csv", canvas(mine, title, exercise.max_points), bom=options.bom)
+        )
     if "moodle" in options.formats:
-        written.append(write_whole(out / "moodle.csv", moodle(mine, title)))
+        written.append(write_whole(out / "moodle.csv", moodle(mine, title), bom=options.bom))
     if "nbgrader" in options.formats:
         written.append(write_whole(out / "nbgrader.csv", nbgrader(mine, options.assignment)))
     if "gradescope" in options.formats:

@@ -44,6 +44,11 @@ def _marked(student: str) -> str:
     return f"{safe_cell(student)} [{mark}]".lstrip()
 
 
+def cells_of(student: str) -> set[str]:
+    """All texts that stand for a student in some table (see `logins`)."""
+    return {student_cell(student), _marked(student)}
+
+
 def logins(students: Iterable[str]) -> dict[str, str]:
     """The students' cells for an importer that finds them by login, whatever capitals and accents are made of.
 

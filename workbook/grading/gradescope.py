@@ -34,7 +34,8 @@ def results_json(result: Result) -> str:
         data["tests"] = [_unjudged(result)]
     data["extra_data"]["versions"] = encode(result.versions)
     tier = result.isolation
-    said = [data["output"], result.tried_twice(), f"Isolation: {tier} (the program ran {IN_SHORT[tier]})."]
+    ran = f"Isolation: {tier} (the program ran {IN_SHORT[tier]}). {result.isolation_problem}".strip()
+    said = [data["output"], result.tried_twice(), ran]
     data["output"] = without_commands("\n".join(filter(None, said)))
     return json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 

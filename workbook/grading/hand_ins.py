@@ -2,6 +2,7 @@
 
 import os
 import re
+import unicodedata
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,7 +16,9 @@ SHADOWS = frozenset(
 )
 """Names of files that are no answers, but would get between a program and the module of that name."""
 _ARCHIVE = "archives are not opened: unpack it into a folder with the student's name"
-SKIPPED_FOLDERS = frozenset({"__pycache__", ".ipynb_checkpoints", "__MACOSX"})
+SKIPPED_FOLDERS = frozenset(
+    {"__pycache__", ".ipynb_checkpoints", "__MACOSX", "venv", "env", "site-packages", "node_modules"}
+)
 DEEPEST = 100
 """Folders within folders. Archives and disks nest a few, and a path may have some thousand."""
 _LOOKS_LIKE_ONE = re.compile(r"\.(py\w?|ipynb)(?![^\W\d_])", re.IGNORECASE)
@@ -233,7 +236,12 @@ def readable(text: str) -> str:
 
 def _as_text(raw: HandIn) -> HandIn:
     problem = None if raw.problem is None else readable(raw.problem)
-    return HandIn(readable(raw.student), raw.path, readable(raw.label), problem)
+    return HandIn(one_spelling(readable(raw.student)), raw.path, readable(raw.label), problem)
+
+
+def one_spelling(name: str) -> str:
+    """A name with each accent as a part of its letter, as most systems write it; macOS separates the two."""
+    return unicodedata.normalize("NFC", name)
 
 
 def one_for_each(found: Sequence[HandIn]) -> list[HandIn]:

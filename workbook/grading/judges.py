@@ -25,7 +25,7 @@ class NoJudges(RuntimeError):
     """No worker or slot can judge, or all of them were lost. The message says why and what to do."""
 
 
-class Judges(Protocol):
+class GradingBackend(Protocol):
     """Judges many answers: on the slots of this machine, or on a farm."""
 
     @property
@@ -33,7 +33,7 @@ class Judges(Protocol):
         """The tier of isolation that programs run in."""
 
     def judge_all(
-        self, jobs: Iterable[Job[Key]], *, thorough: bool = True, stop: Callable[[], bool] = lambda: False
+        self, jobs: Iterable[Job[Key]], *, soak: bool = True, stop: Callable[[], bool] = lambda: False
     ) -> Iterator[tuple[Job[Key], Judgement]]:
         """Judge many answers; yields each judgement as it is ready, each job once.
 

@@ -1,11 +1,12 @@
-"""What handing in late costs. results.jsonl keeps what was earned; lateness is taken off what is made from it."""
+"""Late penalties. results.jsonl stores the points as earned; only the exports made from it subtract the penalty."""
 
 import math
 import re
-from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 
+from workbook.grading.deadlines import same_name
 from workbook.grading.results import Result
 
 DAY_S = 86_400.0
@@ -15,21 +16,30 @@ _SAYS_UTC = re.compile(r" ?(UTC|GMT)$")
 
 @dataclass(frozen=True)
 class Lateness:
-    """`share` of the most points is taken off for each day, begun or whole, after `deadline`."""
+    """Subtract `share` of the maximum for each day, complete or not, after `deadline`.
+
+    `extensions`: later deadlines of single students, by the names that `same_name` returns.
+    """
 
     deadline: datetime
     share: float
+    extensions: Mapping[str, datetime] = field(default_factory=dict)
+
+    def deadline_of(self, student: str) -> datetime:
+        """Return the deadline of this student."""
+        return self.extensions.get(same_name(student), self.deadline)
 
     def unknown(self, results: Iterable[Result]) -> list[Result]:
-        """Results of which nobody knows when they were handed in: nothing is taken off."""
+        """Return the results without a known time of the hand-in. Nothing is subtracted from them."""
         return [one for one in results if one.score is not None and parse_moment(one.submitted_at) is None]
 
     def taken_off(self, result: Result) -> float:
-        """Points that lateness costs this result; 0 when nobody knows when it was handed in."""
+        """Return the points that lateness costs this result; 0 if the time of the hand-in is unknown."""
         moment = parse_moment(result.submitted_at)
-        if moment is None or result.score is None or moment <= self.deadline:
+        deadline = self.deadline_of(result.student)
+        if moment is None or result.score is None or moment <= deadline:
             return 0.0
-        days = math.ceil((moment - self.deadline).total_seconds() / DAY_S)
+        days = math.ceil((moment - deadline).total_seconds() / DAY_S)
         return float(round(min(result.score, days * self.share * result.max_score), 6))
 
 

@@ -12,8 +12,8 @@ from pathlib import Path
 import workbook
 from workbook.exercise.definition import Exercise
 from workbook.exercise.judgement import Judgement
+from workbook.exercise.retries import what_counts
 from workbook.grading.results import ProcessSummary, Result, Try, Versions, criterion_line
-from workbook.grading.retries import what_counts
 
 LOG_LENGTH = 8_000
 """Characters of a program's log that a result holds. The recording has all of it."""
@@ -21,13 +21,17 @@ LOG_LENGTH = 8_000
 
 @dataclass(frozen=True)
 class Submission:
-    """What one student handed in, as a result names it. `answer_sha256` is empty where nothing could be read."""
+    """What one student handed in, as a result names it. `answer_sha256` is empty where nothing could be read.
+
+    `note`: what else a notebook holds that may have been meant, as a sentence.
+    """
 
     student: str
     answer: str
     answer_sha256: str
     submitted_at: str | None = None
     attempt: int = 1
+    note: str = ""
 
 
 @dataclass(frozen=True)
@@ -56,7 +60,13 @@ def graded_result(submission: Submission, tries: Sequence[Judgement], by: Graded
     process = None
     if recording is not None:
         ended = recording.process
-        process = ProcessSummary(ended.exit, ended.signal, tuple(ended.limits_hit), ended.log[:LOG_LENGTH])
+        process = ProcessSummary(
+            ended.exit,
+            ended.signal,
+            tuple(ended.limits_hit),
+            ended.log[:LOG_LENGTH],
+            unfiltered=ended.unfiltered,
+        )
     return Result(
         student=submission.student,
         answer=submission.answer,
@@ -65,18 +75,18 @@ def graded_result(submission: Submission, tries: Sequence[Judgement], by: Graded
         exercise=judgement.stem,
         attempt=submission.attempt,
         status=judgement.status,
-        reason=judgement.reason,
+        reason=judgement.reason or submission.note or None,
         score=judgement.score,
         max_score=by.exercise.max_points,
         criteria=tuple(map(criterion_line, judgement.criteria)),
         process=process,
         recording=_recording_file(by.out, judgement),
         clock=None if recording is None else recording.clock,
-        robot_s=None if recording is None else recording.robot_s,
+        simulated_s=None if recording is None else recording.simulated_s,
         wall_s=None if recording is None else recording.wall_s,
         isolation=by.isolation,
         versions=versions(by.exercise.criteria_sha256),
-        doubt=judgement.doubt,
+        inconclusive_reason=judgement.inconclusive_reason,
         tries=tuple(_try(by.out, one, number == found.number) for number, one in enumerate(tries))
         if len(tries) > 1
         else (),
@@ -101,7 +111,7 @@ def ungradable_result(submission: Submission, reason: str, by: GradedBy) -> Resu
         process=None,
         recording=None,
         clock=None,
-        robot_s=None,
+        simulated_s=None,
         wall_s=None,
         isolation=by.isolation,
         versions=versions(by.exercise.criteria_sha256),
@@ -112,7 +122,7 @@ def _try(out: Path, judgement: Judgement, counts: bool) -> Try:
     recording = judgement.recording
     return Try(
         counts=counts,
-        doubt=judgement.doubt,
+        inconclusive_reason=judgement.inconclusive_reason,
         end_only=judgement.end_only,
         status=judgement.status,
         reason=judgement.reason,

@@ -12,7 +12,7 @@ from workbook.exercise.without_solution import without_solution
 from workbook.grading.files import write_whole
 from workbook.grading.github import encoded, not_run, runners
 
-PLACES = Path(__file__).with_name("places")
+GRADESCOPE_FILES = Path(__file__).with_name("gradescope_files")
 WORKFLOW = Path(".github", "workflows", "classroom.yml")
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 _PROJECT = ("pyproject.toml", "requirements.lock", "README.md", "LICENSE", "LICENSE-TEXT")
@@ -31,9 +31,9 @@ class CannotPackage(RuntimeError):
 def gradescope_zip(exercise: Exercise, course: Path, target: Path) -> list[str]:
     """Write the autograder of one exercise. The same course gives the same bytes. Returns the names in it."""
     entries: dict[str, tuple[bytes, bool]] = {
-        "setup.sh": ((PLACES / "setup.sh").read_bytes(), True),
+        "setup.sh": ((GRADESCOPE_FILES / "setup.sh").read_bytes(), True),
         "run_autograder": (
-            (PLACES / "run_autograder")
+            (GRADESCOPE_FILES / "run_autograder")
             .read_text(encoding="utf-8")
             .replace("@EXERCISE@", exercise.stem)
             .encode(),
@@ -99,7 +99,7 @@ def classroom_workflow(
         raise CannotPackage(f"{address!r} is not an address that git can fetch from")
     if not _REVISION.fullmatch(revision):
         raise CannotPackage(f"{revision!r} is not a full commit id (40 digits and letters a to f)")
-    text = (PLACES / "classroom.yml").read_text(encoding="utf-8")
+    text = (GRADESCOPE_FILES / "classroom.yml").read_text(encoding="utf-8")
     if reporter:
         text = text.replace("        id: judge\n", "        id: judge\n        continue-on-error: true\n")
         text += _reporter(exercises)

@@ -42,7 +42,7 @@ def judgement_of(result: Result, out: Path) -> Judgement:
         reason=result.reason,
         criteria=tuple(map(criterion_result, result.criteria)),
         recording=recording,
-        doubt=result.doubt,
+        inconclusive_reason=result.inconclusive_reason,
     )
 
 

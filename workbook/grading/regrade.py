@@ -1,32 +1,64 @@
 """Judging again: stored recordings under changed criteria, without running anything, and without ROS."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from workbook.exercise.conclusiveness import EXCUSED_ENDS
 from workbook.exercise.definition import Exercise
+from workbook.exercise.inconclusive import EXCUSED_ENDS
 from workbook.exercise.judgement import Judgement, judge_recording
-from workbook.grading.new_results import GradedBy, Submission, graded_result
-from workbook.grading.results import Result
+from workbook.exercise.retries import counting
+from workbook.grading.new_results import GradedBy, Submission, graded_result, versions
+from workbook.grading.results import CriterionLine, Result
 from workbook.grading.results_file import RESULTS, ResultsFile, last_results
-from workbook.grading.retries import counting
 from workbook.recording.recording import Recording
+
+NO_SCORE = "it has no score, because no try of it counted. Run `workbook grade` on the answers again"
+NO_RECORDING = "no recording of it was kept. Run `workbook grade` on the answers again"
+
+
+@dataclass(frozen=True)
+class CriterionChange:
+    """The points of one criterion before and after. None: there was no such criterion, or there is none now."""
+
+    id: str
+    before: float | None
+    after: float | None
 
 
 @dataclass(frozen=True)
 class Regraded:
-    """What a change of the criteria did to one student. `problem`: why it could not be judged again."""
+    """What judging again did to one student. `problem`: why it could not be judged again.
+
+    `criteria`: those whose points changed, came, or went.
+    """
 
     student: str
     before: float | None
     after: float | None
     problem: str = ""
+    criteria: tuple[CriterionChange, ...] = ()
 
     @property
     def changed(self) -> bool:
-        """Whether the score is another one than before; False for what could not be judged again."""
-        return not self.problem and self.before != self.after
+        """Whether any points are others than before; False for what could not be judged again."""
+        return not self.problem and (self.before != self.after or bool(self.criteria))
+
+
+def criterion_changes(
+    before: tuple[CriterionLine, ...], after: tuple[CriterionLine, ...]
+) -> tuple[CriterionChange, ...]:
+    """The criteria whose points differ, in the order of the new ones. No such criterion counts as no points."""
+    old, new = _points(before), _points(after)
+    return tuple(
+        CriterionChange(name, old.get(name), new.get(name))
+        for name in dict.fromkeys([*new, *old])
+        if old.get(name, 0.0) != new.get(name, 0.0)
+    )
+
+
+def _points(lines: tuple[CriterionLine, ...]) -> Mapping[str, float]:
+    return {one.id: one.points for one in lines}
 
 
 class CannotRegrade(RuntimeError):
@@ -36,42 +68,69 @@ class CannotRegrade(RuntimeError):
 def regrade(out: Path, exercise: Exercise) -> list[Regraded]:
     """Judge the stored recording of every student again; new results are appended, nothing is run.
 
-    Results that were made under these very criteria are left as they are. Raises FolderInUse.
+    A result that comes out as it was is left as it is, if it was made by these very criteria. A result without a mark,
+    because a criterion crashed, is judged again, too. Raises FolderInUse.
     """
     with ResultsFile(out / RESULTS) as file:
         known = last_results(out / RESULTS)
         mine = [result for (_, stem), result in sorted(known.items()) if stem == exercise.stem]
-        return [_again(out, exercise, result, file) for result in mine if result.status == "graded"]
+        return [_again(out, exercise, result, file) for result in mine if result.status != "ungradable"]
 
 
 def _again(out: Path, exercise: Exercise, result: Result, file: ResultsFile) -> Regraded:
-    student, before = result.student, result.score
-    if result.versions.criteria == exercise.criteria_sha256:
-        return Regraded(student, before, before)
+    """Results of these criteria are judged again, too: the course has more that a judgement depends on."""
+    if result.status != "graded" and result.tries:  # no try counted, and none would now
+        return Regraded(result.student, result.score, None, NO_SCORE)
+    found = _new_result(out, exercise, result)
+    is_ours = result.status == "graded" and _made_by(result) == _made_by(result, exercise.criteria_sha256)
+    if isinstance(found, str):
+        return Regraded(
+            result.student, result.score, result.score if is_ours else None, "" if is_ours else found
+        )
+    changes = criterion_changes(result.criteria, found.criteria)
+    if changes or result.score != found.score or not is_ours:
+        file.append(found)
+    return Regraded(result.student, result.score, found.score, criteria=changes)
+
+
+def _made_by(result: Result, criteria: str = "") -> tuple[str, str]:
+    """The version of the workbook and the criteria; with `criteria`, those of today."""
+    made = versions(criteria) if criteria else result.versions
+    return made.workbook, made.criteria
+
+
+def _new_result(out: Path, exercise: Exercise, result: Result) -> Result | str:
+    """The new result, or why there is none."""
     try:
         tries = [
-            _judged_again(out / name, doubt, end_only, exercise, result.answer_sha256)
-            for name, doubt, end_only in _stored_tries(result)
+            _judged_again(out / name, inconclusive_reason, end_only, exercise, result.answer_sha256)
+            for name, inconclusive_reason, end_only in _stored_tries(result)
         ]
     except CannotRegrade as error:
-        return Regraded(student, before, None, str(error))
+        return str(error)
     if not tries:
-        return Regraded(student, before, None, "no recording of it was kept")
-    if len(tries) == 1 and not tries[0].doubt and any(one.cause in EXCUSED_ENDS for one in tries[0].criteria):
-        return Regraded(
-            student,
-            before,
-            None,
-            "a bug in rclpy or Python may have changed how it ended; only another run can tell",
-        )
+        return NO_RECORDING
+    if (
+        len(tries) == 1
+        and not tries[0].inconclusive_reason
+        and any(one.cause in EXCUSED_ENDS for one in tries[0].criteria)
+    ):
+        return "a bug in rclpy or Python may have changed how it ended; only another run can tell"
     counts = counting(tries)
     if counts.status != "graded":
-        return Regraded(student, before, None, counts.reason or "no try counts")
+        return counts.reason or "no try counts"
     submission = Submission(
-        student, result.answer, result.answer_sha256, result.submitted_at, result.attempt + 1
+        result.student,
+        result.answer,
+        result.answer_sha256,
+        result.submitted_at,
+        result.attempt + 1,
+        result.reason or "" if result.status == "graded" else "",
     )
-    file.append(graded_result(submission, tries, GradedBy(exercise, result.isolation, out)))
-    return Regraded(student, before, counts.score)
+    new = graded_result(submission, tries, GradedBy(exercise, result.isolation, out))
+    # the program ran with the rclpy and the Python of back then, whatever judges its recording now
+    ran = result.versions
+    return replace(new, versions=replace(new.versions, rclpy=ran.rclpy, python=ran.python))
 
 
 def _stored_tries(result: Result) -> Iterator[tuple[str, str, bool]]:
@@ -80,14 +139,14 @@ def _stored_tries(result: Result) -> Iterator[tuple[str, str, bool]]:
     A try that the slot did not survive has none.
     """
     if not result.tries and result.recording is not None:
-        yield result.recording, result.doubt, False
+        yield result.recording, result.inconclusive_reason, False
     for one in result.tries:
         if one.recording is not None:
-            yield one.recording, one.doubt, one.end_only
+            yield one.recording, one.inconclusive_reason, one.end_only
 
 
 def _judged_again(
-    path: Path, doubt: str, end_only: bool, exercise: Exercise, answer_sha256: str
+    path: Path, inconclusive_reason: str, end_only: bool, exercise: Exercise, answer_sha256: str
 ) -> Judgement:
     """Raises CannotRegrade."""
     try:
@@ -97,4 +156,8 @@ def _judged_again(
     judgement = judge_recording(exercise, answer_sha256, recording)
     if judgement.status != "graded":
         raise CannotRegrade(judgement.reason or "the criteria failed")
-    return judgement if judgement.full_marks else replace(judgement, doubt=doubt, end_only=end_only)
+    return (
+        judgement
+        if judgement.full_marks
+        else replace(judgement, inconclusive_reason=inconclusive_reason, end_only=end_only)
+    )

@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from workbook.criteria.runner import CriterionResult, Status
-from workbook.grading.changes import ByHand
-from workbook.recording.codec import NOT_STORED, UNKNOWN_FIELDS, stored_as
+from workbook.grading.changes import Override
+from workbook.recording.codec import NOT_STORED, STORED_IF_SET, UNKNOWN_FIELDS, stored_as
 from workbook.recording.plain_text import without_commands
 from workbook.recording.recording import Clock
 
@@ -48,13 +48,14 @@ class CriterionLine:
 
 @dataclass(frozen=True)
 class ProcessSummary:
-    """How the program ended, and the beginning of what it printed."""
+    """How the program ended, and the beginning of what it printed. `unfiltered`: see `ProcessRecord`."""
 
     exit: int | None
     signal: str | None
     limits_hit: tuple[str, ...]
     log: str
     unknown: Mapping[str, Any] = field(default_factory=dict, metadata=UNKNOWN_FIELDS)
+    unfiltered: str = field(default="", metadata=STORED_IF_SET)
 
 
 @dataclass(frozen=True)
@@ -67,6 +68,10 @@ class Versions:
     python: str = ""
     unknown: Mapping[str, Any] = field(default_factory=dict, metadata=UNKNOWN_FIELDS)
 
+    def told(self) -> str:
+        """The versions in a few words; of the criteria, as much as tells them apart."""
+        return f"workbook {self.workbook}, criteria {self.criteria[:12]}, rclpy {self.rclpy}"
+
 
 @dataclass(frozen=True)
 class Try:
@@ -76,7 +81,7 @@ class Try:
     """
 
     counts: bool
-    doubt: str
+    inconclusive_reason: str = field(metadata=stored_as("doubt"))
     status: ResultStatus
     reason: str | None
     score: float | None
@@ -93,10 +98,9 @@ class Result:
     """What came out for one answer. `score` is None unless it was graded: an error of ours is never a zero.
 
     `answer`: the path of the file as it was handed in; `recording`: that of the recording, below the results.
-    `tries`: all judgements of an answer that was tried more than once, because the first was inconclusive (`doubt`);
-    `why_this_try`: which of them counts and why, as a sentence.
-    `late_points`: what lateness has taken off `score`; 0 in what is stored. `by_hand`: what a person has changed in it;
-    nothing in what is stored.
+    `tries`: all judgements of an answer that was tried more than once, because the first was inconclusive
+    (`inconclusive_reason`); `why_this_try`: which of them counts and why, as a sentence. `late_points`: what lateness
+    has taken off `score`; 0 in what is stored. `by_hand`: what a person has changed in it; nothing in what is stored.
     """
 
     student: str
@@ -113,15 +117,15 @@ class Result:
     process: ProcessSummary | None
     recording: str | None
     clock: Clock | None
-    robot_s: float | None
+    simulated_s: float | None = field(metadata=stored_as("robot_s"))
     wall_s: float | None
     isolation: str
     versions: Versions
-    doubt: str = ""
+    inconclusive_reason: str = field(default="", metadata=stored_as("doubt"))
     tries: tuple[Try, ...] = ()
     why_this_try: str = ""
     late_points: float = field(default=0.0, metadata=NOT_STORED)
-    by_hand: tuple[ByHand, ...] = field(default=(), metadata=NOT_STORED)
+    by_hand: tuple[Override, ...] = field(default=(), metadata=NOT_STORED)
     unknown: Mapping[str, Any] = field(default_factory=dict, metadata=UNKNOWN_FIELDS)
 
     @property
@@ -134,6 +138,12 @@ class Result:
         """Whether the answer was tried more than once and did not always get the same."""
         return len({_told(one) for one in self.tries}) > 1
 
+    @property
+    def isolation_problem(self) -> str:
+        """What its tier could not do for the program, as a sentence; empty where nothing was missing."""
+        problem = "" if self.process is None else self.process.unfiltered
+        return f"Its system calls were not filtered: {problem}." if problem else ""
+
     def changed_by_hand(self) -> str:
         """What a person has changed in it, and why; empty where nothing was changed."""
         return " ".join(one.told() for one in self.by_hand)
@@ -145,8 +155,9 @@ class Result:
         often = "twice" if len(self.tries) == 2 else f"{len(self.tries)} times"
         told = ", then ".join(map(_told, self.tries))
         kept = f" {self.why_this_try}" if self.why_this_try else ""
-        second = " So was the second." if self.tries[1].doubt else ""
-        return f"Tried {often}: {told}.{kept} The first try was inconclusive ({self.tries[0].doubt}).{second}"
+        second = " So was the second." if self.tries[1].inconclusive_reason else ""
+        reason = self.tries[0].inconclusive_reason
+        return f"Tried {often}: {told}.{kept} The first try was inconclusive ({reason}).{second}"
 
 
 def _told(one: Try) -> str:

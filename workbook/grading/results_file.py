@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
+from workbook.grading.files import naming
 from workbook.grading.results import Result, StudentAndExercise
 from workbook.recording.codec import decode, encode
 
@@ -130,10 +131,11 @@ class ResultsFile:
                 file.truncate(raw.rfind(b"\n") + 1)
 
     def append(self, result: Result) -> None:
-        """Write one result, and return when it is on the disk."""
-        self._file.write(line_of(result))
-        self._file.flush()
-        os.fsync(self._file.fileno())
+        """Write one result, and return when it is on the disk. Raises OSError, which names the file."""
+        with naming(Path(self._file.name)):
+            self._file.write(line_of(result))
+            self._file.flush()
+            os.fsync(self._file.fileno())
 
     def close(self) -> None:
         """Close the file, so that another process can open it."""

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from workbook.grading.hand_ins import HandIn, one_for_each
+from workbook.grading.hand_ins import HandIn, one_for_each, one_spelling
 
 
 class BadOption(ValueError):
@@ -60,7 +60,8 @@ def _names(hand_in: HandIn) -> tuple[str, ...]:
 
     Names further down are a student's own choice, who could choose one that is an alias of somebody else.
     """
-    return hand_in.label, *Path(hand_in.label).parts[:1], hand_in.student
+    label = one_spelling(hand_in.label)
+    return label, *Path(label).parts[:1], hand_in.student
 
 
 def about_unused(names: Sequence[str]) -> str:
@@ -82,7 +83,7 @@ def read_aliases(path: Path) -> dict[str, str]:
                     continue
                 if len(row) < 2 or not row[0].strip() or not row[1].strip():
                     raise BadOption(f"{path}, line {number}: a line is `file or folder,student`")
-                name, student = row[0].strip(), row[1].strip()
+                name, student = one_spelling(row[0].strip()), one_spelling(row[1].strip())
                 if aliases.get(name, student) != student:
                     raise BadOption(f"{path}, line {number}: {name} belongs to two students")
                 aliases[name] = student

@@ -6,12 +6,12 @@ from pathlib import Path
 from workbook.exercise.answers import Ungradable, read_answer
 from workbook.exercise.definition import Exercise
 from workbook.exercise.judgement import Judgement
+from workbook.exercise.retries import judge_until_sure
 from workbook.grading.hand_ins import HandIn
 from workbook.grading.judges import Job
-from workbook.grading.local import judge_all
 from workbook.grading.new_results import GradedBy, Submission, graded_result, ungradable_result
 from workbook.grading.results import Result
-from workbook.grading.retries import judge_until_sure
+from workbook.grading.slots.scheduler import judge_all
 from workbook.grading.tier_check import tier_problem
 from workbook.isolation.bubblewrap import NoSandbox
 from workbook.isolation.tiers import BEST_FIRST, Isolation, named_tier
@@ -50,5 +50,7 @@ def grade_one(exercise: Exercise, hand_in: HandIn, out: Path, isolation: Isolati
         return judge_all(jobs, 1, isolation=isolation)
 
     for _, tries in judge_until_sure([Job(hand_in, exercise.stem, answer)], judge):
-        return graded_result(Submission(hand_in.student, hand_in.label, answer.sha256), tries, by)
+        return graded_result(
+            Submission(hand_in.student, hand_in.label, answer.sha256, note=answer.note), tries, by
+        )
     raise RuntimeError("the grader gave no judgment")

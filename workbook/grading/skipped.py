@@ -8,7 +8,6 @@ from workbook.grading.hand_ins import SKIPPED_FOLDERS, hand_in_root, readable, w
 
 _TOOLS = frozenset({".git", ".github", ".vscode", ".idea", ".venv", ".cache", ".config", ".local", ".ros"})
 """Hidden folders that programs make. No student has such a name."""
-NAMED = 10
 
 
 @dataclass(frozen=True)
@@ -47,11 +46,14 @@ def _skipped_below(root: Path) -> Iterator[Skipped]:
 
 
 def about_skipped(found: Sequence[Skipped]) -> str:
-    """A sentence that names what was skipped, the first of many; empty where nothing was."""
+    """Return sentences that name everything that was skipped, by reason; empty if nothing was."""
     if not found:
         return ""
     what = (
         "1 file or folder was skipped" if len(found) == 1 else f"{len(found)} files or folders were skipped"
     )
-    told = "; ".join(f"{one.label}: {one.reason}" for one in found[:NAMED])
-    return f"{what}. {told}{'; …' if len(found) > NAMED else ''}"
+    by_reason: dict[str, list[str]] = {}
+    for one in found:
+        by_reason.setdefault(one.reason, []).append(one.label)
+    told = "; ".join(f"{', '.join(labels)}: {reason}" for reason, labels in by_reason.items())
+    return f"{what}. {told}"

@@ -11,7 +11,7 @@ from pathlib import Path
 from workbook.exercise.definition import load_exercise
 from workbook.exercise.source import stems
 from workbook.exercise.without_solution import without_solution
-from workbook.grading.packaging import PLACES, CannotPackage, files_below
+from workbook.grading.packaging import GRADESCOPE_FILES, CannotPackage, files_below
 
 MANIFEST = ".edition.json"
 """In the edition: the hash of each file that was put there, so that a later run knows its own work."""
@@ -29,7 +29,7 @@ ITS_OWN = {"tests/test_course.py": "course_tests.txt", "solutions/README.md": "s
 _INSTRUCTORS = re.compile(r"<!-- for instructors -->\n.*?<!-- end of for instructors -->\n\n?", re.DOTALL)
 _LINE = re.compile(r".*<!-- for instructors -->.*\n")
 _IN_MAKEFILE = {
-    "--extras dev,farm": "--extras dev",
+    "--extras dev,farm,similar": "--extras dev",
     "tests/run.py $(ARGS)": "-m pytest --nbval tests notebooks $(ARGS)",
     "prove everything: what CI runs (ARGS='--only pytest' for a part)": "see that all of it works here",
 }
@@ -82,7 +82,7 @@ def _files(course: Path) -> Iterator[tuple[str, bytes]]:
     for stem in stems(course / "solutions"):
         yield f"solutions/{stem}.py", _source(course, stem).encode()
     for name, own in ITS_OWN.items():
-        yield name, (PLACES / "students" / own).read_bytes()
+        yield name, (GRADESCOPE_FILES / "students" / own).read_bytes()
 
 
 def _source(course: Path, stem: str) -> str:

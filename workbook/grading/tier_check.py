@@ -3,7 +3,8 @@
 import socket
 from functools import cache
 
-from workbook.grading.pool import Slot, SlotBroken, standby
+from workbook.grading.slots.client import Slot, SlotBroken
+from workbook.grading.slots.pool import Kind, warm_slots
 from workbook.isolation.tiers import BEST_FIRST, Isolation, known_problem
 
 SELF_TEST_S = 60.0
@@ -13,7 +14,7 @@ SELF_TEST_S = 60.0
 def tier_problem(isolation: Isolation) -> str | None:
     """Why a tier does not work here, and what to do; None when it does. Tries it, once: it takes a second.
 
-    The slot that has tried a tier that works is kept for the first answer (see `workbook.grading.pool.standby`).
+    The slot that has tried a tier that works is kept for the first answer (see `warm_slots`).
     """
     return known_problem(isolation) or _try_out(isolation)
 
@@ -38,7 +39,7 @@ def _try_out(isolation: Isolation) -> str | None:
             slot.kill()
             raise
     if problem is None:
-        standby.keep(isolation, slot)
+        warm_slots.give(Kind(isolation), slot)
     else:
         slot.kill()
     return problem

@@ -49,11 +49,10 @@ def main(arguments: list[str]) -> None:
         capabilities.drop_capabilities()
         if asked["--read"] or asked["--write"]:
             landlock.restrict_to(asked["--read"], asked["--write"])
-        if syscall_filter.knows_this_machine():
-            if asked["--user"]:
-                syscall_filter.filter_uncounted_memory()
-            elif asked["--read"] or asked["--write"]:
-                syscall_filter.filter_permission_changes()
+        if asked["--user"]:
+            syscall_filter.filter_uncounted_memory()
+        elif (asked["--read"] or asked["--write"]) and syscall_filter.knows_this_machine():
+            syscall_filter.filter_permission_changes()
         os.execv(arguments[1], arguments[1:])
     except OSError as error:
         print(f"the program could not be confined: {error}", file=sys.stderr, flush=True)

@@ -3,10 +3,10 @@
     python -P run.py fork_server CHANNEL
 
 CHANNEL is the number of an inherited socket. On it comes one request after another (see `Request`), each with two
-descriptors: where the program's output goes, and where to report its status. Two more may come: the open file by which
-the program joins its memory cgroup, because a path would stay in the memory of the program, and what it is to read. For
-each request, a supervisor is forked, and it forks the program, after joining the name spaces that were made for it, if
-there are any. Such a program is confined before a line of the answer is read: in these name spaces, without
+descriptors: where to report the status of the program, and where its output goes. Two more may come: the open file by
+which the program joins its memory cgroup, because a path would stay in the memory of the program, and what it is to
+read. For each request, a supervisor is forked, and it forks the program, after joining the name spaces that were made
+for it, if there are any. Such a program is confined before a line of the answer is read: in these name spaces, without
 capabilities, with nothing open but its input and output. A program without name spaces of its own dies with its
 supervisor, and that with this process.
 
@@ -19,7 +19,6 @@ import contextlib
 import ctypes
 import gc
 import importlib
-import json
 import os
 import signal
 import socket
@@ -28,14 +27,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from workbook.inside import capabilities, host, memory_cgroup, syscall_filter
+from workbook.inside.fork_requests import close_all, report, requests
 from workbook.inside.import_cache import ImportCache, import_what_answers_need
 from workbook.inside.libc import die_with_parent, set_parent_death_signal
 from workbook.inside.lttng import LttngForkHooks
 from workbook.inside.namespaces import OF_A_PROGRAM, join_namespaces, settle_in_slot
 from workbook.inside.proc import own_environment_range
 
-REQUEST_BYTES = 100_000
-DESCRIPTORS = 4
 MARK = b"WORKBOOK_RUN="
 MARK_BYTES = 80
 """Room for the mark of a program (see `RunMark`): blanks that whoever starts this process leaves in its environment."""
@@ -131,15 +129,6 @@ def become_program(
         os._exit(FAILED)
 
 
-def report(status: int, text: str) -> bool:
-    """Write `text` to the process that waits for the program. Returns False when that process is gone."""
-    try:
-        os.write(status, text.encode())
-    except OSError:
-        return False
-    return True
-
-
 def supervise(request: Request, descriptors: Sequence[int], hooks: Hooks) -> None:
     """In a fork: bring the program into its name spaces. Returns in the program; the supervisor itself ends here.
 
@@ -147,7 +136,7 @@ def supervise(request: Request, descriptors: Sequence[int], hooks: Hooks) -> Non
     sandbox, all that it has started ends: the sandbox goes.
     """
     code = 1
-    output, status, *others = descriptors
+    status, output, *others = descriptors
     given = others.pop() if request.reads else None
     group = others[0] if others else None
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
@@ -203,30 +192,22 @@ def become_branch(branch: Branch, descriptor: int, hooks: Hooks) -> socket.socke
 
 def serve(channel: socket.socket, hooks: Hooks) -> list[str] | None:
     """Fork a program for each request. Returns its arguments in the program, None when the channel is closed."""
-    while True:
-        try:
-            data, descriptors, _, _ = socket.recv_fds(channel, REQUEST_BYTES, DESCRIPTORS)
-        except ConnectionError:
-            return None
-        if not data:
-            return None
-        asked = json.loads(data)
+    for asked, descriptors in requests(channel):
         try:
             forked = hooks.lttng.fork()
         except OSError as error:  # this one must not end all the others
-            report(descriptors[:2][-1], f"failed: {error}\n")
+            report(descriptors[0], f"failed: {error}\n")
             forked = -1
         if forked == 0 and "branch_in" in asked:
             channel.close()
-            channel = become_branch(Branch(**asked), descriptors[0], hooks)
-            continue
+            return serve(become_branch(Branch(**asked), descriptors[0], hooks), hooks)
         if forked == 0:
             request = Request(**asked)
             channel.detach()
             supervise(request, descriptors, hooks)
             return request.arguments
-        for descriptor in descriptors:
-            os.close(descriptor)
+        close_all(descriptors)
+    return None
 
 
 def main(arguments: Sequence[str]) -> None:

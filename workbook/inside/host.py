@@ -19,17 +19,17 @@ import resource
 import select
 import signal
 import sys
-import traceback
 import types
 from collections.abc import Callable
+from contextlib import suppress
 from importlib.machinery import ModuleSpec
 
 from workbook.inside.libc import die_with_parent
+from workbook.inside.student_traceback import shown, take_over_threads, tell_who_stays, write
 
 SWITCH_INTERVAL_S = 1e-4
 """While a handler waits for its thread, rclpy's MultiThreadedExecutor loops without a pause. With the 5 ms that Python
 gives a thread it would keep the others from their work again and again: counts came out wrong, and checks took 20 s."""
-TAP = "workbook.inside.tap"
 MOST_KEY_BYTES = 64
 BEHIND_THE_KEY = bytes(512)
 """When the hash has been given so many bytes, it has mixed in its first blocks, which hold the key, and reused their
@@ -136,22 +136,15 @@ def help_along(module: types.ModuleType) -> None:
             spin_class(leaves[0])
 
 
-def print_student_traceback(error: BaseException) -> None:
-    """Print the traceback without this host, a driver that imported the file, and what reports to the panel."""
-    frame = frames = error.__traceback__
-    while frame is not None:
-        if frame.tb_frame.f_code is AnswerFinder.exec_module.__code__:
-            frames = frame
-        frame = frame.tb_next
-    while frames is not None and frames.tb_frame.f_code.co_filename == __file__:
-        frames = frames.tb_next
-    frame = frames
-    while frame is not None:
-        while frame.tb_next is not None and frame.tb_next.tb_frame.f_globals.get("__name__") == TAP:
-            frame.tb_next = frame.tb_next.tb_next
-        frame = frame.tb_next
-    sys.stdout.flush()
-    traceback.print_exception(type(error), error, frames)
+def student_traceback(error: BaseException) -> str:
+    """The traceback without this host, a driver that imported the file, and what reports to the panel."""
+    return shown(error, lambda frame: frame.filename == __file__ and frame.name == "exec_module")
+
+
+def was_interrupted(error: BaseException | None) -> bool:
+    """Whether Ctrl-C came: it has left the program, or rclpy has shut the context down."""
+    rclpy = sys.modules.get("rclpy")
+    return isinstance(error, KeyboardInterrupt) or (rclpy is not None and not rclpy.ok())
 
 
 def compiled(path: str) -> types.CodeType:
@@ -272,6 +265,8 @@ def main(arguments: list[str]) -> None:
     sys.setswitchinterval(SWITCH_INTERVAL_S)
     # Whoever started us may ignore Ctrl-C (a slot does), and a program inherits that. In a terminal it would not.
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    take_over_threads(student_traceback)
+    error: BaseException | None = None
     try:
         if driver is None:
             run(path)
@@ -279,7 +274,11 @@ def main(arguments: list[str]) -> None:
             run_with_driver(path, driver)
     except SystemExit:
         raise
-    except BaseException as error:
-        print_student_traceback(error)
-        sys.stderr.flush()
+    except BaseException as raised:
+        error = raised
+        write(student_traceback(error))
         sys.exit(130 if isinstance(error, KeyboardInterrupt) else 1)
+    finally:
+        if was_interrupted(error):
+            with suppress(KeyboardInterrupt):
+                tell_who_stays(path)

@@ -339,7 +339,8 @@ def queued_bytes(worth_counting: int, totals: str = SOCKET_TOTALS) -> int:
 def unix_socket_names(table: str = UNIX_SOCKETS) -> set[str]:
     """Names of the Unix sockets of this machine, abstract ones with a leading @."""
     try:
-        return {line.split()[-1] for line in read_text(table).splitlines()[1:] if line.strip()}
+        rows = [line.split(maxsplit=7) for line in read_text(table).split("\n")[1:]]
+        return {row[7] for row in rows if len(row) == 8}  # not each has a name
     except OSError:
         return set()
 
@@ -387,9 +388,9 @@ def system_v_ipc(table: str) -> list[dict[str, str]]:
     return [dict(zip(head.split(), line.split(), strict=False)) for line in lines]
 
 
-def mapped_libraries(name: str) -> set[str]:
-    """Paths of the files mapped into this process whose last part begins with `name`."""
-    paths = (line.split()[-1] for line in read_text("/proc/self/maps").splitlines())
+def mapped_libraries(name: str, table: str = "/proc/self/maps") -> set[str]:
+    """Paths of the files mapped into this process whose last part begins with `name`. They may have spaces."""
+    paths = (line.split(maxsplit=5)[-1] for line in read_text(table).splitlines())
     return {path for path in paths if path.rpartition("/")[2].startswith(name) and "/" in path}
 
 

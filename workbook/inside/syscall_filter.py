@@ -6,7 +6,6 @@ import os
 import struct
 import sys
 from collections.abc import Iterable
-from contextlib import suppress
 
 from workbook.inside.libc import checked, libc
 
@@ -135,6 +134,19 @@ def knows_this_machine() -> bool:
     return os.uname().machine == "x86_64" and sys.maxsize > 2**32
 
 
+def filter_problem() -> str:
+    """Return why no filter of system calls can be installed on this machine, as a clause; empty if one can.
+
+    A kernel that has filters and lets a process install them looks at the filter first, and here there is none to look
+    at (EFAULT). Source: `seccomp(2)`, under `SECCOMP_SET_MODE_FILTER`.
+    """
+    if not knows_this_machine():
+        return f"the filter does not know the system calls of this machine ({os.uname().machine})"
+    libc.prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, None, 0, 0)
+    number = ctypes.get_errno()
+    return "" if number == errno.EFAULT else f"this kernel refuses to install one ({os.strerror(number)})"
+
+
 def one_of(argument: int, values: Iterable[int]) -> list[Step]:
     """Go on if the argument with this number is one of the values; else let the call through."""
     jumps = [*values]
@@ -252,9 +264,9 @@ def against_sandbox_escapes() -> bytes | None:
 
     Sandboxes share the files of the interpreter, so no file is locked or followed. The devices in a sandbox are those
     of the machine, and belong to root. If the grader is root, an answer could change their permissions and times, so it
-    may only believe that it does. Returns None on a machine whose calls have other numbers.
+    may only believe that it does. Returns None where `filter_problem` says why there is none.
     """
-    if not knows_this_machine():
+    if filter_problem():
         return None
     refused = (OTHER_PROCESSES, KEYS, INTO_THE_KERNEL, NAME_SPACES, MOUNTING, THE_MACHINE, ATTRIBUTES)
     owns_devices = os.stat(os.devnull).st_uid == os.getuid()
@@ -268,14 +280,14 @@ def against_sandbox_escapes() -> bytes | None:
 
 
 def filter_sandbox_escapes() -> None:
-    """Refuse what `against_sandbox_escapes` says, for good.
+    """Refuse what `against_sandbox_escapes` says, for good. Raises OSError.
 
-    A kernel that has no filters leaves this out: it is a second line of defense behind the name spaces of the sandbox.
+    It is left out where `filter_problem` says why, which the result of the answer reports: it is a second line of
+    defense behind the name spaces of the sandbox.
     """
     program = against_sandbox_escapes()
     if program is not None:
-        with suppress(OSError):
-            install(program)
+        install(program)
 
 
 def filter_permission_changes() -> None:
@@ -290,10 +302,14 @@ def filter_permission_changes() -> None:
 
 
 def filter_uncounted_memory() -> None:
-    """Let no call through that makes memory which no limit counts. A kernel without filters leaves this out."""
+    """Let no call through that makes memory which no limit counts. Raises OSError.
+
+    It is left out where `filter_problem` says why, which the result of the answer reports.
+    """
+    if filter_problem():
+        return
     cases = [*bounded_memory(), case(FCNTL, errno.EPERM, one_of(1, PIPE_SIZE.values()))]
-    with suppress(OSError):
-        install(compiled(numbers(UNCOUNTED_MEMORY, OF_THE_WHOLE_MACHINE), (), cases))
+    install(compiled(numbers(UNCOUNTED_MEMORY, OF_THE_WHOLE_MACHINE), (), cases))
 
 
 def numbers(*groups: dict[str, int]) -> list[int]:

@@ -33,7 +33,7 @@ class GroupedProgram:
             self._group = MemoryGroup(self.folder, order.limits)
         except OSError:  # its memory is watched all the same
             return self.confined.start(order)
-        return self.confined.start(replace(order, joins=self._group.joins))
+        return self.confined.start(replace(order, cgroup_join_file=self._group.joins))
 
     def most_files(self, pids: Sequence[int]) -> int:
         """As in the tier."""
@@ -54,6 +54,10 @@ class GroupedProgram:
     def exceeded(self) -> str | None:
         """The limit of the group that the program has exceeded."""
         return None if self._group is None else self._group.exceeded()
+
+    def unfiltered(self) -> str:
+        """As in the tier."""
+        return self.confined.unfiltered()
 
     def sweep(self) -> bool:
         """As the tier does."""

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from workbook.inside import RUN, proc
 from workbook.inside.orphans import sweep_orphans
+from workbook.inside.syscall_filter import filter_problem
 from workbook.isolation.host_files import (
     NOT_FOR_ANSWERS,
     PATH_OF_PROGRAMS,
@@ -56,7 +57,7 @@ class ConfinedProgram:
         command = host_command("--parent", str(os.getpid()), *order.arguments)
         environ = self.environment(order.environ)
         confined = [sys.executable, "-I", "-S", str(RUN), "confine", *self.options(order.limits), "--"]
-        wrapped = joining(order.joins, [*confined, *command])
+        wrapped = joining(order.cgroup_join_file, [*confined, *command])
         began = time.monotonic()
         return Started(
             FreshProgram(wrapped, environ, self.scratch, order.output_fd, input_fd=order.input_fd), began
@@ -123,6 +124,10 @@ class ConfinedProgram:
     def exceeded(self) -> str | None:
         """None: the tier itself has no memory cgroup."""
         return None
+
+    def unfiltered(self) -> str:
+        """Why system calls cannot be filtered on this machine; else empty."""
+        return filter_problem()
 
     def sweep(self) -> bool:
         """Kill the processes that the program left behind. Returns whether there were any. Raises StillThere."""

@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from workbook.inside import proc
-from workbook.inside.syscall_filter import against_sandbox_escapes
+from workbook.inside.syscall_filter import against_sandbox_escapes, filter_problem
 from workbook.isolation.bubblewrap import (
     ANSWER_FOLDER,
     HOME,
@@ -28,16 +28,16 @@ from workbook.isolation.bubblewrap import (
     inner_command,
 )
 from workbook.isolation.host_files import NOT_FOR_ANSWERS, PATH_OF_PROGRAMS, interpreter_folders
+from workbook.programs.fork_client import ForkedProgram, ForkServer, NotForked, ServerGone
 from workbook.programs.tier import Child, Confinement, Order, Started, limit_options
 from workbook.programs.unconfined import KERNEL_LIMITS, FreshProgram, host_command, joining
-from workbook.programs.warm_start import ForkServer, NoWarmStart, ServerGone, WarmProgram
 from workbook.recording.limits import Limits
 
 Code = TypeVar("Code", int, int | None)
 
 
 def filter_file() -> int:
-    """Open a new file that holds the filter of system calls for bubblewrap; -1 on a machine without one."""
+    """Open a new file that holds the filter of system calls for bubblewrap; -1 where none can be installed."""
     program = against_sandbox_escapes()
     if program is None:
         return -1
@@ -72,7 +72,7 @@ class SandboxedProgram(FreshProgram):
 class SandboxedFork:
     """A program that was forked into a sandbox. See `workbook.programs.tier.Child`."""
 
-    program: WarmProgram
+    program: ForkedProgram
     sandbox: "subprocess.Popen[bytes]"
 
     @property
@@ -106,7 +106,7 @@ class SandboxedFork:
         around = proc.process_tree(self.sandbox.pid)
         return [*self.program.tree(), *(around if self.sandbox.poll() is None else around[1:])]
 
-    def wait_for_surroundings(self, timeout: float | None = None) -> None:
+    def wait_for_sandbox(self, timeout: float | None = None) -> None:
         """Wait for the sandbox to end. Raises subprocess.TimeoutExpired after `timeout` s."""
         self.sandbox.wait(timeout)
 
@@ -154,7 +154,9 @@ class Sandbox:
         if forked is not None:
             return Started(forked, began)
         # Without --parent: a sandbox dies with us by itself, and its processes do not know our number.
-        command = joining(order.joins, self.command(host_command("--attended", *order.arguments), environ))
+        command = joining(
+            order.cgroup_join_file, self.command(host_command("--attended", *order.arguments), environ)
+        )
         return Started(SandboxedProgram(command, order, self.descriptors), began)
 
     def command(
@@ -201,10 +203,10 @@ class Sandbox:
         first = first_pid(read_info(self.info_fd))
         try:
             if first is None:
-                raise NoWarmStart("there is no sandbox")
+                raise NotForked("there is no sandbox")
             program = server.spawn(first, order, environ, HOME)
             return SandboxedFork(program, sandbox)
-        except NoWarmStart:
+        except NotForked:
             sandbox.kill()
             sandbox.wait()
             os.ftruncate(self.info_fd, 0)
@@ -230,6 +232,10 @@ class Sandbox:
     def exceeded(self) -> str | None:
         """None: the tier itself has no memory cgroup."""
         return None
+
+    def unfiltered(self) -> str:
+        """Why system calls cannot be filtered on this machine; else empty."""
+        return filter_problem()
 
     def sweep(self) -> bool:
         """False, and nothing to do: every process in a sandbox ends with it."""

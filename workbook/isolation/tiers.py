@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Literal
 
 from workbook.inside.landlock import ABI_OF_SIGNALS, ABI_OF_TCP, landlock_abi
-from workbook.inside.syscall_filter import knows_this_machine
+from workbook.inside.syscall_filter import filter_problem, knows_this_machine
 from workbook.isolation.bubblewrap import outer_command, sandbox_problem
 from workbook.isolation.grouped import GroupedTier
 from workbook.isolation.host_files import closed_folder
@@ -18,8 +18,8 @@ from workbook.isolation.limits import LimitsTier
 from workbook.isolation.sandbox import SandboxTier
 from workbook.isolation.uid import UidTier
 from workbook.isolation.user_ids import Ids, NoIds, lease_ids
+from workbook.programs.fork_client import ForkServer
 from workbook.programs.tier import Tier
-from workbook.programs.warm_start import ForkServer
 
 Isolation = Literal["sandbox", "uid", "landlock", "limits"]
 BEST_FIRST: tuple[Isolation, ...] = ("sandbox", "uid", "landlock", "limits")
@@ -144,10 +144,17 @@ def covers(isolation: Isolation) -> str:
     )
 
 
+def unfiltered(isolation: Isolation) -> str:
+    """What is missing where a tier cannot filter system calls on this machine, as a sentence; else empty."""
+    problem = "" if isolation == "limits" else filter_problem()
+    return f"System calls of answers are not filtered: {problem}." if problem else ""
+
+
 def leaves_open(isolation: Isolation) -> str:
-    """What a tier does not protect, as a sentence."""
+    """What a tier does not protect, in one sentence, or in two where it cannot filter system calls."""
+    calls = f" {problem}" if (problem := unfiltered(isolation)) else ""
     if isolation == "sandbox":
-        return f"Not protected: {_KERNEL}."
+        return f"Not protected: {_KERNEL}.{calls}"
     abi = landlock_abi()
     network = _NETWORK + ("" if isolation == "limits" or abi < ABI_OF_TCP else " (TCP is closed)")
     disk = _WHOLE_DISK if isolation == "limits" else _DISK
@@ -163,4 +170,4 @@ def leaves_open(isolation: Isolation) -> str:
         open_to.insert(0, "your files, other answers among them, which an answer can read and change")
         open_to.insert(-1, "the folders for temporary files, in which something may stay behind")
     *most, last = open_to
-    return f"Not protected: {'; '.join(most)}; and {last}."
+    return f"Not protected: {'; '.join(most)}; and {last}.{calls}"

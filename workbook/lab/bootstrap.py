@@ -26,7 +26,7 @@ VENV = ROOT / ".venv"
 LOCK = ROOT / "requirements.lock"
 OLDEST, NEWEST = (3, 11), (3, 14)
 OLDEST_GLIBC = (2, 28)
-SECTIONS = ("build", "student", "dev", "torch", "tensorflow", "farm")
+SECTIONS = ("build", "student", "dev", "torch", "tensorflow", "farm", "similar")
 STAMP = "workbook-environment.json"
 UNFINISHED = "workbook-unfinished"
 # Left behind by a sourced ROS or another environment; each would change what gets installed or found.
@@ -305,7 +305,7 @@ def main(arguments: list[str] | None = None) -> int:
     """Parse, make the environment, and turn an EnvironmentProblem into one line on stderr and exit code 1."""
     parser = argparse.ArgumentParser(description="Create the environment of the workbook in .venv.")
     parser.add_argument(
-        "--extras", default="", help="further sections of the lock: dev, torch, tensorflow, farm"
+        "--extras", default="", help="further sections of the lock: dev, torch, tensorflow, farm, similar"
     )
     parser.add_argument(
         "--chosen-python", action="store_true", help="make it anew if it has another Python version"
@@ -315,7 +315,9 @@ def main(arguments: list[str] | None = None) -> int:
     unknown = [extra for extra in extras if extra not in SECTIONS]
     if unknown:
         parser.error(
-            "no extra is called {}; there are dev, torch, tensorflow and farm".format(", ".join(unknown))
+            "no extra is called {}; there are dev, torch, tensorflow, farm and similar".format(
+                ", ".join(unknown)
+            )
         )
     try:
         with OneAtATime():

@@ -339,13 +339,16 @@ def check_sandbox() -> HealthFinding:
     """How well untrusted programs can be confined: for instructors only."""
     from workbook.grading.tier_check import best_below_sandbox, tier_problem
     from workbook.isolation.memory_groups import groups_in_words
-    from workbook.isolation.tiers import covers, leaves_open
+    from workbook.isolation.tiers import covers, leaves_open, unfiltered
 
     problem = tier_problem("sandbox")
     if problem is None:
-        return HealthFinding(
-            "ok", "Isolation", f"sandbox: bubblewrap isolates a program. {groups_in_words()}"
-        )
+        saw = f"sandbox: bubblewrap isolates a program. {groups_in_words()}"
+        if calls := unfiltered("sandbox"):
+            return HealthFinding(
+                "note", "Isolation", f"{saw} {calls}", "Grade other people's answers elsewhere."
+            )
+        return HealthFinding("ok", "Isolation", saw)
     best = best_below_sandbox()
     return HealthFinding(
         "note",

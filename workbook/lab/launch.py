@@ -4,6 +4,7 @@ import os
 import shutil
 import socket
 import sys
+import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -55,6 +56,23 @@ def check_port(arguments: Sequence[str]) -> None:
             ) from error
 
 
+def check_folders() -> None:
+    """Raise CannotLaunch when Jupyter or IPython cannot write where they keep their files."""
+    from jupyter_core.paths import jupyter_config_dir, jupyter_data_dir, jupyter_runtime_dir
+
+    ipython = os.environ.get("IPYTHONDIR") or os.path.expanduser("~/.ipython")
+    for folder in (jupyter_config_dir(), jupyter_data_dir(), jupyter_runtime_dir(), ipython):
+        try:
+            Path(folder).mkdir(parents=True, exist_ok=True)
+            with tempfile.TemporaryFile(dir=folder):
+                pass
+        except OSError as error:
+            raise CannotLaunch(
+                f"JupyterLab keeps files in {folder}, and they cannot be written there ({error.strerror}). "
+                "Set HOME to a folder of yours: HOME=/path/to/folder make lab"
+            ) from error
+
+
 def command(arguments: Sequence[str], *, work: Path, lesson: str | None, root_user: bool) -> list[str]:
     """The JupyterLab command; what the person passes comes last and so wins."""
     line = [sys.executable, "-P", "-m", "jupyterlab", "--log-level=WARN", f"--ServerApp.root_dir={work}"]
@@ -80,6 +98,7 @@ def launch(arguments: Sequence[str]) -> int:
     """Bring `work/` up to date and become JupyterLab; returns only when that is impossible (exit code)."""
     try:
         check_port(arguments)
+        check_folders()
         course, work = course_folder(), student_folder()
     except (CannotLaunch, NoCourse) as problem:
         print(f"workbook lab: {problem}", file=sys.stderr)

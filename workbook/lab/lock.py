@@ -17,13 +17,13 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 LOCK = ROOT / "requirements.lock"
-EXTRAS = ("dev", "torch", "tensorflow", "farm")
+EXTRAS = ("dev", "torch", "tensorflow", "farm", "similar")
 # What builds the project itself and packages without a wheel, and pip for the student's `%pip install`.
 BUILD = ("flit_core>=3.11", "setuptools>=78", "pip>=25")
 HEADER = """\
 # Every package of the environment, pinned, with hashes, for CPython 3.11 to 3.14 on Linux x86_64.
 # Written by `make lock` from pyproject.toml; do not edit. A line that starts with `#:` opens a section:
-# build and student are what `make env` installs, `make test` adds dev and farm, `make env EXTRAS=X` adds X.
+# build and student are what `make env` installs, `make test` adds dev, farm and similar, `make env EXTRAS=X` adds X.
 """
 # True on every machine this file is for: the lines need not say so.
 _ALWAYS = {

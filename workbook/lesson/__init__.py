@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from workbook.lesson.doctor_report import doctor
     from workbook.lesson.graphs import graph_picture
-    from workbook.lesson.knobs import knob
+    from workbook.lesson.knobs import knob, slide
     from workbook.lesson.machine import record_machine, show_machine, watch_machine
+    from workbook.lesson.measured import about, yours
     from workbook.lesson.older_predictions import predicted, recall
     from workbook.lesson.predictions import predict, reveal
     from workbook.lesson.programs import arrivals, processor_seconds, record, run_program, start, stop, values
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from workbook.ros.session import init, run, spin_for
 
 _HOME = {
+    "about": "workbook.lesson.measured",
     "arrivals": "workbook.lesson.programs",
     "check_types": "workbook.lesson.type_reports",
     "doctor": "workbook.lesson.doctor_report",
@@ -39,6 +41,7 @@ _HOME = {
     "run": "workbook.ros.session",
     "run_program": "workbook.lesson.programs",
     "show_machine": "workbook.lesson.machine",
+    "slide": "workbook.lesson.knobs",
     "spin_for": "workbook.ros.session",
     "start": "workbook.lesson.programs",
     "stop": "workbook.lesson.programs",
@@ -47,9 +50,11 @@ _HOME = {
     "watch_machine": "workbook.lesson.machine",
     "watch_robot": "workbook.lesson.views",
     "watch_status": "workbook.lesson.views",
+    "yours": "workbook.lesson.measured",
 }
 
 __all__ = [
+    "about",
     "arrivals",
     "check_types",
     "doctor",
@@ -68,6 +73,7 @@ __all__ = [
     "run",
     "run_program",
     "show_machine",
+    "slide",
     "spin_for",
     "start",
     "stop",
@@ -76,6 +82,7 @@ __all__ = [
     "watch_machine",
     "watch_robot",
     "watch_status",
+    "yours",
 ]
 
 

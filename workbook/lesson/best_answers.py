@@ -6,6 +6,7 @@ from pathlib import Path
 from workbook.exercise.answer_files import Saved, answers_folder, replace_answer, same_program
 from workbook.exercise.judgement import Judgement
 from workbook.feedback import wording
+from workbook.lesson.last_recordings import keep_recording
 from workbook.lesson.progress import changed_progress, load_progress
 
 BEST = ".best"
@@ -61,6 +62,7 @@ class Check:
 
     def note(self, judgement: Judgement) -> None:
         """Keep the outcome. A later judgement of the same check replaces it."""
+        keep_recording(judgement)
         if judgement.status != "graded":
             return
         points = wording.shown_points(judgement)[0]

@@ -1,4 +1,4 @@
-"""Films of lessons: pictures of a camera, alone or beside the robot, that play in the page and stay there."""
+"""Films of lessons: pictures of a camera, alone or next to the robot's head, that play in the page and stay there."""
 
 import base64
 import io
@@ -6,22 +6,31 @@ from collections.abc import Sequence
 
 from PIL import Image
 
-from workbook.pictures import humanoid
+from workbook.pictures import head_above
 from workbook.pictures.film import film
 from workbook.pictures.png import Pixels
+from workbook.scenes.pinhole import Pinhole
+from workbook.scenes.scene import BALL_RADIUS_M, DESK_M
 from workbook.templating import render
 
 HEIGHT = 240
 """Pixels of the page. A picture of a camera is brought to this height."""
 
 
-def beside(picture: Pixels, angles: Sequence[float]) -> bytes:
-    """A picture of a camera, RGB, with the robot at these twelve angles (rad) to its right, as PNG bytes."""
-    left = _of_height(Image.fromarray(picture))
-    robot = _of_height(Image.open(io.BytesIO(humanoid.draw(angles))))
-    both = Image.new("RGBA", (left.width + robot.width + 10, HEIGHT))
+def with_head(picture: Pixels, neck: float, ball: tuple[float, float] | None, camera: Pinhole) -> bytes:
+    """A picture of the camera in the head, RGB, with its center line, and the head from above, as PNG bytes.
+
+    `neck`: how far the head is turned to the left (rad). `ball`: its column and row in pixels of the `camera`, which
+    may be larger than the picture; None if it is not there.
+    """
+    marked = picture.copy()
+    marked[:, marked.shape[1] // 2] = 255
+    place = None if ball is None else camera.on_level(*ball, DESK_M + BALL_RADIUS_M, neck)
+    left = _of_height(Image.fromarray(marked))
+    right = _of_height(Image.open(io.BytesIO(head_above.draw(neck, place))))
+    both = Image.new("RGBA", (left.width + right.width + 10, HEIGHT))
     both.paste(left, (0, 0))
-    both.paste(robot, (left.width + 10, 0))
+    both.paste(right, (left.width + 10, 0))
     return _png(both)
 
 

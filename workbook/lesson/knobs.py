@@ -1,6 +1,8 @@
-"""A slider for a parameter of a robot program, beside the robot that shows what the number does."""
+"""A slider for a number, next to the robot or the figure that shows what the number does."""
 
+import asyncio
 import time
+from collections.abc import Callable
 from typing import Any
 
 from IPython.display import display
@@ -12,6 +14,7 @@ from workbook.pictures.live import LiveFigure
 Number = int | float
 WIDGET = "application/vnd.jupyter.widget-view+json"
 STEPS = 100
+LOOK_EVERY_S = 0.05
 
 
 class Knob:
@@ -108,3 +111,33 @@ async def knob(
     finally:
         turned.end()
         stop(program)
+
+
+async def slide(
+    name: str,
+    value: Number,
+    draw: Callable[[Number], bytes],
+    *,
+    between: tuple[Number, Number],
+    describe: str,
+    seconds: float = 8.0,
+) -> None:
+    """Show a slider and the PNG that `draw` makes of its number; draw again after each move.
+
+    The cell goes on for `seconds` s after the last move. `describe` is the text for those who cannot see the figure.
+    Raises ValueError for a value outside of `between`.
+    """
+    turned = Knob(name, value, between)
+    turned.show()
+    figure = LiveFigure(describe)
+    drawn: Number | None = None
+    turned.turned_at = time.monotonic()
+    try:
+        while time.monotonic() <= turned.turned_at + seconds:
+            if turned.value != drawn:
+                drawn = turned.value
+                figure.show(draw(drawn))
+            await asyncio.sleep(LOOK_EVERY_S)
+    finally:
+        turned.end()
+        figure.finish()

@@ -12,9 +12,9 @@ from workbook.criteria.vocabulary.known_errors import shutdown_overtaken, withou
 from workbook.inside.proc import processor_seconds as processor_seconds_of
 from workbook.inside.proc import run_queue_s
 from workbook.lesson.startup import node_names, wait_for_nodes, wait_until_it_serves
+from workbook.programs.fork_client import own_server
 from workbook.programs.process import NodeProcess
 from workbook.programs.spec import ProgramSpec
-from workbook.programs.warm_start import own_server
 from workbook.recording.plan import Plan
 from workbook.recording.recording import Clock, ProcessRecord, Recording
 from workbook.ros.scratch import remove_scratch, scratch_folder
@@ -99,7 +99,7 @@ def record(
         tuple(periods),
         min(periods.values()),
         max(periods.values()),
-        robot_seconds=seconds,
+        simulated_seconds=seconds,
         wall_seconds=seconds,
     )
     with Observer() as observer:

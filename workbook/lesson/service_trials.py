@@ -50,7 +50,7 @@ def answers(recording: Recording) -> str:
 def heart(recording: Recording) -> str:
     """Whether the heart goes on, also while a question waits: "beats", "limps" or "stops"."""
     beats, had = arrivals(recording, HEART), arrivals(recording, ANSWERED)
-    if max(beats, default=0.0) < recording.robot_s - GOES_ON_TO:
+    if max(beats, default=0.0) < recording.simulated_s - GOES_ON_TO:
         return "stops"
     waits = [(t, min([a for a in had if a > t], default=t + 0.4)) for t in arrivals(recording, ASKED)]
     due = sum(end - begin for begin, end in waits) / PERIODS[HEART]

@@ -80,6 +80,16 @@ def wait_for_nodes(process: NodeProcess, known: Counter[str]) -> list[str]:
     return []
 
 
+def waiting_for_clock(nodes: list[str]) -> list[str]:
+    """Those of some nodes that wait for `/clock` while nothing publishes it: their timers never fire."""
+    node = kernel_node()
+    if node.count_publishers("/clock"):
+        return []
+    found = node.get_subscriptions_info_by_topic("/clock")
+    listening = {f"{info.node_namespace.rstrip('/')}/{info.node_name}" for info in found}
+    return [name for name in nodes if name in listening]
+
+
 def own_names() -> Counter[str]:
     """Fully qualified names of the nodes that this notebook made with `fresh`."""
     return Counter(node.get_fully_qualified_name() for node in nodes_in(get_default_context()))

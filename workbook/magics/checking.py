@@ -1,6 +1,5 @@
 """`%check`: judge the answer file on a warm slot and show the card."""
 
-import atexit
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,65 +9,32 @@ from workbook.exercise.answers import Answer
 from workbook.exercise.course import course_folder
 from workbook.exercise.definition import Exercise
 from workbook.exercise.judgement import Judgement
+from workbook.exercise.retries import until_sure
 from workbook.exercise.source import stems
 from workbook.feedback import wording
 from workbook.feedback.card import Card, Extras
 from workbook.feedback.moment import Film, Moment, gained, what_comes_next
 from workbook.feedback.review import review_prompt
 from workbook.feedback.timeline import judged_timeline
-from workbook.grading.pool import Slot, SlotBroken
-from workbook.grading.retries import until_sure
+from workbook.grading.slots.client import SlotBroken
+from workbook.grading.slots.pool import Kind, warm_slots
 from workbook.lesson.best_answers import Check
 from workbook.lesson.progress import all_progress
 from workbook.magics.screen import Version
 
-_slot: Slot | None = None
-
-
-def warm_slot() -> Slot:
-    """The slot of this kernel, started at first use. It ends with the kernel."""
-    global _slot
-    if _slot is None or not _slot.is_running:
-        _slot = Slot()
-    return _slot
-
-
-def close_slot() -> None:
-    """End the slot of this kernel; does nothing when there is none."""
-    global _slot
-    if _slot is not None:
-        _slot.close()
-        _slot = None
-
-
-def finish_soon() -> None:
-    """Have the slot finish the judgement under way soon."""
-    if _slot is not None and _slot.is_running:
-        _slot.enough()
-
-
-def kill_slot() -> None:
-    """End the slot at once, and with it the program that it watches."""
-    global _slot
-    if _slot is not None:
-        _slot.kill()
-        _slot.close()
-        _slot = None
-
-
-atexit.register(close_slot)
-
 
 def judge(stem: str, answer: Answer, report: Callable[[Judgement], None]) -> Judgement:
-    """Judge on the warm slot, as the instructor's grader does: what is inconclusive is tried once more."""
+    """Judge on the warm slot as a grader does: again as long as it is in doubt, three times at most."""
 
     def once() -> Judgement:
-        slot = warm_slot()
+        slot = warm_slots.take(Kind())
         try:
-            return slot.judge(stem, answer, thorough=True, report=report)
+            judgement = slot.judge(stem, answer, soak=True, report=report)
         except SlotBroken as error:
-            slot.kill()
+            warm_slots.drop(slot)
             return Judgement(stem, answer.sha256, "infra_error", str(error), (), None)
+        warm_slots.give(Kind(), slot)
+        return judgement
 
     return until_sure(once, report)
 

@@ -23,6 +23,7 @@ from workbook.exercise.definition import BrokenCriteria, Exercise, load_exercise
 from workbook.exercise.source import STEM, SourceError, UnknownExercise
 from workbook.feedback import wording
 from workbook.feedback.review import review_prompt
+from workbook.grading.slots.pool import Kind, warm_slots
 from workbook.lesson.best_answers import Check, NothingJudged, best_text, hands_in_another, restore_best
 from workbook.lesson.progress import TRIES_BEFORE_SOLUTION, changed_progress, load_progress
 from workbook.magics import checking, screen
@@ -41,6 +42,12 @@ def shown_path(path: Path) -> str:
         return str(path.relative_to(answers_folder().parent))
     except ValueError:
         return str(path)
+
+
+_CLOCK_MISSING = (
+    "{} waits for /clock, which nothing publishes, so its timers never fire.\n"
+    "Remove the line that sets use_sim_time.\n"
+)
 
 
 class _Notice(Exception):
@@ -112,7 +119,7 @@ class ExerciseMagics(Magics):
                 f"    {mistake.text}\n    {caret}"
             )
         elif CHECK_OPTION not in words:
-            checking.warm_slot()
+            warm_slots.warm_up(Kind())
         if CHECK_OPTION in words:
             self._judge(exercise, None)
 
@@ -198,7 +205,12 @@ class ExerciseMagics(Magics):
 
     def _start(self, line: str) -> None:
         from workbook.criteria.vocabulary.known_errors import find_error
-        from workbook.lesson.startup import node_names, wait_for_nodes, wait_until_it_serves
+        from workbook.lesson.startup import (
+            node_names,
+            wait_for_nodes,
+            wait_until_it_serves,
+            waiting_for_clock,
+        )
 
         exercise = self._exercise(line)
         version = self._take_screen(exercise)
@@ -219,8 +231,8 @@ class ExerciseMagics(Magics):
             wait_until_it_serves(process, nodes[0])
         if process.is_running():
             if nodes:
-                names = ", ".join(nodes)
-                print(f"Running: node {names} is on the graph. %stop ends it.")
+                print(f"Running: node {', '.join(nodes)} is on the graph. %stop ends it.")
+                print(*map(_CLOCK_MISSING.format, waiting_for_clock(nodes)), sep="", end="")
             else:
                 print("Running, but no node of it has appeared on the graph so far. %stop ends it.")
             return
@@ -261,12 +273,14 @@ class ExerciseMagics(Magics):
         file = self._need_file(exercise.stem)
         answer = read_answer(file, exercise.stem)
         if self._watcher is not None and self._watcher.is_alive():
-            checking.finish_soon()
+            warm_slots.cancel_soak()
             self._watcher.join()
         kept = Check(exercise.stem, answer.text)
         hints_left = len(exercise.source.hints) - kept.before.hints
         asked = checking.Asked(exercise, answer, Path(shown_path(file)), hints_left, version, kept)
-        checking.warm_slot()  # here, not in the thread below: a slot ends with the thread that started it
+        warm_slots.warm_up(
+            Kind()
+        )  # here, not in the thread below: a slot ends with the thread that started it
         card = LiveCard(asked)
         self._last = (answer, card)
         self._watcher = threading.Thread(target=card.judge, name="check", daemon=True)
@@ -276,7 +290,7 @@ class ExerciseMagics(Magics):
                 pass
         except KeyboardInterrupt:
             card.abandoned.set()
-            checking.kill_slot()
+            warm_slots.close()
             raise _Notice("Check stopped.") from None
 
     # --- help -------------------------------------------------------------------------------------------------

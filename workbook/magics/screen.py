@@ -74,7 +74,7 @@ def version_that_ran(stem: str, names: dict[str, Any]) -> Version:
     try:
         if notebook.stat().st_mtime < moment:
             return Version(ran_at)
-        saved = answer_in_notebook(notebook, stem)
+        saved = answer_in_notebook(notebook, stem).text
     except (OSError, Ungradable):
         return Version(ran_at)
     return Version(ran_at, not same_program(saved, file.read_text(encoding="utf-8", errors="replace")))

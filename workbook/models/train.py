@@ -148,7 +148,7 @@ def folded(model: nn.Sequential) -> list[tuple[Floats, Floats]]:
     return weights
 
 
-def told() -> float:
+def promised() -> float:
     """The accuracy that the committed provenance promises; 0 before there is one."""
     if not PROVENANCE_FILE.is_file():
         return 0.0
@@ -170,7 +170,7 @@ def main(arguments: list[str] | None = None) -> int:
     print(f"rendering {IMAGES} pictures (seed {SEED}) ...", flush=True)
     weights = folded(trained(examples()))
     reached = accuracy(DeskDetector(TorchNetwork(weights)))
-    wanted = options.told if options.told is not None else told()
+    wanted = options.told if options.told is not None else promised()
     print(f"{reached.words()}, in {time.monotonic() - began:.0f} s; promised: {wanted}")
     if options.write:
         write_files(weights, FOLDER, provenance(reached, wanted))

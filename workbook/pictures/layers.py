@@ -16,7 +16,7 @@ LAYERS = (
     ("Python code", "C++ code", "decides what the robot does"),
     ("rclpy", "rclcpp", "nodes, timers and messages, as fits the language"),
     ("rcl", "rcl", "the common core, in C: the same rules for all"),
-    ("rmw", "rmw", "the list of calls that any middleware can fill in"),
+    ("rmw", "rmw", "the interface that each middleware implements"),
     ("DDS", "DDS", "finds other programs, carries messages (here Fast DDS)"),
 )
 WIDTH, HEIGHT = 2.1, 0.7

@@ -8,15 +8,15 @@ from workbook.pictures.figures import figure, show
 from workbook.pictures.palette import BLUE, GREY
 
 Points = tuple[list[float], list[float]]
-"""Two lists of equal length: x and y, in m."""
+"""Two lists of equal length: x (forward) and y (to the left), in m, as in REP 103."""
 
 
 def path_of(twists: Iterable[Mapping[str, Any]], period_s: float = 0.1) -> Points:
-    """Where the robot gets if it obeys each command for `period_s` s. At the start it looks up the page.
+    """Where the robot gets if it obeys each command for `period_s` s. At the start it looks along x.
 
     `twists`: messages of type Twist as mappings, with linear x in m/s and angular z in rad/s.
     """
-    x, y, heading = 0.0, 0.0, math.pi / 2
+    x, y, heading = 0.0, 0.0, 0.0
     xs, ys = [x], [y]
     for twist in twists:
         heading += period_s * twist["angular"]["z"]
@@ -28,14 +28,16 @@ def path_of(twists: Iterable[Mapping[str, Any]], period_s: float = 0.1) -> Point
 
 
 def show_path(points: Points, description: str, title: str = "") -> None:
-    """Draw the way of the robot in the cell, with its start and its end."""
+    """Draw the way of the robot in the cell, with its start and its end: x points up the page, and y to the left."""
     xs, ys = points
     fig, axes = figure(5.2, 2.8)
-    axes.plot(xs, ys, color=BLUE)
+    axes.plot(ys, xs, color=BLUE)
     for place, mark, word in ((0, "o", "start"), (-1, "x", "end")):
-        axes.plot(xs[place], ys[place], mark, color=GREY, markersize=9, markeredgewidth=2, fillstyle="none")
+        axes.plot(ys[place], xs[place], mark, color=GREY, markersize=9, markeredgewidth=2, fillstyle="none")
         axes.annotate(
-            word, (xs[place], ys[place]), xytext=(8, 10 if place else -16), textcoords="offset points"
+            word, (ys[place], xs[place]), xytext=(8, 10 if place else -16), textcoords="offset points"
         )
-    axes.set(xlabel="x (m)", ylabel="y (m)", aspect="equal", title=title)
+    axes.set(xlabel="y, to the left (m)", ylabel="x, forward (m)", aspect="equal", title=title)
+    axes.invert_xaxis()
+    axes.margins(0.2)
     show(fig, description)

@@ -48,7 +48,7 @@ def timeline(
     topics: Sequence[str] | None = None,
     width: float = WIDTH,
 ) -> bytes:
-    """A recording as PNG bytes: a row per topic, a mark per arrival, over robot time in s.
+    """A recording as PNG bytes: a row per topic, a mark per arrival, over simulated time in s.
 
     `periods` (s, by topic) adds the expected ticks and shades the gaps. `topics` picks and orders the rows; without
     it, all topics that had a publisher or are in `periods`. Where the program ended by itself is marked.
@@ -58,10 +58,10 @@ def timeline(
     rows = []
     for name in names:
         topic = recording.topic(name)
-        window = topic.window or (0.0, recording.robot_s)
+        window = topic.window or (0.0, recording.simulated_s)
         times = [arrival.t for arrival in topic.arrivals]
         rows.append(Row(name, times, asked.get(name), window[0], window[1]))
-    return draw(rows, end=recording.robot_s, program_end=process_end(recording), width=width)
+    return draw(rows, end=recording.simulated_s, program_end=process_end(recording), width=width)
 
 
 def strip(
@@ -71,19 +71,20 @@ def strip(
     start: float = 0.0,
     end: float | None = None,
     noun: str = "messages",
+    title: str = "",
     width: float = WIDTH,
 ) -> bytes:
     """Marks on lines, as PNG bytes: times (s) by label, such as what two timers did.
 
     `periods` (s, by label) adds the expected ticks, counted from the first mark, and shades gaps between marks.
-    `noun` says what the marks are, in the plural: they are counted at the right.
+    `noun` says what the marks are, in the plural: they are counted at the right. `title` stands above.
     """
     asked = dict(periods or {})
     rows = [
         Row(label, times, asked.get(label), note=_rate_words(times, noun))
         for label, times in times_by_label.items()
     ]
-    return draw(rows, start=start, end=end, width=width)
+    return draw(rows, start=start, end=end, title=title, width=width)
 
 
 def draw(
@@ -191,7 +192,7 @@ def describe(recording: Recording, periods: Mapping[str, float] | None = None) -
         if not times:
             parts.append(f"{name} silent")
         elif name in asked:
-            window = topic.window or (0.0, recording.robot_s)
+            window = topic.window or (0.0, recording.simulated_s)
             found = gaps(times, asked[name], *window)
             pace = _pace_words(times, asked[name])
             parts.append(f"{name} {pace}, {'with gaps' if found else 'without a gap'}")
@@ -213,7 +214,7 @@ def _pace_words(times: Sequence[float], period: float) -> str:
 
 
 def process_end(recording: Recording) -> float | None:
-    """When the program ended by itself, in robot time (s); None if it was alive to the end of the watch."""
+    """When the program ended by itself, in simulated time (s); None if it was alive to the end of the watch."""
     process = recording.process
     if process.ended_by != "itself" or process.ended_at is None:
         return None
@@ -229,7 +230,7 @@ def process_end(recording: Recording) -> float | None:
         t += (process.ended_at - wall) * speed
     else:
         t = process.ended_at
-    return max(0.0, min(t, recording.robot_s))
+    return max(0.0, min(t, recording.simulated_s))
 
 
 @dataclass(frozen=True)
@@ -353,5 +354,5 @@ def _rate_words(times: Sequence[float], noun: str = "messages") -> str:
 
 def _topics(recording: Recording, asked: Mapping[str, Any]) -> list[str]:
     hidden = ("/rosout", "/parameter_events", "/clock")
-    seen = [topic.name for topic in recording.published() if topic.name not in hidden]
+    seen = [topic.name for topic in recording.with_publishers() if topic.name not in hidden]
     return [*asked, *(name for name in seen if name not in asked)]

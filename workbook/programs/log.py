@@ -1,6 +1,7 @@
 """What a program prints, kept within bounds."""
 
 import os
+import re
 import threading
 import time
 from collections.abc import Callable
@@ -8,6 +9,12 @@ from collections.abc import Callable
 from workbook.recording.plain_text import plain_text
 
 LOG_KEPT_BYTES = 8_000
+_OWN_FRAME = re.compile(
+    r'^ *File "(?:[^"\n]*/workbook/inside/\w+\.py|<frozen (?:runpy|importlib\.\w+)>)", line \d+[^\n]*\n'
+    r"(?: {4}[^\n]*\n)*",
+    re.MULTILINE,
+)
+"""A frame of ours in any list of calls that a program prints: print_stack(), faulthandler, logging."""
 
 
 class ProgramLog:
@@ -58,6 +65,10 @@ class ProgramLog:
         """What is kept up to now."""
         head, tail = bytes(self._head), bytes(self._tail)
         if self._seen <= len(head) + len(tail):
-            return plain_text(head + tail)
+            return _without_own_frames(plain_text(head + tail))
         left_out = self._seen - len(head) - len(tail)
-        return f"{plain_text(head)}\n… {left_out} bytes left out …\n{plain_text(tail)}"
+        return _without_own_frames(f"{plain_text(head)}\n… {left_out} bytes left out …\n{plain_text(tail)}")
+
+
+def _without_own_frames(text: str) -> str:
+    return _OWN_FRAME.sub("", text) if "/inside/" in text or "<frozen" in text else text

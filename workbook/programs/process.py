@@ -22,7 +22,7 @@ from workbook.ros.scratch import remove_scratch, scratch_folder
 
 PROFILE = "FASTRTPS_DEFAULT_PROFILES_FILE"
 POLL_S = 0.05
-SURROUNDINGS_END_S = 2.0
+SANDBOX_END_S = 2.0
 
 
 def _pipe_with(data: bytes) -> int:
@@ -187,7 +187,7 @@ class NodeProcess:
                 meanwhile()
         if not self.killed:  # what is around it goes with the program, unless what should end it was killed
             try:
-                self._child.wait_for_surroundings(SURROUNDINGS_END_S)
+                self._child.wait_for_sandbox(SANDBOX_END_S)
             except subprocess.TimeoutExpired:
                 self.killed = True
         if self.killed or processes_marked(self._mark):
@@ -195,7 +195,7 @@ class NodeProcess:
             self._kill_tree()
             self._child.wait()
             self.is_running()
-        self._child.wait_for_surroundings()
+        self._child.wait_for_sandbox()
         self._child.close()
         if self._confinement.sweep():
             self.killed = True
@@ -227,7 +227,7 @@ class NodeProcess:
             exit=code if code is not None and code >= 0 else None,
             signal=signal.Signals(-code).name if code is not None and code < 0 else None,
             ended_at=ended_at,
-            ended_by=None if code is None else ("bench" if by_judge else "itself"),
+            ended_by=None if code is None else ("judge" if by_judge else "itself"),
             watched_for=(ended_at if ended_at is not None else time.monotonic() - self.started_at),
             limits_hit=tuple(limits),
             log=log,
@@ -237,6 +237,7 @@ class NodeProcess:
             processor=tuple(self._processor),
             printed_at=None if printed_at is None else printed_at - self.started_at,
             driver_key="" if self.spec.driver is None else self.spec.driver_key.hex(),
+            unfiltered=self._confinement.unfiltered(),
         )
 
     def __enter__(self) -> "NodeProcess":

@@ -33,7 +33,7 @@ class Child(Protocol):
     def tree(self) -> list[int]:
         """All that it has started, itself, and what the tier has put around it, as far as nobody has reaped them."""
 
-    def wait_for_surroundings(self, timeout: float | None = None) -> None:
+    def wait_for_sandbox(self, timeout: float | None = None) -> None:
         """Wait until what the tier has put around it is gone. Raises subprocess.TimeoutExpired after `timeout` s."""
 
     def close(self) -> None:
@@ -44,15 +44,15 @@ class Child(Protocol):
 class Order:
     """A program to start: arguments for the host, environment and limits, and the descriptor that it prints to.
 
-    `joins`: the file by which it joins a memory cgroup, before a line of it is read; None where there is no such group.
-    `input_fd`: the descriptor that it reads from; None for a program that gets nothing to read.
+    `cgroup_join_file`: the file by which it joins a memory cgroup, before a line of it is read; None where there is no
+    such group. `input_fd`: the descriptor that it reads from; None for a program that gets nothing to read.
     """
 
     arguments: Sequence[str]
     environ: Mapping[str, str]
     limits: Limits
     output_fd: int
-    joins: str | None = None
+    cgroup_join_file: str | None = None
     input_fd: int | None = None
 
 
@@ -90,6 +90,9 @@ class Confinement(Protocol):
 
     def exceeded(self) -> str | None:
         """The limit that the program has exceeded where the kernel counts for it; None if none, or nobody counts."""
+
+    def unfiltered(self) -> str:
+        """Why the tier cannot filter the program's system calls on this machine, as a clause; else empty."""
 
     def sweep(self) -> bool:
         """End whatever the program has left running, when it has ended. Returns whether there was anything.

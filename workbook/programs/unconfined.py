@@ -12,8 +12,8 @@ from pathlib import Path
 
 from workbook.inside import RUN, proc
 from workbook.inside.proc import process_tree
+from workbook.programs.fork_client import NotForked, own_server
 from workbook.programs.tier import Confinement, Order, Started, limit_options
-from workbook.programs.warm_start import NoWarmStart, own_server
 from workbook.recording.limits import Limits
 
 KERNEL_LIMITS = ("memory", "file_size", "open_files", "cpu", "core", "signals")
@@ -64,7 +64,7 @@ class FreshProgram(subprocess.Popen[bytes]):
         below = process_tree(self.pid)
         return below if self.poll() is None else below[1:]
 
-    def wait_for_surroundings(self, timeout: float | None = None) -> None:
+    def wait_for_sandbox(self, timeout: float | None = None) -> None:
         """Return at once: no tier has put anything around this program."""
 
     def close(self) -> None:
@@ -90,11 +90,13 @@ class UnconfinedProgram:
         server = own_server.ready()
         if server is not None:
             began = time.monotonic()  # not before: to wait for the server is no part of its life
-            with suppress(NoWarmStart):
+            with suppress(NotForked):
                 folder = str(self.scratch)
                 return Started(server.spawn(0, order, order.environ, folder), began)
         began = time.monotonic()
-        command = joining(order.joins, host_command("--parent", str(os.getpid()), *order.arguments))
+        command = joining(
+            order.cgroup_join_file, host_command("--parent", str(os.getpid()), *order.arguments)
+        )
         return Started(
             FreshProgram(command, order.environ, self.scratch, order.output_fd, input_fd=order.input_fd),
             began,
@@ -119,6 +121,10 @@ class UnconfinedProgram:
     def exceeded(self) -> str | None:
         """None: the tier itself has no memory cgroup."""
         return None
+
+    def unfiltered(self) -> str:
+        """Nothing to report: no system calls are to be filtered."""
+        return ""
 
     def sweep(self) -> bool:
         """False: nothing is looked for beyond the program's own process tree."""

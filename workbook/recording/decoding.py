@@ -18,6 +18,8 @@ from workbook.recording.stored_fields import (
 )
 
 Decoded = TypeVar("Decoded")
+FORMER_WORDS = {"bench": "judge"}
+"""Words of a choice that recordings of earlier versions contain, with those that have replaced them."""
 _NON_FINITE = {"nan": math.nan, "inf": math.inf, "-inf": -math.inf}
 
 
@@ -107,6 +109,8 @@ _DECODERS: Mapping[Any, Converter] = {
 
 def _literal_decoder(choices: tuple[Any, ...]) -> Converter:
     def checked(data: Any) -> Any:
+        if type(data) is str and data not in choices:
+            data = FORMER_WORDS.get(data, data)
         if not any(type(data) is type(one) and data == one for one in choices):
             _refuse(data, " or ".join(map(repr, choices)))
         return data

@@ -10,6 +10,7 @@ from typing import Any, Literal, Union, get_args, get_origin
 from workbook.recording.stored_fields import (
     Converter,
     Malformed,
+    keys_stored_if_set,
     name_of_unknown,
     optional,
     quoted,
@@ -92,7 +93,7 @@ def _tuple_encoder(hints: tuple[Any, ...]) -> Converter:
 
 def _object_encoder(kind: type) -> Converter:
     parts = stored_fields(kind, _encoder)
-    unknown = name_of_unknown(kind)
+    unknown, if_set = name_of_unknown(kind), keys_stored_if_set(kind)
 
     def of_object(value: Any) -> dict[str, Any]:
         values = value.__dict__
@@ -108,6 +109,9 @@ def _object_encoder(kind: type) -> Converter:
                     data[key] = convert(item)
         except Malformed as error:
             raise error.below(f".{key}") from None
+        for key in if_set:
+            if not data[key]:
+                del data[key]
         if unknown is not None:
             data.update(values[unknown])
         return data

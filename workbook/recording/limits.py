@@ -6,6 +6,9 @@ MB = 1_000_000
 WRITABLE_MIB = 64
 """Room in each folder that a program in a sandbox may write to."""
 
+FLOOD_MESSAGES, FLOOD_S = 500, 1.0
+"""So many messages of a topic within so long (s of simulated time) are a flood. The busiest right answer sends 25."""
+
 
 @dataclass(frozen=True)
 class Limits:

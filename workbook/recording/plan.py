@@ -14,7 +14,7 @@ WALL_PERIODS = 4.0
 WALL_EXTRA_S = 0.5
 LEAST_WALL_WATCH_S = 4.0
 STEPS_PER_PERIOD = 10
-"""Steps of robot time in the shortest judged period, where an exercise says nothing else."""
+"""Steps of simulated time in the shortest judged period, where an exercise says nothing else."""
 BYTES_PER_TOPIC = 1_000_000
 """How much is kept of a topic, where an exercise says nothing else. A joint array of twelve angles takes 80 bytes."""
 
@@ -28,21 +28,20 @@ class Plan:
     """What is to be judged, so that the watch knows how finely and how long to record.
 
     `topics`: judged topic names. `shortest_period` and `longest_period`: of the judged rates, in seconds.
-    `paced`: those of them whose rate is judged. `robot_seconds`: robot time to watch; None: nine of the longest period.
-    `wall_seconds`: real time to watch on the wall clock; None: a little more than four of the longest period.
+    `paced`: those of them whose rate is judged. `simulated_seconds`: simulated time to watch; None: nine of the longest
+    period. `wall_seconds`: real time to watch on the wall clock; None: a little more than four of the longest period.
     `script`: what the judge sends meanwhile. A program that only listens is then seen by its node. `seed`: what the
-    script was drawn from; None for one that is the same in each run.
-    `to_the_end`: whether the watch also looks for nodes that stay on the graph after the program. A participant that
-    vanishes without a DDS dispose is then remembered for much longer than a dispose takes on the busiest machine.
-    `bytes_per_topic`: how many bytes of messages are kept of each topic. `features`: by topic and field, what is kept
-    of large fields besides their beginning, size and hash. `steps_per_period`: into how many steps of robot time the
-    shortest judged period is divided.
+    script was drawn from; None for one that is the same in each run. `to_the_end`: whether the watch also looks for
+    nodes that stay on the graph after the program. A participant that vanishes without a DDS dispose is then remembered
+    for much longer than a dispose takes on the busiest machine. `bytes_per_topic`: how many bytes of messages are kept
+    of each topic. `features`: by topic and field, what is kept of large fields besides their beginning, size and hash.
+    `steps_per_period`: into how many steps of simulated time the shortest judged period is divided.
     """
 
     topics: tuple[str, ...]
     shortest_period: float
     longest_period: float
-    robot_seconds: float | None = None
+    simulated_seconds: float | None = None
     wall_seconds: float | None = None
     script: Script = NOTHING_SAID
     to_the_end: bool = False
@@ -59,13 +58,13 @@ class Plan:
 
     @property
     def step_s(self) -> float:
-        """Step of robot time (s)."""
+        """Step of simulated time (s)."""
         return self.shortest_period / self.steps_per_period
 
     @property
-    def robot_s(self) -> float:
-        """Robot time to watch (s)."""
-        return self.robot_seconds or 2 * PERIODS_PER_BLOCK * self.longest_period
+    def simulated_s(self) -> float:
+        """Simulated time to watch (s)."""
+        return self.simulated_seconds or 2 * PERIODS_PER_BLOCK * self.longest_period
 
     @property
     def wall_s(self) -> float:

@@ -1,7 +1,7 @@
 """What was seen of a program: who published what, when and how, and what the process did.
 
 A recording is plain data. It is made once, stored as JSON, and everything else (pictures, criteria, feedback)
-is a function of it. Times named `t` are robot time in seconds since the watch began; `wall` is real time in
+is a function of it. Times named `t` are simulated time in seconds since the watch began; `wall` is real time in
 seconds since the program was started.
 """
 
@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar, Literal
 
-from workbook.recording.codec import ALWAYS_STORED, Malformed, decode, encode
+from workbook.recording.codec import ALWAYS_STORED, STORED_IF_SET, Malformed, decode, encode, stored_as
 
 FORMAT: Literal[1] = 1
 
@@ -44,7 +44,7 @@ class Arrival:
 
 @dataclass(frozen=True)
 class PublisherSeen:
-    """A publisher on the graph: full node name, message type and the QoS that it offers (`deadline` in s)."""
+    """A publisher on the graph: full node name, message type and the QoS it offers (`deadline`, `lifespan` in s)."""
 
     node: str
     type: str
@@ -53,6 +53,7 @@ class PublisherSeen:
     first_seen: float
     last_seen: float | None = None
     deadline: float | None = None
+    lifespan: float | None = None
 
 
 @dataclass(frozen=True)
@@ -68,12 +69,13 @@ class SubscriberSeen:
 
 @dataclass(frozen=True)
 class TopicRecording:
-    """Everything about one topic; `window` is the robot time from its match to the end of the watch.
+    """Everything about one topic; `window` is the simulated time from its match to the end of the watch.
 
     `undecodable`: messages whose bytes are none of its type. `not_kept`: messages that came and are not here;
-    `too_large` of them were larger than a message may be. `broken_at`: when (s of robot time) the first came that was
-    undecodable or too large. `full_at`: when the room for this topic was used up; None if it never was. `room`: how
-    many bytes that is; None where there were too many messages.
+    `too_large` of them were larger than a message may be. `broken_at`: when (s of simulated time) the first came that
+    was undecodable or too large. `full_at`: when the room for this topic was used up; None if it never was. `room`: how
+    many bytes that is; None where there were too many messages. `kept`: how many earlier messages a subscription got
+    that was made after the watch; None where none was made, or where new messages came meanwhile.
     """
 
     name: str
@@ -87,6 +89,7 @@ class TopicRecording:
     broken_at: float | None = None
     full_at: float | None = None
     room: int | None = None
+    kept: int | None = None
     ignores_unknown_fields: ClassVar[bool] = True
 
     @property
@@ -110,10 +113,10 @@ class NodeSeen:
 
 
 @dataclass(frozen=True)
-class Said:
+class Published:
     """One message of the script, as the judge published it. `value` holds its fields as plain data, as in `Arrival`.
 
-    `t`: robot time (s). `wall`: wall time (s), just before it was published.
+    `t`: simulated time (s). `wall`: wall time (s), just before it was published.
     """
 
     topic: str
@@ -125,13 +128,13 @@ class Said:
 
 @dataclass(frozen=True)
 class CallSeen:
-    """One call of a service. `by`: "program" for a call to the judge's service, "bench" for a call by the judge.
+    """One call of a service. `by`: "program" for a call to the judge's service, "judge" for a call by the judge.
 
     `response` and the moments of the answer are None when there was none.
     """
 
     service: str
-    by: Literal["program", "bench"]
+    by: Literal["program", "judge"]
     t: float
     wall: float
     request: Any
@@ -166,20 +169,39 @@ class Finding:
 
 
 @dataclass(frozen=True)
+class SpinSeen:
+    """A line of the source that spins, and that may be why nothing is published: `code` at `line` (from 1).
+
+    `callback`: the callback that it is called from; empty where there is none. `kept`: what cannot begin because this
+    call does not return: another "spin", something that a later line would "create", or the next "round" of a loop.
+    `later`, `later_code`: where that stands.
+    """
+
+    line: int
+    code: str
+    callback: str = ""
+    kept: Literal["", "spin", "create", "round"] = ""
+    later: int = 0
+    later_code: str = ""
+    ignores_unknown_fields: ClassVar[bool] = True
+
+
+@dataclass(frozen=True)
 class ProcessRecord:
-    """How the program ran and ended. `ended_by` is "itself", "bench" (the judge), or None while it runs.
+    """How the program ran and ended. `ended_by` is "itself", "judge" (the judge), or None while it runs.
 
     `log` is what it printed of its own accord, `end_log` what it printed after the judge had sent Ctrl-C.
     `processor`: on the wall clock, pairs of wall time (s) and processor time (s) that it had used by then.
     `printed_at`: when the last text of `log` came (wall time, s). `driver_key`: what a driver has signed its reports
-    with, in hexadecimal digits; empty where there was none, and in old recordings.
+    with, in hexadecimal digits; empty where there was none, and in old recordings. `unfiltered`: why its tier could not
+    filter its system calls, as a clause; empty where they were filtered, and where the tier filters none.
     """
 
     program: str = ""
     exit: int | None = None
     signal: str | None = None
     ended_at: float | None = None
-    ended_by: Literal["itself", "bench"] | None = None
+    ended_by: Literal["itself", "judge"] | None = None
     watched_for: float = 0.0
     limits_hit: tuple[str, ...] = field(default=(), metadata=ALWAYS_STORED)
     log: str = ""
@@ -189,11 +211,12 @@ class ProcessRecord:
     processor: tuple[tuple[float, float], ...] = ()
     printed_at: float | None = None
     driver_key: str = ""
+    unfiltered: str = field(default="", metadata=STORED_IF_SET)
 
 
 @dataclass(frozen=True)
 class Phase:
-    """A stretch of the watch at one speed (robot seconds per real second); `start` and `end` in robot time."""
+    """A stretch of the watch at one speed (robot seconds per real second); `start` and `end` in simulated time."""
 
     speed: float
     start: float
@@ -215,14 +238,15 @@ class Recording:
     all, the mean of all processors; `in_line_s`: how long (s) in all the program was ready to run and got none.
 
     `seed`: what the script was drawn from; None where it is the same in each run. `unsaid`: the messages of the script
-    that were still to come when the watch ended (`t` and `wall`: when they were due).
+    that were still to come when the watch ended (`t` and `wall`: when they were due). `spins`: what the source of the
+    program says about its spins. `repeated_init`: the line (from 1) of an rclpy.init() in a loop; 0 if there is none.
     """
 
     format: Literal[1] = field(default=FORMAT, kw_only=True, repr=False, metadata=ALWAYS_STORED)
     clock: Clock
     domain_id: int
     phases: tuple[Phase, ...] = field(default=(), metadata=ALWAYS_STORED)
-    robot_s: float = field(default=0.0, metadata=ALWAYS_STORED)
+    simulated_s: float = field(default=0.0, metadata={**ALWAYS_STORED, **stored_as("robot_s")})
     wall_s: float = field(default=0.0, metadata=ALWAYS_STORED)
     topics: Mapping[str, TopicRecording] = field(default_factory=dict, metadata=ALWAYS_STORED)
     nodes: tuple[NodeSeen, ...] = field(default=(), metadata=ALWAYS_STORED)
@@ -230,7 +254,7 @@ class Recording:
     follows_clock: bool | None = field(default=None, metadata=ALWAYS_STORED)
     step_s: float | None = field(default=None, metadata=ALWAYS_STORED)
     notes: tuple[str, ...] = field(default=(), metadata=ALWAYS_STORED)
-    said: tuple[Said, ...] = ()
+    published: tuple[Published, ...] = field(default=(), metadata=stored_as("said"))
     calls: tuple[CallSeen, ...] = ()
     services: tuple[ServiceSeen, ...] = ()
     findings: tuple[Finding, ...] | None = None
@@ -244,14 +268,16 @@ class Recording:
     in_lockstep: bool = False
     own_clock: tuple[str, ...] = ()
     seed: int | None = None
-    unsaid: tuple[Said, ...] = ()
+    unpublished: tuple[Published, ...] = field(default=(), metadata=stored_as("unsaid"))
+    spins: tuple[SpinSeen, ...] = ()
+    repeated_init: int = 0
     ignores_unknown_fields: ClassVar[bool] = True
 
     def topic(self, name: str) -> TopicRecording:
         """The recording of a topic; an empty one if nothing of that name was seen."""
         return self.topics.get(name, TopicRecording(name))
 
-    def published(self) -> tuple[TopicRecording, ...]:
+    def with_publishers(self) -> tuple[TopicRecording, ...]:
         """Topics that had a publisher, by name."""
         return tuple(self.topics[name] for name in sorted(self.topics) if self.topics[name].publishers)
 

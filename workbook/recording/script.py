@@ -1,7 +1,7 @@
 """What the judge sends to a program under watch: messages, services that it offers, services that it calls.
 
-A script is data. Its times are seconds of robot time since the watch began. Everything here is plain Python, so that
-a criteria file can name its parts again when it judges.
+A script is data. Its times are seconds of simulated time since the watch began. Everything here is plain Python, so
+that a criteria file can name its parts again when it judges.
 """
 
 from collections.abc import Mapping, Sequence
@@ -24,7 +24,7 @@ class Line:
 
 
 @dataclass(frozen=True)
-class Says:
+class Publishes:
     """Messages that the judge publishes on a topic. "latched": reliable, and the last one is kept for late joiners.
 
     `deadline`: the longest time (s) from one message to the next that the publisher offers; None offers none.
@@ -66,7 +66,7 @@ class Calls:
     lines: tuple[Line, ...]
 
 
-Part = Says | Serves | Calls
+Part = Publishes | Serves | Calls
 
 
 @dataclass(frozen=True)
@@ -81,8 +81,8 @@ class Script:
     @property
     def names(self) -> tuple[str, ...]:
         """Topics and services that a program needs for it; not those that it should leave alone."""
-        says = [part.topic for part in self.parts if isinstance(part, Says) and part.awaited]
-        return *says, *(part.service for part in self.parts if not isinstance(part, Says))
+        publish = [part.topic for part in self.parts if isinstance(part, Publishes) and part.awaited]
+        return *publish, *(part.service for part in self.parts if not isinstance(part, Publishes))
 
     @property
     def last_at(self) -> float:
@@ -94,7 +94,7 @@ class Script:
 NOTHING_SAID = Script()
 
 
-def says(
+def publish(
     topic: str,
     message_class: Any,
     lines: Sequence[tuple[float, Any]],
@@ -102,7 +102,7 @@ def says(
     depth: int = 100,
     deadline: float | None = None,
     awaited: bool = True,
-) -> Says:
+) -> Publishes:
     """Messages for `topic` as pairs of a time (s) and a value: the fields, or only that of `data`.
 
     The watch begins when the program listens to `topic`. With `awaited=False` it does not wait for that: for a topic
@@ -113,7 +113,7 @@ def says(
     """
     if deadline is not None and not deadline > 0.0:
         raise ValueError(f"a deadline is above zero, not {deadline}")
-    return Says(topic, type_name(message_class), _lines(lines), qos, depth, deadline, awaited)
+    return Publishes(topic, type_name(message_class), _lines(lines), qos, depth, deadline, awaited)
 
 
 def serves(

@@ -10,6 +10,8 @@ Converter = Callable[[Any], Any]
 ALWAYS_STORED: Mapping[str, Any] = {"always stored": True}
 """Metadata of a field that has a default for whoever makes one by hand, and that stored data never lacks."""
 NOT_STORED: Mapping[str, Any] = {"not stored": True}
+STORED_IF_SET: Mapping[str, Any] = {"stored if set": True}
+"""Metadata of a field that is left out while it is empty, as it nearly always is."""
 UNKNOWN_FIELDS: Mapping[str, Any] = {"unknown fields": True}
 """Metadata of a mapping that keeps what a newer version has stored, so that it is written again."""
 
@@ -90,6 +92,13 @@ def fields_not_stored(kind: type) -> list[tuple[str, Callable[[], Any]]]:
                 raise TypeError(f"{kind.__name__}.{one.name} needs a default: it is not stored")
             found.append((one.name, default))
     return found
+
+
+def keys_stored_if_set(kind: type) -> list[str]:
+    """The keys of fields that are left out while they are empty."""
+    return [
+        one.metadata.get("stored as", one.name) for one in fields(kind) if "stored if set" in one.metadata
+    ]
 
 
 def name_of_unknown(kind: type) -> str | None:

@@ -1,20 +1,28 @@
 """Waiting until DDS discovery is complete, with a hidden, short-lived node that reads the graph of a domain."""
 
 import os
+import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 
 from rclpy.context import Context
 from rclpy.node import Node
 from rclpy.utilities import get_default_context
 
-from workbook.inside.proc import udp_ports_in_use
+from workbook.inside.proc import pids, stat_fields, udp_ports_in_use, udp_ports_of
 from workbook.ros.domains import dds_port_range
 
 NODE_UNKNOWN = "_NODE_NAME_UNKNOWN_"
+PATIENCE_S = 10.0
+"""How long (s) a look waits for participants. A plain program announces itself every 3 s, and one may get lost."""
+_LOOK_EVERY_S = 1.0
+"""How often (s) a look that has to wait asks whether a program is stopped."""
 _QUIET_S = 0.1
 """Discovery counts as complete when nothing new has come for so long."""
+_EMPTY_S = 1.0
+"""The same where a participant has named no node, or not the node of an endpoint. It may have none."""
 _POLL_S = 0.005
 _FIRST_PARTICIPANT_PORT = 10
 """Offset of participant 0 within the ports of a domain (DDS-RTPS specification, section 9.6.1)."""
@@ -60,39 +68,98 @@ def _participants(node: Node) -> set[bytes]:
     return {bytes(info.endpoint_gid[:12]) for info in infos}
 
 
-def _participants_here(domain_id: int) -> int:
-    """How many participants this machine has on the domain: each holds one UDP port with an even number."""
+def _ports_here(domain_id: int) -> set[int]:
+    """The ports of this machine's participants on the domain: each holds one UDP port with an even number."""
     ports = dds_port_range(domain_id)
     used = udp_ports_in_use() & set(ports)
-    return sum(1 for port in used if port - ports.start >= _FIRST_PARTICIPANT_PORT and port % 2 == 0)
+    return {port for port in used if port - ports.start >= _FIRST_PARTICIPANT_PORT and port % 2 == 0}
 
 
-def _view(node: Node) -> tuple[tuple[str, ...], bool]:
-    """The endpoints known now, and whether the node name of one is still unknown."""
-    topics = node.get_topic_names_and_types()
+def _stopped(ports: set[int]) -> list[int]:
+    """The processes that hold some of these ports and are stopped, such as by Ctrl-Z. They cannot answer."""
+    if not ports:
+        return []
+    halted = [pid for pid in pids() if _is_stopped(pid)]
+    return [pid for pid in halted if udp_ports_of([pid]) & ports]
+
+
+def _is_stopped(pid: int) -> bool:
+    try:
+        return stat_fields(pid)[0] in (b"T", b"t")
+    except (OSError, IndexError):
+        return False
+
+
+@dataclass(frozen=True)
+class _View:
+    """What the graph holds now. `nameless`: the node of an endpoint is still unknown.
+
+    `empty`: participants without endpoints, except those that belong to a node without endpoints.
+    """
+
+    endpoints: tuple[str, ...]
+    nodes: tuple[tuple[str, str], ...]
+    participants: int
+    nameless: bool
+    empty: int
+
+    @property
+    def complete(self) -> bool:
+        """Whether each participant that was discovered has named its nodes."""
+        return not self.nameless and self.empty <= 0
+
+
+def _view(node: Node) -> _View:
     endpoints = []
-    for name, _ in topics:
+    for name, _ in node.get_topic_names_and_types():
         endpoints += node.get_publishers_info_by_topic(name)
         endpoints += node.get_subscriptions_info_by_topic(name)
-    nameless = any(info.node_name == NODE_UNKNOWN for info in endpoints)
-    return tuple(sorted(bytes(info.endpoint_gid).hex() for info in endpoints)), nameless
+    participants, nodes = _participants(node), node.get_node_names_and_namespaces()
+    owners = {(info.node_name, info.node_namespace) for info in endpoints}
+    busy = {bytes(info.endpoint_gid[:12]) for info in endpoints}
+    return _View(
+        tuple(sorted(bytes(info.endpoint_gid).hex() for info in endpoints)),
+        tuple(sorted(nodes)),
+        len(participants),
+        any(name == NODE_UNKNOWN for name, _ in owners),
+        len(participants - busy) - len(set(nodes) - owners),
+    )
 
 
-def wait_for_graph(node: Node, limit: float = 2.0) -> None:
-    """Wait until every participant on this machine's domain is discovered and nothing new comes, at most `limit` s."""
+def wait_for_graph(node: Node, limit: float = PATIENCE_S) -> None:
+    """Wait until every participant of this machine has answered and nothing new comes, at most `limit` s.
+
+    The look doesn't wait for a stopped process. A warning on stderr says that nodes may be missing then.
+    """
     domain_id = node.context.get_domain_id()
-    start = time.monotonic()
-    last: object = None
-    changed = start
     known_before = len(_participants(node)) > 1
-    while time.monotonic() < start + limit:
-        view, nameless = _view(node)
-        complete = not nameless and len(_participants(node)) >= _participants_here(domain_id)
-        now = time.monotonic()
-        if last is None and complete and (known_before or _participants_here(domain_id) == 1):
-            return
-        if view != last or not complete:
+    last, view = None, _view(node)
+    began = changed = time.monotonic()
+    stopped: list[int] = []
+    missing, next_look = _missing(domain_id, view), began + _LOOK_EVERY_S
+    if view.complete and missing <= 0 and (known_before or view.participants == 1):
+        return
+    while (now := time.monotonic()) < began + limit:
+        if view != last:
             last, changed = view, now
-        elif now - changed >= _QUIET_S:
-            return
+        quiet_s = _QUIET_S if view.complete else _EMPTY_S
+        if missing <= len(stopped) and now - changed >= quiet_s:
+            break
+        if missing > 0 and now >= next_look:
+            stopped, next_look = _stopped(_ports_here(domain_id)), now + _LOOK_EVERY_S
         time.sleep(_POLL_S)
+        view = _view(node)
+        missing = _missing(domain_id, view)
+    if missing > 0:
+        print(_warning(domain_id, stopped), file=sys.stderr)
+
+
+def _missing(domain_id: int, view: _View) -> int:
+    return len(_ports_here(domain_id)) - view.participants
+
+
+def _warning(domain_id: int, stopped: list[int]) -> str:
+    if not stopped:
+        return f"A program on domain {domain_id} did not answer, so nodes may be missing."
+    held = ", ".join(map(str, stopped))
+    return f"A program on domain {domain_id} is stopped, so its nodes may be missing (process {held})."

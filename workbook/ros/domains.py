@@ -15,7 +15,7 @@ from pathlib import Path
 from types import TracebackType
 
 from workbook.inside.proc import udp_ports_in_use
-from workbook.ros.lease_holders import LEASE_PREFIX, announce_lease, lease_holders, told
+from workbook.ros.lease_holders import LEASE_PREFIX, announce_lease, lease_holders, who_holds_them
 
 FIRST_DOMAIN = 1
 """Domain 0 is everybody's default: a robot, or a student's own terminal, may be on it."""
@@ -151,5 +151,5 @@ def _why_none_is_free(ports: set[int]) -> str:
         )
     if strangers:
         sentences.append(f"Used by ROS programs that lease none: {len(strangers)} (`ss -lupn` lists them).")
-    sentences.append(told(holders) if holders else "Wait a moment, and try again.")
+    sentences.append(who_holds_them(holders) if holders else "Wait a moment, and try again.")
     return " ".join(sentences)

@@ -70,7 +70,7 @@ def lease_holders() -> list[Holder]:
     return sorted(holders.values(), key=lambda holder: holder.domain_id)
 
 
-def told(holders: Sequence[Holder], own: int | None = None) -> str:
+def who_holds_them(holders: Sequence[Holder], own: int | None = None) -> str:
     """Who holds leases and what to do about it, as sentences. `own`: the user id of the reader, if it is not ours."""
     own = os.getuid() if own is None else own
     groups = Counter((one.user, one.pid, one.command) for one in holders)

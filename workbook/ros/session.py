@@ -153,7 +153,7 @@ class _Interrupts:
             signal.signal(signal.SIGINT, self._before)
 
 
-class _Run:
+class _SpinRun:
     """One call of run or spin_for: when it ends, and what it says then."""
 
     def __init__(self, executor: SteppingExecutor, seconds: float | None, until: Condition) -> None:
@@ -228,7 +228,7 @@ async def run(
     """
     __tracebackhide__ = True
     with serving(*nodes) as executor:
-        this = _Run(executor, seconds, until)
+        this = _SpinRun(executor, seconds, until)
         next_frame = this.start if each_frame is not None else math.inf
         try:
             while True:
@@ -293,7 +293,7 @@ def spin_for(*nodes: Node | Iterable[Node], seconds: float = 1.0, until: Conditi
     """
     __tracebackhide__ = True
     with serving(*nodes) as executor:
-        this = _Run(executor, seconds, until)
+        this = _SpinRun(executor, seconds, until)
         try:
             with this.interrupts:
                 while not this.over():

@@ -62,6 +62,15 @@ class Edge(NamedTuple):
     topic: str
 
 
+class Broken(NamedTuple):
+    """A publisher and a subscriber of a topic between which nothing arrives, and the reason as a sentence."""
+
+    topic: str
+    writer: str
+    reader: str
+    reason: str
+
+
 class NodeList(Shown, tuple[str, ...]):
     """Fully qualified node names, sorted; a duplicate name is there twice."""
 
@@ -139,33 +148,44 @@ class TopicInfo(Shown):
 
 @dataclass(frozen=True, repr=False)
 class Graph(Shown):
-    """Nodes, topics with their types, and the arrows between them; all sorted."""
+    """Nodes, topics with their types, and the arrows between them; all sorted.
+
+    `broken`: pairs of a publisher and a subscriber between which nothing can arrive.
+    """
 
     nodes: tuple[str, ...]
     topics: dict[str, tuple[str, ...]] = field(hash=False)
     edges: tuple[Edge, ...]
+    broken: tuple[Broken, ...] = ()
 
     def _tables(self) -> list[Table]:
         rows = []
         for name, types in self.topics.items():
             writers = [edge.node for edge in self.edges if edge.topic == name and edge.role == "publishes"]
             readers = [edge.node for edge in self.edges if edge.topic == name and edge.role == "subscribes"]
-            arrow = f"→ {name} →"
-            rows.append((", ".join(writers) or "–", arrow, ", ".join(readers) or "–", ", ".join(types)))
+            cut = {(one.writer, one.reader) for one in self.broken if one.topic == name}
+            deaf = [reader for reader in readers if writers and {(one, reader) for one in writers} <= cut]
+            arrow = f"→ {name} ✗" if deaf and len(deaf) == len(readers) else f"→ {name} →"
+            some = arrow.endswith("→")
+            heard = [f"✗ {reader}" if some and reader in deaf else reader for reader in readers]
+            rows.append((", ".join(writers) or "–", arrow, ", ".join(heard) or "–", ", ".join(types)))
         busy = {edge.node for edge in self.edges}
         rows += [(node, "", "", "") for node in self.nodes if node not in busy]
         return [Table("Graph", ("publishers", "topic", "subscribers", "type"), tuple(rows), "No nodes.")]
 
+    def _notes(self) -> list[str]:
+        return [f"✗ {one.topic}: {one.reason}" for one in self.broken]
+
     def text(self, columns: int | None = None) -> str:
-        """One arrow a line; where that does not fit, the type stands below it."""
+        """One arrow a line; where that does not fit, the type stands below it. Then why arrows are broken."""
         (table,) = self._tables()
         text = table.text()
-        if columns is None or max(map(len, text.splitlines())) <= columns:
-            return text
-        return "\n".join(
-            f"{writers} {arrow} {readers}\n    {kind}" if arrow else writers
-            for writers, arrow, readers, kind in table.rows
-        )
+        if columns is not None and max(map(len, text.splitlines())) > columns:
+            text = "\n".join(
+                f"{writers} {arrow} {readers}\n    {kind}" if arrow else writers
+                for writers, arrow, readers, kind in table.rows
+            )
+        return "\n\n".join([text, *self._notes()])
 
 
 def fully_qualified_name(name: str, namespace: str) -> str:
@@ -309,20 +329,22 @@ def topic_info(topic: str, *, hidden: bool = False, domain: int | None = None) -
             _topics(node, hidden=True).get(topic, ()),
             tuple(map(_endpoint, publishers)),
             tuple(map(_endpoint, subscribers)),
-            tuple(_problems(publishers, subscribers)),
+            tuple(one.reason for one in _broken(topic, publishers, subscribers)),
         )
 
 
-def _problems(publishers: list[Any], subscribers: list[Any]) -> Iterable[str]:
+def _broken(topic: str, publishers: list[Any], subscribers: list[Any]) -> Iterable[Broken]:
     for publisher in publishers:
         for subscriber in subscribers:
             writer, reader = _endpoint(publisher), _endpoint(subscriber)
             if writer.type != reader.type:
-                yield f"{reader.node} expects {reader.type}, but {writer.node} publishes {writer.type}."
+                reason = f"{reader.node} expects {reader.type}, but {writer.node} publishes {writer.type}."
+                yield Broken(topic, writer.node, reader.node, reason)
                 continue
             verdict, _ = qos_check_compatible(publisher.qos_profile, subscriber.qos_profile)
             if verdict == QoSCompatibility.ERROR:
-                yield f"{reader.node} does not hear {writer.node}: {_clash(writer, reader)}."
+                reason = f"{reader.node} does not hear {writer.node}: {_clash(writer, reader)}."
+                yield Broken(topic, writer.node, reader.node, reason)
 
 
 def _clash(writer: Endpoint, reader: Endpoint) -> str:
@@ -348,4 +370,9 @@ def graph_seen(node: Node, hidden: bool = False) -> Graph:
             edges += [Edge(_endpoint(info).node, role, name) for info in infos(node, name, hidden)]
     used = {edge.topic for edge in edges}
     topics = {name: kinds for name, kinds in _topics(node, hidden).items() if name in used}
-    return Graph(tuple(_nodes(node, hidden)), topics, tuple(sorted(edges)))
+    broken = [
+        pair
+        for name in topics
+        for pair in _broken(name, _publishers(node, name, hidden), _subscribers(node, name, hidden))
+    ]
+    return Graph(tuple(_nodes(node, hidden)), topics, tuple(sorted(edges)), tuple(sorted(broken)))

@@ -4,19 +4,22 @@ import itertools
 import statistics
 import time
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
 
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
 from workbook.ros import fresh_nodes, tools
-from workbook.ros.discovery import discovery_node, wait_for_graph
+from workbook.ros.discovery import NODE_UNKNOWN, discovery_node, wait_for_graph
 from workbook.ros.messages import message_class
 from workbook.ros.session import serving
 from workbook.ros.tables import Shown, Table
 
 OnSilence = Callable[[Sequence[str]], None]
+_CLOCK = "/clock"
+_SILENT_S = 1.0
+"""A published topic without a message for so long (s) may wait for a clock."""
 _QUEUE = 100
 """Depth of the subscription's queue: a second of a topic at 100 Hz may wait while a cell draws."""
 _POLL_S = 0.02
@@ -33,10 +36,14 @@ class Echo:
     messages: tuple[Any, ...]
     times: tuple[float, ...]
     waited: float
+    held: tuple[str, ...] = ()
+    """Nodes that publish it, and wait for /clock."""
 
     def __str__(self) -> str:
         if not self.messages:
-            return f"No message on {self.topic} within {self.waited:g} s."
+            return " ".join(
+                [f"No message on {self.topic} within {self.waited:g} s.", *clock_notes(self.held)]
+            )
         return "\n---\n".join(message_text(message) for message in self.messages)
 
     def __repr__(self) -> str:
@@ -54,6 +61,20 @@ class Rate(Shown):
     shortest_gap: float | None
     longest_gap: float | None
     spread: float | None
+    held: tuple[str, ...] = ()
+    """Nodes that publish it, and wait for /clock."""
+
+    def line(self) -> str:
+        """The mean rate, how many messages it is from, and the shortest and longest gap."""
+        if self.mean_hz is None:
+            return f"{self.count or 'no'} message{'' if self.count == 1 else 's'} yet: no rate"
+        return (
+            f"{self.mean_hz:.2f} Hz, from {self.count} messages, "
+            f"gaps of {self.shortest_gap:.3f} to {self.longest_gap:.3f} s"
+        )
+
+    def _notes(self) -> list[str]:
+        return clock_notes(self.held)
 
     def _tables(self) -> list[Table]:
         header = ("mean rate", "messages", "shortest gap", "longest gap", "spread")
@@ -67,6 +88,26 @@ class Rate(Shown):
             ]
             rows = ((f"{self.mean_hz:.2f} Hz", str(self.count), *gaps),)
         return [Table(f"Rate of {self.topic}", header, rows, empty)]
+
+
+def clock_notes(held: Iterable[str]) -> list[str]:
+    """A sentence for each node that waits for /clock: why nothing comes from it, and what to do."""
+    return [
+        f"{node} uses simulated time (use_sim_time), but nobody publishes {_CLOCK}. So its timers wait. "
+        "Start it without use_sim_time."
+        for node in held
+    ]
+
+
+def _held_by_the_clock(node: Node, topic: str) -> tuple[str, ...]:
+    """The nodes that publish a topic and follow /clock, while nobody publishes that."""
+    if node.count_publishers(_CLOCK):
+        return ()
+    writers, followers = (
+        {tools.fully_qualified_name(info.node_name, info.node_namespace) for info in infos}
+        for infos in (node.get_publishers_info_by_topic(topic), node.get_subscriptions_info_by_topic(_CLOCK))
+    )
+    return tuple(sorted(one for one in writers & followers if NODE_UNKNOWN not in one))
 
 
 def message_text(value: Any, indent: str = "") -> str:
@@ -129,6 +170,14 @@ class _Source:
     nodes: Iterable[Node] | None
 
 
+class _Heard(NamedTuple):
+    """The type of a topic, (moment, message) in the order of arrival, and who waits for /clock if nothing came."""
+
+    type: str
+    arrivals: list[tuple[float, Any]]
+    held: tuple[str, ...]
+
+
 def _collect(
     source: _Source,
     timeout: float,
@@ -137,7 +186,8 @@ def _collect(
     enough: Callable[[list[tuple[float, Any]]], bool],
     on_arrival: Callable[[Any], None] = lambda message: None,
     on_silence: OnSilence | None = None,
-) -> tuple[str, list[tuple[float, Any]]]:
+    on_held: OnSilence = lambda nodes: None,
+) -> _Heard:
     """Collect (moment, message) on a topic until `enough` says so or `timeout` s have passed."""
     topic = tools.absolute(source.topic)
     arrivals: list[tuple[float, Any]] = []
@@ -153,8 +203,9 @@ def _collect(
             wait_for_graph(node)
             if not node.get_publishers_info_by_topic(topic):
                 on_silence(_published(node))
-        end = time.monotonic() + timeout
-        type_name = ""
+        began = time.monotonic()
+        end = began + timeout
+        type_name, held = "", tuple[str, ...]()
         with serving(node, *partners) as executor:
             while not enough(arrivals) and (left := end - time.monotonic()) > 0:
                 if not type_name:
@@ -163,10 +214,14 @@ def _collect(
                     if type_name:
                         kind, qos = message_class(type_name), _matching_qos(node, topic)
                         node.create_subscription(kind, topic, arrived, qos, raw=raw)
+                if not arrivals and not held and time.monotonic() - began > _SILENT_S:
+                    held = _held_by_the_clock(node, topic)
+                    if held:
+                        on_held(held)
                 executor.step(min(_POLL_S, left))
         if not type_name:
             raise tools.not_found("published topic", topic, _published(node))
-    return type_name, arrivals
+    return _Heard(type_name, arrivals, () if arrivals else held)
 
 
 def _published(node: Node) -> list[str]:
@@ -182,23 +237,31 @@ def topic_echo(
     domain: int | None = None,
     on_message: Callable[[Any], None] = lambda message: None,
     on_silence: OnSilence | None = None,
+    on_held: OnSilence = lambda nodes: None,
 ) -> Echo:
     """Listen to a topic for `count` messages, at most `timeout` s; `count=None` listens all the time.
 
     Meanwhile the nodes made with `fresh` run (or those in `nodes`). `on_silence`: called once, with the topics that are
-    published, when nobody publishes this one at first. Raises NotFound when nobody does until the end.
+    published, when nobody publishes this one at first. `on_held`: called once, with the nodes that publish it, when
+    these wait for /clock. Raises NotFound when nobody publishes it until the end.
     """
 
     def enough(arrivals: list[tuple[float, Any]]) -> bool:
         return count is not None and len(arrivals) >= count
 
     source = _Source(topic, domain, nodes)
-    type_name, arrivals = _collect(
-        source, timeout, raw=False, enough=enough, on_arrival=on_message, on_silence=on_silence
+    heard = _collect(
+        source,
+        timeout,
+        raw=False,
+        enough=enough,
+        on_arrival=on_message,
+        on_silence=on_silence,
+        on_held=on_held,
     )
-    first = arrivals[0][0] if arrivals else 0.0
-    messages = tuple(message for _, message in arrivals)
-    return Echo(tools.absolute(topic), type_name, messages, tuple(t - first for t, _ in arrivals), timeout)
+    times, messages = zip(*heard.arrivals, strict=True) if heard.arrivals else ((), ())
+    moments = tuple(moment - times[0] for moment in times)
+    return Echo(tools.absolute(topic), heard.type, messages, moments, timeout, heard.held)
 
 
 def topic_hz(
@@ -208,19 +271,28 @@ def topic_hz(
     nodes: Iterable[Node] | None = None,
     domain: int | None = None,
     on_silence: OnSilence | None = None,
+    on_held: OnSilence = lambda nodes: None,
+    on_look: Callable[[Sequence[float]], None] = lambda times: None,
 ) -> Rate:
     """Measure how often messages come on a topic, over `seconds` s from the first one on.
 
-    Meanwhile the nodes made with `fresh` run (or those in `nodes`). `on_silence`: see `topic_echo`. Raises NotFound
-    when nobody publishes it.
+    Meanwhile the nodes made with `fresh` run (or those in `nodes`). `on_silence`, `on_held`: see `topic_echo`.
+    `on_look`: called again and again, with the moments (s) of all messages so far. Raises NotFound when nobody
+    publishes it.
     """
+    times: list[float] = []
 
     def enough(arrivals: list[tuple[float, Any]]) -> bool:
-        return bool(arrivals) and time.monotonic() - arrivals[0][0] >= seconds
+        times.extend(moment for moment, _ in arrivals[len(times) :])
+        on_look(times)
+        return bool(times) and time.monotonic() - times[0] >= seconds
 
     source = _Source(topic, domain, nodes)
-    _, arrivals = _collect(source, 2 * seconds + 1.0, raw=True, enough=enough, on_silence=on_silence)
-    return rate_of(tools.absolute(topic), [moment for moment, _ in arrivals], seconds)
+    heard = _collect(
+        source, 2 * seconds + 1.0, raw=True, enough=enough, on_silence=on_silence, on_held=on_held
+    )
+    rate = rate_of(tools.absolute(topic), [moment for moment, _ in heard.arrivals], seconds)
+    return replace(rate, held=heard.held)
 
 
 def rate_of(topic: str, times: Sequence[float], seconds: float) -> Rate:

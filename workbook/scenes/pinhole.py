@@ -48,3 +48,22 @@ class Pinhole:
         ray: Vector = np.array([(column - middle[0]) / self.focal, (row - middle[1]) / self.focal, 1.0])
         ray /= np.linalg.norm(ray)
         return ray
+
+    def on_level(
+        self, column: float, row: float, height: float, pan: float = 0.0
+    ) -> tuple[float, float] | None:
+        """Where the ray of a pixel meets a level plane: how far ahead and to the left (m, axes of the robot).
+
+        `height`: that of the plane, seen from the camera (m). None if the ray does not meet it.
+        """
+        right, low, forward = self.direction(column, row)
+        down, level = math.sin(self.pitch), math.cos(self.pitch)
+        rise = -low * level - forward * down
+        if rise * height <= 0.0:
+            return None
+        reach = height / rise
+        ahead, left = reach * (forward * level - low * down), -reach * right
+        return (
+            float(ahead * math.cos(pan) - left * math.sin(pan)),
+            float(ahead * math.sin(pan) + left * math.cos(pan)),
+        )

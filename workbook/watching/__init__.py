@@ -1,4 +1,4 @@
-"""Watching one program on robot time or on the wall clock, and recording all that it does on the graph.
+"""Watching one program on simulated time or on the wall clock, and recording all that it does on the graph.
 
 Import `observer.Observer`, whose `watch` gives a `watch.Watch`; `quiescence` and `steal_time` tell of the machine.
 """

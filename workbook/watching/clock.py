@@ -34,7 +34,6 @@ class SimulatedClock:
         self._due = time.monotonic()
         self._moments: list[float] = []
         self._times: list[float] = []
-        self._real_since: float | None = None
 
     @property
     def now(self) -> float:
@@ -76,13 +75,7 @@ class SimulatedClock:
         """Take /clock off the graph."""
         self._node.destroy_publisher(self._publisher)
 
-    def stop(self) -> None:
-        """Let `robot_time` go on with real time from this moment: the program has been switched back."""
-        self._real_since = time.monotonic()
-
-    def robot_time(self, moment: float) -> float:
+    def simulated_time(self, moment: float) -> float:
         """Simulated time (s) at a moment of `time.monotonic`: the last one published before it."""
-        if self._real_since is not None and moment > self._real_since:
-            return self.now + moment - self._real_since
         index = bisect.bisect_right(self._moments, moment) - 1
         return self._times[index] if index >= 0 else 0.0

@@ -1,7 +1,7 @@
 """Whether a topic follows the simulated clock, as its messages at two paces show.
 
-A program that follows `/clock` publishes at the same intervals of robot time, however fast the clock is driven. One
-that lives on the wall clock does not: its intervals of robot time grow with the speed.
+A program that follows `/clock` publishes at the same intervals of simulated time, however fast the clock is driven. One
+that lives on the wall clock does not: its intervals of simulated time grow with the speed.
 """
 
 import math
@@ -25,7 +25,7 @@ ALIKE = 0.1
 
 
 def follows(phases: Sequence[Phase], times: Sequence[float], step_s: float) -> bool | None:
-    """Whether messages that came at `times` (s of robot time) keep their intervals at two paces; None: not proved.
+    """Whether messages that came at `times` (s of simulated time) keep their intervals at two paces; None: not proved.
 
     Nothing is proved by silence, by too few messages, and by paces that came out too much alike. Nor does it prove
     that a topic follows if the median interval is a single step of the clock (`step_s`, s), or none: one that is twice
@@ -57,12 +57,12 @@ def rates_differ(usual_s: float, real: Recording, topic: str) -> bool:
     topic is that has stopped. Where the real seconds do not hold so many periods, they show nothing.
     """
     few_s = LEAST_REAL_PERIODS * usual_s
-    if usual_s <= 0.0 or real.robot_s < few_s:
+    if usual_s <= 0.0 or real.simulated_s < few_s:
         return False
     intervals = intervals_of(real, topic)
     if not intervals:
         return True
-    moments = (0.0, *(arrival.t for arrival in real.topic(topic).arrivals), real.robot_s)
+    moments = (0.0, *(arrival.t for arrival in real.topic(topic).arrivals), real.simulated_s)
     if max(after - before for before, after in pairwise(moments)) > max(few_s, LONGEST_STALL_S):
         return True
     means = median(intervals), fmean(intervals)
@@ -70,7 +70,7 @@ def rates_differ(usual_s: float, real: Recording, topic: str) -> bool:
 
 
 def intervals_of(recording: Recording, topic: str) -> list[float]:
-    """From each message of a topic to the next one (s of robot time)."""
+    """From each message of a topic to the next one (s of simulated time)."""
     return [after.t - before.t for before, after in pairwise(recording.topic(topic).arrivals)]
 
 
@@ -96,7 +96,8 @@ def _changes_of_pace(phases: Sequence[Phase], times: Sequence[float], step_s: fl
 def two_paces(phases: Sequence[Phase]) -> tuple[list[Phase], list[Phase]]:
     """The phases that count as slow and as fast: each fast one at least twice as fast as every slow one.
 
-    Of all ways to choose them, the one with the most robot time on its shorter side; two empty lists if there is none.
+    Of all ways to choose them, the one with the most simulated time on its shorter side; two empty lists if there is
+    none.
     """
     ways = _ways_to_choose(phases)
     best = max(ways, key=lambda way: min(map(_robot_s, way)), default=([], []))

@@ -37,7 +37,7 @@ def own_prefix(node: Node) -> bytes:
             return found.pop()
 
 
-def told(ask: Callable[[], Told], otherwise: Told) -> Told:
+def or_default(ask: Callable[[], Told], otherwise: Told) -> Told:
     """What the graph answers; `otherwise` where a name in the answer is none."""
     try:
         return ask()

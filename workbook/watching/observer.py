@@ -9,6 +9,7 @@ from workbook.recording.plan import Plan
 from workbook.recording.recording import Clock
 from workbook.ros.domains import DomainLease, NoDomainFree, lease_domain
 from workbook.ros.environment import is_prepared, prepare
+from workbook.watching.recorder import OnTake
 from workbook.watching.watch import Watch
 
 
@@ -16,8 +17,11 @@ class Observer:
     """Holds one leased domain and watches programs, one after another, in a `tier` of isolation or in none.
 
     Keep one per slot: a warm observer saves the start of a context. After a program had to be killed it moves to
-    another domain, because the nodes of a killed program stay on the graph for a while.
+    another domain, because the nodes of a killed program stay on the graph for a while. `on_take`: what is told
+    whenever messages were taken.
     """
+
+    on_take: OnTake | None = None
 
     def __init__(self, lease: DomainLease | None = None, tier: Tier | None = None) -> None:
         self.tier = tier

@@ -16,8 +16,8 @@ LISTED_EVERY_S = 0.1
 class Quiescence:
     """Waits until no thread of a program is running or waiting for a core, nor one of ours that receives messages.
 
-    On a busy machine a program waits for a core while robot time goes on, and misses ticks through no fault
-    of its own. A driver of robot time that waits for quiescence before each step cannot run away from it.
+    On a busy machine a program waits for a core while simulated time goes on, and misses ticks through no fault
+    of its own. A driver of simulated time that waits for quiescence before each step cannot run away from it.
 
     A program that is never quiet, such as a loop without a pause, is not waited for longer than `LONGEST_WAIT_S` at
     once and `BUDGET_S` in all (s). Where the states cannot be read, everything counts as quiet.

@@ -2,13 +2,15 @@
 
 import time
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from typing import Any
 
 from rclpy.node import Node, NodeNameNonExistentError
 from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.topic_endpoint_info import TopicEndpointInfo
 
+from workbook.recording.limits import FLOOD_MESSAGES, FLOOD_S
 from workbook.recording.plan import BYTES_PER_TOPIC, Feature
 from workbook.recording.recording import (
     NodeSeen,
@@ -17,8 +19,9 @@ from workbook.recording.recording import (
     SubscriberSeen,
     TopicRecording,
 )
-from workbook.watching.graph_names import NO_NAME, PREFIX_BYTES, is_name, own_prefix, told
-from workbook.watching.room import Room
+from workbook.watching.graph_names import NO_NAME, PREFIX_BYTES, is_name, or_default, own_prefix
+from workbook.watching.late_subscription import is_to_be_kept, received_late
+from workbook.watching.message_quota import MessageQuota
 from workbook.watching.values import known_class
 from workbook.watching.watched_topic import (
     NODE_UNKNOWN,
@@ -27,6 +30,7 @@ from workbook.watching.watched_topic import (
     finished,
     full_name,
     gid_of,
+    lifespan_of,
 )
 
 INFRASTRUCTURE = ("/rosout", "/parameter_events", "/clock")
@@ -44,7 +48,7 @@ _LOOK_AGAIN_S = 0.02
 class Recorder:
     """Watches the graph of one context and records every topic that somebody else publishes.
 
-    `robot_time` maps a moment of `time.monotonic` (s) to robot time (s); an arrival is stamped with the moment at
+    `robot_time` maps a moment of `time.monotonic` (s) to simulated time (s); an arrival is stamped with the moment at
     which DDS received it, so it does not matter how late `take` is called. `started_at` is the zero of wall time.
     `look` takes in changes of the graph, `take` the messages; neither waits. What belongs to the context of `node` is
     left out, however others call themselves. Names that are none are left out, too, and cost no other topic: where one
@@ -53,26 +57,29 @@ class Recorder:
 
     Of each judged topic so many messages and `bytes_per_topic` are kept, and as much of all others together. What we
     publish ourselves is not counted: `own_bytes` says how much that is, by topic. `features`: see `Plan`.
+    `on_take` is called with the recorder after each `take`.
     """
 
     def __init__(
         self,
         node: Node,
         started_at: float,
-        robot_time: Callable[[float], float],
+        simulated_time: Callable[[float], float],
         judged: tuple[str, ...] = (),
         bytes_per_topic: int = BYTES_PER_TOPIC,
         own_bytes: Mapping[str, int] | None = None,
         features: Mapping[str, Mapping[str, Feature]] | None = None,
+        on_take: "OnTake | None" = None,
     ) -> None:
+        self._on_take = on_take
         self._judged = judged
         self._bytes_per_topic = bytes_per_topic
         self._own_bytes = own_bytes or {}
         self._features = features or {}
-        self._room_of_others = Room(bytes_per_topic, KEPT_PER_TOPIC)
+        self._quota_of_others = MessageQuota(bytes_per_topic, KEPT_PER_TOPIC)
         self._node = node
         self._started_at = started_at
-        self._robot_time = robot_time
+        self._simulated_time = simulated_time
         self._epoch_offset = time.time() - time.monotonic()
         self._own_name = node.get_fully_qualified_name()
         self._own_prefix = own_prefix(node)
@@ -81,8 +88,9 @@ class Recorder:
         self._services: dict[tuple[str, str], ServiceSeen] = {}
         self._clients: dict[tuple[str, str], ServiceSeen] = {}
 
-    def _robot_now(self) -> float:
-        return self._robot_time(time.monotonic())
+    def robot_now(self) -> float:
+        """Simulated time (s)."""
+        return self._simulated_time(time.monotonic())
 
     def _wall_now(self) -> float:
         return time.monotonic() - self._started_at
@@ -113,13 +121,13 @@ class Recorder:
     def _topic_names(self) -> list[str]:
         """Topics that may be recorded; if nobody can list them, those that are judged or known."""
         known = [(topic, [""]) for topic in dict.fromkeys((*self._judged, *self._topics))]
-        listed = told(lambda: self._node.get_topic_names_and_types(no_demangle=False), known)
+        listed = or_default(lambda: self._node.get_topic_names_and_types(no_demangle=False), known)
         return [topic for topic, _ in listed if topic not in INFRASTRUCTURE and is_name(topic)]
 
     def present(self) -> Counter[str]:
         """Count the nodes of others that are on the graph now, by fully qualified name."""
         nobody: list[tuple[str, str]] = []
-        names = told(self._node.get_node_names_and_namespaces, nobody)
+        names = or_default(self._node.get_node_names_and_namespaces, nobody)
         full = (full_name(namespace, name) for name, namespace in names if name != NODE_UNKNOWN)
         present = Counter(filter(is_name, full))
         return present - Counter([self._own_name])  # one of them is ours
@@ -147,7 +155,7 @@ class Recorder:
     def nodes_on_clock(self) -> tuple[str, ...]:
         """The fully qualified names of nodes of others that subscribe to /clock now, sorted, each once."""
         nothing: list[TopicEndpointInfo] = []
-        found = told(lambda: self._node.get_subscriptions_info_by_topic("/clock"), nothing)
+        found = or_default(lambda: self._node.get_subscriptions_info_by_topic("/clock"), nothing)
         others = (info for info in found if not self._is_own(gid_of(info)))
         return tuple(sorted({full_name(info.node_namespace, info.node_name) for info in others}))
 
@@ -163,7 +171,7 @@ class Recorder:
         if watched is None:
             if len(self._topics) >= TOPICS_WATCHED and topic not in self._judged:
                 return False
-            watched = WatchedTopic(topic, self._room_for(topic), self._features.get(topic, {}))
+            watched = WatchedTopic(topic, self._quota_for(topic), self._features.get(topic, {}))
             self._topics[topic] = watched
         if not self._is_worth_a_look(watched):
             return False
@@ -172,14 +180,14 @@ class Recorder:
         self._subscribe(watched)
         if watched.matched_at is None and watched.subscription is not None:
             if watched.subscription.get_publisher_count() > 0:
-                watched.matched_at = self._robot_now()
+                watched.matched_at = self.robot_now()
                 new = True
         return new
 
-    def _room_for(self, topic: str) -> Room:
+    def _quota_for(self, topic: str) -> MessageQuota:
         if topic not in self._judged and topic not in self._own_bytes:
-            return self._room_of_others
-        return Room(self._bytes_per_topic + self._own_bytes.get(topic, 0), KEPT_PER_TOPIC)
+            return self._quota_of_others
+        return MessageQuota(self._bytes_per_topic + self._own_bytes.get(topic, 0), KEPT_PER_TOPIC)
 
     def _is_worth_a_look(self, watched: WatchedTopic) -> bool:
         """Whether its endpoints must be listed, which is dear: where their number or our knowledge says so.
@@ -195,7 +203,7 @@ class Recorder:
 
     def _update_publishers(self, watched: WatchedTopic) -> bool:
         present: set[bytes] = set()
-        now = self._robot_now()
+        now = self.robot_now()
         new = False
         for info in self._node.get_publishers_info_by_topic(watched.name):
             gid = gid_of(info)
@@ -213,6 +221,7 @@ class Recorder:
                     durability=info.qos_profile.durability.name.lower(),
                     first_seen=now if known is None else known.first_seen,
                     deadline=deadline_of(info),
+                    lifespan=lifespan_of(info),
                 )
         for gid, publisher in watched.publishers.items():
             if gid not in present and publisher.last_seen is None:
@@ -279,6 +288,13 @@ class Recorder:
                     raw, info = taken
                     received, sent = (info[f"{end}_timestamp"] / 1e9 for end in ("received", "source"))
                     self._keep(watched, raw, received - self._epoch_offset, sent - self._epoch_offset)
+        if self._on_take is not None:
+            self._on_take(self)
+
+    def kept_until_now(self) -> dict[str, int | None]:
+        """How many messages each judged topic that promises to keep them has kept for a subscription made now."""
+        judged = (self._topics[name] for name in self._judged if name in self._topics)
+        return {one.name: received_late(self._node, one) for one in judged if is_to_be_kept(one)}
 
     def discard(self) -> None:
         """Drop what has arrived so far: it came before the watch began."""
@@ -288,7 +304,13 @@ class Recorder:
 
     def _keep(self, watched: WatchedTopic, raw: bytes, moment: float, sent: float) -> None:
         wall = moment - self._started_at
-        watched.keep(self._robot_time(moment), wall, sent - self._started_at, raw)
+        watched.keep(self._simulated_time(moment), wall, sent - self._started_at, raw)
+
+    def so_far(self) -> Iterator[tuple[str, int, Any]]:
+        """Each topic on which something came: how many messages were kept, and the last one as `latest` has it."""
+        for name, watched in sorted(self._topics.items()):
+            if watched.came:
+                yield name, len(watched.came), watched.latest()
 
     def matched(self, topic: str) -> bool:
         """Whether the recorder's own subscription to `topic` is connected to a publisher."""
@@ -296,12 +318,18 @@ class Recorder:
         return watched is not None and watched.matched_at is not None
 
     def times(self, topic: str) -> list[float]:
-        """When messages of `topic` came, up to the last `take` (s of robot time)."""
+        """When messages of `topic` came, up to the last `take` (s of simulated time)."""
         watched = self._topics.get(topic)
         return [] if watched is None else [one.t for one in watched.came]
 
+    def is_flooded(self, topic: str) -> bool:
+        """Whether the latest messages of a topic came so fast that no rate of an exercise can be right any more."""
+        watched = self._topics.get(topic)
+        came = [] if watched is None else watched.came[-FLOOD_MESSAGES:]
+        return len(came) == FLOOD_MESSAGES and came[-1].t - came[0].t < FLOOD_S
+
     def matched_at(self, topic: str) -> float | None:
-        """Since when (s of robot time) `topic` has been recorded; None if it never was."""
+        """Since when (s of simulated time) `topic` has been recorded; None if it never was."""
         watched = self._topics.get(topic)
         return None if watched is None else watched.matched_at
 
@@ -335,9 +363,9 @@ class Recorder:
         return tuple(self._clients[key] for key in sorted(self._clients))
 
     def start_windows(self, t: float) -> None:
-        """Begin the watch at robot time `t`: what was matched or seen before counts from then.
+        """Begin the watch at simulated time `t`: what was matched or seen before counts from then.
 
-        On the wall clock, robot time begins only now, so earlier moments mean nothing any more.
+        On the wall clock, simulated time begins only now, so earlier moments mean nothing any more.
         """
         for watched in self._topics.values():
             if watched.matched_at is not None:
@@ -346,9 +374,9 @@ class Recorder:
                 last_seen = None if publisher.last_seen is None else t
                 watched.publishers[gid] = replace(publisher, first_seen=t, last_seen=last_seen)
 
-    def topics(self, end: float, start: float = 0.0) -> dict[str, TopicRecording]:
-        """What was recorded up to robot time `end` (s); with a `start` (s), from then on, and counted from there."""
-        return {name: finished(watched, end, start) for name, watched in sorted(self._topics.items())}
+    def topics(self, end: float) -> dict[str, TopicRecording]:
+        """What was recorded up to simulated time `end` (s)."""
+        return {name: finished(watched, end) for name, watched in sorted(self._topics.items())}
 
 
 def _own_services(found: list[tuple[str, list[str]]]) -> dict[tuple[str, str], ServiceSeen]:
@@ -363,3 +391,6 @@ def _own_services(found: list[tuple[str, list[str]]]) -> dict[tuple[str, str], S
 
 def _never_called(message: object) -> None:
     """No executor serves the recorder's node: `take` fetches the messages."""
+
+
+OnTake = Callable[[Recorder], None]

@@ -17,8 +17,8 @@ from workbook.recording.plan import Plan
 from workbook.ros.environment import profile_with_lease
 from workbook.watching.clock import SimulatedClock
 from workbook.watching.quiescence import Quiescence
-from workbook.watching.recorder import Recorder
-from workbook.watching.speaker import Speaker
+from workbook.watching.recorder import OnTake, Recorder
+from workbook.watching.script_player import ScriptPlayer
 
 REMEMBERED_S = 20
 """How long (s) others remember a program that vanishes, where it is judged whether it takes its nodes along."""
@@ -34,6 +34,10 @@ class Place(Protocol):
     @property
     def tier(self) -> Tier | None:
         """The tier of isolation in which it runs."""
+
+    @property
+    def on_take(self) -> OnTake | None:
+        """What is told whenever messages were taken."""
 
     def move(self) -> None:
         """Use another domain from now on."""
@@ -53,8 +57,8 @@ class Delays:
 class Session:
     """The parts of one watch.
 
-    `clock`: there once the program is to be switched to simulated time. `began`: when (`time.monotonic`, s) robot time
-    begins on the wall clock.
+    `clock`: there once the program is to be switched to simulated time. `began`: when (`time.monotonic`, s) simulated
+    time begins on the wall clock.
     """
 
     place: Place
@@ -63,16 +67,16 @@ class Session:
     node: Node
     clock: SimulatedClock | None = None
     process: NodeProcess = field(init=False)
-    speaker: Speaker = field(init=False)
+    script_player: ScriptPlayer = field(init=False)
     recorder: Recorder = field(init=False)
     quiescence: Quiescence = field(init=False)
     began: float = field(default_factory=time.monotonic)
     delays: Delays = field(default_factory=Delays)
 
-    def robot_time(self, moment: float) -> float:
-        """Robot time (s) at a moment of `time.monotonic` (s)."""
+    def simulated_time(self, moment: float) -> float:
+        """Simulated time (s) at a moment of `time.monotonic` (s)."""
         if self.clock is not None:
-            return self.clock.robot_time(moment)
+            return self.clock.simulated_time(moment)
         return moment - self.began
 
     def close(self) -> None:
@@ -92,14 +96,14 @@ def open_session(place: Place, spec: ProgramSpec, plan: Plan, process: NodeProce
         signal_handler_options=rclpy.signals.SignalHandlerOptions.NO,
     )
     node = Node(
-        f"bench_{secrets.token_hex(4)}",
+        f"judge_{secrets.token_hex(4)}",
         context=context,
         enable_rosout=False,
         start_parameter_services=False,
         use_global_arguments=False,
     )
     session = Session(place, plan, context, node)
-    session.speaker = Speaker(node, plan.script, session.robot_time)
+    session.script_player = ScriptPlayer(node, plan.script, session.simulated_time)
     if process is None:
         profile = partial(profile_with_lease, lease_s=REMEMBERED_S) if plan.to_the_end else None
         try:
@@ -109,14 +113,15 @@ def open_session(place: Place, spec: ProgramSpec, plan: Plan, process: NodeProce
             raise
     session.process = process
     session.quiescence = Quiescence(process.pid)
-    session.began = session.speaker.started_at = process.started_at
+    session.began = session.script_player.started_at = process.started_at
     session.recorder = Recorder(
         node,
         process.started_at,
-        session.robot_time,
+        session.simulated_time,
         judged=plan.topics,
         bytes_per_topic=plan.bytes_per_topic,
-        own_bytes=session.speaker.bytes_by_topic(),
+        own_bytes=session.script_player.bytes_by_topic(),
         features=plan.features,
+        on_take=place.on_take,
     )
     return session

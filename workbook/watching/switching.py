@@ -1,4 +1,4 @@
-"""Switches a running program to simulated time, and back to real time in the same process."""
+"""Switches a running program to simulated time."""
 
 import time
 
@@ -10,7 +10,6 @@ ANSWERS_WITHIN_S = 5.0
 """A node that has not answered its parameter services for so long (s) does not spin: the wall clock judges it."""
 FOLLOWS_WITHIN_S = 1.0
 """A node that has accepted the switch subscribes to /clock before it answers; the graph tells of it a moment later."""
-BACK_WITHIN_S = 1.0
 START_NS = 1_000_000
 """Timers of a program that was started on simulated time count from zero. If the clock began late, all of them would be
 due right away."""
@@ -20,8 +19,8 @@ POLL_S = 0.001
 class TimeSwitch:
     """Switches the program of one session. `services`: the parameter services of its nodes.
 
-    `is_real`: whether it has not been switched to simulated time, or returned from it. One that was started on
-    simulated time (`from_start`), as a lesson does with its own programs, stays there.
+    `is_real`: whether it is not on simulated time. One that was started there (`from_start`), as a lesson does with its
+    own programs, is.
     """
 
     def __init__(self, session: Session, *, from_start: bool = False) -> None:
@@ -55,16 +54,6 @@ class TimeSwitch:
         session.clock = None
         clock.close()
         return False
-
-    def to_real_time(self) -> bool:
-        """Return the program to real time. Returns False when it refuses or does not answer."""
-        clock = self._session.clock
-        assert clock is not None, "it is in real time"
-        clock.run_at(1.0)
-        self.is_real = self._set(False, time.monotonic() + BACK_WITHIN_S)
-        if self.is_real:
-            clock.stop()
-        return self.is_real
 
     def keep_time(self) -> bool:
         """Let a clock that the program may still follow go on with real time. Returns whether the program runs."""

@@ -104,7 +104,7 @@ def _is_complete(session: Session) -> bool:
     recorder = session.recorder
     matched = session.plan.topics and all(map(recorder.matched, session.plan.topics))
     known = recorder.nodes() and recorder.knows_its_nodes()
-    return bool(matched and known and session.speaker.ready())
+    return bool(matched and known and session.script_player.ready())
 
 
 def let_it_match_us(session: Session) -> None:

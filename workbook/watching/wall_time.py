@@ -2,7 +2,7 @@
 
 import os
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 
 from workbook.inside.proc import process_tree, read, run_queue_s, stat_fields, tasks, thread_folder
@@ -12,6 +12,8 @@ from workbook.watching.steal_time import StealTime
 TAKE_EVERY_S = 0.05
 LOOK_EVERY_S = 0.1
 NOTE_EVERY_S = 0.2
+UNSCRIPTED_PACE = 4.0
+"""Messages carry the time of their arrival. So without a script to serve, they can be taken so much less often."""
 OWN_LOAD_EVERY_S = 0.5
 CONSTANTLY = 0.8
 """Share of the time in which a thread wants a processor, if it always has work."""
@@ -75,10 +77,19 @@ def _pause(seconds: float) -> None:
     time.sleep(seconds)
 
 
-def run_wall_time(session: Session, seconds: float) -> None:
-    """Record for `seconds` of real time, as long as the program runs; notes in `session.delays` what was late."""
-    process, recorder, speaker, delays = session.process, session.recorder, session.speaker, session.delays
+def run_wall_time(session: Session, seconds: float, cancel_soak: Callable[[], bool] = lambda: False) -> None:
+    """Record for `seconds` of real time, as long as the program runs; notes in `session.delays` what was late.
+
+    Returns early when `cancel_soak` says so, which is asked about as often as messages are taken.
+    """
+    process, recorder, script_player, delays = (
+        session.process,
+        session.recorder,
+        session.script_player,
+        session.delays,
+    )
     end = time.monotonic() + seconds
+    pace = 1.0 if session.plan.script else UNSCRIPTED_PACE
     next_take = next_look = next_note = next_load = 0.0
     before = queued = run_queue_s(process.pid)
     own_load = OwnLoad(process.pid)
@@ -86,14 +97,14 @@ def run_wall_time(session: Session, seconds: float) -> None:
     running = True
     while running and (left := end - time.monotonic()) > 0:
         paused = time.monotonic()
-        turn = min(TAKE_EVERY_S, left, speaker.until_next(session.robot_time(paused)))
+        turn = min(pace * TAKE_EVERY_S, left, script_player.until_next(session.simulated_time(paused)))
         _pause(turn)
         delays.held_up = max(delays.held_up, time.monotonic() - paused - turn)
-        speaker.play(session.robot_time(time.monotonic()), keep_pauses=True)
+        script_player.play(session.simulated_time(time.monotonic()), keep_pauses=True)
         if time.monotonic() > next_take:
             recorder.take()
-            running = process.is_running()
-            next_take = time.monotonic() + TAKE_EVERY_S
+            running = process.is_running() and not cancel_soak() and not is_lost(session)
+            next_take = time.monotonic() + pace * TAKE_EVERY_S
         if time.monotonic() > next_note:
             process.note_processor_time()
             next_note = time.monotonic() + NOTE_EVERY_S
@@ -111,12 +122,19 @@ def run_wall_time(session: Session, seconds: float) -> None:
     recorder.take()
 
 
+def is_lost(session: Session) -> bool:
+    """Whether every topic that has a rate is flooded, so that a longer watch shows nothing more."""
+    paced = session.plan.paced
+    return bool(paced) and all(map(session.recorder.is_flooded, paced))
+
+
 def left_to_watch(session: Session) -> float:
     """Real seconds left until every judged topic has been watched in full, counted from the one that was matched last.
 
-    For the wall clock. If lines of the script were late, the watch lasts that much longer.
+    For the wall clock. If lines of the script were late, the watch lasts that much longer. New delays may make it
+    longer again: ask until nothing is left.
     """
-    now = session.robot_time(time.monotonic())
+    now = session.simulated_time(time.monotonic())
     since = map(session.recorder.matched_at, session.plan.topics)
     latest = max((moment for moment in since if moment is not None), default=0.0)
-    return max(latest, session.speaker.late_s) + session.plan.wall_s - now
+    return max(latest, session.script_player.late_s) + session.plan.wall_s - now

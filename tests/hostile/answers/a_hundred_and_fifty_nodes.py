@@ -1,4 +1,4 @@
-# thorough: yes
+# soak: yes
 # score: 10
 """A good answer with a hundred and fifty nodes beside it."""
 import threading

@@ -5,7 +5,7 @@ import subprocess
 import sys
 
 for names in (
-    [sys.executable, "-m", "workbook.grading.slot", "sandbox"],
+    [sys.executable, "-m", "workbook.grading.slots.worker", "sandbox"],
     [sys.executable, "-m", "workbook.cli.main", "grade"],
 ):
     subprocess.Popen([*names, "60"][:1] + ["60"], executable="/usr/bin/sleep")

@@ -1,4 +1,4 @@
-# thorough: yes
+# soak: yes
 # score: 10
 """A good answer with eight hundred publishers beside it."""
 import threading

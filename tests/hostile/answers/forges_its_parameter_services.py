@@ -1,4 +1,4 @@
-# thorough: yes
+# soak: yes
 # loses: status_kept
 """Answers itself that it is on simulated time, without results or with 20 MB of text that is none, and lives on: silent unless it was asked."""
 import ctypes

@@ -1,4 +1,4 @@
-# thorough: yes
+# soak: yes
 # score: 10
 """Looks for the judge on the graph, and for other robots: one nameless node, with nothing that can be set or called."""
 import threading

@@ -1,4 +1,4 @@
-# thorough: yes
+# soak: yes
 # score: 10
 """A good answer beside which nodes come and go the whole time."""
 import threading

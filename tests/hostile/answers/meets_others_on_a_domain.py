@@ -1,4 +1,4 @@
-# thorough: yes
+# soak: yes
 # copies: 3
 # score: 10
 """Three copies agree on a domain, and each looks for the other two."""

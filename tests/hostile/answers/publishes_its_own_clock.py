@@ -1,4 +1,4 @@
-# thorough: yes
+# soak: yes
 # loses: status_kept
 """Three times too slow; once it is on simulated time, it publishes a faster clock of its own beside the judge's."""
 import threading

@@ -1,5 +1,5 @@
 # score: 0
-# says: before it never returns, such as rclpy.spin(node)
+# says: A spin returns only when ROS is shut down
 """In a notebook: the cell that spins stands above the one that publishes."""
 import rclpy
 from rclpy.node import Node

@@ -1,4 +1,4 @@
-# thorough: yes
+# soak: yes
 # loses: alive_at_end
 """Right for four real seconds, then gone."""
 import os

@@ -1,7 +1,6 @@
 # Publishes a last message after Ctrl-C, when the context is shut down.
 # loses: ends_cleanly
 # cause: error.context-down
-# says: publisher's context is invalid
 # before: import rclpy
 import time
 

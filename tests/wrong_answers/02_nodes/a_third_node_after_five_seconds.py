@@ -2,7 +2,7 @@
 # loses: nobody_else
 # cause: nobody-else.extra-node
 # says: /robot/camera_monitor
-# thorough: yes
+# soak: yes
 # after: from typing import Any
 import threading
 

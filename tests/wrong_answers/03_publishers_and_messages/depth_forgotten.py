@@ -1,6 +1,5 @@
 # Leaves out the last argument of create_publisher.
 # loses: calls_come_back
 # cause: error.no-qos
-# says: missing 1 required positional argument: 'qos_profile'
 # replaces: self.battery_publisher = self.create_publisher(Float32, "/robot/battery", 10)
 self.battery_publisher = self.create_publisher(Float32, "/robot/battery")

@@ -1,7 +1,6 @@
 # An alias of a generic Publisher, which newer versions of rclpy have: Python fails where a hint would not.
 # loses: program_runs
 # cause: error.generic-publisher
-# says: is not subscriptable
 # after: from rclpy.node import Node
 from rclpy.publisher import Publisher
 

@@ -2,5 +2,5 @@
 # loses: clean
 # cause: mypy-clean.silenced
 # says: # mypy: ignore-errors
-# before: """Reports battery and status of a humanoid. Others send through it, too, and cannot get the types wrong unnoticed."""
+# before: """Report a humanoid's battery and status. Other code sends through this node, too, and wrong types are noticed."""
 # mypy: ignore-errors

@@ -2,7 +2,6 @@
 # loses: program_runs
 # skips: battery_topic, battery_arrives, battery_rate, status_kept, alive_at_end, ends_cleanly
 # cause: error.syntax
-# says: SyntaxError
 # compiles: no
 # replaces: try:
 try

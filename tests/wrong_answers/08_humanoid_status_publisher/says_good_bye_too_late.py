@@ -1,7 +1,6 @@
 # Publishes a last message after Ctrl-C, when the context is shut down.
 # loses: ends_cleanly
 # cause: error.context-down
-# says: context is invalid
 # after: import random
 import time
 

@@ -2,7 +2,7 @@
 # loses: alive_at_end
 # skips: ends_cleanly
 # cause: alive-at-end.ended
-# thorough: yes
+# soak: yes
 # after: import random
 import time
 

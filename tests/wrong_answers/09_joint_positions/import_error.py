@@ -2,7 +2,6 @@
 # loses: program_runs
 # skips: joint_topic, twelve_values, finite_in_range, joints_move, joint_rate, status_kept, battery_kept, alive_at_end
 # cause: error.import-not-found
-# says: ImportError
 # says: Float32Array
 # replaces: from std_msgs.msg import Float32, Float32MultiArray, String
 from std_msgs.msg import Float32, Float32Array, String

@@ -1,7 +1,7 @@
 # The program ends after six real seconds: when robot time is over, and before eight real ones are.
 # loses: alive_at_end
 # cause: alive-at-end.ended
-# thorough: yes
+# soak: yes
 # after: import random
 import time
 

@@ -2,7 +2,6 @@
 # loses: program_runs
 # skips: joint_topic, twelve_values, finite_in_range, joints_move, joint_rate, status_kept, battery_kept, alive_at_end
 # cause: error.syntax
-# says: SyntaxError
 # compiles: no
 # replaces: self.joint_timer = self.create_timer(JOINT_PERIOD_S, self.publish_joint_positions)
 self.joint_timer = self.create_timer(JOINT_PERIOD_S, self.publish_joint_positions

@@ -2,7 +2,7 @@
 # loses: heartbeat_share, heartbeat_gap
 # cause: heartbeat-share.nobody-serves-the-timer
 # replaces: self.create_timer(HEARTBEAT_PERIOD_S, self.beat)
-# replaces: # A group of its own: planning may run beside the heartbeat, but never two plans at once.
+# replaces: # A separate group: planning may run while the heartbeat does, but two plans never run at the same time.
 # replaces: planning = MutuallyExclusiveCallbackGroup()
 planning = MutuallyExclusiveCallbackGroup()
 self.create_timer(HEARTBEAT_PERIOD_S, self.beat, callback_group=planning)

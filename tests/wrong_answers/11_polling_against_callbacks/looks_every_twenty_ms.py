@@ -2,7 +2,7 @@
 # loses: quick
 # cause: quick.polls
 # on: starter
-# replaces: self.last = 0  # the touch that came last
+# replaces: self.last = 0  # the touch that arrived last
 self.touches: list[int] = []
 
 # replaces: self.last = touch.data

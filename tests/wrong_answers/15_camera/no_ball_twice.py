@@ -1,6 +1,5 @@
 # Publishes that there is no ball, and then goes on and publishes once more.
 # loses: stamps_kept
-# skips: keeps_up, direction_right, light_changes, bgr_right, padding_right, no_ball_said
 # cause: stamps-kept.no-ball-repeated
 # replaces: if ball is not None:
 if ball is None:

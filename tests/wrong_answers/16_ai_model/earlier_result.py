@@ -1,6 +1,6 @@
 # Publishes what was found in the picture before.
 # loses: stamps_kept
-# skips: fresh, right
+# skips: fresh
 # cause: stamps-kept.later-picture
 # after: self.fallen = False
 self.before = []

@@ -1,6 +1,5 @@
 # The header is an attribute, which the next picture overwrites while the model is busy.
 # loses: stamps_kept
-# skips: fresh, right
 # cause: stamps-kept.later-picture
 # before: self.newest.put_nowait(image)
 self.header = image.header

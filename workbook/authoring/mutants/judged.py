@@ -9,8 +9,8 @@ from pathlib import Path
 
 from workbook.exercise.answers import Answer
 from workbook.exercise.judgement import Judgement
+from workbook.exercise.retries import counting, judge_until_sure
 from workbook.grading.judges import Job
-from workbook.grading.retries import counting, judge_until_sure
 
 JUDGES_WITH = (
     "criteria", "exercise", "inside", "isolation", "programs", "recording", "ros", "typechecking", "watching",
@@ -71,7 +71,7 @@ def _stored(path: Path) -> Iterator[tuple[str, Marks]]:
 
 
 @cache
-def bench_sha256() -> str:
+def judge_sha256() -> str:
     """One hash of the packages that run, record and judge answers."""
     package = Path(__file__).resolve().parents[2]
     digest = hashlib.sha256()
@@ -110,7 +110,7 @@ def judge_programs(
 def outcome_of(tries: Iterable[Judgement]) -> Marks | None:
     """What counts of some tries; None where the answer could not be judged, or all tries were inconclusive."""
     judgement = counting([*tries])
-    if judgement.status != "graded" or judgement.doubt:
+    if judgement.status != "graded" or judgement.inconclusive_reason:
         return None
     lost = [one for one in judgement.criteria if one.status != "passed"]
     return Marks(tuple(one.id for one in lost), lost[0].cause if lost else "")

@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from workbook.authoring.mutants.drawing import MOST, draw
-from workbook.authoring.mutants.judged import Cache, JudgeAll, Marks, bench_sha256, judge_programs
+from workbook.authoring.mutants.judged import Cache, JudgeAll, Marks, judge_programs, judge_sha256
 from workbook.authoring.mutants.making import Mutant
 from workbook.authoring.mutants.programs import all_mutants, inputs_of, right_programs
 from workbook.authoring.mutants.report import Report, filled, read_report, write_report
@@ -17,7 +17,7 @@ from workbook.exercise.answers import Answer
 from workbook.exercise.definition import Exercise, load_exercise
 from workbook.exercise.judgement import Judgement
 from workbook.grading.judges import Job
-from workbook.grading.local import judge_all
+from workbook.grading.slots.scheduler import judge_all
 
 Say = Callable[[str], None]
 WAITING = 3
@@ -39,7 +39,7 @@ def on_slots(slots: int | None = None) -> JudgeAll:
     def judge(jobs: Sequence[Job[str]]) -> Iterator[tuple[Job[str], Judgement]]:
         waits = any(load_exercise(stem).source.clock == "wall" for stem in {job.stem for job in jobs})
         count = slots or (cores * WAITING if waits else cores)
-        return judge_all(jobs, count, thorough=False, isolation=isolation)
+        return judge_all(jobs, count, soak=False, isolation=isolation)
 
     return judge
 
@@ -101,7 +101,7 @@ def report_one(tree: Tree, stem: str, judge: JudgeAll, *, most: int, say: Say = 
 
 def cache_of(tree: Tree, exercise: Exercise) -> Cache:
     """What is known of programs under these criteria and this judge."""
-    judged_by = f"{exercise.stem} {exercise.criteria_sha256} {bench_sha256()}"
+    judged_by = f"{exercise.stem} {exercise.criteria_sha256} {judge_sha256()}"
     path = tree.root / "build" / "mutants" / f"{exercise.stem}.jsonl"
     return Cache(path, hashlib.sha256(judged_by.encode()).hexdigest())
 

@@ -9,16 +9,17 @@ from pathlib import Path
 
 from workbook.cli import terminal
 from workbook.cli.hint import hints_of
-from workbook.cli.places import as_typed
+from workbook.cli.paths import as_typed
 from workbook.cli.verdict_text import FULL_MARKS, NOT_JUDGED, NOT_YET, verdict_text
 from workbook.cli.watch.screen import WatchScreen
 from workbook.exercise.answers import Answer, Ungradable, read_answer
 from workbook.exercise.judgement import Judgement
+from workbook.exercise.retries import until_sure
 from workbook.exercise.source import ExerciseSource
 from workbook.feedback import wording
 from workbook.grading.judges import Job
-from workbook.grading.pool import Slot, judge_with_retry
-from workbook.grading.retries import until_sure
+from workbook.grading.slots.pool import Kind, judge_warm, warm_slots
+from workbook.grading.slots.protocol import Progress
 from workbook.inside.proc import pids, process_tree
 
 LOOK_S = 0.1
@@ -38,6 +39,14 @@ def signature(file: Path) -> Signature:
     return state.st_mtime_ns, state.st_size, state.st_ino
 
 
+def so_far(progress: Progress) -> str:
+    """How far a judgement is, in a few words."""
+    if progress.place:
+        return f"{progress.place} answers before yours" if progress.place > 1 else "1 answer before yours"
+    came = (f"{count} on {topic}" for topic, count in progress.messages.items())
+    return ", ".join((f"{progress.simulated_s:.1f} s", *came))
+
+
 class _SavedAgain(Exception):
     """The file was saved again before this answer had its next try."""
 
@@ -48,7 +57,7 @@ class Watched:
 
     source: ExerciseSource
     file: Path
-    thorough: bool
+    soak: bool
     note: Callable[[Judgement, Answer], None]
     seed: int | None = None
 
@@ -59,12 +68,12 @@ class WatchMode:
     def __init__(self, watched: Watched, screen: WatchScreen) -> None:
         self._watched = watched
         self._screen = screen
-        self._slot: Slot | None = Slot()
-        self._at_work = False
+        warm_slots.warm_up(Kind())
         self._code = NOT_JUDGED
         self._seen: Signature = None
         self._points: float | None = None
         self._shown = ""
+        self._doing = ""
         self._judged_text: str | None = None
 
     def run(self) -> int:
@@ -84,10 +93,7 @@ class WatchMode:
     def _end_all(self) -> None:
         """End the slot and what it has started; at once, if it is at work."""
         started = process_tree(os.getpid())[1:]
-        if self._slot is not None:
-            if self._at_work:
-                self._slot.kill()
-            self._slot.close()
+        warm_slots.close()
         deadline = time.monotonic() + END_S
         while set(started) & set(pids()) and time.monotonic() < deadline:
             time.sleep(LOOK_S / 10)
@@ -129,7 +135,8 @@ class WatchMode:
         watched, name = self._watched, as_typed(self._watched.file)
         self._seen = signature(watched.file)
         self._judged_text = None
-        self._screen.show(self._shown, f"Judging {name} ...")
+        self._doing = f"Judging {name} ..."
+        self._screen.show(self._shown, self._doing)
         try:
             answer = read_answer(watched.file, watched.source.stem)
             judgement = until_sure(lambda: self._judged(answer), self._report)
@@ -153,14 +160,24 @@ class WatchMode:
         if signature(self._watched.file) not in (self._seen, None):
             raise _SavedAgain
         job = Job("", self._watched.source.stem, answer, seed=self._watched.seed)
-        self._at_work = True
-        self._slot, judgement = judge_with_retry(self._slot, job, self._watched.thorough, report=self._report)
-        self._at_work = False
-        return judgement
+        return judge_warm(
+            warm_slots,
+            Kind(),
+            job,
+            soak=self._watched.soak,
+            report=self._report,
+            progress=self._progress,
+        )
 
     def _report(self, judgement: Judgement) -> None:
         """Show what is known before the last word on it."""
-        self._show(self._text(judgement), "Still watching your program ...")
+        self._doing = "Still watching your program ..."
+        self._show(self._text(judgement), self._doing)
+
+    def _progress(self, progress: Progress) -> None:
+        """Show how far the slot is, where one text replaces the other."""
+        if self._screen.is_terminal:
+            self._screen.show(self._shown, f"{self._doing} {so_far(progress)}")
 
     # --- showing ------------------------------------------------------------------------------------------------
 

@@ -15,6 +15,9 @@ from workbook.criteria.vocabulary.values import elements, length_of, values
 from workbook.recording.recording import Recording
 
 LEAST_MESSAGES = 3
+_NEW_ANGLES = (
+    "Compute new angles in every call of the timer callback, for example from math.sin of a counter."
+)
 MOSTLY = 0.75
 """Share of the messages that differ from the one before as much as they must."""
 
@@ -110,7 +113,7 @@ def _does_not_vary(
             saw,
             expected,
             because,
-            "Compute new angles in every call of the timer callback, for example from math.sin of a counter.",
+            _NEW_ANGLES,
             about_time=messages < LEAST_MESSAGES,
         )
 
@@ -129,17 +132,37 @@ def _does_not_vary(
         )
     if len(moving) < at_least:
         return at_rest("varies.too-few", f"only {what} {moving[0]} moves", "Only one element ever changes.")
+    return _too_little_from_step_to_step(changed, at_least, expected, what, exact)
+
+
+def _too_little_from_step_to_step(
+    changed: list[int], at_least: int, expected: str, what: str, exact: str
+) -> Verdict:
+    """`changed`: how many elements change with each message after the first."""
+
+    def too_little(cause: str, saw: str, because: str) -> Verdict:
+        about_time = len(changed) + 1 < LEAST_MESSAGES
+        return failed(cause, saw, expected, because, _NEW_ANGLES, about_time=about_time)
+
     still, hardly = changed.count(0), sum(n < at_least for n in changed)
-    if 2 * still > hardly:
-        return at_rest(
+    messages, fewer = count(len(changed), "message"), f"fewer than {count(at_least, what)}"
+    if 0 < still < hardly:
+        return too_little(
+            "varies.two-kinds",
+            f"of {messages}, {still} are the same as the one before, {exact}, and {hardly - still} differ from it in "
+            f"{fewer}",
+            "Two things happen: some calls publish the same values again, and others change too few of them.",
+        )
+    if still:
+        return too_little(
             "varies.stands-still",
-            f"{still} of {count(len(changed), 'message')} are the same as the one before, {exact}",
+            f"{still} of {messages} are the same as the one before, {exact}",
             "The movement ends, or some calls of the callback compute no new values.",
         )
-    return at_rest(
+    return too_little(
         "varies.one-at-a-time",
-        f"{hardly} of {count(len(changed), 'message')} differ too little from the one before",
-        "Each call changes only one element, a different one each time.",
+        f"{hardly} of {messages} differ from the one before in {fewer}",
+        "A call often changes too few elements, although other elements change in other calls.",
     )
 
 

@@ -114,7 +114,7 @@ def word_fits_charge(recording: Recording, status: Topic, battery: Topic) -> Ver
 
 @dataclass(frozen=True)
 class _Said:
-    """What a message said, and when: `order` by the stamp of its publisher, `t` in s of robot time."""
+    """What a message said, and when: `order` by the stamp of its publisher, `t` in s of simulated time."""
 
     order: float
     t: float

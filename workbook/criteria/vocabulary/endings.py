@@ -4,18 +4,20 @@ import re
 
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.known_errors import (
-    TRACEBACK,
     ProgramError,
     find_error,
     shutdown_overtaken,
     without_executors_end,
 )
 from workbook.criteria.vocabulary.phrasing import seconds
+from workbook.criteria.vocabulary.tracebacks import TRACEBACK
 from workbook.recording.recording import ProcessRecord, Recording
 
 _AFTER_THE_END = ("error.exception", "error.destroyed", "error.context-down")
 _EXPECTED = "exit code 0 and no traceback after Ctrl-C"
 _INTERRUPT = "KeyboardInterrupt"
+_STILL_RUNNING = re.compile(r"^Still running: (?P<thread>.+)$", re.MULTILINE)
+"""What `workbook/inside/student_traceback.py` prints."""
 _NOT_CAUGHT = re.compile(r"^(Exception (in|ignored)|Task exception)", re.MULTILINE)
 """Python prints this for an exception that does not end the program: in a thread, a finalizer or a task."""
 
@@ -101,7 +103,7 @@ def _by_exit_code(process: ProcessRecord) -> Verdict:
     how = f"ended by signal {process.signal}" if process.signal else f"exit code {process.exit}"
     return failed(
         "exits-cleanly.interrupt-not-caught",
-        f"{how} after Ctrl-C",
+        f"{how} after Ctrl-C{_thread_that_stays(process)}",
         _EXPECTED,
         "KeyboardInterrupt leaves main(): nothing catches it, or it is raised again.",
         "Wrap rclpy.spin(node) in try/except (KeyboardInterrupt, ExternalShutdownException), and call "
@@ -109,11 +111,17 @@ def _by_exit_code(process: ProcessRecord) -> Verdict:
     )
 
 
+def _thread_that_stays(process: ProcessRecord) -> str:
+    """The thread that kept running after Ctrl-C, as the end of a sentence; empty if none is known."""
+    found = _STILL_RUNNING.search(process.end_log)
+    return f"; this thread kept running: {found['thread']}" if found else ""
+
+
 def _by_signal(process: ProcessRecord) -> Verdict:
     if process.signal == "SIGKILL":
         return failed(
             "exits-cleanly.runs-on",
-            "it kept running after Ctrl-C and had to be killed",
+            f"it kept running after Ctrl-C and had to be killed{_thread_that_stays(process)}",
             _EXPECTED,
             "KeyboardInterrupt is caught inside a loop, the signal is ignored, or the program waits for something "
             "at its end: a thread, a lock, an input.",

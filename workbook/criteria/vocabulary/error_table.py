@@ -1,19 +1,7 @@
 """The common errors of a ROS program: how to recognize each, what it means, what to do. The first that fits counts."""
 
-from dataclasses import dataclass
-
+from workbook.criteria.vocabulary.error_table_of_calls import ERRORS_OF_CALLS, KnownError
 from workbook.recording.limits import ANSWER_LIMITS, WRITABLE_MIB
-
-
-@dataclass(frozen=True)
-class KnownError:
-    """An error by its cause id: the regular expression that recognizes it, why it happens, and what to try."""
-
-    cause: str
-    pattern: str
-    because: str
-    try_this: str
-
 
 TRY_SHUTDOWN_OVERTAKEN = (
     r'rclpy/context\.py", line \d+, in try_shutdown\n'
@@ -46,7 +34,15 @@ Source: https://github.com/ros2/rclpy/blob/jazzy/rclpy/src/rclpy/subscription.cp
 
 OVERTAKEN = f"{TRY_SHUTDOWN_OVERTAKEN}|{SPIN_OVERTAKEN}|{TAKE_OVERTAKEN}"
 
+UNKNOWN_ERROR = KnownError(
+    "error.exception",
+    r"",
+    "The program raised an exception that nothing caught.",
+    "Read the end of the log from the bottom up: first the error, then the line of your file.",
+)
+
 KNOWN_ERRORS = (
+    *ERRORS_OF_CALLS,
     KnownError(
         "error.context-manager",
         r"'NoneType' object does not support the context manager protocol",
@@ -120,7 +116,7 @@ KNOWN_ERRORS = (
     KnownError(
         "error.callback-called",
         r"'NoneType' object is not callable",
-        "The callback was called instead of passed, so the timer got its result, None.",
+        "The callback is None. Usually it was called instead of passed, so the timer got its result, None.",
         "Pass the function without parentheses: create_timer(2.0, self.publish_joints).",
     ),
     KnownError(

@@ -9,6 +9,8 @@ from workbook.criteria.vocabulary.known_errors import find_error
 from workbook.recording.recording import ProcessRecord, Recording
 
 _CHECKED = "with field checks on: "
+GIVEN = "It was given "
+"""In a note that tells what a field was given."""
 _NO_COMPLAINT = "no complaint"
 
 
@@ -17,7 +19,8 @@ def field_check_note(process: ProcessRecord) -> str:
     error = find_error(process.log, process.program)
     if error is None or not error.error.startswith("AssertionError"):
         return _CHECKED + _NO_COMPLAINT
-    return f"{_CHECKED}{error.where}{error.error}"
+    given = f". {error.because}" if GIVEN in error.because else ""
+    return f"{_CHECKED}{error.where}{error.error}{given}"
 
 
 def said_by_field_checks(recording: Recording) -> str | None:

@@ -48,7 +48,7 @@ class BeatsMeanwhile:
 def beats_meanwhile(
     recording: Recording, topic: Topic, spans: Sequence[tuple[float, float]]
 ) -> BeatsMeanwhile:
-    """How many beats came and were due while the program was busy. `spans`: start and end (s of robot time)."""
+    """How many beats came and were due while the program was busy. `spans`: start and end (s of simulated time)."""
     times = sorted(arrival.t for arrival in recording.topic(topic.name).arrivals)
     came = [max(0, bisect_right(times, end) - bisect_left(times, begin)) for begin, end in spans]
     return BeatsMeanwhile(

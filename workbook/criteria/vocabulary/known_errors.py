@@ -4,7 +4,17 @@ import re
 from dataclasses import dataclass
 
 from workbook.criteria.verdict import Verdict, failed
-from workbook.criteria.vocabulary.error_table import KNOWN_ERRORS, OVERTAKEN, SPIN_OVERTAKEN, TAKE_OVERTAKEN
+from workbook.criteria.vocabulary.error_table import (
+    KNOWN_ERRORS,
+    OVERTAKEN,
+    SPIN_OVERTAKEN,
+    TAKE_OVERTAKEN,
+    UNKNOWN_ERROR,
+)
+from workbook.criteria.vocabulary.field_values import unknown_field, value_that_misfits
+from workbook.criteria.vocabulary.foreign_names import foreign_name
+from workbook.criteria.vocabulary.names_elsewhere import name_elsewhere
+from workbook.criteria.vocabulary.tracebacks import TRACEBACK, chains_in, main_one
 from workbook.recording.recording import Recording
 
 
@@ -24,10 +34,6 @@ class ProgramError:
         return f"line {self.line}: " if self.line is not None else ""
 
 
-TRACEBACK = "Traceback (most recent call last)"
-_ERROR_LINE = re.compile(
-    r"^(?P<name>[A-Za-z_][\w.]*(?:Error|Exception|Interrupt|Handle|Iteration|Exit))(?::.*)?$"
-)
 _FATAL = re.compile(r"libgomp: .*Resource temporarily unavailable")
 """PyTorch and others start their threads by OpenMP, which ends the process when the kernel refuses one."""
 _EXECUTOR_LEFT = re.compile(
@@ -41,30 +47,24 @@ _THREAD_OVERTAKEN = re.compile(
     + rf":\n(?: [^\n]*\n)*? [^\n]*(?:{SPIN_OVERTAKEN})\n?"
 )
 _EXECUTOR = "/rclpy/executors.py"
-_FRAME = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)')
 
 
 def find_error(log: str, program_name: str = "") -> ProgramError | None:
-    """The last Python error in a program's log, explained; None if there is none.
+    """The Python error to blame in a program's log, explained; None if there is none.
 
+    Of several it is the last one of the main program; of chained ones the first: see `main_one` and `first_cause`.
     Only frames of the student's own file (`program_name`) give the line number, when the name is known.
     """
     log = without_executors_end(log)
-    last = max(0, log.rfind(TRACEBACK))
-    if TRACEBACK in log[:last] and re.search(OVERTAKEN, log[last:]):
-        return find_error(log[:last], program_name)  # what had gone wrong before that matters more
-    lines = log.splitlines()
-    error_at = next(
-        (index for index in range(len(lines) - 1, -1, -1) if _ERROR_LINE.match(lines[index].strip())), None
-    )
-    if error_at is None or not any("Traceback" in line or _FRAME.match(line) for line in lines[:error_at]):
+    chains = chains_in(log)
+    in_order = [[one for one in chain if not re.search(OVERTAKEN, one.text)] for chain in chains]
+    found = main_one([chain for chain in in_order if chain] or chains, program_name)
+    if found is None:
         return _error_of_library(log)
-    error = lines[error_at].strip()
-    if error.startswith("KeyboardInterrupt"):
+    if found.name == "KeyboardInterrupt":
         return None
-    overtaken = re.search(TAKE_OVERTAKEN, log[last:])
-    told = overtaken[0] if overtaken else "\n".join(lines[max(0, error_at - 2) : error_at + 1])
-    return _explained(error, told, _line_of(lines[:error_at], program_name))
+    overtaken = re.search(TAKE_OVERTAKEN, found.text)
+    return _explained(found.error, overtaken[0] if overtaken else found.told, found.line_in(program_name))
 
 
 def _error_of_library(log: str) -> ProgramError | None:
@@ -73,29 +73,23 @@ def _error_of_library(log: str) -> ProgramError | None:
     return _explained(lines[-1], "", None) if lines and _FATAL.match(lines[-1]) else None
 
 
-def _line_of(lines: list[str], program_name: str) -> int | None:
-    """The line of the student's file in the last traceback."""
-    line_number: int | None = None
-    for line in lines:
-        if line.startswith("Traceback"):
-            line_number = None
-        frame = _FRAME.match(line)
-        if frame and (not program_name or frame["file"].rsplit("/", 1)[-1] == program_name):
-            line_number = int(frame["line"])
-    return line_number
-
-
-def _explained(error: str, with_lines_before: str, line: int | None) -> ProgramError:
+def _explained(error: str, told: str, line: int | None) -> ProgramError:
+    unknown = unknown_field(told)
+    if unknown is not None:
+        return ProgramError(error, line, "error.unknown-field", unknown.because, unknown.try_this)
+    foreign = foreign_name(error) or name_elsewhere(error)
+    if foreign is not None:
+        return ProgramError(error, line, *foreign)
     for known in KNOWN_ERRORS:
-        if re.search(known.pattern, error) or re.search(known.pattern, with_lines_before):
-            return ProgramError(error, line, known.cause, known.because, known.try_this)
-    return ProgramError(
-        error,
-        line,
-        "error.exception",
-        "The program raised an exception that nothing caught.",
-        "Read the end of the log from the bottom up: first the error, then the line of your file.",
-    )
+        if re.search(known.pattern, error) or re.search(known.pattern, told):
+            break
+    else:
+        known = UNKNOWN_ERROR
+    field = value_that_misfits(told)
+    if field is None:
+        return ProgramError(error, line, known.cause, known.because, known.try_this)
+    cause = known.cause if known.cause.startswith("error.field") else "error.wrong-value-type"
+    return ProgramError(error, line, cause, field.because, field.try_this)
 
 
 def without_executors_end(log: str) -> str:
@@ -112,11 +106,8 @@ def without_executors_end(log: str) -> str:
 
 def failed_while_spinning(log: str) -> bool:
     """Whether the last Python error in a log came out of a callback: rclpy's executor is among the calls above it."""
-    log = without_executors_end(log)
-    last = log[max(0, log.rfind(TRACEBACK)) :]
-    return any(
-        frame["file"].endswith(_EXECUTOR) for line in last.splitlines() if (frame := _FRAME.match(line))
-    )
+    found = main_one(chains_in(without_executors_end(log)), "")
+    return found is not None and any(frame["file"].endswith(_EXECUTOR) for frame in found.frames())
 
 
 def shutdown_overtaken(log: str) -> bool:

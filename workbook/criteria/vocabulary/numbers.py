@@ -6,7 +6,7 @@ from itertools import pairwise
 
 from workbook.criteria.criterion import Topic
 from workbook.criteria.verdict import Verdict, failed, passed
-from workbook.criteria.vocabulary.field_checks import quoting_field_checks, said_by_field_checks
+from workbook.criteria.vocabulary.field_checks import GIVEN, quoting_field_checks, said_by_field_checks
 from workbook.criteria.vocabulary.phrasing import count, number
 from workbook.criteria.vocabulary.topics import if_messages
 from workbook.criteria.vocabulary.values import Offender, elements, first_offender, values
@@ -111,13 +111,19 @@ def _zeros(recording: Recording, saw: str) -> Verdict:
             try_this,
             recheck_fields=True,
         )
+    said = said_by_field_checks(recording) or ""
+    if "A comma at the end" in said:
+        try_this = "Remove the comma after the value. It makes a tuple."
     return failed(
         "really-arrives.wrong-type",
         saw,
         expected,
         quoting_field_checks(
             recording,
-            "ROS does not check the type of a value in a message field. This build sends an int in a float field "
+            "ROS does not check the type of a value in a message field. This build sends a value of another type in "
+            "a float field as 0.0, and reports no error. The Ubuntu packages may abort the program instead."
+            if GIVEN in said
+            else "ROS does not check the type of a value in a message field. This build sends an int in a float field "
             "as 0.0, and reports no error. The same happens to a str, None and np.float32. The Ubuntu packages "
             "may abort the program instead.",
         ),

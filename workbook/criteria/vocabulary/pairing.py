@@ -8,20 +8,20 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
-from workbook.recording.recording import Arrival, Recording, Said
+from workbook.recording.recording import Arrival, Published, Recording
 
 In = TypeVar("In")
 Out = TypeVar("Out")
 
 
-def said(recording: Recording, topic: str) -> list[Said]:
+def published(recording: Recording, topic: str) -> list[Published]:
     """What the script published on `topic`, in order."""
-    return [one for one in recording.said if one.topic == topic]
+    return [one for one in recording.published if one.topic == topic]
 
 
-def script(recording: Recording, topic: str) -> list[Said]:
+def script(recording: Recording, topic: str) -> list[Published]:
     """What the script has for `topic`, in order, with what was still to come when the watch ended."""
-    return [one for one in (*recording.said, *recording.unsaid) if one.topic == topic]
+    return [one for one in (*recording.published, *recording.unpublished) if one.topic == topic]
 
 
 def _same(one: Any, other: Any) -> bool:
@@ -31,7 +31,7 @@ def _same(one: Any, other: Any) -> bool:
 
 
 def latencies(
-    words: Sequence[Said], arrivals: Sequence[Arrival], *, field: str = "data"
+    words: Sequence[Published], arrivals: Sequence[Arrival], *, field: str = "data"
 ) -> list[float | None]:
     """For each input: seconds until an output with the same value was published; None if none was.
 
@@ -62,7 +62,7 @@ class Output:
 
 
 def outputs(
-    words: Sequence[Said],
+    words: Sequence[Published],
     arrivals: Sequence[Arrival],
     belongs: Callable[[Any, Any], bool] = _same,
     *,

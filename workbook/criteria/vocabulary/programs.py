@@ -5,6 +5,7 @@ from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.driver import forged_report
 from workbook.criteria.vocabulary.known_errors import failed_by_error, failed_while_spinning, find_error
 from workbook.criteria.vocabulary.phrasing import listing, seconds
+from workbook.criteria.vocabulary.spins import held_by_a_spin, initialized_again
 from workbook.criteria.vocabulary.stops import ended_by_signal, stopped_for
 from workbook.recording.recording import Recording
 
@@ -52,6 +53,9 @@ def program_runs(recording: Recording) -> Verdict:
 
 def _runs_unseen(recording: Recording, at_home: bool) -> Verdict:
     """Why a program that still runs shows nothing that lasts."""
+    begins_again = initialized_again(recording, "no node of your program stays on the graph", _EXPECTED)
+    if begins_again is not None:
+        return begins_again
     if at_home and not recording.nodes:
         return failed(
             "program-runs.discovery-changed",
@@ -71,9 +75,10 @@ def _runs_unseen(recording: Recording, at_home: bool) -> Verdict:
         )
     if recording.nodes:
         names = listing(sorted(node.name for node in recording.nodes))
-        return failed(
+        saw = f"node {names} is there, but it publishes nothing at all"
+        return held_by_a_spin(recording, saw, _EXPECTED) or failed(
             "program-runs.publishes-nothing",
-            f"node {names} is there, but it publishes nothing at all",
+            saw,
             _EXPECTED,
             "No create_publisher() call was reached. There is none, or a call before it never returns, such as "
             "rclpy.spin(node).",
@@ -100,7 +105,7 @@ def _got_going(recording: Recording) -> bool:
         return False
     if any(topic.arrivals or topic.undecodable or topic.not_kept for topic in topics):
         return True
-    if recording.said or recording.calls:
+    if recording.published or recording.calls:
         return bool(recording.nodes)  # one that was spoken to may have nothing to publish yet
     if recording.process.ended_by == "itself":
         return failed_while_spinning(recording.process.log) and any(topic.publishers for topic in topics)
@@ -112,11 +117,11 @@ def _failed_at_once(recording: Recording) -> bool:
     process = recording.process
     if process.ended_by != "itself" or find_error(process.log, process.program) is None:
         return False
-    if failed_while_spinning(process.log) and recording.robot_s >= A_ROUND_S:
+    if failed_while_spinning(process.log) and recording.simulated_s >= A_ROUND_S:
         return False
     return (
         bool(recording.topics)
-        and not recording.said
+        and not recording.published
         and not recording.calls
         and all(len(topic.arrivals) <= 1 for topic in recording.topics.values())
         and (process.ended_at or 0.0) < AT_ONCE_S

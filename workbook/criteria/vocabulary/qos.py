@@ -6,10 +6,13 @@ from workbook.criteria.vocabulary.phrasing import number
 from workbook.criteria.vocabulary.subscriptions import listens
 from workbook.criteria.vocabulary.topics import publishes
 from workbook.recording.recording import Recording, SubscriberSeen
-from workbook.recording.script import Says
+from workbook.recording.script import Publishes
+
+LONG_ENOUGH_S = 3600.0
+"""A message that is kept for an hour or longer is kept for those who come later."""
 
 
-def hears(recording: Recording, offered: Says) -> Verdict:
+def hears(recording: Recording, offered: Publishes) -> Verdict:
     """The program subscribes to the script's topic with the right type and a QoS compatible with the one offered."""
     topic = Topic(offered.topic, offered.type)
     listening = listens(recording, topic)
@@ -22,14 +25,14 @@ def hears(recording: Recording, offered: Says) -> Verdict:
     return passed(f"hears {topic.name}")
 
 
-def _offer(offered: Says) -> str:
+def _offer(offered: Publishes) -> str:
     reliability = "best effort" if offered.qos == "best_effort" else "reliable"
     durability = "transient local" if offered.qos == "latched" else "volatile"
     deadline = "no deadline" if offered.deadline is None else f"a deadline of {number(offered.deadline)} s"
     return f"{reliability}, {durability}, {deadline}"
 
 
-def _clash(asked: SubscriberSeen, offered: Says) -> Verdict | None:
+def _clash(asked: SubscriberSeen, offered: Publishes) -> Verdict | None:
     """What a subscription asks for in vain, and what to do; None when it asks for no more than is offered."""
 
     def fail(cause: str, saw: str, try_this: str) -> Verdict:
@@ -72,7 +75,10 @@ def _clash(asked: SubscriberSeen, offered: Says) -> Verdict | None:
 
 
 def kept_for_latecomers(recording: Recording, topic: Topic) -> Verdict:
-    """Every publisher of `topic` keeps its last message for those who subscribe later: reliable, transient local."""
+    """Every publisher of `topic` keeps its last message for those who subscribe later: reliable, transient local.
+
+    And a subscription that was made after the watch received a message, if any had been published.
+    """
     published = publishes(recording, topic)
     if not published.ok:
         return published
@@ -95,4 +101,30 @@ def kept_for_latecomers(recording: Recording, topic: Topic) -> Verdict:
                 "Earlier messages are delivered only to reliable connections. Best effort sends each message once.",
                 "Leave reliability out of the QoSProfile, or set ReliabilityPolicy.RELIABLE.",
             )
-    return passed(f"{topic.name} is kept for those who come later")
+    return _kept_in_fact(recording, topic, expected) or passed(
+        f"{topic.name} is kept for those who come later"
+    )
+
+
+def _kept_in_fact(recording: Recording, topic: Topic, expected: str) -> Verdict | None:
+    """Why messages that are offered as kept do not reach those who come later; None if they do, as far as is known."""
+    for publisher in recording.topic(topic.name).publishers:
+        if publisher.lifespan is not None and publisher.lifespan < LONG_ENOUGH_S:
+            return failed(
+                "kept-for-latecomers.lifespan",
+                f"{topic.name} is offered as transient local, but with a lifespan of {number(publisher.lifespan)} s",
+                expected,
+                "A message is thrown away when its lifespan is over. A subscription that comes after that receives "
+                "nothing.",
+                "Leave lifespan out of the QoSProfile of this publisher.",
+            )
+    if recording.topic(topic.name).kept == 0:
+        return failed(
+            "kept-for-latecomers.not-delivered",
+            f"{topic.name} is offered as reliable and transient local, but a late subscription received nothing",
+            expected,
+            "A publisher keeps its messages only as long as it exists. Yours was destroyed, or created again after "
+            "its last message.",
+            "Create the publisher once, in __init__, and keep it.",
+        )
+    return None

@@ -10,8 +10,10 @@ from statistics import median
 from workbook.criteria.criterion import Topic
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.estimators import Pace, pace
+from workbook.criteria.vocabulary.floods import flood
 from workbook.criteria.vocabulary.phrasing import count, hertz, listing, number, seconds
 from workbook.criteria.vocabulary.silences import gone_silent, others_within, program_ended
+from workbook.criteria.vocabulary.spins import disturbs_itself
 from workbook.criteria.vocabulary.topics import if_all_kept, if_messages, window_of
 from workbook.recording.recording import Recording
 
@@ -25,18 +27,22 @@ FIRST_LATE_PERIODS = 1.2
 
 
 def _of_pace(judge: Callable[[Recording, Topic], Verdict]) -> Callable[[Recording, Topic], Verdict]:
-    """Name the topic whose pace was judged: if it follows robot time, what robot time has shown is final."""
+    """Name the topic whose pace was judged: if it follows simulated time, what simulated time has shown is final."""
 
     @wraps(judge)
     def named(recording: Recording, topic: Topic) -> Verdict:
         verdict = judge(recording, topic)
-        return verdict if verdict.ok else replace(verdict, pace_of=topic.name)
+        if verdict.ok:
+            return verdict
+        named_already = not verdict.about_time or verdict.cause.startswith("spin.")
+        held = None if named_already else disturbs_itself(recording, verdict.saw, verdict.expected)
+        return replace(held or verdict, pace_of=topic.name)
 
     return named
 
 
 def topic_pace(recording: Recording, topic: Topic) -> Pace:
-    """How the messages of `topic` are spread over its window, in robot time: count, rate, typical interval, gap."""
+    """How the messages of `topic` are spread over its window, in simulated time: count, rate, typical interval, gap."""
     seen = recording.topic(topic.name)
     start, end = _watched(recording, topic)
     return pace([arrival.t for arrival in seen.arrivals], start, end, topic.period)
@@ -48,6 +54,9 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
     """Messages come at the topic's rate: mean within 20 %, no silence longer than one and a half periods."""
     assert topic.hz is not None
     seen = topic_pace(recording, topic)
+    flooded = flood(recording, topic, _rate_expected(topic))
+    if flooded is not None:
+        return flooded
     if seen.hz is None:
         return _at_one_moment(recording, topic, seen)
     low, high = _tolerated(topic)
@@ -73,8 +82,8 @@ def rate(recording: Recording, topic: Topic) -> Verdict:
 def _watched(recording: Recording, topic: Topic) -> tuple[float, float]:
     """Begin and end (s) of the watch over a topic; of a program that ended by itself, until its very last message.
 
-    Robot time may run on for some seconds until such an end is noticed. That it ended is judged, but not here. Where
-    more came than is kept, the watch ends with the first message that was not.
+    Simulated time may run on for some seconds until such an end is noticed. That it ended is judged, but not here.
+    Where more came than is kept, the watch ends with the first message that was not.
     """
     start, end = window_of(recording, recording.topic(topic.name))
     if recording.process.ended_by == "itself":
@@ -300,7 +309,7 @@ def counts(recording: Recording, topic: Topic) -> Verdict:
 def keeps_period(recording: Recording, topic: Topic) -> Verdict:
     """The typical interval is the topic's period, within a tenth. A few messages are enough to tell.
 
-    On robot time, where many are watched, the mean interval is so within 4 %.
+    On simulated time, where many are watched, the mean interval is so within 4 %.
     """
     expected = f"one message every {number(topic.period)} s"
     seen = topic_pace(recording, topic)

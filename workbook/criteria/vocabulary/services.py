@@ -5,6 +5,7 @@ import statistics
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.known_errors import failed_by_error
 from workbook.criteria.vocabulary.phrasing import count, listing
+from workbook.criteria.vocabulary.spins import held_by_a_spin
 from workbook.criteria.vocabulary.topics import misspelled
 from workbook.recording.recording import CallSeen, Recording
 
@@ -37,7 +38,8 @@ def offers(recording: Recording, service: str, service_type: str) -> Verdict:
             "create_service() got another type.",
             f"Import {short} from {service_type.split('/')[0]}.srv.",
         )
-    blamed = failed_by_error(recording, f"no service {service}", expected)
+    nothing = f"no service {service}"
+    blamed = failed_by_error(recording, nothing, expected) or held_by_a_spin(recording, nothing, expected)
     return blamed or failed(
         "offers.nothing",
         f"no service {service}; your program offers {listing(sorted(seen)) or 'none'}",
@@ -80,7 +82,7 @@ def _no_client(recording: Recording, service: str, short: str, expected: str) ->
             "The two names differ. ROS compares names letter by letter, and a call without a server just waits.",
             f"Write the name as {service!r}.",
         )
-    return failed(
+    return held_by_a_spin(recording, f"no client for {service}", expected) or failed(
         "calls-service.no-client",
         f"no client for {service}; your program has {listing(names) or 'none'}",
         expected,

@@ -72,7 +72,7 @@ _CRASHES = ("SIGSEGV", "SIGABRT", "SIGBUS", "SIGFPE", "SIGILL")
 
 def stopped_for(process: ProcessRecord) -> Stop | None:
     """What the judge stopped the program for; None if it did not."""
-    if process.ended_by != "bench":
+    if process.ended_by != "judge":
         return None
     return next((_STOPS[limit] for limit in process.limits_hit if limit in _STOPS), None)
 

@@ -6,6 +6,7 @@ from workbook.criteria.criterion import Topic
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.known_errors import failed_by_error
 from workbook.criteria.vocabulary.phrasing import listing
+from workbook.criteria.vocabulary.spins import held_by_a_spin
 from workbook.criteria.vocabulary.topics import misspelled
 from workbook.recording.recording import Recording
 
@@ -56,7 +57,7 @@ def listens(recording: Recording, topic: Topic) -> Verdict:
             "The two names differ. ROS compares names letter by letter.",
             f"Write the name as {topic.name!r}.",
         )
-    return failed(
+    return held_by_a_spin(recording, f"nothing subscribes to {topic.name}", expected) or failed(
         "listens.nothing",
         f"nothing subscribes to {topic.name}",
         expected,

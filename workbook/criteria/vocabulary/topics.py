@@ -5,10 +5,12 @@ from collections.abc import Callable, Iterable
 from functools import wraps
 from typing import Concatenate, ParamSpec
 
-from workbook.criteria.criterion import Judgement, Topic
+from workbook.criteria.criterion import CriterionFunction, Topic
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.known_errors import failed_by_error
 from workbook.criteria.vocabulary.phrasing import count, listing, seconds
+from workbook.criteria.vocabulary.silences import goes_on, program_ended, waits_for_clock
+from workbook.criteria.vocabulary.spins import held_by_a_spin
 from workbook.recording.recording import Recording, TopicRecording
 
 OF_THE_DRIVER = "/driver/"
@@ -48,7 +50,7 @@ def publishes(recording: Recording, topic: Topic) -> Verdict:
 
 
 def _not_published(recording: Recording, topic: Topic, expected: str) -> Verdict:
-    own = [other for other in recording.published() if not other.name.startswith(OF_THE_DRIVER)]
+    own = [other for other in recording.with_publishers() if not other.name.startswith(OF_THE_DRIVER)]
     meant = _meant_to_be(topic, [other for other in own if other.name not in recording.wanted])
     if meant is not None:
         return _under_other_name(recording, meant, topic.name, expected)
@@ -56,7 +58,8 @@ def _not_published(recording: Recording, topic: Topic, expected: str) -> Verdict
     if blamed is not None:
         return blamed
     names = [other.name for other in own]
-    return failed(
+    held = held_by_a_spin(recording, f"nothing on {topic.name}", expected)
+    return held or failed(
         "publishes.nothing",
         f"nothing on {topic.name}; your program publishes {listing(names) or 'nothing'}",
         expected,
@@ -142,27 +145,26 @@ def no_message(recording: Recording, topic: Topic) -> Verdict | None:
 def _silent(recording: Recording, topic: Topic) -> Verdict:
     start, end = window_of(recording, recording.topic(topic.name))
     lasted = seconds(end - start)
-    blamed = failed_by_error(
-        recording, f"no message on {topic.name} in {lasted}", f"messages on {topic.name}", about_time=True
+    nothing, expected = f"no message on {topic.name} in {lasted}", f"messages on {topic.name}"
+    ended = failed_by_error(recording, nothing, expected, about_time=True) or program_ended(
+        recording, nothing, expected
     )
+    if ended is not None:
+        return ended
     saw = f"the publisher on {topic.name} is there, but no message arrived in {lasted}"
-    if blamed is None and (others := _arrive_from_its_node(recording, topic)):
-        return _silent_beside(topic, others, saw)
-    nodes = {publisher.node for publisher in recording.topic(topic.name).publishers}
-    waiting = [node for node in recording.own_clock if node in nodes]
-    if blamed is None and waiting:
-        return failed(
-            "no-message.own-clock",
-            f"{saw}; {listing(waiting)} subscribes to /clock",
-            f"messages on {topic.name}",
-            "The node has use_sim_time set to true, so its timers wait for messages on /clock. No node publishes "
-            "/clock here, just as when you run the program yourself.",
-            "Remove the line that sets use_sim_time. A simulator sets this parameter where there is one.",
-        )
-    return blamed or failed(
+    waiting = waits_for_clock(recording, topic, saw, expected)
+    if waiting is not None:
+        return waiting
+    others = _arrive_from_its_node(recording, topic)
+    held = held_by_a_spin(recording, saw, expected, of_a_spun_node=bool(others))
+    if held is not None:
+        return held
+    if others:
+        return _silent_beside(recording, topic, others, saw)
+    return failed(
         "no-message.silent",
         saw,
-        f"messages on {topic.name}",
+        expected,
         "No timer calls the function that publishes, or nothing spins the node. Or the node published only once, "
         "before a subscription was connected.",
         "Create a timer in __init__, publish in its callback, and keep the node running with rclpy.spin(node).",
@@ -183,12 +185,24 @@ def _arrive_from_its_node(recording: Recording, topic: Topic) -> list[str]:
     ]
 
 
-def _silent_beside(topic: Topic, others: list[str], saw: str) -> Verdict:
-    """The verdict on a silent topic of a node that works: `others` arrive."""
+def _silent_beside(recording: Recording, topic: Topic, others: list[str], saw: str) -> Verdict:
+    """The verdict on a silent topic of a node whose `others` arrive, to the end or until it stopped."""
+    going_on = [name for name in others if goes_on(recording, name)]
+    if not going_on:
+        last = max(recording.topic(name).arrivals[-1].t for name in others)
+        return failed(
+            "no-message.all-stopped",
+            f"{saw}; the last message on {listing(others)} came at {seconds(last)}",
+            f"messages on {topic.name}",
+            "The node published something and then stopped, before this topic had its turn. One of its callbacks "
+            "never returns, or nothing spins the node any more.",
+            "Find out why everything stops. Look at the last callback that was called: what does it wait for?",
+            about_time=True,
+        )
     timer = f"Let create_timer({topic.period}, ...), which takes seconds, call" if topic.hz else "Call"
     return failed(
         "no-message.silent-beside-others",
-        f"{saw}, while {listing(others)} went on",
+        f"{saw}, while {listing(going_on)} went on",
         f"messages on {topic.name}",
         "The node works, but nothing is published here. Nothing calls the function that publishes, it uses the "
         "publisher of another topic, or its timer's period is far too long. Or it published only once, before a "
@@ -272,10 +286,10 @@ def _more_than_is_kept(recording: Recording, topic: Topic) -> Verdict | None:
     )
 
 
-def needs_messages(topic: Topic) -> Callable[[Judgement], Judgement]:
+def needs_messages(topic: Topic) -> Callable[[CriterionFunction], CriterionFunction]:
     """Decorates a judging function: where no message arrived on `topic`, the verdict is that of `no_message`."""
 
-    def guard(function: Judgement) -> Judgement:
+    def guard(function: CriterionFunction) -> CriterionFunction:
         @wraps(function)
         def judge(recording: Recording) -> Verdict:
             return no_message(recording, topic) or function(recording)
@@ -286,6 +300,6 @@ def needs_messages(topic: Topic) -> Callable[[Judgement], Judgement]:
 
 
 def window_of(recording: Recording, seen: TopicRecording) -> tuple[float, float]:
-    """Begin and end (s of robot time) of the watch over a topic."""
-    start, end = seen.window if seen.window is not None else (0.0, recording.robot_s)
+    """Begin and end (s of simulated time) of the watch over a topic."""
+    start, end = seen.window if seen.window is not None else (0.0, recording.simulated_s)
     return start, max(start, end)

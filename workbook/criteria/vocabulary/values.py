@@ -50,7 +50,7 @@ def part_of(recording: Recording, topic: Topic, keep: Callable[[Any], bool]) -> 
         for arrival in seen.arrivals
         if isinstance(arrival.value, dict) and keep(arrival.value.get("data"))
     )
-    end = recording.robot_s if seen.window is None else seen.window[1]
+    end = recording.simulated_s if seen.window is None else seen.window[1]
     window = (kept[0].t, end) if kept else seen.window
     part = replace(seen, arrivals=kept, window=window)
     return replace(recording, topics={**recording.topics, topic.name: part})

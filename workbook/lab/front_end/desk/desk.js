@@ -105,7 +105,10 @@
           text.data = marked;
         }
       });
-    new MutationObserver(changes => mark(changes.map(change => change.target.closest?.(FILE_NAME) || change.target))).observe(
+    // A row that gets another file's name keeps its elements: then the text itself is the target.
+    const elementOf = node => (node.nodeType === Node.TEXT_NODE ? node.parentElement : node);
+    const changed = ({target}) => elementOf(target)?.closest(FILE_NAME) || target;
+    new MutationObserver(changes => mark(changes.map(changed))).observe(
       browser.node, {subtree: true, childList: true, characterData: true}
     );
     mark([browser.node]);

@@ -1,0 +1,71 @@
+"""Where the source of a criteria file or a module of the vocabulary names its causes, read without running it.
+
+A cause id stands as a literal in the call that says the words: `failed("rate.too-fast", saw, expected, because, try)`,
+or a local function or a table row that takes the id as well.
+"""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+from workbook.criteria.verdict import CAUSE
+
+ROOT = Path(__file__).resolve().parents[2]
+VERDICTS = ("failed", "partial")
+Function = ast.FunctionDef | ast.AsyncFunctionDef
+
+
+def vocabulary() -> list[Path]:
+    """The modules of the vocabulary."""
+    folder = ROOT / "workbook" / "criteria" / "vocabulary"
+    return [path for path in sorted(folder.glob("*.py")) if path.name != "__init__.py"]
+
+
+def exercises() -> list[Path]:
+    """The criteria files of the exercises."""
+    return sorted((ROOT / "exercises" / "criteria").glob("*.py"))
+
+
+class Source:
+    """A parsed source file."""
+
+    def __init__(self, path: Path) -> None:
+        self._tree = ast.parse(path.read_text(encoding="utf-8"))
+
+    def causes(self) -> list[str]:
+        """All causes that are named, each as often as it is."""
+        return [
+            str(value.value)
+            for call in self._calls()
+            for value in _first_or_cause(call)
+            if isinstance(value, ast.Constant) and is_cause(value.value)
+        ]
+
+    def verdicts(self) -> Iterator[tuple[int, ast.expr | None]]:
+        """Line and first argument of each call of `failed` and `partial`."""
+        for call in self._calls():
+            if _called(call) in VERDICTS:
+                yield call.lineno, next(iter(_first_or_cause(call)), None)
+
+    def functions(self) -> Iterator[Function]:
+        """All functions, the inner ones too."""
+        return (node for node in ast.walk(self._tree) if isinstance(node, Function))
+
+    def _calls(self) -> Iterator[ast.Call]:
+        return (node for node in ast.walk(self._tree) if isinstance(node, ast.Call))
+
+
+def is_cause(value: object) -> bool:
+    """Whether a value is the id of a cause."""
+    return isinstance(value, str) and CAUSE.fullmatch(value) is not None
+
+
+def _first_or_cause(call: ast.Call) -> list[ast.expr]:
+    """The arguments of a call that may be a cause: the first, and the one of that name."""
+    return [*call.args[:1], *(one.value for one in call.keywords if one.arg == "cause")]
+
+
+def _called(call: ast.Call) -> str:
+    if isinstance(call.func, ast.Attribute):
+        return call.func.attr
+    return call.func.id if isinstance(call.func, ast.Name) else ""

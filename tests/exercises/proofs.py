@@ -1,0 +1,215 @@
+"""The answers that prove the exercises, and how they are judged: side by side, each three times at most."""
+
+import os
+import zlib
+from collections.abc import Callable, Collection, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from tests.calm import await_calm
+from tests.exercises import stored_proofs
+from tests.exercises.few_wrong_answers import few_that_break_all
+from tests.exercises.pacing import IdleShare, Pace, in_parts, paced
+from workbook.authoring.tree import Tree
+from workbook.authoring.wrong_answers import WrongAnswer, read_header, read_wrong_answer
+from workbook.cli.grade_options import SLOTS_PER_CORE
+from workbook.exercise.answers import Answer, read_answer
+from workbook.exercise.course import course_folder
+from workbook.exercise.definition import load_exercise
+from workbook.exercise.judgement import Judgement
+from workbook.exercise.retries import MOST_TRIES
+from workbook.exercise.source import stems
+from workbook.grading.judges import Job
+from workbook.grading.slots.scheduler import judge_all
+from workbook.isolation.bubblewrap import sandbox_problem
+from workbook.isolation.tiers import Isolation
+
+ROOT = course_folder()
+# WORKBOOK_PROOFS=05_timers proves this exercise alone.
+STEMS = tuple(stem for stem in stems(ROOT / "solutions") if os.environ.get("WORKBOOK_PROOFS", stem) == stem)
+CORES = os.cpu_count() or 1
+ARTIFACTS = ROOT / "artifacts"
+MACHINE = {False: ARTIFACTS / "proofs_on_the_wall_clock.tsv", True: ARTIFACTS / "proofs_on_robot_time.tsv"}
+"""How busy the machine was in each judgement that counted or was judged again alone, how long (s) its recording took,
+and how many tries there were by then."""
+COLUMNS = "exercise answer points held_up stood_still taken in_line clock watched tries doubt".split()
+SOLUTION, STARTER = "solution", "starter"
+FEW = 3
+SEEDS = 20
+"""From so many seeds scripts are drawn here; tests/exercises/test_drawn_scripts.py looks at each of them."""
+CALM_S = 0.25
+IN_LINE_SHARE = 0.02
+TAKEN_SHARE = 0.03
+Key = tuple[str, str]
+"""Exercise and answer, such as ("05_timers", "wrong/too_fast.py")."""
+Judged = tuple[Job[Key], Judgement]
+
+
+def read(path: Path) -> WrongAnswer:
+    """Read a wrong answer of this course."""
+    return read_wrong_answer(Tree(ROOT), path)
+
+
+def answers(kind: str, stem: str) -> list[Path]:
+    """The files of the "right" or "wrong" answers of an exercise."""
+    return sorted((ROOT / "tests" / f"{kind}_answers" / stem).glob("*.py"))
+
+
+CASES = {
+    kind: [(stem, path) for stem in STEMS for path in answers(kind, stem)] for kind in ("right", "wrong")
+}
+FEW_WRONG = frozenset(
+    path
+    for stem in STEMS
+    for path in few_that_break_all({path: read_header(path).loses for path in answers("wrong", stem)})
+)
+
+
+def answer_of(key: Key) -> tuple[Answer, bool]:
+    """The text of an answer, and whether it is to be judged thoroughly. Raises FileNotFoundError if there is none."""
+    stem, name = key
+    kind, _, file = name.partition("/")
+    if kind in (SOLUTION, STARTER):
+        source = load_exercise(stem, ROOT).source
+        return Answer(source.solution_code if kind == SOLUTION else source.starter_code), True
+    path = ROOT / "tests" / f"{kind}_answers" / stem / file
+    if kind == "right":
+        return read_answer(path, stem), True
+    wrong = read(path)
+    return wrong.answer, wrong.header.soak
+
+
+def seed_of(name: str) -> int:
+    """What the script for this answer is drawn from: the same in each run of the tests, another one for most others."""
+    return zlib.crc32(name.encode()) % SEEDS
+
+
+@dataclass(frozen=True)
+class Pool:
+    """Answers that are judged alike, on slots of their own."""
+
+    on_simulated_time: bool
+    soak: bool
+
+    @property
+    def slots(self) -> int:
+        """How many are at work at once on simulated time.
+
+        Of the wrong answers, many go on to the wall clock and wait there most of the time. Right ones are at work as
+        long as they have a slot: half as many are enough.
+        """
+        return CORES * (1 if self.soak else SLOTS_PER_CORE["simulated"])
+
+
+class Proofs:
+    """All chosen answers, judged side by side: on simulated time as graders do it, on the wall clock paced."""
+
+    def __init__(self, chosen: Collection[Key]) -> None:
+        ARTIFACTS.mkdir(exist_ok=True)
+        self._few = len(chosen) <= FEW
+        self._isolation: Isolation = "limits" if sandbox_problem() else "sandbox"
+        self._jobs: dict[Pool, dict[Key, Job[Key]]] = {}
+        self._pools: dict[Key, Pool] = {}
+        for key in sorted(chosen, reverse=True):  # first those that take long: 14 to 16
+            answer, soak = answer_of(key)
+            pool = Pool(load_exercise(key[0], ROOT).source.clock == "simulated", soak)
+            self._pools[key] = pool
+            self._jobs.setdefault(pool, {})[key] = Job(key, key[0], answer, seed=seed_of(key[1]))
+        self._judgements: dict[Key, Judgement] = {}
+        self._tries: dict[Key, int] = {}
+
+    def judgement(self, key: Key, as_expected: Callable[[Judgement], bool]) -> Judgement:
+        """What counts for an answer, after three tries at most: so many a student has.
+
+        What is not as expected is judged again, alone. A wrong answer with full marks is not, unless the machine was so
+        busy that the judge had to make allowances, which a wrong answer gets as well.
+        """
+        if key not in self._judgements:
+            if self._few:
+                self._judge_alone(key)
+            else:
+                self._judge_all_like(self._pools[key].on_simulated_time)
+        while not as_expected(self._judgements[key]) and self._may_try_again(key):
+            await_calm()
+            self._judge_alone(key)
+        judgement = self._judgements[key]
+        if stored_proofs.is_wanted() and as_expected(judgement):
+            stored_proofs.store(key, judgement)
+        return judgement
+
+    def again(self, stem: str) -> tuple[int, list[str]]:
+        """How many answers of an exercise were judged, and which of them needed more than one try."""
+        tries = {name: number for (one, name), number in self._tries.items() if one == stem}
+        return len(tries), sorted(name for name, number in tries.items() if number > 1)
+
+    def _may_try_again(self, key: Key) -> bool:
+        judgement = self._judgements[key]
+        return self._tries[key] < MOST_TRIES and (not judgement.full_marks or was_busy(judgement))
+
+    def _judge_all_like(self, on_simulated_time: bool) -> None:
+        """Judge all answers that have the clock of this one, side by side."""
+        MACHINE[on_simulated_time].write_text("\t".join(COLUMNS) + "\n", encoding="utf-8")
+        pools = [pool for pool in self._jobs if pool.on_simulated_time == on_simulated_time]
+        if on_simulated_time:
+            with ThreadPoolExecutor(max(1, len(pools))) as threads:
+                list(threads.map(self._judge_on_simulated_time, pools))
+        else:
+            jobs = [job for pool in pools for job in self._jobs[pool].values()]
+            self._judge_once(jobs, self._judge_paced)
+
+    def _judge_on_simulated_time(self, pool: Pool) -> None:
+        def judge(some: Sequence[Job[Key]]) -> Iterator[Judged]:
+            return judge_all(some, pool.slots, soak=pool.soak, isolation=self._isolation, fills=True)
+
+        self._judge_once([*self._jobs[pool].values()], judge)
+
+    def _judge_paced(self, some: Sequence[Job[Key]]) -> Iterator[Judged]:
+        by_pool = [[job for job in some if self._pools[job.key] == pool] for pool in self._jobs]
+        parts = [part for jobs in by_pool for part in in_parts(jobs)]
+
+        def judge(part: Sequence[Job[Key]]) -> Iterator[Judged]:
+            soak = self._pools[part[0].key].soak
+            return judge_all(part, 1, soak=soak, isolation=self._isolation)
+
+        return paced(parts, judge, Pace(), IdleShare())
+
+    def _judge_once(
+        self, jobs: Sequence[Job[Key]], judge: Callable[[Sequence[Job[Key]]], Iterator[Judged]]
+    ) -> None:
+        """The first try of each. The others come later, alone: here they would meet the same busy machine."""
+        for job, judgement in judge(jobs):
+            self._note(job.key, judgement, 1)
+
+    def _judge_alone(self, key: Key) -> None:
+        pool = self._pools[key]
+        [(_, judgement)] = judge_all([self._jobs[pool][key]], 1, soak=pool.soak, isolation=self._isolation)
+        self._note(key, judgement, self._tries.get(key, 0) + 1)
+
+    def _note(self, key: Key, judgement: Judgement, tries: int) -> None:
+        """Keep a judgement, and write down how the machine was (s)."""
+        self._judgements[key], self._tries[key] = judgement, tries
+        seen = judgement.recording
+        waits = (
+            ("",) * 6
+            if seen is None
+            else (seen.held_up_s, seen.stood_still_s, seen.taken_s, seen.in_line_s, seen.clock, seen.wall_s)
+        )
+        with MACHINE[self._pools[key].on_simulated_time].open("a", encoding="utf-8") as file:
+            print(*key, judgement.score, *waits, tries, judgement.inconclusive_reason, sep="\t", file=file)
+
+
+def was_busy(judgement: Judgement) -> bool:
+    """Whether the machine kept the judge or the program waiting for long.
+
+    Of 477 judgements in a run of all tests on two processors, the judge had to wait for more in five.
+    """
+    seen = judgement.recording
+    if judgement.inconclusive_reason or seen is None:
+        return bool(judgement.inconclusive_reason)
+    longest = max(seen.held_up_s, seen.stood_still_s)
+    return (
+        longest > CALM_S
+        or seen.in_line_s > IN_LINE_SHARE * seen.simulated_s
+        or seen.taken_s > TAKEN_SHARE * seen.simulated_s
+    )

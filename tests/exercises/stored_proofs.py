@@ -1,0 +1,174 @@
+"""The recordings of the proofs: what the judge saw of each answer, kept to judge it again without running it.
+
+`python -m tests.exercises.stored_proofs` proves every answer that has no recording, or whose text has changed since,
+and keeps the recordings; options such as `-k 05_timers` go to pytest. Times are rounded to a microsecond, and paths of
+the machine are replaced. What the judge said is the same for all answers with the same seed, and is kept once.
+"""
+
+import json
+import lzma
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+from workbook.exercise.course import course_folder
+from workbook.exercise.definition import load_exercise
+from workbook.exercise.judgement import Judgement, judge_recording
+from workbook.recording.recording import Recording
+
+ROOT = course_folder()
+FOLDER = Path(__file__).parent / "recordings"
+COMMAND = "python -m tests.exercises.stored_proofs"
+WANTED = "WORKBOOK_STORE_PROOFS"
+NOT_STORED = ROOT / "artifacts" / "proofs_not_stored.txt"
+"""Answers whose verdict needs what was seen on both clocks, so that one recording alone gives another one, and those
+whose recording is too large."""
+LARGEST = 100_000
+"""Bytes of a file. Only programs that flood a topic need more."""
+DIGITS = 6  # of a second
+SAID_BY_PROGRAMS = ("value", "request", "response")
+Key = tuple[str, str]
+
+
+def is_wanted() -> bool:
+    """Whether this run keeps recordings."""
+    return bool(os.environ.get(WANTED))
+
+
+def path_of(key: Key) -> Path:
+    """Where the recording of an answer is kept."""
+    stem, name = key
+    return FOLDER / stem / f"{name.removesuffix('.py').replace('/', '-')}.json.xz"
+
+
+def key_of(path: Path) -> Key:
+    """The answer whose recording a file holds."""
+    name = path.name.removesuffix(".json.xz")
+    kind, _, rest = name.partition("-")
+    return path.parent.name, f"{kind}/{rest}.py" if rest else name
+
+
+def stored() -> list[Path]:
+    """All files that are kept."""
+    return sorted(FOLDER.glob("*/*.json.xz"))
+
+
+def load(path: Path) -> tuple[str, Recording]:
+    """The hash of the answer that was recorded, and its recording."""
+    data = _read(path)
+    recording = data["recording"]
+    said = _script_in(recording)
+    if any("value" not in one for one in said):
+        for one, value in zip(said, _read(_script_of(path.parent.name, recording)), strict=False):
+            one.setdefault("value", value)
+    return data["answer"], Recording.from_json(recording)
+
+
+def store(key: Key, judgement: Judgement) -> None:
+    """Keep the recording, if it gives the same verdicts without what was seen on the other clock."""
+    assert judgement.recording is not None
+    path = path_of(key)
+    data = _without_paths(_rounded(judgement.recording.to_json()))
+    again = judge_recording(load_exercise(key[0], ROOT), judgement.answer_sha256, Recording.from_json(data))
+    is_same = _verdicts(again) == _verdicts(judgement)
+    if is_same:
+        _leave_out_the_script(key[0], data)
+        _write(path, {"answer": judgement.answer_sha256, "recording": data})
+    if not is_same or path.stat().st_size > LARGEST:
+        path.unlink(missing_ok=True)
+        with NOT_STORED.open("a", encoding="utf-8") as file:
+            print(*key, file=file)
+
+
+def _script_of(stem: str, recording: dict[str, Any]) -> Path:
+    """Where the values are kept that the judge publishes with the seed of a recording, in their order."""
+    seed = recording.get("seed")
+    return FOLDER / stem / ("script.xz" if seed is None else f"script_{seed}.xz")
+
+
+def _script_in(recording: dict[str, Any]) -> list[dict[str, Any]]:
+    """What the judge said, and what it would still have said when the watch ended."""
+    return [*recording.get("said", []), *recording.get("unsaid", [])]
+
+
+def _leave_out_the_script(stem: str, recording: dict[str, Any]) -> None:
+    """Take the values that the judge said out of a recording, as far as they are those that are kept for its seed."""
+    said = _script_in(recording)
+    path = _script_of(stem, recording)
+    kept = _read(path) if path.is_file() else []
+    values = [one["value"] for one in said]
+    if values[: len(kept)] == kept and len(values) > len(kept):
+        _write(path, kept := values)
+    for one, value in zip(said, kept, strict=False):
+        if one["value"] == value:
+            del one["value"]
+
+
+def _read(path: Path) -> Any:
+    return json.loads(lzma.decompress(path.read_bytes()))
+
+
+def _write(path: Path, data: Any) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    text = json.dumps(data, allow_nan=False, separators=(",", ":"))
+    path.write_bytes(lzma.compress(text.encode(), preset=9 | lzma.PRESET_EXTREME))
+
+
+def _verdicts(judgement: Judgement) -> list[tuple[str, str, str | None]]:
+    return [(one.id, one.status, one.cause) for one in judgement.criteria]
+
+
+def _rounded(value: Any) -> Any:
+    """The recording with its times rounded; what programs published stays as it is."""
+    if isinstance(value, float):
+        return round(value, DIGITS)
+    if isinstance(value, list):
+        return [_rounded(one) for one in value]
+    if isinstance(value, dict):
+        return {name: one if name in SAID_BY_PROGRAMS else _rounded(one) for name, one in value.items()}
+    return value
+
+
+def _without_paths(data: Any) -> Any:
+    """The recording, with the paths of a student's machine for those of this one."""
+    text = json.dumps(data)
+    for mine, theirs in ((str(ROOT), "/home/student/rclpy-workbook"), (sys.base_prefix, "/usr")):
+        text = re.sub(rf"(?<![\w/.-]){re.escape(mine)}(?![\w.-])", theirs, text)
+    return json.loads(text)
+
+
+def stale(tests: list[tuple[str, Key]]) -> list[str]:
+    """The tests of answers that have no recording, or one of another text."""
+    from tests.exercises.proofs import answer_of
+
+    def is_kept(key: Key) -> bool:
+        path = path_of(key)
+        return path.is_file() and load(path)[0] == answer_of(key)[0].sha256
+
+    return [test for test, key in tests if not is_kept(key)]
+
+
+def main() -> int:
+    """Prove what has no recording of its present text, and keep the recordings. Returns pytest's exit code."""
+    from tests.exercises.test_proofs import tests_of_answers
+
+    for path in stored():
+        if key_of(path) not in {key for _, key in tests_of_answers()}:
+            path.unlink()
+    NOT_STORED.parent.mkdir(exist_ok=True)
+    NOT_STORED.unlink(missing_ok=True)
+    wanted = stale(tests_of_answers())
+    if not wanted:
+        print("Every answer has its recording.")
+        return 0
+    listed = NOT_STORED.with_name("proofs_to_record.txt")
+    listed.write_text("".join(f"{test}\n" for test in wanted), encoding="utf-8")
+    command = [sys.executable, "-m", "pytest", "-q", f"@{listed}", *sys.argv[1:]]
+    return subprocess.run(command, cwd=ROOT, env={**os.environ, WANTED: "1"}, check=False).returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,5 @@
+# The level itself is logged, not a text.
+# loses: heartbeat_count, battery_count, alive_at_end
+# cause: error.logger-takes-text
+# after: self.battery_publisher.publish(Float32(data=self.battery_level))
+self.get_logger().info(self.battery_level)

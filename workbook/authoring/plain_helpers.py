@@ -1,0 +1,83 @@
+"""The folded box "The same without helpers": plain rclpy for what the lessons' helpers do, one text for each helper.
+
+A markdown cell of a lesson has the line `[the same without helpers: init, fresh, run]`, and its notebook the box.
+"""
+
+import re
+
+from workbook.authoring.tree import AuthoringError
+
+_PLACE = re.compile(r"^\[the same without helpers: (?P<names>[a-z_, ]+)\]$", re.MULTILINE)
+_BOX = "<details><summary>The same without helpers</summary>\n\n{inside}\n\n</details>"
+PLAIN = {
+    "start": """\
+`start(program, period_s=0.5)` runs a program of this course as a process, and waits until its node is on the graph.
+In a terminal, this starts the program `NAME`. `stop()` ends it as Ctrl-C would.
+
+```bash
+python -m lesson_nodes.NAME --ros-args -p period_s:=0.5
+```""",
+    "record": """\
+`record(program, {topic: period_s}, seconds)` starts a program, keeps all messages on these topics, and ends it with
+Ctrl-C. It uses simulated time, so a minute of the robot's time takes a few seconds. In a full installation of ROS 2,
+this records in real time while the program runs:
+
+```text
+ros2 bag record /robot/cmd_vel
+```""",
+    "init": """\
+`init()` starts ROS if it isn't running, so its cell can be run again:
+
+```python
+if not rclpy.ok():
+    rclpy.init()
+```""",
+    "fresh": """\
+`fresh(MyNode, ...)` is `MyNode(...)`. But first, it destroys the node that an earlier run of the cell created:
+
+```python
+if "node" in globals():
+    node.destroy_node()
+node = MyNode()
+```""",
+    "run": """\
+`await run(node, seconds=5, until=done)` runs the node's callbacks until `done()` is true. It also keeps the notebook's
+buttons working. Here's the loop without that:
+
+```python
+end = time.monotonic() + 5
+while not done():
+    if time.monotonic() > end:
+        raise TimeoutError
+    rclpy.spin_once(node, timeout_sec=0.1)
+```""",
+    "spin_for": """\
+`spin_for(node, seconds=5, until=done)` runs the node's callbacks until `done()` is true:
+
+```python
+end = time.monotonic() + 5
+while not done():
+    if time.monotonic() > end:
+        raise TimeoutError
+    rclpy.spin_once(node, timeout_sec=0.1)
+```""",
+}
+
+
+def with_plain_helpers(text: str, where: str) -> str:
+    """The text of a markdown cell with a box in the place of each such line.
+
+    Raises:
+        AuthoringError: a helper has no text here.
+    """
+
+    def box(place: re.Match[str]) -> str:
+        names = [name.strip() for name in place["names"].split(",")]
+        for name in names:
+            if name not in PLAIN:
+                raise AuthoringError(
+                    f"{where}: there is no plain text for the helper {name!r}; write one in {__name__}"
+                )
+        return _BOX.format(inside="\n\n".join(PLAIN[name] for name in names))
+
+    return _PLACE.sub(box, text)

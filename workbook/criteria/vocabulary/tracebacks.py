@@ -1,0 +1,210 @@
+"""Takes the tracebacks in a program's log apart: chained ones, those of several threads, exception groups."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+TRACEBACK = "Traceback (most recent call last)"
+FRAME = re.compile(r'^  File "(?P<file>[^"]+)", line (?P<line>\d+)(?:, in (?P<function>\S+))?')
+MAIN, THREAD, IGNORED = range(3)
+"""Where an exception came out: of the main program, of a thread, or where Python ignores it (finalizers, atexit)."""
+_START = re.compile(r"^(?:Exception Group )?" + re.escape(TRACEBACK) + ":$")
+_THREAD = re.compile(r"^Exception in thread (?P<name>.*):$")
+_IGNORED = re.compile(r"^(?:Exception ignored (?:in|from|while)\b|Task exception was never|Error in atexit)")
+_CHAINED = re.compile(
+    r"^(?:During handling of the above exception, another exception occurred|"
+    r"The above exception was the direct cause of the following exception):$"
+)
+_ERROR = re.compile(r"^(?P<name>[^\W\d][\w.<>]*)(?::(?: .*)?)?$")
+_EXCEPTIONAL = re.compile(r"(?:Error|Exception|Interrupt|Handle|Iteration|Exit|Group)$")
+_OF_GROUP = re.compile(r"^ *[|+] ")
+_PART_OF_GROUP = re.compile(r"^ *\+-.*- (?P<number>\d+) -+$|^ *\+-+$")
+_QUOTED = re.compile(r"'([^'\s]+)'")
+_THREADS_OWN = ("_bootstrap", "_bootstrap_inner", "run", "_worker")
+_LEFT_OUT = re.compile(r"^… \d+ bytes left out …$")
+_NO_NOTE = re.compile(
+    r"^(?:Still running: |The following exception was never retrieved|\[(?:DEBUG|INFO|WARN|ERROR|FATAL)\] )"
+)
+"""Lines after a traceback that are not part of its message: of the host, of rclpy's tasks, and of loggers."""
+_CAUGHT_ON_PURPOSE = re.compile(
+    r"(?:KeyboardInterrupt|ExternalShutdownException|SystemExit|GeneratorExit|StopIteration|StopAsyncIteration|"
+    r"CancelledError|\bEmpty|\bFull)$"
+)
+"""An `except` around a spin, a generator or a queue waits for these. An error in there is the fault."""
+
+
+@dataclass
+class Raised:
+    """One traceback: its frames and source lines, its error line, and the lines of the message after that."""
+
+    origin: int = MAIN
+    thread: str = ""
+    lines: list[str] = field(default_factory=list)
+    error: str = ""
+    notes: list[str] = field(default_factory=list)
+
+    @property
+    def name(self) -> str:
+        """The exception's class, as the error line spells it."""
+        found = _ERROR.match(self.error)
+        return found["name"] if found else ""
+
+    @property
+    def text(self) -> str:
+        """All of it, as it was printed."""
+        return "\n".join([f"{TRACEBACK}:", *self.lines, self.error, *self.notes])
+
+    @property
+    def told(self) -> str:
+        """What the error table looks at: two lines before the error, the error, and the rest of its message."""
+        return "\n".join([*self.lines[-2:], self.error, *self.notes])
+
+    def frames(self) -> Iterator[re.Match[str]]:
+        """The frames, the outermost first."""
+        return (frame for line in self.lines if (frame := FRAME.match(line)))
+
+    def line_in(self, program: str) -> int | None:
+        """The last line of the student's file in it; of any file when the name is not known."""
+        found = [int(one["line"]) for one in self.frames() if is_of(one, program)]
+        return found[-1] if found else None
+
+    def fits(self, frame: re.Match[str]) -> bool:
+        """Whether a frame may come next here. For lines of several threads that are mixed."""
+        last = [one["function"] for one in self.frames()]
+        if frame["function"] in _THREADS_OWN[1:2]:
+            return not last or last[-1] == "_bootstrap"
+        if not last:
+            return False
+        if frame["function"] == "run" and last[-1] == "_bootstrap_inner":
+            return True
+        return last[-1] == "run" and f"({frame['function']})" in self.thread
+
+    def speaks_of(self, error: str) -> bool:
+        """Whether the last source line has a word in it that the error quotes."""
+        source = next((one for one in reversed(self.lines) if not FRAME.match(one) and one.strip(" ^~")), "")
+        return any(word in source for word in _QUOTED.findall(error))
+
+
+def is_of(frame: re.Match[str], program: str) -> bool:
+    """Whether a frame belongs to the program of this name; any frame does when the name is empty."""
+    return not program or frame["file"].rsplit("/", 1)[-1] == program
+
+
+class _Reader:
+    """Reads a log line by line. `chains` holds what belongs together, the first exception first."""
+
+    def __init__(self) -> None:
+        self.chains: list[list[Raised]] = []
+        self._open: list[Raised] = []
+        self._heads: list[tuple[int, str]] = []
+        self._closed: Raised | None = None
+        self._chained = False
+        self._part = 0
+
+    def read(self, line: str) -> None:
+        part = _PART_OF_GROUP.match(line)
+        if part:
+            self._part = int(part["number"] or 0)
+            return
+        line = _OF_GROUP.sub("", line, count=1)
+        head = _THREAD.match(line)
+        if head or _IGNORED.match(line):
+            self._heads.append((THREAD, head["name"]) if head else (IGNORED, ""))
+            self._closed = None
+        elif _CHAINED.match(line):
+            self._chained = True
+        elif _START.match(line):
+            self._start()
+        elif _LEFT_OUT.match(line):
+            self._open.clear()
+            self._heads.clear()
+            self._closed = None
+        elif frame := FRAME.match(line):
+            self._frame(line, frame)
+        elif line.startswith(" ") and self._open:
+            self._open[-1].lines.append(line)
+        elif self._open and (found := _ERROR.match(line)):
+            self._close(line, found["name"])
+        elif _NO_NOTE.match(line):
+            self._closed = None
+        elif self._closed is not None and line:
+            self._closed.notes.append(line)
+
+    def _start(self) -> None:
+        origin, thread = self._heads.pop(0) if self._heads else (MAIN, "")
+        self._open.append(Raised(origin, thread))
+        self._closed = None
+
+    def _frame(self, line: str, frame: re.Match[str]) -> None:
+        if not self._open:
+            closed = self._closed
+            if closed is not None and not _EXCEPTIONAL.search(closed.name):
+                closed.lines.append(closed.error)  # it was a word that the program printed in between
+                closed.error, closed.notes = "", []
+                self._drop(closed)
+                self._open.append(closed)
+                self._closed = None
+            else:
+                self._start()
+        fitting = next((one for one in self._open if one.fits(frame)), self._open[-1])
+        self._open.remove(fitting)
+        self._open.append(fitting)  # its source line comes next
+        fitting.lines.append(line)
+
+    def _drop(self, one: Raised) -> None:
+        self.chains = [kept for chain in self.chains if (kept := [each for each in chain if each is not one])]
+
+    def _close(self, line: str, name: str) -> None:
+        if not any(FRAME.match(one) for one in self._open[-1].lines) and not _EXCEPTIONAL.search(name):
+            return
+        spoken_of = [one for one in self._open if one.speaks_of(line)]
+        done = spoken_of[0] if len(spoken_of) == 1 else self._open[-1]
+        self._open.remove(done)
+        done.error = line
+        self._closed = done
+        if self._part and self.chains:
+            self._of_a_group(done)
+        elif self._chained and self.chains:
+            done.origin = self.chains[-1][0].origin
+            self.chains[-1].append(done)
+        else:
+            self.chains.append([done])
+        self._chained = False
+
+    def _of_a_group(self, done: Raised) -> None:
+        """The first part of a group stands for the group; the others come after it."""
+        chain = self.chains[-1]
+        done.origin = chain[0].origin
+        if self._part == 1 and chain[-1].name.endswith("ExceptionGroup"):
+            chain[-1] = done
+        else:
+            chain.append(done)
+
+
+def chains_in(log: str) -> list[list[Raised]]:
+    """The exceptions that a log tells of, those that followed from each other together, the first one first."""
+    reader = _Reader()
+    for line in log.splitlines():
+        reader.read(line)
+    return reader.chains
+
+
+def first_cause(chain: list[Raised], program: str) -> Raised:
+    """The exception that the others of a chain followed from.
+
+    One that was caught inside a library has no frame of the program, and one that an `except` waits for is no fault.
+    """
+    own = [one for one in chain if one.line_in(program) is not None] or chain[-1:]
+    return next((one for one in own if not _CAUGHT_ON_PURPOSE.search(one.name)), own[-1])
+
+
+def main_one(chains: list[list[Raised]], program: str) -> Raised | None:
+    """The exception to blame: the last one of the main program, or else the first one in a thread, by its line.
+
+    The order in which threads print is chance, so it decides nothing.
+    """
+    causes = [first_cause(chain, program) for chain in chains]
+    of_main = [one for one in causes if one.origin == MAIN]
+    if of_main:
+        return of_main[-1]
+    return min(causes, key=lambda one: (one.origin, one.line_in(program) or 10**9, one.error), default=None)

@@ -1,0 +1,201 @@
+"""The phases that a judged program goes through. Each is one watch, from a start to a judgement or to the next phase.
+
+`SimulatedTime` leads to the `WallClock` if it cannot judge a program, and to a `SecondStart` in real time if it can.
+What simulated time cannot judge at all begins on the `WallClock`. `FieldChecks` come last, where something is garbled.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Protocol
+
+from workbook.criteria.vocabulary.field_checks import field_check_note
+from workbook.exercise.answers import Answer
+from workbook.exercise.definition import Exercise
+from workbook.exercise.judgement import Judgement, Report, judge_recording, judgement_as_provisional
+from workbook.exercise.spins import repeated_init, spins_in
+from workbook.exercise.two_runs import (
+    REAL_LIFE_S,
+    is_distrusted,
+    needs_second_start,
+    needs_wall_clock,
+    plan_of_second_start,
+    plan_on_wall_clock,
+    second_start_decides,
+    wall_clock_decides,
+    with_doubt,
+)
+from workbook.programs.spec import ProgramSpec
+from workbook.recording.plan import Plan
+from workbook.recording.recording import Clock, Finding, Recording
+from workbook.watching.watch import PATIENCE_WITH_THE_END_S, Watch
+
+FIELD_CHECKS_S = 2.0
+FIELD_CHECKS_PERIODS = 1.5
+
+
+def never() -> bool:
+    """Return False: nothing cuts this watch short."""
+    return False
+
+
+@dataclass(frozen=True)
+class JudgingRequest:
+    """One answer to judge: what `Judge.judge` was given, and the program to run."""
+
+    exercise: Exercise
+    answer: Answer
+    spec: ProgramSpec
+    findings: tuple[Finding, ...] | None
+    soak: bool
+    report: Report
+    cancel_soak: Callable[[], bool]
+
+    def judged(self, recording: Recording, *, real_life: bool) -> Judgement:
+        """Judge a recording of this answer."""
+        return judge_recording(self.exercise, self.answer.sha256, recording, real_life=real_life)
+
+    def observed(self, watch: Watch, cancel_soak: Callable[[], bool] = never) -> Judgement:
+        """Watch as planned and judge what was seen. If the end is judged, the program is ended before."""
+        text = self.answer.text
+        recording = replace(
+            watch.observe(cancel_soak),
+            findings=self.findings,
+            spins=spins_in(text),
+            repeated_init=repeated_init(text),
+        )
+        if self.exercise.to_the_end:
+            recording = watch.finish(recording, PATIENCE_WITH_THE_END_S, look_who_stays=True)
+        return self.judged(recording, real_life=self.exercise.to_the_end and recording.clock == "wall")
+
+    def ended(self, watch: Watch, judgement: Judgement) -> Judgement:
+        """End the program, if it was not; in a soak, one on the wall clock lives its real seconds before."""
+        recording, lived = judgement.recording, False
+        assert recording is not None
+        if self.exercise.to_the_end:
+            return judgement
+        if self.soak and recording.process.ended_by is None and judgement.status == "graded":
+            self.report(judgement)
+            if recording.clock == "wall" and (lived := watch.keep_watching(REAL_LIFE_S, self.cancel_soak)):
+                recording = watch.with_its_nodes(recording)
+        recording = watch.finish(recording)
+        return self.judged(recording, real_life=lived or recording.clock == "wall")
+
+    def concluded(self, judgement: Judgement) -> "JudgingPhase | Judgement":
+        """The judgement that counts, unless it asks what the field checks of the messages say."""
+        if any(result.recheck_fields for result in judgement.criteria):
+            return FieldChecks(self, judgement)
+        return judgement
+
+
+Watched = tuple[ProgramSpec, Plan, Clock]
+"""A program as it is started, what is watched of it, and on which clock."""
+
+
+class JudgingPhase(Protocol):
+    """One watch of a program, and what follows from it."""
+
+    def watched(self) -> Watched:
+        """What is to be watched."""
+
+    def follow(self, watch: Watch) -> "JudgingPhase | Judgement":
+        """Watch the program. Returns the next phase, or the judgement that counts."""
+
+
+@dataclass(frozen=True)
+class SimulatedTime:
+    """A plain start, after which the program is switched to simulated time."""
+
+    case: JudgingRequest
+
+    def watched(self) -> Watched:
+        """As planned."""
+        return self.case.spec, self.case.exercise.plan, "simulated"
+
+    def follow(self, watch: Watch) -> JudgingPhase | Judgement:
+        """Judge on simulated time where that proves anything."""
+        case = self.case
+        judgement = case.observed(watch)
+        if needs_wall_clock(case.exercise, case.answer, judgement):
+            case.report(judgement_as_provisional(judgement))
+            return WallClock(case, judgement)
+        judgement = case.ended(watch, judgement)
+        if not case.soak or not needs_second_start(judgement):
+            return case.concluded(with_doubt(case.exercise, judgement))
+        if case.exercise.to_the_end:
+            case.report(judgement)
+        return SecondStart(case, judgement)
+
+
+@dataclass(frozen=True)
+class WallClock:
+    """A plain start that is judged in real time. `on_simulated`: what simulated time had said of the program before."""
+
+    case: JudgingRequest
+    on_simulated: Judgement | None = None
+
+    def watched(self) -> Watched:
+        """Real time, for long enough to see again what simulated time has shown."""
+        return self.case.spec, plan_on_wall_clock(self.case.exercise, self.on_simulated), "wall"
+
+    def follow(self, watch: Watch) -> JudgingPhase | Judgement:
+        """Judge in real time."""
+        case = self.case
+        judgement = case.ended(watch, case.observed(watch))
+        proved = None if is_distrusted(case.answer) else self.on_simulated
+        return case.concluded(wall_clock_decides(case.exercise, proved, judgement))
+
+
+@dataclass(frozen=True)
+class SecondStart:
+    """Another plain start, in real time: a program that simulated time has judged must be as it was there."""
+
+    case: JudgingRequest
+    on_simulated: Judgement
+
+    def watched(self) -> Watched:
+        """Eight real seconds, or as long as the script takes."""
+        return self.case.spec, plan_of_second_start(self.case.exercise, self.on_simulated), "wall"
+
+    def follow(self, watch: Watch) -> JudgingPhase | Judgement:
+        """Compare both starts. One that is cut short proves nothing."""
+        case = self.case
+        on_wall = replace(case.observed(watch, case.cancel_soak), watched_real_life=True)
+        if case.cancel_soak():
+            return case.concluded(with_doubt(case.exercise, self.on_simulated))
+        return case.concluded(second_start_decides(case.exercise, self.on_simulated, on_wall))
+
+
+@dataclass(frozen=True)
+class FieldChecks:
+    """A short start with field checks on. What they say goes into the notes of the recording."""
+
+    case: JudgingRequest
+    judgement: Judgement
+
+    def watched(self) -> Watched:
+        """The first messages, on the clock of the judgement."""
+        plan = self.case.exercise.plan
+        seconds = max(FIELD_CHECKS_S, FIELD_CHECKS_PERIODS * plan.longest_period)
+        plan = replace(plan, simulated_seconds=seconds, wall_seconds=seconds)
+        return replace(self.case.spec, check_fields=True), plan, self._recording.clock
+
+    def follow(self, watch: Watch) -> Judgement:
+        """Judge the recording again, with the note; its doubt stays."""
+        process = watch.observe(never).process
+        if process.ended_by is not None:
+            process = watch.finish(self._recording).process
+        recording = replace(self._recording, notes=(*self._recording.notes, field_check_note(process)))
+        again = self.case.judged(recording, real_life=self.judgement.watched_real_life)
+        return replace(
+            again, inconclusive_reason=self.judgement.inconclusive_reason, end_only=self.judgement.end_only
+        )
+
+    @property
+    def _recording(self) -> Recording:
+        assert self.judgement.recording is not None
+        return self.judgement.recording
+
+
+def first_phase(case: JudgingRequest) -> JudgingPhase:
+    """Simulated time where the exercise allows it, else the wall clock."""
+    return SimulatedTime(case) if case.exercise.source.clock == "simulated" else WallClock(case)

@@ -1,0 +1,186 @@
+"""Where a program spins, read from its source: evidence for why a node is silent, and never a verdict by itself."""
+
+import ast
+from collections.abc import Iterator, Sequence
+from typing import Literal
+
+from workbook.recording.recording import SpinSeen
+
+BLOCKING = "spin"
+SPINS = frozenset(
+    {BLOCKING, "spin_once", "spin_some", "spin_until_future_complete", "spin_once_until_future_complete"}
+)
+TAKES_CALLBACK = frozenset({"create_timer", "create_subscription", "create_service", "add_done_callback"})
+CREATES = frozenset(
+    {"create_timer", "create_publisher", "create_subscription", "create_service", "create_client"}
+)
+LONGEST_CODE = 60
+Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
+_DEFINES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
+
+
+def spins_in(text: str) -> tuple[SpinSeen, ...]:
+    """The calls in a program that spin in a callback, or keep later lines from running; empty where it has none."""
+    try:
+        return _Spins(ast.parse(text)).found()
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return ()
+
+
+def spins_in_a_callback(text: str) -> bool:
+    """Whether simulated time would prove nothing: it waits for a program to rest, and a callback that spins has not."""
+    return any(one.callback for one in spins_in(text))
+
+
+def repeated_init(text: str) -> int:
+    """The line (from 1) of an rclpy.init() that a loop of the program calls again and again; 0 if there is none."""
+    try:
+        return _Spins(ast.parse(text)).init_in_a_loop()
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return 0
+
+
+class _Spins:
+    """Looks at one program."""
+
+    def __init__(self, tree: ast.Module) -> None:
+        self._tree = tree
+        nodes = list(ast.walk(tree))
+        self._functions = {
+            node.name: node
+            for node in nodes
+            if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) and node.name != "__init__"
+        }
+        self._makers = {
+            node.name: part
+            for node in nodes
+            if isinstance(node, ast.ClassDef)
+            for part in node.body
+            if isinstance(part, ast.FunctionDef) and part.name == "__init__"
+        }
+        self._calls = [node for node in nodes if isinstance(node, ast.Call)]
+
+    def found(self) -> tuple[SpinSeen, ...]:
+        functions = (*self._functions.values(), *self._makers.values())
+        bodies = [self._tree.body, *(function.body for function in functions)]
+        unreached = (seen for body in bodies for seen in self._unreached(body))
+        return (*self._in_callbacks(), *unreached)
+
+    def init_in_a_loop(self) -> int:
+        loops = (node for node in ast.walk(self._tree) if isinstance(node, (ast.For, ast.While)))
+        for call in (call for loop in loops for call in self._reached_in(loop.body)):
+            if _called(call) == "init" and "init" not in self._functions:
+                return call.lineno
+        return 0
+
+    def _in_callbacks(self) -> Iterator[SpinSeen]:
+        seen: set[int] = set()
+        for name, callback in self._callbacks():
+            for call in self._reached_from(callback):
+                if self._spins(call) and id(call) not in seen:
+                    seen.add(id(call))
+                    yield SpinSeen(call.lineno, _code(call), callback=name)
+
+    def _callbacks(self) -> Iterator[tuple[str, Function]]:
+        for call in self._calls:
+            if _called(call) not in TAKES_CALLBACK:
+                continue
+            for given in (*call.args, *(keyword.value for keyword in call.keywords)):
+                for part in (
+                    given,
+                    *(given.args if isinstance(given, ast.Call) else ()),
+                ):  # functools.partial
+                    if isinstance(part, ast.Lambda):
+                        yield "lambda", part
+                    elif (name := _name(part)) in self._functions:
+                        yield name, self._functions[name]
+
+    def _reached_from(self, function: Function) -> Iterator[ast.Call]:
+        """The calls that a function makes, itself or through others of the program."""
+        return self._reached_in(function.body if isinstance(function.body, list) else [function.body])
+
+    def _reached_in(self, part_of_it: Sequence[ast.AST]) -> Iterator[ast.Call]:
+        waiting, known = [part_of_it], set[int]()
+        while waiting:
+            body = waiting.pop()
+            for call in (call for part in body for call in _calls_in(part)):
+                yield call
+                other = self._functions.get(_called(call))
+                if other is not None and id(other) not in known:
+                    known.add(id(other))
+                    waiting.append(other.body)
+
+    def _spins(self, call: ast.Call) -> bool:
+        """Whether a call spins: by rclpy or an executor, not by a function of the program."""
+        return _called(call) in SPINS and _called(call) not in self._functions
+
+    def _blocks(self, statement: ast.stmt, depth: int = 0) -> ast.Call | None:
+        """The call in a statement that returns only when ROS is shut down; None if it has none."""
+        if depth > 3 or isinstance(statement, _DEFINES):
+            return None
+        if isinstance(statement, (ast.Try, ast.With)):
+            return next((call for part in statement.body if (call := self._blocks(part, depth))), None)
+        if not isinstance(statement, (ast.Expr, ast.Assign, ast.AnnAssign)):
+            return None
+        for call in _calls_in(statement):
+            if _called(call) == BLOCKING and self._spins(call):
+                return call
+            other = self._makers.get(_called(call)) or self._functions.get(_called(call))
+            if other is not None and any(self._blocks(part, depth + 1) for part in other.body):
+                return call
+        return None
+
+    def _unreached(self, body: list[ast.stmt]) -> Iterator[SpinSeen]:
+        """What a call that does not return keeps from running, in the statements of one block and its inner ones."""
+        for number, statement in enumerate(body):
+            if isinstance(statement, _DEFINES):
+                continue
+            blocking = self._blocks(statement)
+            later = next(filter(None, map(self._does_more, body[number + 1 :])), None)
+            if blocking is not None and later is not None:
+                kind: Literal["spin", "create"] = "spin" if self._is_spin(later) else "create"
+                yield SpinSeen(
+                    blocking.lineno, _code(blocking), kept=kind, later=later.lineno, later_code=_code(later)
+                )
+            inner = getattr(statement, "body", [])
+            if isinstance(statement, ast.For):
+                again = next(filter(None, map(self._blocks, inner)), None)
+                if again is not None:
+                    yield SpinSeen(again.lineno, _code(again), kept="round", later=statement.lineno)
+            if isinstance(inner, list):
+                yield from self._unreached(inner)
+
+    def _does_more(self, statement: ast.stmt) -> ast.Call | None:
+        """The first call in a statement that would spin, or create what the node lacks."""
+        if isinstance(statement, _DEFINES):
+            return None
+        return next(
+            (call for call in _calls_in(statement) if self._is_spin(call) or _called(call) in CREATES), None
+        )
+
+    def _is_spin(self, call: ast.Call) -> bool:
+        other = self._functions.get(_called(call))
+        return self._spins(call) or (other is not None and any(map(self._blocks, other.body)))
+
+
+def _calls_in(node: ast.AST) -> Iterator[ast.Call]:
+    """The calls in a part of a program, in the order of the text, those of inner functions left out."""
+    if isinstance(node, _DEFINES):
+        return
+    if isinstance(node, ast.Call):
+        yield node
+    for part in ast.iter_child_nodes(node):
+        yield from _calls_in(part)
+
+
+def _name(node: ast.AST) -> str:
+    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
+
+
+def _called(call: ast.Call) -> str:
+    return _name(call.func)
+
+
+def _code(call: ast.Call) -> str:
+    text = ast.unparse(call)
+    return text if len(text) <= LONGEST_CODE else f"{text[:LONGEST_CODE]}..."

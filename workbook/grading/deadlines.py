@@ -1,0 +1,106 @@
+"""Read deadlines as instructors write them: for the whole class, and for single students."""
+
+import csv
+import unicodedata
+from collections.abc import Collection
+from datetime import UTC, datetime, time, tzinfo
+from difflib import get_close_matches
+from pathlib import Path
+from zoneinfo import ZoneInfo, ZoneInfoNotFoundError
+
+from workbook.grading.roster import BadOption
+
+HEADER = ("student", "deadline")
+END_OF_DAY = time(23, 59, 59)
+FORM = "2026-05-31T23:59, 2026-05-31T23:59+02:00, or 2026-05-31 for the end of that day"
+
+
+def zone_named(name: str | None) -> tzinfo | None:
+    """Return the time zone of that name; None, for the machine's own, if there is no name.
+
+    Raises:
+        BadOption: no zone has this name.
+    """
+    if name is None:
+        return None
+    try:
+        return ZoneInfo(name)
+    except (ZoneInfoNotFoundError, ValueError, OSError) as error:
+        raise BadOption(f"--timezone {name}: no such time zone. Write it as Europe/Berlin or UTC") from error
+
+
+def parse_deadline(text: str, zone: tzinfo | None) -> datetime | None:
+    """Return the moment that a deadline names, with its zone; None if it cannot be read.
+
+    A date alone means the end of that day. A time without a zone is read in `zone`, or in the machine's zone if that
+    is None. Where the clock is set back, a time occurs twice; the later moment counts, in the students' favor.
+    """
+    try:
+        moment = datetime.fromisoformat(text.strip())
+    except ValueError:
+        return None
+    if len(text.strip()) <= len("2026-05-31"):
+        moment = datetime.combine(moment.date(), END_OF_DAY)
+    if moment.tzinfo is not None:
+        return moment
+    moment = moment.replace(fold=1)
+    return moment.astimezone() if zone is None else moment.replace(tzinfo=zone)
+
+
+def in_words(moment: datetime) -> str:
+    """Name a moment by local time, zone, and UTC, so that readers needn't guess which one is meant."""
+    utc = moment.astimezone(UTC)
+    offset = moment.strftime("%z")
+    return f"{moment:%Y-%m-%d %H:%M:%S} (UTC{offset[:3]}:{offset[3:5]}), which is {utc:%Y-%m-%d %H:%M:%S} UTC"
+
+
+def same_name(student: str) -> str:
+    """Return a form in which names that look alike are equal, however their accents are composed."""
+    return unicodedata.normalize("NFC", student.strip())
+
+
+def read_extensions(path: Path, zone: tzinfo | None) -> dict[str, datetime]:
+    """Read deadlines of single students: a CSV with the columns student and deadline, with or without that header.
+
+    Commas, semicolons, or tabs may separate the columns. The keys are names as `same_name` returns them.
+
+    Raises:
+        BadOption: the file or a line cannot be used, or two lines give one student different deadlines.
+    """
+    found: dict[str, datetime] = {}
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError) as error:
+        raise BadOption(f"--extensions {path}: {error}") from error
+    first = text.partition("\n")[0]
+    separator = max(",;\t", key=first.count)
+    for number, row in enumerate(csv.reader(text.splitlines(), delimiter=separator), start=1):
+        cells = [cell.strip() for cell in row]
+        if not any(cells) or (number == 1 and tuple(cell.casefold() for cell in cells[:2]) == HEADER):
+            continue
+        where = f"--extensions {path}, line {number}"
+        if len(cells) < 2 or not cells[0]:
+            raise BadOption(f"{where}: a line is `student,deadline`, such as `s1042,2026-06-07T23:59`")
+        moment = parse_deadline(cells[1], zone)
+        if moment is None:
+            raise BadOption(f"{where}: {cells[1]!r} is no deadline. Write it as {FORM}")
+        student = same_name(cells[0])
+        if found.get(student, moment) != moment:
+            raise BadOption(f"{where}: an earlier line gives {cells[0]} another deadline. Leave one of them")
+        found[student] = moment
+    if not found:
+        raise BadOption(f"--extensions {path} holds no line. A line is `student,deadline`")
+    return found
+
+
+def about_unknown(extensions: Collection[str], students: Collection[str]) -> str:
+    """Return a sentence on extensions for students without a hand-in, with near names; empty if there are none."""
+    known = {same_name(one) for one in students}
+    told = []
+    for name in sorted(set(extensions) - known):
+        near = get_close_matches(name, known, n=1)
+        told.append(f"{name} (did you mean {near[0]}?)" if near else name)
+    if not told:
+        return ""
+    what = "1 extension is" if len(told) == 1 else f"{len(told)} extensions are"
+    return f"{what} for students who handed in nothing: {', '.join(told)}"

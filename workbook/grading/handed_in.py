@@ -1,0 +1,43 @@
+"""Keep track of who has handed in, so that exports leave out students whose hand-in is gone."""
+
+import csv
+import io
+from collections.abc import Collection, Iterable
+from pathlib import Path
+
+from workbook.grading.files import write_whole
+from workbook.grading.results import Result
+
+HANDED_IN = "handed_in.csv"
+HEADER = ["student", "exercise"]
+
+
+def note(out: Path, exercise: str, students: Collection[str], *, whole: bool) -> None:
+    """Store the students with a hand-in for `exercise`.
+
+    `whole`: these are all of them. Otherwise they are added to those of earlier runs; without a list of those, nothing
+    is stored.
+    """
+    before = _read(out)
+    if not whole and all(listed != exercise for _, listed in before):
+        return
+    kept = {pair for pair in before if pair[1] != exercise or not whole}
+    table = io.StringIO()
+    writer = csv.writer(table, lineterminator="\n")
+    writer.writerows([HEADER, *sorted(kept | {(student, exercise) for student in students})])
+    write_whole(out / HANDED_IN, table.getvalue())
+
+
+def with_a_hand_in(out: Path, results: Iterable[Result]) -> list[Result]:
+    """Leave out results without a hand-in. A folder of an earlier version, or an exercise not listed, keeps all."""
+    pairs = _read(out)
+    listed = {exercise for _, exercise in pairs}
+    return [one for one in results if one.exercise not in listed or one.key in pairs]
+
+
+def _read(out: Path) -> set[tuple[str, str]]:
+    path = out / HANDED_IN
+    if not path.is_file():
+        return set()
+    with path.open(encoding="utf-8-sig", errors="surrogateescape", newline="") as file:
+        return {(row[0], row[1]) for row in csv.reader(file) if len(row) == 2 and row != HEADER}

@@ -1,0 +1,389 @@
+"""Slots as their owner sees them: start one, or have it forked, give it an answer, and get a judgement."""
+
+import contextlib
+import os
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import IO
+
+from workbook.exercise.answers import Answer
+from workbook.exercise.definition import OWN_CRITERIA
+from workbook.exercise.judgement import Judgement, Report
+from workbook.grading.slots.health import SlotHealth
+from workbook.grading.slots.protocol import (
+    ENOUGH,
+    JudgingOrder,
+    LineReader,
+    Message,
+    Progress,
+    judgement_in,
+    line_of,
+)
+from workbook.inside.fork_requests import close_all
+from workbook.inside.orphans import StillThere
+from workbook.isolation.memory_groups import LeasedGroups, lease_groups
+from workbook.isolation.tiers import Isolation, lease_for, slot_command
+from workbook.isolation.user_ids import NoIds
+from workbook.programs.ending import kill_programs_of
+from workbook.programs.fork_client import ForkedProgram, NotForked, request_fork, started_program
+from workbook.ros.environment import child_environment
+
+ANSWER_DEADLINE_S = 120.0
+"""On a slot that always gets a processor. One that has to wait for it has longer; see `SlotHealth.slowed_by`."""
+SLOT_MODULE = ("-m", "workbook.grading.slots.worker")
+KILLED_S = 30.0
+"""So long a killed slot may take to go, with what its answer has left."""
+SERVER_MODULE = ("-m", "workbook.grading.slots.forking")
+UNTRIED = "no slot has tried it yet"
+TRIAL_S = 60.0
+END_S = 5.0
+FORKED_S = 30.0
+"""The first slot waits for the server's start."""
+
+ShowProgress = Callable[[Progress], None]
+
+
+class SlotBroken(RuntimeError):
+    """The slot ended or did not answer in time. The message says which; the answer was not judged."""
+
+
+class NotBegun(SlotBroken):
+    """The slot could not begin: no answer is to blame. The message says why."""
+
+
+def slot_environment(own_criteria: Path | None) -> dict[str, str]:
+    """What a slot is started with."""
+    # A slot makes its own log folder. One of ours would stay behind if we were killed.
+    environ = child_environment(0, log_folder=Path(os.devnull))
+    del environ["ROS_DOMAIN_ID"]
+    for name in ("WORKBOOK_COURSE", OWN_CRITERIA, "PYTHONPATH"):
+        if name in os.environ:
+            environ[name] = os.environ[name]
+    if own_criteria is not None:
+        environ[OWN_CRITERIA] = str(own_criteria)
+    environ.pop("ROS_LOG_DIR")
+    return environ
+
+
+class ForkedSlot:
+    """A slot that the server has forked, with the part of `subprocess.Popen` that its owner uses."""
+
+    def __init__(self, child: ForkedProgram, stdin: IO[bytes], stdout: IO[bytes]) -> None:
+        self._child = child
+        self.pid = child.pid
+        self.stdin, self.stdout = stdin, stdout
+
+    def close(self) -> None:
+        """Close its pipes."""
+        self.stdin.close()
+        self.stdout.close()
+
+    def poll(self) -> int | None:
+        """The exit code (negative: the signal that ended it), or None while it, or what it left, is there."""
+        return self._child.poll()
+
+    def wait(self, timeout: float | None = None) -> int:
+        """Wait for the end. Raises subprocess.TimeoutExpired after `timeout` s."""
+        code = self._child.wait(timeout)
+        self._child.close()
+        return code
+
+
+class SlotServer:
+    """The process from which the slots of one run are forked, in one tier. For use by several threads.
+
+    `environ`: what each slot finds in its environment. It starts without waiting; see `fork`. Raises NoSandbox.
+    """
+
+    def __init__(self, isolation: Isolation, environ: Mapping[str, str]) -> None:
+        self.environ = dict(environ)
+        self._turn, self._trial = threading.Lock(), threading.Lock()
+        self._problem: str | None = UNTRIED
+        self._groups = lease_groups()
+        self._channel, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with theirs:
+            command = [sys.executable, *SERVER_MODULE, str(theirs.fileno()), isolation]
+            above = None if self._groups is None else self._groups.path.parent
+            try:
+                self._process = subprocess.Popen(
+                    slot_command(isolation, command, above),
+                    stdin=subprocess.DEVNULL,
+                    stdout=subprocess.DEVNULL,
+                    env=self.environ,
+                    pass_fds=[theirs.fileno()],
+                    start_new_session=True,
+                )
+            except BaseException:
+                self._channel.close()
+                self._give_back()
+                raise
+
+    @property
+    def pid(self) -> int:
+        """The process that stands for it here: its tree holds the slots."""
+        return self._process.pid
+
+    @property
+    def is_tried(self) -> bool:
+        """Whether it is known if slots can be forked: until then, all wait for that."""
+        return self._problem != UNTRIED
+
+    @property
+    def is_running(self) -> bool:
+        """Whether it can still be asked for slots."""
+        return self._process.poll() is None
+
+    def fork(self, groups: LeasedGroups | None) -> ForkedSlot:
+        """Fork a slot. `groups`: leased for it by the caller. Raises NotForked and OSError.
+
+        The first one tries out its tier, while others wait: a slot that was forked is in a sandbox in a sandbox.
+        """
+        with self._trial:
+            if self._problem == UNTRIED:
+                try:
+                    slot, self._problem = self._tried(groups)
+                except NotForked as error:
+                    self._problem = str(error)
+                    raise
+                if self._problem is None:
+                    return slot
+                with contextlib.suppress(ProcessLookupError):
+                    os.killpg(slot.pid, signal.SIGKILL)
+                slot.close()
+        if self._problem is not None:
+            raise NotForked(self._problem)
+        return self._fork(groups)
+
+    def _tried(self, groups: LeasedGroups | None) -> tuple[ForkedSlot, str | None]:
+        """A slot, and what is wrong with its tier."""
+        with socket.create_server(("127.0.0.1", 0)) as listener:
+            slot = self._fork(groups, listener.getsockname()[1])
+            try:
+                problem = (LineReader(slot.stdout.fileno()).next(TRIAL_S) or {})["problem"]
+            except (ValueError, KeyError, EOFError):
+                return slot, "the self-test of the slot broke"
+        return slot, None if problem is None else str(problem)
+
+    def _fork(self, groups: LeasedGroups | None, port: int | None = None) -> ForkedSlot:
+        request = {
+            "groups": None if groups is None else str(groups.path),
+            "folder": str(Path.cwd()),
+            "port": port,
+        }
+        (their_stdin, stdin), (stdout, their_stdout) = os.pipe(), os.pipe()
+        try:
+            try:
+                with self._turn:
+                    status = request_fork(self._channel, request, [their_stdin, their_stdout])
+            finally:
+                close_all([their_stdin, their_stdout])
+            child = started_program(status, FORKED_S)
+        except (NotForked, OSError) as error:
+            close_all([stdin, stdout])
+            raise NotForked(f"no slot could be forked: {error}") from error
+        return ForkedSlot(child, os.fdopen(stdin, "wb"), os.fdopen(stdout, "rb"))
+
+    def close(self) -> None:
+        """End the server, and the slots that are left."""
+        self._channel.close()
+        for number in (signal.SIGTERM, signal.SIGKILL):
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self._process.wait(END_S)
+            if self._process.returncode is None:
+                os.killpg(self._process.pid, number)
+        self._process.wait()
+        self._give_back()
+
+    def _give_back(self) -> None:
+        if self._groups is not None:
+            self._groups.remove()
+
+
+class Slot:
+    """A running slot process. Not for two threads at once.
+
+    `isolation`: one of `workbook.isolation.tiers`. `own_criteria`: the folder with an instructor's own criteria, where
+    it is not the one that this process was told of. `port`: of a listener on this machine; the slot then tries first
+    whether the tier isolates (see `problem`). `server`: of the same tier and environment, to fork it from if it can.
+    Raises SlotBroken when "uid" finds no free user id.
+    """
+
+    def __init__(
+        self,
+        isolation: Isolation = "limits",
+        own_criteria: Path | None = None,
+        *,
+        port: int | None = None,
+        server: SlotServer | None = None,
+    ) -> None:
+        try:
+            self._ids = lease_for(isolation)
+        except NoIds as error:
+            raise SlotBroken(str(error)) from error
+        self._groups = lease_groups()
+        self.environ = slot_environment(own_criteria)
+        self._process: subprocess.Popen[bytes] | ForkedSlot
+        try:
+            self._process, self._health = self._forked(server) or self._fresh(isolation, port)
+        except BaseException:
+            self._sweep()
+            raise
+        assert self._process.stdout is not None
+        self._lines = LineReader(self._process.stdout.fileno())
+
+    def _forked(self, server: SlotServer | None) -> tuple[ForkedSlot, SlotHealth] | None:
+        """A process forked from the server; None if that does not work."""
+        if server is None:
+            return None
+        try:
+            process = server.fork(self._groups)
+        except (NotForked, OSError):
+            return None
+        return process, SlotHealth(process.pid)
+
+    def _fresh(self, isolation: Isolation, port: int | None) -> tuple[subprocess.Popen[bytes], SlotHealth]:
+        command = [sys.executable, *SLOT_MODULE, isolation]
+        if self._ids is not None:
+            command += ["--user", str(self._ids.user)]
+        folder = None if self._groups is None else self._groups.path
+        if folder is not None:
+            command += ["--groups", str(folder)]
+        if port is not None:
+            command += ["--try", str(port)]
+        process = subprocess.Popen(
+            slot_command(isolation, command, folder),
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            env=self.environ,
+            start_new_session=True,
+        )
+        return process, SlotHealth(process.pid, SLOT_MODULE)
+
+    def problem(self, timeout_s: float) -> str | None:
+        """Why its tier does not isolate here; None when it does. Only before the first job, of a slot that tries it.
+
+        Raises SlotBroken when it does not get that far within `timeout_s` s.
+        """
+        self._health.begin()
+        found = self._read_line(time.monotonic(), timeout_s)["problem"]
+        return None if found is None else str(found)
+
+    @property
+    def is_running(self) -> bool:
+        """Whether the slot's process is alive."""
+        return self._process.poll() is None
+
+    def _read_line(self, began: float, timeout_s: float) -> Message:
+        """The next message. `timeout_s`: from the moment `began`, on a machine that is not busy."""
+        while True:
+            left = began + timeout_s - time.monotonic()
+            if left <= 0:
+                left = began + timeout_s * self._health.slowed_by() - time.monotonic()
+            if left <= 0:
+                raise SlotBroken("the slot did not answer in time")
+            try:
+                message = self._lines.next(min(left, 1.0))
+            except EOFError:
+                raise SlotBroken(f"the slot ended with code {self._process.wait()}") from None
+            except ValueError as error:
+                raise SlotBroken(f"the slot sent what is no message: {error}") from error
+            if message is None:
+                problem = self._health.problem()
+                if problem is not None:
+                    raise SlotBroken(problem)
+            elif "broken" in message:
+                raise NotBegun(message["broken"])
+            else:
+                return message
+
+    def judge(
+        self,
+        stem: str,
+        answer: Answer,
+        *,
+        soak: bool,
+        seed: int | None = None,
+        report: Report | None = None,
+        progress: ShowProgress | None = None,
+    ) -> Judgement:
+        """Judge one answer; see `Judge.judge`. Raises SlotBroken; use a new slot then.
+
+        `progress` is told several times a second how far it is.
+        """
+        order = JudgingOrder(stem, answer.text, soak, seed, progress is not None)
+        self._health.begin()
+        began = time.monotonic()
+        try:
+            self._send(line_of(order))
+        except OSError as error:
+            self._read_line(began, ANSWER_DEADLINE_S)  # it may have said why
+            raise SlotBroken("the slot is gone") from error
+        while True:
+            message = self._read_line(began, ANSWER_DEADLINE_S)
+            if "progress" in message:
+                if progress is not None:
+                    progress(Progress(**message["progress"]))
+            elif "ready" not in message:
+                judgement = judgement_in(message, stem, answer.sha256)
+                if message["final"]:
+                    return judgement
+                if report is not None:
+                    report(judgement)
+
+    def _send(self, line: bytes) -> None:
+        assert self._process.stdin is not None
+        self._process.stdin.write(line)
+        self._process.stdin.flush()
+
+    def cancel_soak(self) -> None:
+        """Cut short the real seconds for which a judged program is watched. May be called from any thread."""
+        with contextlib.suppress(OSError, ValueError):
+            self._send(line_of(ENOUGH))
+
+    def close(self) -> None:
+        """End the slot: it stops when its input closes; what does not stop within two seconds is killed."""
+        if self._process.stdin is not None:
+            try:
+                self._process.stdin.close()
+            except OSError:
+                pass
+        try:
+            self._process.wait(2.0)
+        except subprocess.TimeoutExpired:
+            self.kill()
+        self._sweep()
+        if self._process.stdout is not None:
+            self._process.stdout.close()
+
+    def kill(self) -> None:
+        """End the slot at once, and the program that it watches with all its children."""
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(self._process.pid, signal.SIGKILL)
+        with contextlib.suppress(subprocess.TimeoutExpired):  # then its server is stuck
+            self._process.wait(KILLED_S)
+        kill_programs_of(self._process.pid)
+        self._sweep()
+
+    def _sweep(self) -> None:
+        """Remove the memory cgroups of this slot, end what runs under its user id, and give the id back."""
+        if self._groups is not None:
+            self._groups.remove()
+        if self._ids is not None:
+            try:
+                self._ids.sweep()
+            except StillThere:  # then nobody else shall have this id while the grader runs
+                return
+            self._ids.release()
+            self._ids = None
+
+    def __enter__(self) -> "Slot":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()

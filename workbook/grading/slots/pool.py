@@ -1,0 +1,340 @@
+"""The pool of warm slots, and judging one answer on one of them, or on another one when it breaks."""
+
+import atexit
+import fcntl
+import os
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
+
+from workbook.exercise.answers import Answer
+from workbook.exercise.definition import load_exercise
+from workbook.exercise.judgement import Judgement, Report
+from workbook.grading.judges import Job, Key
+from workbook.grading.slots.client import (
+    NotBegun,
+    ShowProgress,
+    Slot,
+    SlotBroken,
+    SlotServer,
+    slot_environment,
+)
+from workbook.grading.slots.protocol import Progress
+from workbook.isolation.bubblewrap import NoSandbox
+from workbook.isolation.tiers import Isolation, meets_others
+
+FORKED: tuple[Isolation, ...] = ("sandbox", "limits")
+"""The tiers with many slots at once. In the others there is one, for which a server is not worth its start."""
+TRIES = 2
+STOPPED_JUDGE = "stopped_judge"
+"""How the reason begins why an answer is ungradable that breaks the slots that judge it, where others do not."""
+LOOK = "Look at it yourself: it is not run again as long as it stays the same, unless you ask with --retry-stopped"
+
+
+class Kind(NamedTuple):
+    """What a slot must have in common with an answer to judge it. See `Slot`."""
+
+    isolation: Isolation = "limits"
+    own_criteria: Path | None = None
+
+
+@dataclass(frozen=True)
+class _Idle:
+    kind: Kind
+    slot: Slot
+    since: float
+
+
+class SlotPool:
+    """Slots that stay warm between answers, and what they are forked from. For use by several threads.
+
+    A slot that waits longer than `idle_s` for an answer is ended; None: it waits until the pool is closed. A slot that
+    is not forked ends with the thread that started it.
+    """
+
+    def __init__(self, idle_s: float | None = None) -> None:
+        self._idle_s = idle_s
+        self._idle: list[_Idle] = []
+        self._at_work: dict[Slot, Kind] = {}
+        self._servers: dict[Kind, SlotServer | None] = {}
+        self._starting: list[Kind] = []
+        self._turn = threading.Lock()
+        self._changed = threading.Condition()
+        self._keeper: threading.Thread | None = None
+        self._owner = os.getpid()
+
+    def fork_from_now_on(self, kind: Kind) -> SlotServer | None:
+        """Fork the slots of this kind. Returns what from; None in a tier where that is not worth it or impossible."""
+        with self._turn:
+            server = self._servers.get(kind)
+            if server is not None and not server.is_running:
+                server.close()
+                server = None
+            if server is None:
+                server = slot_server(*kind)
+                with self._changed:
+                    self._servers[kind] = server
+            return server
+
+    def take_warm(self, kind: Kind) -> Slot | None:
+        """A warm slot, if one is free that is as good as a new one."""
+        while True:
+            with self._changed:
+                found = next((one for one in reversed(self._idle) if one.kind == kind), None)
+                if found is None:
+                    return None
+                self._idle.remove(found)
+                if found.slot.is_running and found.slot.environ == slot_environment(kind.own_criteria):
+                    self._at_work[found.slot] = kind
+                    return found.slot
+            found.slot.close()
+
+    def take(self, kind: Kind) -> Slot:
+        """A warm slot, or a new one. See `start`."""
+        return self.take_warm(kind) or self.start(kind)
+
+    def start(self, kind: Kind) -> Slot:
+        """A new slot. Raises SlotBroken when "uid" finds no free user id."""
+        with self._changed:
+            self._starting.append(kind)
+            server = self._servers.get(kind)
+        try:
+            slot = Slot(*kind, server=server)
+            with self._changed:
+                self._at_work[slot] = kind
+        finally:
+            with self._changed:
+                self._starting.remove(kind)
+        return slot
+
+    def give(self, kind: Kind, slot: Slot) -> None:
+        """Keep an idle slot for the next answer."""
+        with self._changed:
+            self._at_work.pop(slot, None)
+            self._idle.append(_Idle(kind, slot, time.monotonic()))
+            if self._keeper is None and self._idle_s is not None:
+                self._keeper = threading.Thread(target=self._keep, name="keeper of slots", daemon=True)
+                self._keeper.start()
+            self._changed.notify_all()
+
+    def drop(self, slot: Slot) -> None:
+        """End a broken slot at once."""
+        with self._changed:
+            self._at_work.pop(slot, None)
+        slot.kill()
+
+    def warm_up(self, kind: Kind) -> None:
+        """Have a slot for the next answer, unless one is at work."""
+        if kind not in self._at_work.values():
+            self.give(kind, self.take(kind))
+
+    def move(self, kind: Kind, other: "SlotPool") -> bool:
+        """Give a warm slot of this kind to another pool. Returns whether there is one."""
+        slot = self.take_warm(kind)
+        if slot is not None:
+            self._at_work.pop(slot)
+            other.give(kind, slot)
+        return slot is not None
+
+    def cancel_soak(self) -> None:
+        """Cut short the real seconds for which programs are watched."""
+        for slot in [*self._at_work]:
+            slot.cancel_soak()
+
+    def close(self) -> None:
+        """End all slots, side by side, and what they were forked from. One that is at work is killed."""
+        if self._owner != os.getpid():  # they are not those of a fork
+            return
+        with self._changed:
+            idle, self._idle = self._idle, []
+            at_work, servers = [*self._at_work], [*self._servers.values()]
+            self._at_work.clear()
+            self._servers.clear()
+        ending = [threading.Thread(target=slot.kill) for slot in at_work]
+        ending += [threading.Thread(target=one.slot.close) for one in idle]
+        for thread in ending:
+            thread.start()
+        for thread in ending:
+            thread.join()
+        for server in servers:
+            if server is not None:
+                server.close()
+
+    def _keep(self) -> None:
+        while True:
+            for one in self._overdue():
+                one.close()
+
+    def _overdue(self) -> list[Slot | SlotServer]:
+        """Wait for slots that have waited too long. Returns them, and servers of which no slot is left."""
+        assert self._idle_s is not None
+        with self._changed:
+            while not self._idle or self._idle[0].since + self._idle_s > time.monotonic():
+                left = self._idle[0].since + self._idle_s - time.monotonic() if self._idle else None
+                self._changed.wait(left)
+            found: list[Slot | SlotServer] = [self._idle.pop(0).slot]
+            used = {*self._starting, *self._at_work.values(), *(one.kind for one in self._idle)}
+            for kind in [*self._servers]:
+                if kind not in used and (server := self._servers.pop(kind)) is not None:
+                    found.append(server)
+            return found
+
+
+def slot_server(isolation: Isolation, own_criteria: Path | None = None) -> SlotServer | None:
+    """What slots are forked from; None in a tier where that is not worth its start, or not possible."""
+    if isolation not in FORKED:
+        return None
+    try:
+        return SlotServer(isolation, slot_environment(own_criteria))
+    except (OSError, NoSandbox):
+        return None
+
+
+warm_slots = SlotPool()
+"""The slots of whoever judges one answer at a time. A run over many answers has a pool of its own."""
+atexit.register(warm_slots.close)
+
+
+_line: list[object] = []
+_line_moves = threading.Condition()
+
+
+def _file_of_turns() -> Path:
+    cache = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
+    return Path(cache) / "rclpy-workbook" / f"turn-{os.uname().nodename}"
+
+
+@contextmanager
+def turn(isolation: Isolation, show_place: Callable[[int], None] = lambda _: None) -> Iterator[None]:
+    """Wait until no other answer of this user is judged on this machine in a tier in which answers meet.
+
+    Such an answer could speak on the domain of another one, or lease all domains. The kernel ends a turn with its
+    process. Without a cache that can be written, turns are within this process only. `show_place` is told how many come
+    before this one: all that wait in this process, and of those in another one a single one.
+    """
+    if not meets_others(isolation):
+        yield
+        return
+    ticket = object()
+    with _line_moves:
+        _line.append(ticket)
+    held = None
+    try:
+        _wait_for_first_place(ticket, show_place)
+        held = _open_file()
+        if held is not None:
+            _lock(held, show_place)
+        show_place(0)
+        yield
+    finally:
+        if held is not None:
+            os.close(held)  # which unlocks it
+        with _line_moves:
+            _line.remove(ticket)
+            _line_moves.notify_all()
+
+
+def _wait_for_first_place(ticket: object, show_place: Callable[[int], None]) -> None:
+    with _line_moves:
+        while (place := _line.index(ticket)) > 0:
+            show_place(place)
+            _line_moves.wait()
+
+
+def _lock(file: int, show_place: Callable[[int], None]) -> None:
+    with suppress(OSError):  # a file system without locks
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            show_place(1)
+            fcntl.flock(file, fcntl.LOCK_EX)
+
+
+def _open_file() -> int | None:
+    path = _file_of_turns()
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        return os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC | os.O_NOFOLLOW, 0o600)
+    except OSError:
+        return None
+
+
+def judge_warm(
+    pool: SlotPool,
+    kind: Kind,
+    job: Job[Key],
+    *,
+    soak: bool,
+    report: Report | None = None,
+    progress: ShowProgress | None = None,
+) -> Judgement:
+    """Judge an answer on a slot of the pool, which stays warm. See `judge_with_retry`."""
+    slot, judgement = judge_with_retry(
+        pool, pool.take_warm(kind), kind, job, soak=soak, report=report, progress=progress
+    )
+    if slot is not None:
+        pool.give(kind, slot)
+    return judgement
+
+
+def judge_with_retry(
+    pool: SlotPool,
+    slot: Slot | None,
+    kind: Kind,
+    job: Job[Key],
+    *,
+    soak: bool,
+    report: Report | None = None,
+    progress: ShowProgress | None = None,
+) -> tuple[Slot | None, Judgement]:
+    """Judge a job on `slot`, which was taken from the pool, or on a new one. A broken one is replaced, at most twice.
+
+    If both slots break at this answer, and a new one judges a right answer, the answer is to blame: it is `ungradable`,
+    for the reason `STOPPED_JUDGE`. Else the fault is ours: `infra_error` and no slot.
+    """
+    reason = ""
+    stopped = 0
+
+    def show_place(place: int) -> None:
+        if progress is not None:
+            progress(Progress(place))
+
+    with turn(kind.isolation, show_place):
+        for _ in range(TRIES):
+            at_work = False
+            try:
+                slot = slot or pool.start(kind)
+                at_work = True
+                return slot, slot.judge(
+                    job.stem, job.answer, soak=soak, seed=job.seed, report=report, progress=progress
+                )
+            except Exception as error:  # whatever it is, the answer must not get lost
+                reason = str(error) or type(error).__name__
+                stopped += at_work and isinstance(error, SlotBroken) and not isinstance(error, NotBegun)
+                if slot is not None:
+                    pool.drop(slot)
+                slot = None
+        if stopped == TRIES and (slot := _slot_that_judges(job.stem, pool, kind)) is not None:
+            told = f"{STOPPED_JUDGE}: {reason}, {TRIES} times with this answer, and then judged a right one. {LOOK}"
+            return slot, Judgement(job.stem, job.answer.sha256, "ungradable", told, (), None)
+    reason += f", {TRIES} times with this answer. Run the command again; if it fails again, look at the answer yourself"
+    return None, Judgement(job.stem, job.answer.sha256, "infra_error", reason, (), None)
+
+
+def _slot_that_judges(stem: str, pool: SlotPool, kind: Kind) -> Slot | None:
+    """A new slot that has just judged the reference answer of an exercise; None where that fails, or there is none."""
+    slot: Slot | None = None
+    try:
+        right = load_exercise(stem).source.solution_code
+        slot = pool.start(kind)
+        if slot.judge(stem, Answer(right), soak=False).status == "graded":
+            return slot
+    except Exception:  # whatever it is, nothing is proved against the answer then
+        pass
+    if slot is not None:
+        pool.drop(slot)
+    return None

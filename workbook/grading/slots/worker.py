@@ -1,0 +1,204 @@
+"""A process that judges one answer after another with a warm observer: see `protocol` for what it is told.
+
+    python -m workbook.grading.slots.worker TIER [--user ID] [--groups FOLDER] [--try PORT]
+
+Orders come in on standard input, judgements go out on standard output.
+"""
+
+import argparse
+import contextlib
+import json
+import os
+import queue
+import signal
+import sys
+import threading
+import time
+from collections.abc import Callable, Sequence
+from functools import cache
+from itertools import islice
+from pathlib import Path
+from typing import BinaryIO
+
+from workbook.exercise.answers import Answer
+from workbook.exercise.definition import Exercise, load_exercise
+from workbook.exercise.judgement import Judgement, Report
+from workbook.exercise.judging import Judge
+from workbook.grading.slots.protocol import (
+    ENOUGH,
+    JudgingOrder,
+    Message,
+    Progress,
+    error_message,
+    judgement_message,
+    line_of,
+    progress_message,
+)
+from workbook.inside.libc import set_parent_death_signal
+from workbook.inside.orphans import StillThere, adopt_orphans, sweep_orphans
+from workbook.isolation.sandbox import sandbox_environment
+from workbook.isolation.tiers import Isolation, make_tier, named_tier
+from workbook.isolation.user_ids import Ids
+from workbook.programs.fork_client import ForkServer, ServerGone, own_server
+from workbook.recording.limits import ANSWER_LIMITS
+from workbook.ros.domains import NoDomainFree, lease_in_private
+from workbook.ros.environment import child_environment
+from workbook.watching.observer import Observer
+from workbook.watching.recorder import Recorder
+from workbook.watching.tier_self_test import try_out
+
+PROGRESS_EVERY_S = 0.25
+TOPICS_SHOWN = 8
+
+
+def _private_output() -> BinaryIO:
+    """Keep standard output for judgements alone; whatever else prints goes to standard error."""
+    channel = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)
+    return channel
+
+
+def _end_on_sigterm(*_: object) -> None:
+    """End in order, and only once: a dying grader sends the signal again for each of its threads."""
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    raise SystemExit(0)
+
+
+class _Inbox:
+    """Reads standard input beside the work, so that a word can reach a job under way."""
+
+    def __init__(self) -> None:
+        self.jobs: queue.SimpleQueue[JudgingOrder | None] = queue.SimpleQueue()
+        self.cancel_soak = threading.Event()
+        threading.Thread(target=self._read, name="inbox", daemon=True).start()
+
+    def _read(self) -> None:
+        for line in sys.stdin:
+            message = json.loads(line)
+            if message == ENOUGH:
+                self.cancel_soak.set()
+            else:
+                self.jobs.put(JudgingOrder(**message))
+        self.cancel_soak.set()
+        self.jobs.put(None)
+
+
+@cache
+def _exercise(stem: str) -> Exercise:
+    return load_exercise(stem)
+
+
+def serve(
+    isolation: Isolation,
+    ids: Ids | None = None,
+    port: int | None = None,
+    groups: Path | None = None,
+    servers: Sequence[ForkServer] = (),
+) -> None:
+    """Answer jobs until standard input is closed. With "uid" the programs run under `ids`, which the caller leased.
+
+    `port`: of a listener on this machine, for trying out the tier first. `groups`: the folder for memory cgroups, which
+    the caller leased. `servers`: two, from which the programs of a sandbox are forked; none: it has one of its own.
+    """
+    channel = _private_output()
+    adopt_orphans()
+    set_parent_death_signal(signal.SIGTERM)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, _end_on_sigterm)
+    inbox = _Inbox()
+
+    def send(message: Message) -> None:
+        channel.write(line_of(message))
+        channel.flush()
+
+    def report(judgement: Judgement) -> None:
+        send(judgement_message(judgement, final=False))
+
+    servers = servers or [ForkServer()]
+    tier = make_tier(isolation, ids=ids, server=servers[0], alternate=servers[-1], groups=groups)
+    warm_up(isolation, servers[0])
+    with contextlib.ExitStack() as stack:
+        for server in servers:
+            stack.callback(server.close)
+        try:
+            observer = stack.enter_context(Observer(tier=tier))
+        except NoDomainFree as error:
+            send({"broken": str(error)})
+            return
+        judge = Judge(observer, ANSWER_LIMITS)
+        problem = None if port is None else try_out(isolation, observer, ANSWER_LIMITS, port, ids)
+        send({"ready": os.getpid(), "problem": problem})
+        while (job := inbox.jobs.get()) is not None:
+            inbox.cancel_soak.clear()
+            observer.on_take = _ProgressSender(send) if job.progress else None
+            send(_follow(job, judge, report, inbox.cancel_soak.is_set))
+
+
+class _ProgressSender:
+    """Sends how far a judgement is, a few times a second."""
+
+    def __init__(self, send: Callable[[Message], None]) -> None:
+        self._send = send
+        self._sent_at = -PROGRESS_EVERY_S
+
+    def __call__(self, recorder: Recorder) -> None:
+        if time.monotonic() - self._sent_at < PROGRESS_EVERY_S:
+            return
+        self._sent_at = time.monotonic()
+        topics = [*islice(recorder.so_far(), TOPICS_SHOWN)]
+        messages = {name: count for name, count, _ in topics}
+        latest = {name: value for name, _, value in topics}
+        self._send(progress_message(Progress(0, round(recorder.robot_now(), 3), messages, latest)))
+
+
+def _follow(order: JudgingOrder, judge: Judge, report: Report, cancel_soak: Callable[[], bool]) -> Message:
+    """Judge one answer and sweep up behind it. Returns the last line on it: its judgement, or what went wrong.
+
+    Raises ServerGone: then this slot is to be replaced, and the answer judged in another one.
+    """
+    try:
+        judgement = judge.judge(
+            _exercise(order.exercise),
+            Answer(order.answer),
+            soak=order.soak,
+            seed=order.seed,
+            report=report,
+            cancel_soak=cancel_soak,
+        )
+        message = judgement_message(judgement, final=True)
+    except ServerGone:
+        raise
+    except Exception as error:
+        message = error_message(f"{type(error).__name__}: {error}")
+    try:
+        sweep_orphans()
+    except StillThere as error:
+        message = error_message(str(error))
+    return message
+
+
+def warm_up(isolation: Isolation, server: ForkServer) -> None:
+    """Prepare to fork programs: in a sandbox from `server`, in other tiers from this process's own fork server.
+
+    A sandbox has a network of its own, so its leases say nothing about this process.
+    """
+    if isolation == "sandbox":
+        lease_in_private()
+        server.start(sandbox_environment(child_environment(0, log_folder=Path(os.devnull))))
+    else:
+        own_server.keep()
+
+
+def main() -> None:
+    """Read the command line, then answer jobs until standard input is closed."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("tier", type=named_tier)
+    parser.add_argument("--user", type=lambda text: Ids(int(text)))
+    parser.add_argument("--groups", type=Path)
+    parser.add_argument("--try", type=int, dest="port")
+    asked = parser.parse_args()
+    serve(asked.tier, asked.user, asked.port, asked.groups)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,159 @@
+"""Finds the field of a message that holds a value of a wrong type, when rclpy fails on it.
+
+The C part of a message says neither the field nor the value. Both are still in the frames of the traceback.
+"""
+
+import re
+import sys
+from collections.abc import Iterator
+from difflib import get_close_matches
+from operator import index
+from types import FrameType
+from typing import Any
+
+LONGEST_VALUE = 60
+"""Characters of a value that are quoted."""
+MOST_ELEMENTS = 2_000
+RAISED_FOR_A_VALUE = (TypeError, ValueError, AttributeError, AssertionError, OverflowError, SystemError)
+"""What the messages raise. A wrong value in a float field raises nothing, so another field is named first."""
+_MESSAGE_FILE = re.compile(r"/(?:msg|srv)/_\w+\.py$")
+_MESSAGE_MODULE = re.compile(r"^\w+\.(?:msg|srv)\._\w+$")
+_NO_FIELD = re.compile(r"^'(?P<message>\w+)' object has no attribute '(?P<name>\w+)'")
+_RCLPY_FILE = re.compile(r"/rclpy/(?:publisher|client|service)\.py$")
+_LIST = re.compile(r"^(?:sequence<(?P<inner>.+?)(?:, \d+)?>|(?P<of>.+)\[\d+\])$")
+_INTEGER = re.compile(r"^(?P<unsigned>u?)int(?P<bits>\d+)$")
+_TEXT = re.compile(r"^w?string(?:<\d+>)?$")
+
+
+def note_of(error: BaseException) -> str:
+    """What was given to which field, as a line; empty when no field is to blame or anything here goes wrong."""
+    if not isinstance(error, RAISED_FOR_A_VALUE):
+        return ""
+    try:
+        return _fields_there_are(error) or next(_misfits_of(error), "")
+    except Exception:
+        return ""
+
+
+def _fields_there_are(error: BaseException) -> str:
+    """The fields of a message that lacks the one that was asked for, the most similar ones first."""
+    asked = _NO_FIELD.match(str(error)) if isinstance(error, AttributeError) else None
+    kinds = [] if asked is None else _kinds(asked["message"], getattr(error, "obj", None))
+    if asked is None or len(kinds) != 1:
+        return ""
+    fields = kinds[0].get_fields_and_field_types()
+    if asked["name"] in fields:
+        return ""
+    near = get_close_matches(asked["name"], fields, n=3, cutoff=0.5)
+    names = ", ".join(dict.fromkeys([*near, *fields]))
+    return f"The fields of {asked['message']} are: {names}"
+
+
+def _kinds(name: str, owner: Any) -> list[Any]:
+    """The message classes of this name that may be meant: of `owner`, or else of all packages that are loaded.
+
+    When an attribute is read, Python tells whose it is, and not when it is set. rclpy has a Time as well.
+    """
+    if owner is not None:
+        return [type(owner)] if _fields(owner) else []
+    modules = [module for path, module in list(sys.modules.items()) if _MESSAGE_MODULE.match(path)]
+    return [
+        kind for module in modules if hasattr(kind := vars(module).get(name), "get_fields_and_field_types")
+    ]
+
+
+def _misfits_of(error: BaseException) -> Iterator[str]:
+    step = error.__traceback__
+    while step is not None and step.tb_next is not None:
+        file = step.tb_frame.f_code.co_filename
+        if _MESSAGE_FILE.search(file) or _RCLPY_FILE.search(file):
+            break
+        step = step.tb_next
+    if step is None:
+        return
+    frame = step.tb_frame
+    if _RCLPY_FILE.search(frame.f_code.co_filename):
+        sent = (frame.f_locals.get(name) for name in ("msg", "request", "response"))
+        found = [line for message in sent for line in misfits(message)]
+        yield from sorted(found, key=lambda line: " takes float," in line or " takes double," in line)
+    elif _MESSAGE_FILE.search(frame.f_code.co_filename):
+        yield from _given_to_a_message(frame)
+
+
+def _given_to_a_message(frame: FrameType) -> Iterator[str]:
+    """What a message's constructor or the setter of a field was given."""
+    local = frame.f_locals
+    message = local.get("self")
+    kinds = _fields(message)
+    given = dict(local["kwargs"]) if "kwargs" in local else {}
+    if "value" in local:
+        given = {frame.f_code.co_name: local["value"]}
+    for name, value in given.items():
+        if name in kinds:
+            yield from _misfit(type(message).__name__, name, kinds[name], value)
+
+
+def misfits(message: Any, path: str = "") -> Iterator[str]:
+    """A line for each field of a message, or of a message in it, that holds a value of a wrong type."""
+    for name, kind in _fields(message).items():
+        yield from _misfit(type(message).__name__, f"{path}{name}", kind, getattr(message, name))
+
+
+def _fields(message: Any) -> dict[str, str]:
+    ask = getattr(type(message), "get_fields_and_field_types", None)
+    return dict(ask()) if ask is not None else {}
+
+
+def _misfit(message: str, name: str, kind: str, value: Any) -> Iterator[str]:
+    inner = _LIST.match(kind)
+    if inner is not None:
+        yield from _misfit_of_list(message, name, kind, inner["inner"] or inner["of"], value)
+    elif not _takes(kind, value):
+        yield _line(message, name, kind, value)
+    elif "/" in kind:
+        yield from misfits(value, f"{name}.")
+
+
+def _line(message: str, name: str, kind: str, value: Any) -> str:
+    given = type(value)
+    type_name = (
+        given.__name__ if given.__module__ == "builtins" else f"{given.__module__}.{given.__qualname__}"
+    )
+    quoted = repr(value).replace("\n", " ")
+    if len(quoted) > LONGEST_VALUE:
+        quoted = f"{quoted[: LONGEST_VALUE - 1]}…"
+    return f"The field '{name}' of {message} takes {kind}, and got {type_name}: {quoted}"
+
+
+def _misfit_of_list(message: str, name: str, kind: str, inner: str, value: Any) -> Iterator[str]:
+    try:
+        elements = list(value)[:MOST_ELEMENTS]
+    except TypeError:
+        elements = None
+    if elements is None or isinstance(value, (str, dict)):
+        yield _line(message, name, kind, value)
+        return
+    for place, element in enumerate(elements):
+        for line in _misfit(message, f"{name}[{place}]", inner, element):
+            yield line
+            return
+
+
+def _takes(kind: str, value: Any) -> bool:
+    integer = _INTEGER.match(kind)
+    if integer is not None or kind in ("octet", "byte", "char"):
+        bits, unsigned = (int(integer["bits"]), bool(integer["unsigned"])) if integer else (8, True)
+        if kind in ("octet", "byte") and isinstance(value, bytes):
+            return len(value) == 1
+        low, high = (0, 1 << bits) if unsigned else (-(1 << bits - 1), 1 << bits - 1)
+        try:
+            return low <= index(value) < high
+        except TypeError:
+            return False
+    if kind in ("float", "double"):
+        return isinstance(value, float)
+    if kind == "boolean":
+        return isinstance(value, int)
+    if _TEXT.match(kind):
+        return isinstance(value, str)
+    return type(value).__name__ == kind.rpartition("/")[2] and bool(_fields(value))

@@ -1,0 +1,94 @@
+"""Prints exceptions as a student would see them without the host: only their own frames, each traceback in one write.
+
+Two threads that fail together would mix their lines if each line was a write of its own.
+"""
+
+import os
+import sys
+import threading
+import time
+import traceback
+from collections.abc import Callable
+from types import FrameType
+
+from workbook.inside.field_values import note_of
+
+FOLDER = os.path.dirname(os.path.abspath(__file__))
+PATIENCE_WITH_THREADS_S = 1.0
+LOOK_EVERY_S = 0.02
+STILL_RUNNING = "Still running:"
+"""So begins the line about each thread that keeps a program from its end."""
+
+
+def shown(error: BaseException, ends_with_host: Callable[[traceback.FrameSummary], bool]) -> str:
+    """The traceback of an exception and of all that it followed from, without frames of this folder.
+
+    `ends_with_host`: whether a frame imported the answer, so that no frame up to it is the answer's.
+    """
+    note = note_of(error)
+    if note:
+        error.add_note(note)
+    told = traceback.TracebackException.from_exception(error)
+    waiting, seen = [told], set[int]()
+    while waiting:
+        one = waiting.pop()
+        if id(one) in seen:
+            continue
+        seen.add(id(one))
+        frames = list(one.stack)
+        start = max((place for place, frame in enumerate(frames, 1) if ends_with_host(frame)), default=0)
+        one.stack = traceback.StackSummary.from_list(
+            [frame for frame in frames[start:] if os.path.dirname(frame.filename) != FOLDER]
+        )
+        parts = getattr(one, "exceptions", None) or ()
+        waiting += [more for more in (one.__cause__, one.__context__, *parts) if more is not None]
+    return "".join(told.format()) if told.stack else "".join(_without_a_head(told))
+
+
+def _without_a_head(told: traceback.TracebackException) -> list[str]:
+    """What is left when Python could not read the file: no frame has run."""
+    if told.__cause__ is not None or (told.__context__ is not None and not told.__suppress_context__):
+        return list(told.format())
+    return list(told.format_exception_only())
+
+
+def write(text: str) -> None:
+    """Write to standard error, if there is one, after what was printed."""
+    for stream in (sys.stdout, sys.stderr):
+        if stream is not None:
+            stream.flush()
+    if sys.stderr is not None:
+        sys.stderr.write(text)
+        sys.stderr.flush()
+
+
+def take_over_threads(show: Callable[[BaseException], str]) -> None:
+    """From now on, print what leaves a thread by `show`, in one write."""
+
+    def hook(arguments: threading.ExceptHookArgs) -> None:
+        if arguments.exc_value is None or issubclass(arguments.exc_type, SystemExit):
+            return
+        name = arguments.thread.name if arguments.thread is not None else threading.get_ident()
+        write(f"Exception in thread {name}:\n{show(arguments.exc_value)}")
+
+    threading.excepthook = hook
+
+
+def tell_who_stays(path: str) -> None:
+    """Name the threads that keep the program at `path` from its end, with the line that each is in."""
+    until = time.monotonic() + PATIENCE_WITH_THREADS_S
+    others = [
+        one for one in threading.enumerate() if one is not threading.current_thread() and not one.daemon
+    ]
+    while time.monotonic() < until and any(one.ident in sys._current_frames() for one in others):
+        time.sleep(LOOK_EVERY_S)
+    frames = sys._current_frames()
+    for thread in others:
+        if thread.ident in frames:  # is_alive() says no after an interrupted join()
+            write(f"{STILL_RUNNING} {thread.name}{_line_of(frames[thread.ident], path)}\n")
+
+
+def _line_of(frame: FrameType | None, path: str) -> str:
+    while frame is not None and frame.f_code.co_filename != path:
+        frame = frame.f_back
+    return "" if frame is None else f", line {frame.f_lineno}"

@@ -1,0 +1,47 @@
+"""The last recording of each exercise, kept next to the answers: for a report to somebody who helps."""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+from workbook.exercise.answer_files import answers_folder
+from workbook.exercise.judgement import Judgement
+from workbook.recording.codec import decode, encode
+from workbook.recording.recording import Recording
+
+KEPT_IN = ".recordings"
+
+
+@dataclass(frozen=True)
+class LastRecording:
+    """A recording, and the SHA-256 of the answer that ran."""
+
+    answer_sha256: str
+    recording: Recording
+
+
+def keep_recording(judgement: Judgement, folder: Path | None = None) -> None:
+    """Keep the recording of a check, in place of the one before. A full disk costs it, and nothing else."""
+    if judgement.recording is None:
+        return
+    path = _file(judgement.stem, folder)
+    partial = path.with_suffix(".part")
+    kept = encode(LastRecording(judgement.answer_sha256, judgement.recording))
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        partial.write_text(json.dumps(kept, allow_nan=False, separators=(",", ":")), encoding="utf-8")
+        partial.replace(path)
+    except (OSError, ValueError):
+        partial.unlink(missing_ok=True)
+
+
+def last_recording(stem: str, folder: Path | None = None) -> LastRecording | None:
+    """The recording of the last check; None if there was none, or if it cannot be read."""
+    try:
+        return decode(LastRecording, json.loads(_file(stem, folder).read_text(encoding="utf-8")))
+    except (OSError, ValueError, RecursionError):
+        return None
+
+
+def _file(stem: str, folder: Path | None) -> Path:
+    return (folder or answers_folder()) / KEPT_IN / f"{stem}.json"

@@ -1,0 +1,309 @@
+"""Starting programs by forking, instead of a fresh Python for each: the other side of `inside/fork_server.py`."""
+
+import atexit
+import contextlib
+import json
+import os
+import select
+import signal
+import socket
+import subprocess
+import threading
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from workbook.inside.memory_cgroup import open_group
+from workbook.inside.orphans import forget
+from workbook.inside.proc import process_tree
+from workbook.programs.ending import RUN_MARK
+from workbook.programs.helpers import start_helper
+from workbook.programs.tier import Order
+from workbook.ros.environment import child_environment
+
+MARK_BYTES = 80
+"""Room for it in the environment of a server: a forked process has no other that others could read."""
+SERVER = "fork_server"
+START_S = 30.0
+ANSWER_S = 10.0
+LOOK_AGAIN_S = 1.0
+"""Whoever waits for an end looks again after so long (s), should the kernel not have woken it."""
+
+
+class NotForked(RuntimeError):
+    """The program was not started. The message says why; start it in a fresh Python."""
+
+
+class ServerGone(RuntimeError):
+    """A program has lost the process that reports how it ends. The program itself is not to blame."""
+
+
+class ForkedProgram:
+    """A program that the server has forked. See `workbook.programs.tier.Child`.
+
+    `is_lost`: its supervisor has ended without a report. Where the program cannot reach that, its server is gone.
+    """
+
+    def __init__(self, pid: int, status_fd: int, told: bytes) -> None:
+        self.pid = pid
+        self.returncode: int | None = None
+        self.is_lost = False
+        self._status_fd = status_fd
+        self._told = told
+        self._reading = threading.Lock()
+
+    def poll(self) -> int | None:
+        """The exit code (negative: the signal that ended it), or None while it runs."""
+        return self._read_status()
+
+    def wait(self, timeout: float | None = None) -> int:
+        """Wait for the end. Raises subprocess.TimeoutExpired after `timeout` s.
+
+        The supervisor ends with its last report, so whoever waits is woken, also when another thread has read it.
+        """
+        deadline = None if timeout is None else time.monotonic() + timeout
+        while (code := self._read_status()) is None:
+            left = LOOK_AGAIN_S if deadline is None else deadline - time.monotonic()
+            if left <= 0:
+                raise subprocess.TimeoutExpired("the program", timeout or 0.0)
+            select.select([self._status_fd], [], [], min(left, LOOK_AGAIN_S))
+        return code
+
+    def _read_status(self) -> int | None:
+        """Take in what its supervisor has reported. More than one thread may ask."""
+        with self._reading:
+            while self.returncode is None and select.select([self._status_fd], [], [], 0.0)[0]:
+                chunk = os.read(self._status_fd, 100)
+                self._told += chunk
+                if b"\n" in self._told and self._told.strip().isdigit():
+                    self.returncode = os.waitstatus_to_exitcode(int(self._told))
+                elif not chunk:  # its supervisor is gone, and the program with it
+                    self.is_lost = True
+                    self.returncode = -signal.SIGKILL
+            return self.returncode
+
+    def close(self) -> None:
+        """Forget it; call it when the program has ended."""
+        with self._reading:
+            if self.returncode is not None and self._status_fd >= 0:
+                os.close(self._status_fd)
+                self._status_fd = -1
+
+    def interrupt(self) -> None:
+        """Send it SIGINT."""
+        if self.poll() is None:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(self.pid, signal.SIGINT)
+
+    def tree(self) -> list[int]:
+        """It, and all that it has started."""
+        below = process_tree(self.pid)
+        return below if self.poll() is None else below[1:]
+
+    def wait_for_sandbox(self, timeout: float | None = None) -> None:
+        """Return at once: nothing is around this program."""
+
+
+def request_fork(channel: socket.socket, request: Mapping[str, object], descriptors: Sequence[int]) -> int:
+    """Ask a server to fork a program. Returns where it reports the status. Raises OSError when the server is gone.
+
+    `descriptors`: what is for the program.
+    """
+    status_fd, theirs = os.pipe()
+    try:
+        socket.send_fds(channel, [json.dumps(request).encode()], [theirs, *descriptors])
+    except OSError:
+        os.close(status_fd)
+        raise
+    finally:
+        os.close(theirs)
+    return status_fd
+
+
+def started_program(status_fd: int, timeout_s: float) -> ForkedProgram:
+    """The program that a server was asked to fork, by its first report. Raises NotForked, after `timeout_s` at last.
+
+    `status_fd`: where it reports, which is closed when it has forked none.
+    """
+    told = b""
+    while b"\n" not in told:
+        chunk = os.read(status_fd, 100) if select.select([status_fd], [], [], timeout_s)[0] else b""
+        if not chunk:
+            break
+        told += chunk
+    first, _, more = told.partition(b"\n")
+    if not first.isdigit():
+        os.close(status_fd)
+        raise NotForked(first.decode(errors="replace") or "the process that forks does not answer")
+    return ForkedProgram(int(first), status_fd, more)
+
+
+class ForkServer:
+    """The process from which programs are forked. It starts with the first of them and ends with its owner.
+
+    `zygote`: a server that runs already, outside of this slot's sandbox, to have it forked from where that is possible.
+    `slot`: the first process of that sandbox.
+    """
+
+    def __init__(self, zygote: "Zygote | None" = None, slot: int = 0) -> None:
+        self._turn = threading.RLock()
+        self._zygote = zygote
+        self._slot = slot
+        self._process: subprocess.Popen[bytes] | None = None
+        self._channel: socket.socket | None = None
+        self._ready = False
+
+    @property
+    def pid(self) -> int | None:
+        """Its process number; None while there is none, and for one that was forked from a zygote."""
+        return None if self._process is None else self._process.pid
+
+    def start(self, environ: Mapping[str, str]) -> None:
+        """Start the server, if it does not run, without waiting for it.
+
+        `environ` must hold nothing that programs must not see. One from a zygote has the environment of that.
+        """
+        with self._turn:
+            if self._channel is not None and not _has_hung_up(self._channel):
+                return
+            self.close()
+            zygote, self._zygote = self._zygote, None  # once: if it breaks, the next one is started afresh
+            self._channel = None if zygote is None else zygote.fork_into(self._slot)
+            if self._channel is None:
+                self._process, self._channel = start_helper(SERVER, environ)
+
+    def spawn(
+        self,
+        namespaces_of: int,
+        order: Order,
+        environ: Mapping[str, str],
+        folder: str,
+    ) -> ForkedProgram:
+        """Fork a program into the name spaces of a process, or into no other ones (0). Raises NotForked.
+
+        `environ`: in place of that of the order.
+        """
+        request = {
+            "namespaces_of": namespaces_of,
+            "arguments": [*order.arguments],
+            "environ": dict(environ),
+            "folder": folder,
+            "reads": order.input_fd is not None,
+        }
+        try:
+            groups = [] if order.cgroup_join_file is None else [open_group(order.cgroup_join_file)]
+        except OSError as error:
+            raise NotForked(f"there is no memory cgroup ({error})") from error
+        inputs = [] if order.input_fd is None else [order.input_fd]
+        try:
+            with self._turn:
+                self.wait_until_ready()
+                assert self._channel is not None
+                status_fd = request_fork(self._channel, request, [order.output_fd, *groups, *inputs])
+        except OSError as error:
+            self.close()
+            raise NotForked(f"the fork server is gone ({error})") from error
+        finally:
+            for descriptor in groups:
+                os.close(descriptor)
+        return started_program(status_fd, ANSWER_S)
+
+    def wait_until_ready(self) -> None:
+        """Wait until it can fork programs. Raises OSError when it was never started, or does not get that far."""
+        with self._turn:
+            if self._channel is None:
+                raise OSError("it was never started")
+            if not self._ready:
+                self._channel.settimeout(START_S)
+                said = self._channel.recv(100)
+                if said != b"ready":
+                    raise OSError(said.decode(errors="replace") or "it ended at once")
+                self._ready = True
+
+    def close(self) -> None:
+        """End the server."""
+        with self._turn:
+            self._ready = False
+            if self._channel is not None:
+                self._channel.close()
+                self._channel = None
+            if self._process is not None:
+                self._process.kill()
+                self._process.wait()
+                forget(self._process.pid)
+                self._process = None
+
+
+@dataclass(frozen=True)
+class Zygote:
+    """A fork server from which others are forked into the sandboxes of slots."""
+
+    channel: socket.socket
+
+    def fork_into(self, slot: int) -> socket.socket | None:
+        """Have a server forked into a sandbox. Returns our end of its channel; None if that fails.
+
+        `slot`: the first process of the sandbox.
+        """
+        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with theirs:
+            try:
+                socket.send_fds(self.channel, [json.dumps({"branch_in": slot}).encode()], [theirs.fileno()])
+            except OSError:
+                ours.close()
+                return None
+        return ours
+
+
+def _has_hung_up(channel: socket.socket) -> bool:
+    """Whether the other end of a channel is closed, because its process has ended."""
+    waiting = select.poll()
+    waiting.register(channel, 0)
+    return any(event & (select.POLLHUP | select.POLLERR) for _, event in waiting.poll(0))
+
+
+class OwnServer:
+    """The fork server of this process, for programs that no tier confines. There is none until `keep` is called.
+
+    Most processes start one or two programs, for which a server is not worth its start.
+    """
+
+    def __init__(self) -> None:
+        self._wanted = False
+        self._owner = 0
+        self._server: ForkServer | None = None
+        self._turn = threading.Lock()
+
+    def keep(self) -> None:
+        """Use a fork server from now on. It starts with the first program."""
+        self._wanted = True
+
+    def ready(self) -> ForkServer | None:
+        """The server, once it can fork a program; None when it is not wanted or cannot be had."""
+        if not self._wanted:
+            return None
+        with self._turn:
+            if self._server is None or self._owner != os.getpid():  # a fork of its owner has none
+                self._server, self._owner = ForkServer(), os.getpid()
+                atexit.register(self.close)
+            environ = child_environment(0, log_folder=Path(os.devnull))
+            try:
+                self._server.start({**environ, RUN_MARK: " " * MARK_BYTES})
+                self._server.wait_until_ready()
+            except OSError:
+                return None
+            return self._server
+
+    @property
+    def pid(self) -> int | None:
+        """Its process number; None while there is none."""
+        return None if self._server is None else self._server.pid
+
+    def close(self) -> None:
+        """End the server. The next program starts another one."""
+        if self._server is not None and self._owner == os.getpid():
+            self._server.close()
+
+
+own_server = OwnServer()

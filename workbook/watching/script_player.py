@@ -1,0 +1,274 @@
+"""Plays a script to a program: publishes, answers and calls, without an executor."""
+
+import math
+import time
+from array import array
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from rclpy.duration import Duration
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
+from rclpy.serialization import serialize_message
+
+from workbook.recording.recording import CallSeen, Published
+from workbook.recording.script import BEFORE_START, Calls, Line, Publishes, Script, Serves
+from workbook.ros.messages import message_class, service_class
+from workbook.watching.values import plain
+
+SERVED_EVERY_S = 0.01
+LATE_S = 0.02
+CALLS_KEPT = 2_000
+"""Calls after these are neither answered nor recorded: a program may call without end."""
+
+
+def fill(message: Any, value: Mapping[str, Any]) -> Any:
+    """Set the fields of a message from plain data; nested messages from nested mappings. Returns the message.
+
+    Bytes are handed over as an array: with field checks on, a message looks at each byte of anything else.
+    """
+    for name, item in value.items():
+        if isinstance(item, Mapping):
+            fill(getattr(message, name), item)
+        else:
+            setattr(message, name, array("B", item) if isinstance(item, bytes) else item)
+    return message
+
+
+def _qos(part: Publishes) -> QoSProfile:
+    best_effort = part.qos == "best_effort"
+    latched = part.qos == "latched"
+    deadline = {} if part.deadline is None else {"deadline": Duration(seconds=part.deadline)}
+    return QoSProfile(
+        **deadline,
+        history=HistoryPolicy.KEEP_LAST,
+        depth=1 if latched else part.depth,
+        reliability=ReliabilityPolicy.BEST_EFFORT if best_effort else ReliabilityPolicy.RELIABLE,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL if latched else DurabilityPolicy.VOLATILE,
+    )
+
+
+@dataclass
+class _Delay:
+    """By how much (s) the lines of a script are later than planned: all its parts share it, or they fall apart."""
+
+    late_s: float = 0.0
+
+
+@dataclass
+class _Due:
+    """Lines of a part that are still to come."""
+
+    lines: list[Line]
+    delay: _Delay
+
+    def next_at(self) -> float:
+        return self.lines[0].at + self.delay.late_s if self.lines else math.inf
+
+    def take(self, t: float) -> list[Line]:
+        now = [line for line in self.lines if line.at + self.delay.late_s <= t]
+        self.lines = self.lines[len(now) :]
+        return now
+
+    def take_apart(self, t: float) -> list[Line]:
+        """Only what is planned for one moment. If it comes late, so does all that follows: the pauses stay."""
+        if self.next_at() > t:
+            return []
+        if t - self.next_at() > LATE_S:
+            self.delay.late_s = t - self.lines[0].at
+        return self.take(self.next_at())
+
+
+class ScriptPlayer:
+    """Plays a script from one node. Lines that are due before the start are published when it is made.
+
+    `robot_time` maps a moment of `time.monotonic` (s) to simulated time (s); `started_at` is the zero of wall time, set
+    it when the program is started. `play` and `poll` never wait.
+    """
+
+    def __init__(self, node: Node, script: Script, simulated_time: Callable[[float], float]) -> None:
+        self._simulated_time = simulated_time
+        self._script = script
+        self.started_at = time.monotonic()
+        self._published: list[Published] = []
+        self._calls: list[CallSeen] = []
+        self._delay = _Delay()
+        self._publishers = [
+            (
+                part,
+                node.create_publisher(message_class(part.type), part.topic, _qos(part)),
+                _Due([*part.lines], self._delay),
+            )
+            for part in script.parts
+            if isinstance(part, Publishes)
+        ]
+        self._services = [
+            _Offered(part, node.create_service(service_class(part.type), part.service, _never_called))
+            for part in script.parts
+            if isinstance(part, Serves)
+        ]
+        self._clients = [
+            _Called(
+                part,
+                node.create_client(service_class(part.type), part.service),
+                _Due([*part.lines], self._delay),
+            )
+            for part in script.parts
+            if isinstance(part, Calls)
+        ]
+        self._say(BEFORE_START)
+
+    def bytes_by_topic(self) -> dict[str, int]:
+        """How many bytes of messages the script publishes in all, by topic."""
+        sizes: dict[str, int] = {}
+        for part in self._script.parts:
+            if isinstance(part, Publishes):
+                kind = message_class(part.type)
+                published = sum(len(serialize_message(fill(kind(), line.value))) for line in part.lines)
+                sizes[part.topic] = sizes.get(part.topic, 0) + published
+        return sizes
+
+    def ready(self) -> bool:
+        """Whether the program listens to all that awaits it, and offers all services that are called."""
+        heard = all(
+            publisher.get_subscription_count() > 0 for part, publisher, _ in self._publishers if part.awaited
+        )
+        return heard and all(called.client.service_is_ready() for called in self._clients)
+
+    def play(self, t: float, *, keep_pauses: bool = False) -> None:
+        """Send every line that is due at simulated time `t` (s), and serve requests and responses.
+
+        With `keep_pauses`, a late line delays the lines after it by as much, so that the planned pauses stay.
+        """
+        take = _Due.take_apart if keep_pauses else _Due.take
+        self._say(t, take)
+        for called in self._clients:
+            for line in take(called.due, t):
+                self._ask(called, line)
+        self.poll()
+
+    @property
+    def late_s(self) -> float:
+        """How much later (s) than planned the next lines come."""
+        return self._delay.late_s
+
+    def _dues(self) -> list[_Due]:
+        return [due for _, _, due in self._publishers] + [called.due for called in self._clients]
+
+    def poll(self) -> None:
+        """Take requests and responses that have come, and send the responses that are due."""
+        for offered in self._services:
+            self._serve(offered)
+        for called in self._clients:
+            self._collect(called)
+
+    def until_next(self, t: float) -> float:
+        """Robot seconds from `t` to the next line that is due; infinite when there is none.
+
+        While there is a service or a client, at most a short time: a request or a response may come at any moment.
+        """
+        due = [one.next_at() - t for one in self._dues()]
+        if self._services or self._clients:
+            due.append(SERVED_EVERY_S)
+        return max(0.0, min(due, default=math.inf))
+
+    def published(self) -> tuple[Published, ...]:
+        """The messages published so far, in order."""
+        return tuple(self._published)
+
+    def unpublished(self) -> tuple[Published, ...]:
+        """The messages that are still to come, in order. Their times are those at which they are due."""
+        to_come = [(part, line) for part, _, due in self._publishers for line in due.lines]
+        return tuple(
+            Published(part.topic, line.at, line.at, plain(fill(message_class(part.type)(), line.value)))
+            for part, line in sorted(to_come, key=lambda one: one[1].at)
+        )
+
+    def calls(self) -> tuple[CallSeen, ...]:
+        """The service calls seen so far, in both directions, in the order of their wall time."""
+        return tuple(sorted(self._calls, key=lambda call: call.wall))
+
+    def _now(self) -> tuple[float, float]:
+        moment = time.monotonic()
+        return round(self._simulated_time(moment), 6), round(moment - self.started_at, 4)
+
+    def _say(self, t: float, take: Callable[[_Due, float], list[Line]] = _Due.take) -> None:
+        for part, publisher, due in sorted(self._publishers, key=lambda one: one[2].next_at()):
+            for line in take(due, t):
+                message = fill(message_class(part.type)(), line.value)
+                now, wall = self._now()
+                if line.at <= BEFORE_START:
+                    now, wall = BEFORE_START, 0.0
+                self._published.append(Published(part.topic, now, wall, plain(message)))
+                publisher.publish(message)
+
+    def _ask(self, called: "_Called", line: Line) -> None:
+        request = fill(called.type.Request(), line.value)
+        with called.client.handle:
+            number = called.client.handle.send_request(request)
+        called.open[number] = len(self._calls)
+        self._calls.append(CallSeen(called.part.service, "judge", *self._now(), plain(request)))
+
+    def _collect(self, called: "_Called") -> None:
+        with called.client.handle:
+            while True:
+                header, response = called.client.handle.take_response(called.type.Response)
+                if header is None:
+                    return
+                index = called.open.pop(header.request_id.sequence_number, None)
+                if index is not None:
+                    self._answered(index, plain(response))
+
+    def _serve(self, offered: "_Offered") -> None:
+        with offered.service.handle:
+            while True:
+                request, header = offered.service.handle.service_take_request(offered.type.Request)
+                if header is None:
+                    break
+                if len(self._calls) >= CALLS_KEPT:
+                    continue  # taken all the same, so that it fills no queue
+                reply = offered.part.replies[min(offered.count, len(offered.part.replies) - 1)]
+                offered.count += 1
+                index = len(self._calls)
+                self._calls.append(CallSeen(offered.part.service, "program", *self._now(), plain(request)))
+                if reply.after is not None:
+                    offered.waiting.append((self._now()[0] + reply.after, index, header, reply.value))
+        now = self._now()[0] if offered.waiting else 0.0
+        for due, index, header, value in [*offered.waiting]:
+            if due <= now:
+                offered.waiting.remove((due, index, header, value))
+                response = fill(offered.type.Response(), value)
+                offered.service.send_response(response, header)
+                self._answered(index, plain(response))
+
+    def _answered(self, index: int, response: Any) -> None:
+        t, wall = self._now()
+        self._calls[index] = replace(self._calls[index], response=response, answered_t=t, answered_wall=wall)
+
+
+class _Offered:
+    """A service of ours, with the requests that wait for their response."""
+
+    def __init__(self, part: Serves, service: Any) -> None:
+        self.part = part
+        self.type = service_class(part.type)
+        self.service = service
+        self.count = 0
+        self.waiting: list[tuple[float, int, Any, Mapping[str, Any]]] = []
+
+
+class _Called:
+    """A service of the program, with the calls that wait for their response."""
+
+    def __init__(self, part: Calls, client: Any, due: _Due) -> None:
+        self.part = part
+        self.type = service_class(part.type)
+        self.client = client
+        self.due = due
+        self.open: dict[int, int] = {}
+
+
+def _never_called(request: object, response: object) -> object:
+    """No executor serves the speaker's node: `poll` takes the requests."""
+    return response
