@@ -168,7 +168,8 @@ print(command)
 from workbook.lesson import yours
 
 backward = Twist()
-speeds = ...  # TODO: first set the two fields of backward, then replace the ... with backward
+# TODO: set the two fields of backward, then replace the ... with backward
+speeds = ...
 
 yours(
     speeds,

@@ -118,8 +118,8 @@ def delay(one):
 
 
 for length in (4, 16):
-    left, behind = noise_left(MovingAverage(length)), delay(MovingAverage(length))
-    print(f"average of {length:>2}: {left:.0f} % of the noise, {behind} messages behind")
+    left, late = noise_left(MovingAverage(length)), delay(MovingAverage(length))
+    print(f"average of {length:>2}: {left:.0f} % of the noise, {late} messages behind")
 noise_ratio = float(noise_left(MovingAverage(16)) / noise_left(MovingAverage(4)))
 delay_ratio = delay(MovingAverage(16)) / delay(MovingAverage(4))
 reveal("longer-average", noise_ratio=noise_ratio, delay_ratio=delay_ratio)
@@ -282,7 +282,7 @@ class Butterworth:
 
 
 def both(kind, settings):
-    """For each setting of a filter: delay (s), and how much of the noise is left (%)."""
+    """For each setting of a filter: delay (s), and how much noise is left (%)."""
     return [(delay(kind(n)) / RATE_HZ, noise_left(kind(n))) for n in settings]
 
 

@@ -264,7 +264,8 @@ reveal("thread", beats=after, beats_before=before, age=median(threaded.ages))
 # %% id="thread"
 print("in the callback:", about(before, "beats a second", between=(2, 6.7)))
 print("in a thread:    ", about(after, "beats a second", between=(6, 11)))
-print("in a thread, outputs are", about(median(threaded.ages), "s old", between=(0.2, 0.5)))
+output_age = about(median(threaded.ages), "s old", between=(0.2, 0.5))
+print("in a thread, outputs are", output_age)
 
 # %%
 from workbook.pictures.timeline import strip
@@ -441,7 +442,7 @@ for pose, up in (
 
 # %% id="your-fall"
 def next_row(row, tilt_deg, limit_deg=60.0):
-    """How many samples in a row are tilted, with this one; `row` is the number before."""
+    """Count the tilted samples in a row; `row` is the count before this one."""
     return ...  # TODO: one more if this sample is tilted, otherwise 0
 
 

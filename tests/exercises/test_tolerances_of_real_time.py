@@ -52,7 +52,7 @@ def test_11_tells_its_tolerances() -> None:
         f"are reported within {judged.ALONE_MS:g} ms",
         f"half within {judged.TOGETHER_MS:g} ms",
         f"less than {judged.PROCESSOR_SHARE * 100:g} % of a processor",
-        f"sends {lines_of('11_polling_against_callbacks')} touches",
+        f"publishes {lines_of('11_polling_against_callbacks')} touches",
     ):
         assert told in task
     assert {0.75: "three in four"}[judged.ALONE_SHARE] in task

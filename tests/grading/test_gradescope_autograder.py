@@ -82,7 +82,7 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_the_same_course_gives_the_same_bytes(package: Path, tmp_path: Path) -> None:
     again = tmp_path / "other name.zip"
-    stray = ROOT / "workbook" / "grading" / "places" / "__pycache__"
+    stray = ROOT / "workbook" / "grading" / "gradescope_files" / "__pycache__"
     stray.mkdir()
     try:
         (stray / "stray.pyc").write_bytes(b"what a tool left")
