@@ -13,7 +13,7 @@ TASKS = ("solutions/*.py",)
 LESSONS = ("notebooks/sources/*.py",)
 MUSEUM = ("notebooks/sources/museum/*.toml", "notebooks/sources/planned.toml")
 CODE = ("exercises/criteria/*.py", "exercises/drivers/*.py", "lesson_nodes/**/*.py", "workbook/**/*.py")
-NOT_READ = ("workbook/typings/", "workbook/authoring/skeletons/", "workbook/cli/completion_scripts.py")
+NOT_READ = ("workbook/typings/", "workbook/authoring/skeletons/")
 
 FEWEST_WORDS = 3
 """A string of the code with fewer words is a name, a key or a label."""

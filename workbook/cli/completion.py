@@ -1,9 +1,16 @@
-"""`workbook completion`: what makes Tab complete commands, options, exercises and topics in a shell."""
+"""`workbook completion`: what makes Tab complete commands, options, exercises, and topics in a shell.
+
+argcomplete does it: the script that a shell sources calls `workbook` on Tab, and `main` lets `answer_tab` write what
+fits. So the script stays right when a command changes.
+"""
 
 import argparse
+import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
-from workbook.cli import terminal
+from workbook.cli.parsing import CommandParser
 
 PLACES = {
     "bash": "~/.local/share/bash-completion/completions/workbook",
@@ -28,29 +35,51 @@ def register(subparsers: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Print the script."""
-    from workbook.cli.command_tree import EXERCISES, TOPICS, commands_of
-    from workbook.cli.completion_scripts import SHELLS
-    from workbook.cli.main import build_parser
+    from argcomplete.shell_integration import shellcode
+
+    print(shellcode(["workbook"], shell=options.shell))
+    return 0
+
+
+def answer_tab(build_parser: Callable[[], CommandParser]) -> None:
+    """Write what fits behind the cursor and end, if a shell has called because of Tab; otherwise do nothing."""
+    if "_ARGCOMPLETE" not in os.environ:
+        return
+    import argcomplete
+    from argcomplete.completers import FilesCompleter, SuppressCompleter
+
+    parser = build_parser()
+    completers = {"EXERCISE": _exercises, "ID": _exercises, "TOPIC": _topics}
+    for action in _arguments_of(parser):
+        completer: Any = FilesCompleter() if action.type is Path else completers.get(str(action.metavar))
+        if completer is not None:
+            setattr(action, "completer", completer)  # noqa: B010 (argparse doesn't know it, argcomplete looks for it)
+    argcomplete.autocomplete(parser, always_complete_options=False, default_completer=SuppressCompleter())
+
+
+def _arguments_of(parser: CommandParser) -> Iterator[argparse.Action]:
+    yield from parser.arguments
+    for below in parser.below.values():
+        yield from _arguments_of(below)
+
+
+def _exercises(**_: object) -> tuple[str, ...]:
     from workbook.exercise.course import NoCourse, course_folder
     from workbook.exercise.source import stems
 
     try:
-        exercises = stems(course_folder() / "solutions")
-        words = {EXERCISES: exercises, TOPICS: topics_of(exercises)}
-    except NoCourse as error:
-        terminal.complain("completion", error)
-        return 2
-    print(SHELLS[options.shell](list(commands_of(build_parser())), words), end="")
-    return 0
+        return stems(course_folder() / "solutions")
+    except NoCourse:
+        return ()
 
 
-def topics_of(exercises: tuple[str, ...]) -> tuple[str, ...]:
+def _topics(**_: object) -> tuple[str, ...]:
     """The topics that the exercises are about, without those that only the judge's drivers use."""
     from workbook.exercise.definition import BrokenCriteria, load_exercise
     from workbook.recording.script import Publishes
 
     topics: set[str] = set()
-    for stem in exercises:
+    for stem in _exercises():
         try:
             plan = load_exercise(stem).plan
         except BrokenCriteria:  # Tab need not know them

@@ -16,6 +16,7 @@ from typing import NoReturn
 
 import workbook
 from workbook import cli
+from workbook.cli.completion import answer_tab
 from workbook.cli.parsing import CommandParser, show_what_is_below
 
 GROUPS = (
@@ -68,6 +69,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run one subcommand and return its exit code."""
     if arguments is None:
         drop_search_path()
+        answer_tab(build_parser)
         print_any_text()
     words = list(sys.argv[1:] if arguments is None else arguments)
     if words[:1] == ["help"]:
