@@ -39,6 +39,7 @@ def test_no_criterion_crashes(stem: str, seed: int) -> None:
     ("times", "strange"), [(evenly, False), (evenly, True), (in_bursts, False), (in_one_burst, False)]
 )
 @pytest.mark.parametrize("stem", STEMS)
+@pytest.mark.whole
 def test_no_criterion_takes_long(stem: str, times: Callable[[Random, float], float], strange: bool) -> None:
     """As many messages and calls as are kept: the budget of all criteria together is enough."""
     exercise, random = load_exercise(stem, ROOT), Random(0)

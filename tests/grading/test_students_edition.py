@@ -100,6 +100,7 @@ def test_every_link_leads_somewhere(edition: Path) -> None:
     assert not dead
 
 
+@pytest.mark.whole
 def test_its_own_tests_pass(edition: Path) -> None:
     """Two exercises and the machine here; `make test` in the edition runs all, and every lesson."""
     environment = {k: v for k, v in os.environ.items() if not k.startswith(("PYTEST_", "WORKBOOK_"))}

@@ -19,6 +19,8 @@ from workbook.feedback.text import as_text
 from workbook.watching.observer import Observer
 from workbook.watching.wall_time import OwnLoad
 
+pytestmark = [pytest.mark.slow, pytest.mark.whole]
+
 ROOT = Path(__file__).resolve().parents[2]
 PERIOD = "BATTERY_PERIOD_S = 2.0"
 CRASHES = """\

@@ -27,6 +27,7 @@ from workbook.programs.usage import limit_exceeded
 from workbook.recording.limits import ANSWER_LIMITS
 
 pytestmark = [
+    pytest.mark.whole,
     pytest.mark.sandbox,
     pytest.mark.slow,
     pytest.mark.skipif(sandbox_problem() is not None, reason=f"no sandbox: {sandbox_problem()}"),

@@ -23,6 +23,8 @@ from workbook.isolation.bubblewrap import sandbox_problem
 from workbook.recording.plain_text import without_commands
 from workbook.ros.scratch import remove_scratch
 
+pytestmark = [pytest.mark.slow, pytest.mark.whole]
+
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
 CANNOT_RUN = "robot = = 1\n"

@@ -28,6 +28,8 @@ from workbook.grading.slots.scheduler import judge_all
 from workbook.isolation.bubblewrap import NoSandbox
 from workbook.isolation.tiers import Isolation
 
+pytestmark = [pytest.mark.slow, pytest.mark.whole]
+
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
 PATIENCE_S = 120.0

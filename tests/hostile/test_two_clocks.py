@@ -10,6 +10,8 @@ from workbook.exercise.judgement import Judgement
 from workbook.exercise.judging import Judge
 from workbook.watching.observer import Observer
 
+pytestmark = [pytest.mark.slow, pytest.mark.whole]
+
 ROOT = Path(__file__).resolve().parents[2]
 EXERCISE = load_exercise("09_joint_positions")
 RIGHT = EXERCISE.source.solution_code

@@ -74,6 +74,7 @@ def test_a_filter_that_fails_although_the_kernel_knows_filters_ends_the_program(
 
 @pytest.mark.sandbox
 @pytest.mark.slow
+@pytest.mark.whole
 def test_results_and_pages_say_that_system_calls_were_not_filtered(tmp_path: Path) -> None:
     if problem := sandbox_problem():
         pytest.skip(problem)
