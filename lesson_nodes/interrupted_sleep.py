@@ -19,7 +19,7 @@ def main() -> None:
     except KeyboardInterrupt:
         print("interrupted")
     time.sleep(0.5)
-    print("in a program, the context is ok:", rclpy.ok())
+    print("in a program, the context is", "valid" if rclpy.ok() else "shut down")
     rclpy.try_shutdown()
 
 

@@ -11,7 +11,10 @@ from lesson_nodes.night_guard import NightGuard
 
 
 def main(handled_by: str) -> None:
-    """Walk rounds until Ctrl-C, then publish "good night". `handled_by`: ALL (rclpy handles signals) or NO."""
+    """Walk rounds until Ctrl-C, then publish "good night".
+
+    `handled_by` names a member of SignalHandlerOptions: rclpy handles these signals.
+    """
     rclpy.init(signal_handler_options=getattr(SignalHandlerOptions, handled_by))
     guard = NightGuard()
     radio = guard.create_publisher(String, "/museum/radio", 10)
@@ -19,7 +22,7 @@ def main(handled_by: str) -> None:
         rclpy.spin(guard)
     except KeyboardInterrupt:
         time.sleep(0.5)
-        print("the context is ok:", rclpy.ok())
+        print("context:", "valid" if rclpy.ok() else "shut down")
         guard.get_logger().info("good night")
         radio.publish(String(data="good night"))
         print("said good night")

@@ -4,7 +4,7 @@
 # A robot program has to start ROS before it can create a node. When the program ends, the robot mustn't drop anything.
 # How do you start and end ROS properly? One object is involved in both: the context.
 #
-# - **Minutes:** 40
+# - **Minutes:** 45
 # - **You need:** lesson [00](00_start_here.ipynb)
 # - **You will be able to:**
 #   - start and end ROS in a program
@@ -30,6 +30,8 @@ print("after the end:  ", node_list())
 # While the program ran, its **node** was on the list. Then the program ended without an error, and the node was gone.
 # That's less common than you might think: many programs on the web end with a page of error messages. By the end of
 # this lesson, you can write one that doesn't.
+#
+# [the same without helpers: start]
 
 # %% [markdown] prediction="publish-after-shutdown"
 # ## Predict
@@ -73,16 +75,17 @@ from std_msgs.msg import String
 
 rclpy.try_shutdown()  # only so that you can run this cell again
 
-print("at first:       ", rclpy.ok())
+at_first = rclpy.ok()
 
 rclpy.init()
 guard = Node("museum_guard")
 radio = guard.create_publisher(String, "/museum/radio", 10)
 radio.publish(String(data="all quiet"))
-print("after init:     ", rclpy.ok())
+after_init = rclpy.ok()
 
 rclpy.shutdown()
-print("after shutdown: ", rclpy.ok())
+print(f"rclpy.ok(): {at_first} at first, {after_init} after init,", end=" ")
+print(f"{rclpy.ok()} after shutdown")
 
 # %% [markdown]
 # Now publish after the shutdown.
@@ -156,7 +159,22 @@ for row, action in enumerate(actions):
 # - **`InvalidHandle`:** The context is valid, but the node was destroyed.
 #
 # Look at the last row. After the shutdown, the node still exists as a Python object and can return its name. But it
-# can't do anything else.
+# can no longer publish, and its context never becomes valid again.
+#
+# **Your turn.** Write the two lines that give this program a node that works, without restarting Python.
+
+# %% id="your-new-start"
+from workbook.lesson import yours
+
+rclpy.try_shutdown()
+
+# TODO: the call that new nodes need, as a line of its own
+third_guard = ...  # TODO: a new node, "third_guard"
+
+got = ...
+if third_guard is not ...:
+    got = outcome(lambda: third_guard.create_publisher(String, "/museum/alarm", 10))
+yours(got, "✓", "Call rclpy.init(), then create the node with Node(...).")
 
 # %% [markdown] prediction="three-contexts"
 # ## Change it
@@ -243,18 +261,33 @@ heard = {
     if speaker != listener
 }
 show(
-    strip(heard, end=5.5, noun="times"),
-    "five seconds: kitchen and hall hear each other four times a second, nobody "
-    "hears garden and garden hears nobody",
+    strip(
+        heard,
+        end=5.5,
+        noun="times",
+        title="Only robots in the same domain receive each other's messages",
+    ),
+    "five seconds: kitchen and hall receive each other's messages four times a second; "
+    "garden receives none, and the others receive none from garden",
 )
 
 # %% [markdown]
-# The domain decides, not the process and not the topic. Change the entry in `PLACES` to `"garden": "A"`, and run both
-# cells again.
+# The domain decides, not the process and not the topic.
 #
+# **Your turn.** A fourth robot, `terrace`, should hear `garden`, but neither `kitchen` nor `hall`.
+
+# %% id="your-terrace"
+places = {**PLACES, "terrace": ...}  # TODO: the domain, "A" or "B"
+
+hears = ...
+if ... not in places.values():
+    hears = talk(places, seconds=5)["terrace"].others()
+yours(hears, ["garden"], "Robots hear each other if they're in the same domain.")
+
+# %% [markdown]
 # Domains matter in a classroom, because ROS uses domain 0 by default. Put thirty laptops on one network, and *your*
 # dashboard shows the battery of your neighbor's robot. So each desk sets its own domain in the environment variable
-# `ROS_DOMAIN_ID`. (`ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST` keeps all traffic on one machine.)
+# `ROS_DOMAIN_ID`. (With `ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST`, programs discover only those on the same machine.)
 #
 # Don't write the number into your code, or you'll have to edit the program to use it in another domain. These notebooks
 # choose a free domain when you open them.
@@ -312,7 +345,8 @@ ends = {
 }
 for name, end in ends.items():
     last_line = end.log.strip().splitlines()[-1].split(", at ")[0]
-    print(f"{name}: exit code {end.exit}, arms parked: {'arms parked' in end.log}")
+    arms = "parked" if "arms parked" in end.log else "still up"
+    print(f"{name}: exit code {end.exit}, arms {arms}")
     print(f"    last line: {last_line}")
 reveal(
     "after-ctrl-c",
@@ -393,10 +427,13 @@ with rclpy.init():
 # %% [markdown]
 # In newer versions, `init` returns a context manager for `with`. In Jazzy, it returns `None`, so use `try` and
 # `finally` instead. One caveat: the failing line *did* call `init` before it raised the exception. The context is now
-# initialized, so another `init` would raise an exception, too.
+# initialized, so another `init` raises an exception, too:
 
 # %%
-print(rclpy.ok())
+try:
+    rclpy.init()
+except RuntimeError as error:
+    print(error)
 rclpy.try_shutdown()
 
 # %% [markdown]
@@ -452,7 +489,7 @@ print("last line:", end.log.strip().splitlines()[-1])
 
 # %% [markdown]
 # **Faded.** A delivery robot must lock its box at the end. Complete the three places marked with TODO, and run both
-# cells. The second cell prints how your program ended.
+# cells. The second one runs your program, sends it Ctrl-C, and compares its exit code and its last line.
 
 # %%
 # %%writefile courier.py
@@ -486,10 +523,12 @@ def main() -> None:
 if __name__ == "__main__":
     main()
 
-# %%
-end = run_program(Path("courier.py"), interrupt_at="driving")
-print("exit code 0:", end.exit == 0)
-print("box locked: ", "box locked" in end.log)
+# %% id="your-courier"
+ended = ...  # TODO: in the cell above, not here
+if "..." not in Path("courier.py").read_text():
+    end = run_program(Path("courier.py"), interrupt_at="driving")
+    ended = end.exit, end.log.strip().splitlines()[-1]
+yours(ended, (0, "box locked"), "Compare your main() with the gardener's.")
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/01_the_context.ipynb), you write `main()` for the night guard. The judge

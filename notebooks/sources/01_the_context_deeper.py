@@ -55,24 +55,19 @@ for cause in ends_of_spin.CAUSES:
     for way in ends_of_spin.WAYS:
         log = run_program(ends_of_spin, arguments=[cause, way]).log.strip().splitlines()
         came_out[cause, way] = log[-1]
-        still_ok.add(log[-2])
+        still_ok.add(log[-2].removeprefix("ok: "))
         print(f"{cause:<21} {way:<14} {log[-1]}")
 reveal("sigterm", came_out=came_out["SIGTERM", "rclpy.spin"])
 
 # %%
-on_sigterm = {what for (cause, _), what in came_out.items() if cause == "SIGTERM"}
-on_ctrl_c = {
-    what for (cause, _), what in came_out.items() if cause.startswith("Ctrl-C")
-}
-print("Ctrl-C always comes as KeyboardInterrupt:", on_ctrl_c == {"KeyboardInterrupt"})
-print("SIGTERM ever comes as KeyboardInterrupt: ", "KeyboardInterrupt" in on_sigterm)
-print("the context afterwards, in all six runs: ", *still_ok)
-print("SIGTERM and Ctrl-C come out alike:       ", on_sigterm == on_ctrl_c)
+on_ctrl_c = {what for (cause, _), what in came_out.items() if "SIGINT" in cause}
+print("raised on Ctrl-C, both ways:", *on_ctrl_c)
+print("rclpy.ok() afterward, in all six runs:", *still_ok)
 
 # %% [markdown]
 # So a well-written `main` catches both exceptions. `ExternalShutdownException` means that the context was shut down
-# from outside while `spin` was running. In all of these runs, the context is down afterward, so `try_shutdown` is the
-# right call at the end.
+# from outside while `spin` was running. In all six runs, the context was already shut down afterward, so `try_shutdown`
+# is the right call at the end.
 #
 # If another thread shuts the context down, `rclpy.spin` may notice that between two iterations. It then returns without
 # an exception. So put the code that must run in every case into `finally`.
@@ -141,7 +136,7 @@ port_axes.step(
     moments, [is_open for _, _, is_open in watched], color="#208a3c", linewidth=2.4
 )
 titles = (
-    "context.ok() is true from init to shutdown",
+    "The context is valid from init to shutdown",
     "UDP ports are open while there is a node",
 )
 for axes, title in zip((ok_axes, port_axes), titles, strict=True):
@@ -168,7 +163,8 @@ names = list(marks)
 for what, following in zip(names, [*names[1:], None], strict=True):
     end = marks[following] if following else float("inf")
     _, ok, is_open = [sample for sample in watched if marks[what] < sample[0] < end][-1]
-    print(f"after {what:<13} ok: {ok!s:<6} UDP ports open: {is_open}")
+    state, ports = "valid" if ok else "not valid", "open" if is_open else "closed"
+    print(f"after {what:<13} context {state + ',':<11} UDP ports {ports}")
 
 # %% [markdown]
 # `init` alone doesn't make your program visible to others. The ports open when you create the first **node**, and they
@@ -189,7 +185,7 @@ print(inspect.getsource(last_words.main))
 # %% id="last-words"
 def show_end(log: str) -> None:
     for line in log.strip().splitlines():
-        if line.startswith(("the context", "said", "Failed", "rclpy")) or line.endswith(
+        if line.startswith(("context", "said", "Failed", "rclpy")) or line.endswith(
             "good night"
         ):
             print("   ", line.split(", at ")[0])
@@ -207,12 +203,27 @@ for handled_by in ("ALL", "NO"):
 
 # %% [markdown]
 # rclpy shuts the context down in a separate thread, while Python raises the exception. Half a second later, the context
-# is certain to be down. The log message still reaches your terminal, but the publisher raises an exception.
+# had been shut down. The log message still reached the terminal, but the publisher raised an exception.
 #
 # With `SignalHandlerOptions.NO`, rclpy leaves the signal to Python, and the context stays valid until *you* shut it
 # down. That option has a price: a node without a timer doesn't wake up on Ctrl-C, and SIGTERM ends the process
 # immediately.
 #
+# **Your turn.** Choose the member of `SignalHandlerOptions` with which the guard publishes its last message on Ctrl-C,
+# but rclpy still handles SIGTERM.
+
+# %% id="your-option"
+from workbook.lesson import yours
+
+option = ...  # TODO: "ALL", "NO", "SIGINT", or "SIGTERM"
+
+ended = ...
+if option is not ...:
+    end = run_program(last_words, arguments=[option], interrupt_at="round 1")
+    ended = option, end.log.strip().splitlines()[-1]
+yours(ended, ("SIGTERM", "said good night"), "Name the signal that rclpy handles.")
+
+# %% [markdown]
 # **Notebooks behave differently.** Here, only Python handles SIGINT, the signal that the stop button (■) sends. So your
 # nodes survive it. The next cell sends this signal to itself and then runs the same lines as a program:
 
@@ -229,7 +240,7 @@ try:
     time.sleep(5)
 except KeyboardInterrupt:
     print("interrupted")
-print("in the notebook, the context is ok:", rclpy.ok())
+print("in the notebook, the context is", "valid" if rclpy.ok() else "shut down")
 
 print(run_program(interrupted_sleep).log.strip())
 rclpy.try_shutdown()
@@ -244,7 +255,7 @@ rclpy.try_shutdown()
 # - Other programs can discover yours from the moment it creates its first node until its last node is destroyed.
 # - On Ctrl-C, `spin` raises `KeyboardInterrupt`. On SIGTERM, it usually raises `ExternalShutdownException`. Catch both.
 # - If another thread shuts the context down, `rclpy.spin` may simply return. So clean up in `finally`.
-# - After Ctrl-C, the context is down. To publish a last message, use `SignalHandlerOptions.NO`.
+# - After Ctrl-C, the context is shut down. To publish a last message, use `SignalHandlerOptions.NO` or `.SIGTERM`.
 #
 # **Before:** [01 · The context](01_the_context.ipynb)
 #

@@ -45,7 +45,7 @@ print("the other process sees", reader.latest())
 # `Node("head")` created the node, and the other process found it. Here are more roll calls, drawn as a timeline. The
 # head appears, then the arm, and then the head disappears. Each mark is a roll call that contained that name.
 #
-# [the same without helpers: init, fresh, run]
+# [the same without helpers: init, start, fresh, run]
 
 # %%
 import time
@@ -74,7 +74,12 @@ film = {
     name: [moment for moment in moments if moment > 0] for name, moments in film.items()
 }
 show(
-    strip(film, end=time.monotonic() - began, noun="calls"),
+    strip(
+        film,
+        end=time.monotonic() - began,
+        noun="calls",
+        title="Another process sees each node while it exists",
+    ),
     "the roll call of another process: the head is there in the middle, the arm a "
     "little later, then only the arm",
 )
@@ -221,13 +226,13 @@ from workbook.ros import topic_info, topic_list
 
 print(node_list())
 (pictures,) = [name for name in topic_list().names if "frame" in name]
-print("publishers of pictures:", len(topic_info(pictures).publishers))
+print("image publishers:", len(topic_info(pictures).publishers))
 reveal("three-runs", cameras=node_list().count("/camera"))
 
 # %% [markdown]
 # Each run reassigned the *variable* `camera`. But a Python *object* lives as long as something refers to it, and the
 # executor refers to all three nodes. Each node has a publisher on the same topic, so if the executor spins, three times
-# as many images are published. The warning in the output above is the only sign of this.
+# as many images are published. In the output, only a warning about logs hints at this.
 #
 # To remove the nodes, get them from the executor:
 
@@ -239,21 +244,29 @@ await until_seen()
 print(node_list())
 
 # %% [markdown]
-# In these notebooks, `fresh` does this for you. It destroys the node that an earlier run created in the same way, and
-# then creates a new one.
+# In these notebooks, `fresh(SomeNode)` does this for you. It destroys the node that an earlier run created in the same
+# way, and then creates a new one.
+#
+# **Your turn.** Here's that cell as a function. Complete it so that one camera is left after three calls.
 
-# %%
-the_cell = """
-camera = fresh(CameraDriver)
-executor.add_node(camera)
-"""
+# %% id="your-cell"
+from workbook.lesson import yours
+
+
+def the_cell() -> None:
+    camera = ...  # TODO: create a CameraDriver that replaces the earlier one
+    if camera is not ...:
+        executor.add_node(camera)
+
+
 for _ in range(3):
-    exec(the_cell)
+    the_cell()
 
-await until_seen("/camera")
-print(node_list())
-(only,) = executor.get_nodes()
-only.destroy_node()
+cameras = [node.get_name() for node in executor.get_nodes()]
+yours(cameras or ..., ["camera"], "fresh(CameraDriver)")
+for camera in executor.get_nodes():
+    executor.remove_node(camera)
+    camera.destroy_node()
 
 # %% [markdown] prediction="topic-names"
 # ### Experiment 2: three ways to name a topic
@@ -306,8 +319,33 @@ camera.destroy_node()
 #
 # The leading slash makes the difference. With `/faults`, a second robot would report its faults on the same topic.
 # (This course's short examples mostly use absolute names, so that you see each name in full. In your own drivers, use
-# relative and private names, as this driver does.) Here are two robots, created from the same class without changing
-# it:
+# relative and private names, as this driver does.)
+#
+# **Your turn.** Each of three cameras publishes its `temperature`. Write one topic name that gives each camera its own
+# topic. The cell after that creates two robots from the same class, without changing it.
+
+# %% id="your-topic-name"
+topic_name = ...  # TODO: one name for all three, in quotes
+
+topics = ...
+if topic_name is not ...:
+    eyes = [
+        fresh(Node, "left_eye", namespace="/ada"),
+        fresh(Node, "right_eye", namespace="/ada"),
+        fresh(Node, "left_eye", namespace="/bob"),
+    ]
+    topics = [eye.resolve_topic_name(topic_name) for eye in eyes]
+    for eye in eyes:
+        eye.destroy_node()
+yours(
+    topics,
+    [
+        "/ada/left_eye/temperature",
+        "/ada/right_eye/temperature",
+        "/bob/left_eye/temperature",
+    ],
+    "A name that belongs to one node begins with ~/",
+)
 
 # %%
 from workbook.lesson import graph_picture
@@ -419,8 +457,7 @@ for printed in run_program(SAME_NAME).log.strip().splitlines():
 # node names. To confirm it, run `workbook node list` (or `ros2 node list`, if ROS 2 is installed), which shows the name
 # twice. Common causes are the same program in two terminals, a cell that you ran twice, and a program that you didn't
 # stop.
-
-# %% [markdown]
+#
 # **Invalid names.** Which of these names can you give to a node?
 
 # %% id="bad-names"
@@ -456,6 +493,23 @@ for namespace in ("/robot", "robot", "/robot/head", "/robot/"):
         print(f"✗ {error}")
 
 # %% [markdown]
+# **Your turn.** Create the node with the fully qualified name `/robot/left_hand/camera_2`. Use `fresh`, so that you can
+# run the cell again.
+
+# %% id="your-node"
+hand_camera = ...  # TODO: fresh(Node, ...)
+
+full_name = ...
+if hand_camera is not ...:
+    full_name = hand_camera.get_fully_qualified_name()
+    hand_camera.destroy_node()
+yours(
+    full_name,
+    "/robot/left_hand/camera_2",
+    "The part before the last slash is the namespace.",
+)
+
+# %% [markdown]
 # **A missing `super().__init__`.** This class creates a timer, and the error message doesn't mention the actual
 # mistake:
 
@@ -476,8 +530,7 @@ Blinker()
 # %% [markdown]
 # `super().__init__("blinker")` would have created `_default_callback_group`. Call it in the first line, before you use
 # any other part of the node.
-
-# %% [markdown]
+#
 # **Attributes that `Node` already uses.** This robot keeps its timers in a list, but the list's name is already taken:
 
 
@@ -496,8 +549,8 @@ class Collector(Node):
 Collector()
 
 # %% [markdown]
-# `Node` already has a property called `timers`, and Python reports the conflict. Names that start with an underscore
-# are worse, because they *aren't* protected, and `Node` uses them for its internal data. The next class raises no
+# `Node` already has a property called `timers`, and Python reports the conflict. Some names that start with an
+# underscore are worse: `Node` uses them for its internal data, and nothing protects them. The next class raises no
 # exception, but its timer never fires:
 
 
@@ -523,8 +576,7 @@ print("ticks in a second:", quiet.ticks)
 # `self._timers` was the list in which the node stored its timer, and the class replaced that list. If you overwrite
 # `_logger`, `_clock`, or `_parameters`, the error appears later, far from its cause. Descriptive names such as
 # `blink_timer` and `battery_publisher` don't collide.
-
-# %% [markdown]
+#
 # **rclpy's logger isn't Python's `logging`.** It looks similar, but its methods take different arguments:
 
 # %% id="logger-like-logging" tags=["raises-exception"]
@@ -549,7 +601,8 @@ say("warning", "battery low")
 # one line logs with two different severities, rclpy raises an error. So write an `if`, with a separate line for each
 # severity.
 #
-# The logger's name combines the node's namespace and name. Each log message is also published to `/rosout`.
+# The logger's name combines the node's namespace and name. By default, each log message is also published to
+# `/rosout`.
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -588,17 +641,15 @@ REMAP = {
     "right": [...],  # TODO: and this one right_arm
 }
 
-if any(... in words for words in REMAP.values()):
-    print("Fill in the words, then run this cell again.")
-else:
+topics = ...
+if not any(... in words for words in REMAP.values()):
     arms = [fresh(Arm, namespace="/robot", cli_args=words) for words in REMAP.values()]
-    for arm in arms:
-        print(
-            arm.get_fully_qualified_name(),
-            "publishes on",
-            arm.state_publisher.topic_name,
-        )
-    print("as asked:", node_list() == ("/robot/left_arm", "/robot/right_arm"))
+    topics = [arm.state_publisher.topic_name for arm in arms]
+yours(
+    topics,
+    ["/robot/left_arm/state", "/robot/right_arm/state"],
+    'The words are "--ros-args", "-r", and a rule such as "__node:=left_arm".',
+)
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/02_nodes.ipynb), a humanoid gets an eye in the back of its head, with a

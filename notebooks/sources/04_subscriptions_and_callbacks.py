@@ -4,7 +4,7 @@
 # How does a robot react to its own sensors? A robot that only publishes can't, so it walks into walls. To stop in time,
 # its program needs a subscription, and a callback that handles each message.
 #
-# - **Minutes:** 45
+# - **Minutes:** 50
 # - **You need:** lessons [00](00_start_here.ipynb) to 03: a node, a publisher, a message
 # - **You will be able to:**
 #   - subscribe to a topic, and write the callback that handles its messages
@@ -79,7 +79,7 @@ predict("five-distances")
 # ## Run it
 #
 # Start the black box first. The cell after that creates the two nodes. The guard's callback appends each distance to a
-# list, so we can inspect the list later.
+# list.
 
 # %%
 from lesson_nodes import black_box
@@ -94,7 +94,7 @@ from std_msgs.msg import Float32
 
 from workbook.lesson import fresh, init
 
-init()  # rclpy.init(), made so that a cell can be run again
+init()
 
 
 class Sensor(Node):
@@ -123,6 +123,8 @@ print("the list of the guard:", guard.heard)
 # %% [markdown]
 # Two programs need a moment to discover each other. So the next cell waits until the publisher has two subscriptions,
 # the guard's and the black box's. Then it publishes the five distances.
+#
+# [the same without helpers: start, init, fresh, run]
 
 # %% id="nobody-spins"
 from workbook.ros import topic_echo
@@ -171,7 +173,7 @@ stop()
 
 
 # %% id="timed-guard"
-from workbook.lesson import show_machine, watch_machine
+from workbook.lesson import about, show_machine, watch_machine
 
 
 class TimedGuard(Node):
@@ -196,10 +198,11 @@ with watch_machine(timed) as seen:
     await run(timed, seconds=1.0)
 stop()
 
-received = [moment < spun_at for moment in timed.received]
-handled = [moment < spun_at for moment in timed.handled]
-print("several were received before anybody spun:", sum(received) > 3)
-print("callbacks before anybody spun:            ", sum(handled))
+received = sum(moment < spun_at for moment in timed.received)
+handled = sum(moment < spun_at for moment in timed.handled)
+in_queue = about(received, "messages", between=(4, 8), digits=1)
+print("received before the spin:", in_queue)
+print("handled before the spin: ", handled)
 
 # %% [markdown]
 # Play the recording. Each number is a message. Later lessons use this drawing again and call it the **machine**.
@@ -207,7 +210,7 @@ print("callbacks before anybody spun:            ", sum(handled))
 # %% id="machine"
 show_machine(
     seen,
-    "numbered messages fill the queue one by one while nobody spins; then the executor "
+    "numbered messages fill the queue one by one without a spin; then the executor "
     "takes them, the oldest first, and calls on_distance for each; later ones wait "
     "hardly at all",
 )
@@ -222,17 +225,17 @@ show_machine(
 # this during the call to `publish`.)
 #
 # `rclpy.spin(node)` is a loop: it takes a message from a queue, calls the callback, and repeats. It never runs two
-# callbacks at the same time. So you don't need locks in such a node, but a slow callback delays all the others.
+# callbacks at the same time. So its callbacks need no locks, but a slow callback delays all the others.
 # Messages of *one* subscription are handled in the order in which they arrived. Between different subscriptions, the
 # order isn't guaranteed.
 
 # %% [markdown]
 # ### A myth, tested
 #
-# The official tutorial writes `self.subscription = self.create_subscription(...)`, followed by the line
-# `self.subscription  # prevent unused variable warning`. The comment refers to a linter warning. But many readers
-# conclude that they must store the subscription, because the garbage collector would remove it otherwise. The guards
-# above didn't store theirs. The next cell runs the garbage collector and then publishes another distance:
+# The official tutorial stores its subscription in an attribute, with the comment `# prevent unused variable warning`.
+# The comment refers to a linter. But many readers conclude that the garbage collector would otherwise remove the
+# subscription. The guards above didn't store theirs. The next cell runs the garbage collector and then publishes
+# another distance:
 
 # %% id="nothing-kept"
 import gc
@@ -319,6 +322,8 @@ reveal(
     deep=len(readers[2].numbers),
     first_of_middle=readers[1].numbers[0],
 )
+for reader in readers:
+    reader.destroy_node()
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -331,24 +336,41 @@ for row, reader in enumerate(readers):
         reader.numbers, [row] * len(reader.numbers), "o", color="#208a3c", markersize=5
     )
 axes.set(
-    xlabel="number of the picture", yticks=range(3), xlim=(0, 61), ylim=(-0.6, 2.6)
+    xlabel="number of the image", yticks=range(3), xlim=(0, 61), ylim=(-0.6, 2.6)
 )
-axes.set_title("a full queue drops its oldest messages (×)")
+axes.set_title("A full queue drops its oldest messages (×)")
 axes.set_yticklabels([f"depth {reader.depth}" for reader in readers])
 axes.grid(axis="y", visible=False)
 show(
     fig,
-    "60 pictures: with depth 1 only the last is read, with depth 10 the last ten, "
+    "60 images: with depth 1 only the last is read, with depth 10 the last ten, "
     "with depth 100 all; x is lost",
 )
 
 # %% [markdown]
 # A full queue drops its *oldest* message without a warning, so the newest message is always in the queue. The reader
 # with depth 100 received all 60 images, although it was busy. So a message isn't lost just because no callback is
-# running.
+# running. (The publisher's depth is for retransmission and makes no difference here.)
 #
-# A publisher has a queue depth, too, which it uses for retransmission; the deeper notebook of lesson 03 measures it.
-# Here, the camera's publisher has a depth of 100, so its depth makes no difference.
+# **Your turn.** A reader should keep the last 1.5 s of a camera that takes 20 images a second. Choose its depth. The
+# cell sends 60 images, and checks the first one that the reader gets.
+
+# %% id="your-depth"
+from workbook.lesson import yours
+
+depth = ...  # TODO: a whole number
+
+first = ...
+if depth is not ...:
+    reader = fresh(Reader, depth)
+    while camera.publisher.get_subscription_count() < 1:
+        time.sleep(0.01)
+    for number in range(1, 61):
+        camera.publisher.publish(Int32(data=number))
+    await run(reader, seconds=1)
+    reader.destroy_node()
+    first = reader.numbers[0]
+yours(first, 31, "1.5 s at 20 images a second are 30 images: numbers 31 to 60.")
 
 # %% [markdown] prediction="age-of-a-message"
 # ### Experiment 2: how old is a message
@@ -371,8 +393,17 @@ show(
 predict("age-of-a-message")
 
 # %% [markdown]
-# `info` contains the time when the message was sent, in nanoseconds. The message's age is the current time minus that
-# time.
+# `info` contains the time when the message was sent, in nanoseconds.
+#
+# **Your turn.** How old is this message when it's handled?
+
+# %% id="your-age"
+info = {"source_timestamp": 1_767_225_600_250_000_000}
+handled_ns = 1_767_225_601_000_000_000  # what time.time_ns() returned
+
+age_s = ...  # TODO: the age in seconds
+
+yours(age_s, 0.75, "Subtract, then divide by 1e9: a second has 1e9 nanoseconds.")
 
 
 # %%
@@ -413,7 +444,7 @@ axes.set(
     xticks=range(0, 21, 5),
     xlim=(-1, 25),
 )
-axes.set_title("in a deep queue, messages grow old")
+axes.set_title("Messages get old in a deep queue, but stay fresh in a short one")
 show(
     fig,
     "with depth 50 the messages grow older and older, up to seconds; with depth 1 "
@@ -424,16 +455,13 @@ show(
 from statistics import median
 
 deep, shallow = guards[50], guards[1]
-print("depth 50: the last distance was older than a second:", deep.ages_s[-1] > 1.0)
-print(
-    "depth  1: half of them were younger than 0.2 s:     ", median(shallow.ages_s) < 0.2
-)
-print(
-    "of that, time on the way was less than 0.1 s:       ", median(deep.travels_s) < 0.1
-)
+fresh_ms, travel_ms = 1000 * median(shallow.ages_s), 1000 * median(deep.travels_s)
+print("depth 50: the last distance was", about(deep.ages_s[-1], "s", between=(1, 4)))
+print("depth  1: a distance was", about(fresh_ms, "ms", between=(0.1, 200)))
+print("time from program to program:", about(travel_ms, "ms", between=(0.05, 100)))
 
 # %% [markdown]
-# The message travels for about a millisecond. The rest of its age is time spent in the queue. During each callback, one
+# Travel takes only a small part of a message's age. The rest is time spent in the queue. During each callback, one
 # message leaves the queue and four new ones arrive. So the age grows until the queue is full, up to 50 messages times
 # 0.05 s, or 2.5 s.
 #
@@ -562,8 +590,6 @@ for label, attempt in attempts.items():
 # callback never runs.
 
 # %% id="other-type"
-from std_msgs.msg import Float32MultiArray
-
 from lesson_nodes import joint_position_publisher
 
 
@@ -598,16 +624,21 @@ topic_info("/robot/joint_positions")
 # %% [markdown]
 # The robot publishes arrays, but this node subscribes to single numbers. DDS connects a publisher and a subscription
 # only if both the topic name **and** the type match. So if you receive no messages, check three things: is the node
-# being spun, is the name right, and is the type right? `topic_info` answers the last two.
+# being spun, is the name right, and is the type right? `topic_info` answers the last two. (Lesson 13 adds a fourth, the
+# QoS.)
+#
+# **Your turn.** Let the watcher subscribe with the right type. The cell counts its callbacks, up to 20.
 
-# %%
-watcher = fresh(ArmWatcher, Float32MultiArray)
-await run(watcher, seconds=5, until=lambda: watcher.heard == 20)
-print("callbacks with the right type:", watcher.heard)
+# %% id="your-type"
+message_type = ...  # TODO: import the class from std_msgs.msg, and put it here
+
+heard = ...
+if message_type is not ...:
+    watcher = fresh(ArmWatcher, message_type)
+    await run(watcher, seconds=3)
+    heard = min(watcher.heard, 20)
 stop()
-
-# %% [markdown]
-# Within *one* program, rclpy refuses a second type on the same topic, as you saw in lesson 03.
+yours(heard, 20, "topic_info shows the publisher's type.")
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -648,8 +679,7 @@ print(len(distances), "distances, and it said", brake.said)
 
 # %% [markdown]
 # **Fill in the blanks.** A motor's temperature sensor publishes on `/motor/temperature` (`Float32`, in °C). The node
-# below stores the highest temperature so far. Replace each `...` with your code. Until you do, the cell prints a
-# reminder.
+# below stores the highest temperature so far. Replace each `...` with your code.
 
 # %%
 TOPIC = ...  # TODO: on which topic do the temperatures come?
@@ -670,23 +700,15 @@ class Thermometer(Node):
         # TODO: keep it in self.highest, if it is higher than all before
 
 
-if TOPIC is ...:
-    print(
-        "Fill in the topic, the subscription and the callback, then run this cell "
-        "again."
-    )
-else:
+result = ...
+if TOPIC is not ...:
     thermometer = fresh(Thermometer)
     motor = sensor.create_publisher(Float32, "/motor/temperature", 10)
     for celsius in (41.5, 63.0, 58.5):
         motor.publish(Float32(data=celsius))
     await run(thermometer, seconds=1)
-    print(
-        thermometer.heard,
-        "of 3 messages, the highest was",
-        thermometer.highest,
-        "and should be 63.0",
-    )
+    result = thermometer.heard, thermometer.highest
+yours(result, (3, 63.0), "Three messages come, and the highest is 63.0 °C.")
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/04_subscriptions_and_callbacks.ipynb), you write a battery monitor. The

@@ -29,6 +29,8 @@ stop()
 # %% [markdown]
 # One node has two timers with different periods. Run the next cell and move its slider. Each move restarts the node with
 # the new period. How short must the period be before both arms look the same to you?
+#
+# [the same without helpers: start, init, fresh, run, record]
 
 # %%
 from workbook.lesson import knob
@@ -114,9 +116,9 @@ print(len(loop_moments), "readings by the loop")
 # %%
 from rclpy.node import Node
 
-from workbook.lesson import fresh, init, run
+from workbook.lesson import about, fresh, init, run
 
-init()  # rclpy.init(), made so that a cell can be run again
+init()
 
 
 class TiltReader(Node):
@@ -139,11 +141,9 @@ timer_s = time.monotonic() - reader.began
 
 print(len(reader.moments), "readings by the timer")
 
-# %% tags=["nbval-ignore-output"]
-print(f"the loop took  {loop_s:.2f} s")
-print(f"the timer took {timer_s:.2f} s")
-
-# %%
+# %% id="loop-and-timer"
+print("the loop took ", about(loop_s, "s", between=(5.5, 7.5), digits=3))
+print("the timer took", about(timer_s, "s", between=(4.9, 5.4), digits=3))
 reveal("loop-and-timer", loop_s=loop_s, timer_s=timer_s)
 
 # %% [markdown]
@@ -158,7 +158,11 @@ from workbook.pictures.timeline import strip
 
 first = {"loop": loop_moments[:14], "timer": reader.moments[:14]}
 picture = strip(
-    first, periods={"loop": PERIOD_S, "timer": PERIOD_S}, end=1.6, noun="readings"
+    first,
+    periods={"loop": PERIOD_S, "timer": PERIOD_S},
+    end=1.6,
+    noun="readings",
+    title="The loop falls behind its schedule; the timer keeps it",
 )
 show(
     picture,
@@ -173,7 +177,25 @@ show(
 # The timer follows a schedule: 0.1, 0.2, 0.3 s, and so on after its start. When the work is done, it waits only for the
 # rest of the current period. So one late tick doesn't delay the next one.
 #
-# The next figure shows the delay of each reading.
+# **Your turn.** A loop can keep a schedule, too. Before reading `n`, it must sleep until `n` periods have passed since
+# the start. How long is that, if `passed_s` have already passed?
+
+# %% id="your-sleep"
+from workbook.lesson import yours
+
+
+def sleep_s(n: int, passed_s: float) -> float:
+    return ...  # TODO: from n, PERIOD_S, and passed_s
+
+
+yours(
+    (sleep_s(3, 0.21), sleep_s(50, 4.96)),
+    (0.09, 0.04),
+    "Reading n is due n * PERIOD_S after the start.",
+)
+
+# %% [markdown]
+# The next figure shows the delay of each reading of the loop and of the timer above.
 
 # %%
 from itertools import pairwise
@@ -189,29 +211,22 @@ def lateness(moments):
 fig, axes = figure(6.4, 2.6)
 axes.plot(lateness(loop_moments), color="#b06a00")
 axes.plot(lateness(reader.moments), linestyle="--", color="#2f78d0")
-axes.text(ROUNDS, lateness(loop_moments)[-1], "loop that sleeps", va="center")
+axes.text(ROUNDS, lateness(loop_moments)[-1], "loop", va="center")
 axes.text(ROUNDS, lateness(reader.moments)[-1], "timer", va="center")
 axes.set(
     xlabel="reading",
-    ylabel="late by (ms)",
-    xlim=(-1, 64),
-    title="the loop falls behind, the timer does not",
+    ylabel="delay (ms)",
+    xlim=(-1, 57),
+    title="The loop's delay grows with every reading; the timer's doesn't",
 )
 show(
     fig,
     "the lateness of the loop grows with every reading; that of the timer does not "
     "grow",
 )
-
-# %%
-print(
-    "the last reading of the loop was late by more than four periods:",
-    lateness(loop_moments)[-1] > 400,
-)
-print(
-    "the last reading of the timer was late by less than two:",
-    lateness(reader.moments)[-1] < 200,
-)
+loop_ms, timer_ms = lateness(loop_moments)[-1], lateness(reader.moments)[-1]
+print("last reading of the loop: ", about(loop_ms, "ms late", between=(400, 2000)))
+print("last reading of the timer:", about(timer_ms, "ms late", between=(-200, 200)))
 
 # %% [markdown]
 # No timer is perfect. The operating system also runs other programs, so a tick can come a little late, and then the next
@@ -221,18 +236,20 @@ print(
 from workbook.pictures.timeline import histogram
 
 intervals_ms = [1000 * (b - a) for a, b in pairwise(reader.moments)]
+mean_ms = sum(intervals_ms) / len(intervals_ms)
 show(
-    histogram(intervals_ms, target=1000 * PERIOD_S, label="time between two ticks"),
+    histogram(
+        intervals_ms,
+        target=1000 * PERIOD_S,
+        label="time between two ticks",
+        title="Jitter: the intervals scatter around 100 ms",
+    ),
     "a histogram of the times between two ticks, around the 100 ms that were asked for",
 )
-
-# %%
-mean_ms = sum(intervals_ms) / len(intervals_ms)
-print(
-    "all intervals are exactly 100 ms:",
-    all(interval == 100 for interval in intervals_ms),
-)
-print("their mean is within 5 % of it:", abs(mean_ms - 100) < 5)
+shortest_ms, longest_ms = min(intervals_ms), max(intervals_ms)
+print("shortest:", about(shortest_ms, "ms", between=(0, 100), digits=3))
+print("mean:    ", about(mean_ms, "ms", between=(95, 105), digits=3))
+print("longest: ", about(longest_ms, "ms", between=(100, 300), digits=3))
 
 # %% [markdown]
 # ### A myth, tested
@@ -241,7 +258,7 @@ print("their mean is within 5 % of it:", abs(mean_ms - 100) < 5)
 # garbage collector would remove it otherwise. The node above stored nothing, and its timer worked. The next cell also
 # runs the garbage collector.
 
-# %%
+# %% id="nothing-kept"
 import gc
 
 
@@ -306,14 +323,21 @@ reveal("half-a-hertz", beeps=len(arrivals(minute, BEEP)))
 
 # %% [markdown]
 # `create_timer` takes a **period**, the number of seconds from one tick to the next. A value in hertz is a **frequency**,
-# the number of ticks per second. Each is 1 divided by the other.
+# the number of ticks per second. Each is 1 divided by the other: 100 Hz is a period of 0.01 s. The lower the frequency,
+# the longer the period.
+#
+# **Your turn.** Write the period for 0.5 Hz. The cell counts the beeps of another minute.
 
-# %%
-for hertz in (0.5, 1, 5, 100):
-    print(f"{hertz:>5} Hz is a period of {1 / hertz:g} s")
+# %% id="your-period"
+period_s = ...  # TODO: seconds from one beep to the next
 
-# %% [markdown]
-# The lower the frequency, the longer the period. Set `period_s` to `2.0` in the cell above, and count again.
+beeps = ...
+if period_s is not ...:
+    minute = record(
+        blink_and_beep, {BEEP: period_s}, seconds=60, beep_period_s=period_s
+    )
+    beeps = len(arrivals(minute, BEEP))
+yours(beeps, 30, "Divide 1 by the frequency.")
 
 # %% [markdown] prediction="two-timers-due"
 # ### Experiment 2: two timers in one node
@@ -359,7 +383,12 @@ ten_seconds = {
 for name, moments in ten_seconds.items():
     print(name, "at", [round(moment) for moment in moments], "s")
 show(
-    strip(ten_seconds, periods={BLINK: 1.0, BEEP: 2.0}, end=10.5),
+    strip(
+        ten_seconds,
+        periods={BLINK: 1.0, BEEP: 2.0},
+        end=10.5,
+        title="Both timers keep their rates, although both are due every 2 s",
+    ),
     "ten seconds of robot time: a blink every second, and a beep with every second "
     "blink",
 )
@@ -372,7 +401,7 @@ show(
 # %% [markdown] prediction="the-long-beep"
 # ### Experiment 3: a callback that takes its time
 #
-# What if one callback is *not* quick? The node blinks every 0.2 s. Every 2 s it beeps, and this beep takes 1.1 s. In
+# What if one callback is *not* fast? The node blinks every 0.2 s. Every 2 s it beeps, and this beep takes 1.1 s. In
 # that time five blinks are due. What becomes of them?
 #
 # - **a** They all come in a burst when the beep is over.
@@ -412,16 +441,26 @@ reveal(
     longest_gap_s=max(gaps),
 )
 
-# %%
+# %% id="no-burst"
+seen = {BLINK: [t for t in blinks if t < 7.5], BEEP: [t for t in beeps if t < 7.5]}
 show(
-    strip({BLINK: blinks, BEEP: beeps}, periods={BLINK: 0.2, BEEP: 2.0}, end=8.5),
-    "blinks every 0.2 s, with a silence after each beep",
+    strip(
+        seen,
+        periods={BLINK: 0.2, BEEP: 2.0},
+        end=7.5,
+        title="After each beep, the blinks stop for 1.1 s, and no burst follows",
+    ),
+    "blinks every 0.2 s; after each beep a red frame, 1.1 s long, without a blink",
 )
+closest = about(1000 * min(gaps), "ms", between=(20, 200))
 print("blinks due from one beep to the next:", round(2.0 / 0.2))
 print("blinks that came, as a rule:         ", median(came))
-print("any two of them at once, as in a burst:", any(gap < 0.02 for gap in gaps))
+print("shortest time between two blinks:    ", closest)
 
 # %% [markdown]
+# A red frame (✗) marks a time without a blink that's longer than one and a half periods. The small marks are the
+# schedule, and where a mark has no blink, a tick was missed.
+#
 # This is the drawing from lesson 04, now with two timers. Unlike a subscription, a timer has no queue. At most one of its
 # ticks can wait.
 
@@ -444,7 +483,23 @@ show_machine(
 #
 # This design suits a robot: after a busy period, it needs the *current* tilt rather than five readings in a row.
 #
-# Still, this robot measured nothing for 1.1 s, so keep your callbacks short. Lesson 10 shows how to handle long work.
+# Still, this node did nothing else for 1.1 s, so keep your callbacks short. Lesson 10 shows how to handle long work.
+#
+# **Your turn.** Find the longest beep, to a tenth of a second, that doesn't cost a single blink. One blink may come late.
+
+# %% id="your-beep"
+beep_takes_s = ...  # TODO: seconds, with one decimal
+
+result = ...
+if beep_takes_s is not ...:
+    beep = {**long_beep, "beep_takes_s": beep_takes_s}
+    seen = record(
+        blink_and_beep, {BLINK: 0.2, BEEP: 2.0}, seconds=8.5, clock="wall", **beep
+    )
+    blinks, beeps = arrivals(seen, BLINK), arrivals(seen, BEEP)
+    came = [sum(a - 0.1 < t < b - 0.1 for t in blinks) for a, b in pairwise(beeps[:4])]
+    result = beep_takes_s, median(came)
+yours(result, (0.3, 10), "It must end before a second blink is due, after 0.4 s.")
 
 # %% [markdown]
 # ## When it goes wrong
@@ -557,12 +612,12 @@ class TalkingGuide(Guide):
         self.done.append("talk")
 
 
-if TALK_PERIOD_S is ...:
-    print("Fill in the period and the timer, then run this cell again.")
-else:
+sentences = ...
+if TALK_PERIOD_S is not ...:
     talking = fresh(TalkingGuide)
     await run(talking, seconds=4.25)
-    print(talking.done.count("talk"), "sentences in 4.25 s; there should be 3")
+    sentences = talking.done.count("talk")
+yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/05_timers.ipynb), a humanoid publishes its heartbeat, battery level, and tilt,

@@ -148,10 +148,11 @@ def histogram(
     target: float | None = None,
     unit: str = "ms",
     label: str = "time between two messages",
+    title: str = "",
     bins: int = 24,
     width: float = 520,
 ) -> bytes:
-    """How often each value occurs, as PNG bytes; `target` is marked. Mean and spread stand above.
+    """How often each value occurs, as PNG bytes; `target` is marked. Mean, spread, and `title` stand above.
 
     Values that are not finite are left out. Raises ValueError when none is left.
     """
@@ -162,9 +163,10 @@ def histogram(
     low, high = min(everything), max(everything)
     margin = (high - low) * 0.06 or max(abs(high) * 0.01, 1e-6)
     counts, _ = np.histogram(kept, bins=bins, range=(low - margin, high + margin))
-    canvas = Canvas(width, 228)
+    top = _TITLE if title else 0.0
+    canvas = Canvas(width, 228 + top)
     axis = _Axis(low - margin, high + margin, 24.0, width - 24.0)
-    base, tall = 172.0, 116.0
+    base, tall = 172.0 + top, 116.0
     step = (axis.right - axis.left) / bins
     for index, count in enumerate(counts):
         height = tall * float(count) / float(max(counts))
@@ -175,7 +177,8 @@ def histogram(
     if target is not None:
         _target(canvas, axis, base, target, unit)
     words = f"{len(kept)} values · mean {fmean(kept):.4g} {unit} · spread {pstdev(kept):.2g} {unit}"
-    canvas.text((axis.left, 20), words, Font(size=12))
+    canvas.text((axis.left, 17), shorten(title, width - 48, 13.5, bold=True), Font(size=13.5, bold=True))
+    canvas.text((axis.left, 20 + top), words, Font(size=12))
     return canvas.png()
 
 
@@ -264,10 +267,10 @@ def _value_axis(canvas: Canvas, axis: _Axis, base: float, label: str) -> None:
 
 def _target(canvas: Canvas, axis: _Axis, base: float, target: float, unit: str) -> None:
     x = axis.x(target)
-    canvas.line([(x, 44), (x, base)], Paint(stroke=AMBER, width=2, dash=(5, 4)))
+    canvas.line([(x, base - 128), (x, base)], Paint(stroke=AMBER, width=2, dash=(5, 4)))
     on_the_left = x < canvas.width / 2
     canvas.text(
-        (x + (6 if on_the_left else -6), 46),
+        (x + (6 if on_the_left else -6), base - 126),
         f"asked: {_number(target)} {unit}",
         Font(size=11.5, bold=True),
         align="left" if on_the_left else "right",
