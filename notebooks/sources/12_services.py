@@ -560,11 +560,13 @@ def on_answer(future) -> None:
 
 
 answered = asker.self_test.call_async(Trigger.Request())
+called = []
 answered.add_done_callback(on_answer)
-response = await run(asker, until=answered, seconds=10)
-spin_for(asker, seconds=0.2)  # for the done callback
+answered.add_done_callback(called.append)  # is called after yours
+await run(asker, until=lambda: called, seconds=10)
 stop()
-yours(received or ..., [response.message], "received.append(future.result().message)")
+wanted = [answered.result().message]
+yours(received or ..., wanted, "received.append(future.result().message)")
 
 # %% [markdown]
 # **A handler that doesn't return the response.** rclpy passes the request and an empty response to the handler. The
