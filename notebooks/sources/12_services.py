@@ -46,7 +46,7 @@ class RemoteControl(Node):
 
 
 remote = fresh(RemoteControl)
-print("a server is there:", remote.wave.wait_for_service(timeout_sec=10.0))
+remote.wave.wait_for_service(timeout_sec=10.0)
 
 waved = remote.wave.call_async(SetBool.Request(data=True))
 response = await run(remote, until=waved, seconds=10)
@@ -55,16 +55,19 @@ await watch_robot(seconds=4)
 
 # %% [markdown]
 # The node that sends the request has a **client**, and the node that responds has a **server**. The response confirms
-# that the server handled your request. Messages on a topic aren't confirmed. Now send the same request again, and then
-# the opposite one:
+# that the server handled your request. Messages on a topic aren't confirmed.
+#
+# [the same without helpers: start, init, fresh, run, spin_for]
+#
+# Now send the same request again, and then the opposite one:
 
 # %%
 from workbook.lesson import stop
 
-for wanted in (True, False):
+for words, wanted in (("wave", True), ("stand still", False)):
     request = SetBool.Request(data=wanted)
     response = await run(remote, until=remote.wave.call_async(request), seconds=10)
-    print(f"wave {wanted}: success={response.success}, {response.message!r}")
+    print(f"{words}: {'done' if response.success else 'refused'}, {response.message!r}")
 stop()
 
 # %% [markdown]
@@ -220,7 +223,7 @@ show_machine(
 # | 6 | `await` | own | 1 |
 # | 7 | `spin_until_future_complete`, for 0.4 s | default | 1 |
 #
-# Again, each case runs in its own process. The word `limps` means that heartbeats are missed while a call waits.
+# The word `limps` means that heartbeats are missed while a call waits.
 
 # %% id="seven-cases"
 CASES = [
@@ -274,6 +277,23 @@ hearts_picture(
 #     Trigger, "/robot/self_test", callback_group=MutuallyExclusiveCallbackGroup()
 # )
 # ```
+#
+# **Your turn.** Write the two conditions as one line of Python. It has to agree with all seven results.
+
+# %% id="your-conditions"
+from workbook.lesson import yours
+
+
+def come(way: str, group: str, threads: int) -> bool:
+    """Return whether the responses come: a thread is free, and the group is free."""
+    return ...  # TODO: combine way == "await", threads > 1, and group != "default"
+
+
+yours(
+    [come(*case) for case in CASES],
+    [answers(seen) == "come" for seen in seven],
+    '(way == "await" or threads > 1) and group != "default"',
+)
 
 # %% [markdown]
 # ### Topic or service?
@@ -283,11 +303,10 @@ hearts_picture(
 # | Who takes part? | any number of publishers and subscriptions | one client sends a request, one server responds |
 # | Is arrival confirmed? | no | yes, by the response |
 # | When does data flow? | when there's news, or at a fixed rate | on request |
-# | If the other side is missing | the message is lost | see experiment 3 |
+# | If the other side is missing | by default, the message is lost | see experiment 3 |
 # | Good for | joint angles, battery, camera, status | switch on, reset, self-test, "take an image now" |
 #
-# Sensor values keep changing, so publish them on a topic. "Stand still" is a single command, and you want to know
-# whether it succeeded, so use a service. If the work takes more than about a second ("walk to the kitchen"), use an
+# If the work takes more than about a second ("walk to the kitchen"), use an
 # *action*, which reports progress and can be canceled.
 
 # %% [markdown] prediction="other-groups"
@@ -338,9 +357,6 @@ reveal(
     case_2=answers(others[1]) == "come",
     case_3=answers(others[2]) == "come",
 )
-
-# %% [markdown]
-# `call` needs a second thread, whatever group the client is in. `await` doesn't.
 
 # %% [markdown] prediction="slow-server"
 # ### Experiment 2: a server that takes its time
@@ -406,9 +422,8 @@ show_machine(
 # Only the done callback leaves the heartbeat undisturbed. With `await`, the thread is free, but the executor still
 # leaves the heartbeat timer out of its wait set.
 #
-# With `call` and `await`, the responses arrive because the *client* has its own group. But the waiting callback
-# occupies the default group, and the heartbeat timer is in that group. A callback that only sends the request and
-# returns leaves the group right away.
+# With `call` and `await`, the waiting callback occupies the default group, and the heartbeat timer is in that group, too.
+# A callback that only sends the request leaves the group right away.
 #
 # For most nodes, we recommend: **`call_async`, a done callback, return.** No extra threads, no groups, no deadlock.
 # (The done callback itself isn't in *any* group. With several threads, it may run at the same time as any other
@@ -434,10 +449,12 @@ show_machine(
 predict("server-dies")
 
 # %%
+import time
+
 from std_srvs.srv import Trigger
 
 from lesson_nodes import self_test_server
-from workbook.lesson import spin_for
+from workbook.lesson import about, spin_for
 
 
 class Asker(Node):
@@ -448,22 +465,29 @@ class Asker(Node):
         self.self_test = self.create_client(Trigger, "/robot/self_test")
 
 
+def state(future) -> str:
+    """Whether a call is done, as text."""
+    return "done" if future.done() else "open"
+
+
 start(self_test_server, pattern="never")
 asker = fresh(Asker)
-print("a server is there:", asker.self_test.wait_for_service(timeout_sec=10.0))
+asker.self_test.wait_for_service(timeout_sec=10.0)
+sent = time.monotonic()
 future = asker.self_test.call_async(Trigger.Request())
 spin_for(asker, seconds=1.0)
 
 stop(self_test_server)
 spin_for(asker, seconds=10.0, until=lambda: not asker.self_test.service_is_ready())
-print("the server is gone; the future is done:", future.done())
+print("the server is gone: the call is", state(future))
 
 start(self_test_server, pattern="ok")
-print("a new server is there:", asker.self_test.wait_for_service(timeout_sec=10.0))
+asker.self_test.wait_for_service(timeout_sec=10.0)
 spin_for(asker, seconds=1.0)
-old_call_is_done = future.done()
-print("the old call is answered:", old_call_is_done)
-reveal("server-dies", old_call_is_done=old_call_is_done)
+print("a new server is there: the old call is", state(future))
+waited = about(time.monotonic() - sent, "s ago", between=(2, 45))
+print("the request was sent", waited)
+reveal("server-dies", old_call_is_done=future.done())
 
 # %%
 asker.self_test.remove_pending_request(future)
@@ -495,15 +519,19 @@ class Hasty(Node):
 hasty = fresh(Hasty)
 future = hasty.self_test.call_async(Trigger.Request())
 spin_for(hasty, seconds=1.0)
-print("answered:", future.done())
+print("after a second, the call is", state(future))
 
 # %% [markdown]
 # rclpy raises no error, because a server with that name might still start. (Even then, this request would stay lost.)
 # To find out, call `wait_for_service`, which returns `False` if no server was there in time. Always pass a timeout.
 # Because `wait_for_service` blocks, call it before you spin, never in a callback.
+#
+# **Your turn.** Find out whether `hasty` has a server. Wait for at most one second.
 
-# %%
-print("a server is there:", hasty.self_test.wait_for_service(timeout_sec=1.0))
+# %% id="your-wait"
+is_there = ...  # TODO: what wait_for_service returns
+
+yours(is_there, False, "hasty.self_test.wait_for_service(timeout_sec=1.0)")
 
 # %% [markdown]
 # **Reading the result too early.** `call_async` returns right away, so the next line runs before the response arrives.
@@ -520,11 +548,25 @@ print("well" if future.result().success else "faulty")
 # Until a future is done, its result is `None`, so the error message mentions `NoneType` and not the future. Read the
 # result in a done callback. Outside callbacks, spin until the future is done: use
 # `rclpy.spin_until_future_complete(node, future)` in a program, or `run` in this notebook.
+#
+# **Your turn.** Complete the done callback. It receives the future, which is done by then.
 
-# %%
-response = await run(asker, until=future, seconds=10)
-print("well" if response.success else "faulty")
+# %% id="your-done-callback"
+received = []
+
+
+def on_answer(future) -> None:
+    ...  # TODO: append the response's message to received
+
+
+answered = asker.self_test.call_async(Trigger.Request())
+called = []
+answered.add_done_callback(on_answer)
+answered.add_done_callback(called.append)  # is called after yours
+await run(asker, until=lambda: called, seconds=10)
 stop()
+wanted = [answered.result().message]
+yours(received or ..., wanted, "received.append(future.result().message)")
 
 # %% [markdown]
 # **A handler that doesn't return the response.** rclpy passes the request and an empty response to the handler. The
@@ -559,7 +601,7 @@ try:
     await run(robot, guest, until=greeting, seconds=10)
 except TypeError as error:
     print("the server ends with:", repr(error))
-print("the guest has an answer:", greeting.done())
+print("the guest's call is", state(greeting))
 
 # %% [markdown]
 # rclpy needed a response to send but got `None`, so it raised a `TypeError()` without a message. In a program, the
@@ -591,7 +633,7 @@ print("now it says:", response.message)
 
 # %% id="spin-inside"
 inside = try_out(heart_and_question, ("spin_until", "own", 4))
-print("the first request was answered:", len(arrivals(inside, ANSWERED)) == 1)
+print("responses:", len(arrivals(inside, ANSWERED)))
 print("after that the heart", heart(inside))
 questions_picture(
     inside,
@@ -655,7 +697,7 @@ print(arm.done)
 
 # %% [markdown]
 # **Faded.** This gripper has a loose cable, so every third request never gets a response. The arm has to notice that.
-# Replace the `...` with your code. Until you do, the cell prints a reminder.
+# Replace the `...` with your code.
 
 # %%
 from rclpy.callback_groups import ReentrantCallbackGroup
@@ -698,11 +740,8 @@ class PatientArm(Arm):
 gripper, arm = fresh(LooseGripper), fresh(PatientArm)
 arm.gripper.wait_for_service(timeout_sec=10.0)
 await run(gripper, arm, seconds=20, until=lambda: gripper.requests == 7)
-if arm.done.count("no answer") == 2:
-    print("The arm has noticed both missing answers:", arm.done)
-else:
-    noted = arm.done.count("no answer")
-    print("Two requests were not answered. The arm noted", noted, "of them.")
+missing = arm.done.count("no answer")
+yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/12_services.ipynb), your node requests a self-test from its robot every
@@ -828,8 +867,9 @@ else:
 #
 # - A topic has any number of publishers and subscriptions. A service call is one request and one response.
 # - The executor takes a response when one of its threads *and* the client's callback group are free.
-# - In a callback, `call` hangs without an error. So does `await` if the client and the callback share a group.
-# - Use `call_async` and `add_done_callback`, and then return. That never hangs.
+# - In a callback, `call` hangs without an error if the executor has one thread, or if the client and the callback share a
+#   group. `await` hangs only if they share a group.
+# - Use `call_async` and `add_done_callback`, and then return. That can't cause a deadlock.
 # - A response tells you that the server handled your request. A missing response isn't reported, so set your own time
 #   limit, and use `remove_pending_request`.
 #

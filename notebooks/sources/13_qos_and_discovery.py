@@ -4,7 +4,7 @@
 # A dashboard starts hours after the robot. Which of the robot's messages does it still receive, and why only those?
 # And how does it notice that the robot has gone silent?
 #
-# - **Minutes:** 45
+# - **Minutes:** 50
 # - **You need:** lessons [03](03_publishers_and_messages.ipynb) to 05: publishers, subscriptions, timers
 # - **You will be able to:**
 #   - explain why a subscription receives a message, or why it doesn't
@@ -95,6 +95,8 @@ predict("eight-beats")
 #
 # This time, both nodes live in the notebook, so we can inspect them. First, only the robot runs, for eight beats. Any
 # messages that arrive wait in the monitor's queue until the monitor runs, too.
+#
+# [the same without helpers: start, record, init, fresh, run]
 
 # %%
 from lesson_nodes.heartbeat import Heartbeat
@@ -145,11 +147,14 @@ reveal("eight-beats", heard=len(monitor.heard), matched=matched)
 # %%
 from rclpy.qos import QoSProfile, qos_profile_sensor_data
 
-for name, profile in (
-    ("10", QoSProfile(depth=10)),
-    ("qos_profile_sensor_data", qos_profile_sensor_data),
-):
-    print(f"{name:<24}{profile.reliability.name}, {profile.durability.name}")
+
+def policies(profile) -> str:
+    """The reliability and the durability of a profile."""
+    return f"{profile.reliability.name}, {profile.durability.name}"
+
+
+print("10:                     ", policies(QoSProfile(depth=10)))
+print("qos_profile_sensor_data:", policies(qos_profile_sensor_data))
 
 # %% [markdown]
 # | policy | lower | higher | meaning of the lower value / of the higher value |
@@ -190,12 +195,31 @@ await run(robot, monitor, seconds=20, until=lambda: len(monitor.heard) == 8)
 print("heard:", len(monitor.heard))
 
 # %% [markdown]
+# **Your turn.** A camera offers best effort and volatile. A viewer wants only its newest image. Write the profile for the
+# viewer's subscription, with `depth`, `reliability`, and no other policy.
+
+# %% id="your-camera"
+from rclpy.qos import ReliabilityPolicy
+
+from workbook.lesson import yours
+
+viewer = ...  # TODO: a QoSProfile
+
+seen = viewer if viewer is ... else (viewer.depth, policies(viewer))
+yours(
+    seen,
+    (1, "BEST_EFFORT, VOLATILE"),
+    "QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)",
+)
+
+# %% [markdown]
 # Two common beliefs about QoS are wrong.
 #
 # - *"QoS must be equal on both sides."* The offer only has to be at least as good as the request. So a reliable
 #   publisher matches a best-effort subscription.
 # - *"DDS does not report a mismatch."* It does: `requesting incompatible QoS` and `offering incompatible QoS` appear
-#   in the log above. But each side logs just one line, once, and only while its node is being spun.
+#   in the log above. But each side logs just one line, when it discovers the other, and only while its node is being
+#   spun.
 
 # %% [markdown] prediction="late-dashboard"
 # ## Change it
@@ -251,8 +275,8 @@ reveal("late-dashboard", plain_knows=len(plain.known), latched_knows=len(latched
 
 # %% [markdown]
 # The *publisher* stores as many of its last messages as its depth allows. It sends them to every new subscription
-# that requests them. ROS 1 called such a topic **latched**. This works only if both sides are transient local and
-# reliable.
+# that requests them. ROS 1 called such a topic **latched**. With Fast DDS, this works only if both sides are transient
+# local and reliable.
 #
 # How many messages does the robot store? Let's change the depth of its publisher:
 
@@ -268,6 +292,19 @@ stop()
 # For a *state*, such as a status, a map, or a robot description, use depth 1, because only the latest value is true.
 # A *stream*, such as camera images or a heartbeat, should stay volatile. An old heartbeat tells you nothing about the
 # robot's current state.
+#
+# **Your turn.** A map is published again only if it changes. Write one profile for both sides, so that a program that
+# starts late gets the newest map.
+
+# %% id="your-map"
+map_qos = ...  # TODO: a QoSProfile
+
+seen = map_qos if map_qos is ... else (map_qos.depth, policies(map_qos))
+yours(
+    seen,
+    (1, "RELIABLE, TRANSIENT_LOCAL"),
+    "QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)",
+)
 
 # %% [markdown] prediction="the-silence"
 # ### Experiment 2: when a publisher goes silent
@@ -307,7 +344,6 @@ from itertools import pairwise
 
 from rclpy.duration import Duration
 from rclpy.event_handler import SubscriptionEventCallbacks
-from rclpy.qos import ReliabilityPolicy
 
 
 class Watcher(Node):
@@ -363,11 +399,15 @@ played_back(
 )
 
 # %%
+from workbook.lesson import about
+
 last_before = max(t for t in watcher.beats if t < watcher.missed[0])
-waits = [moment - last_before for moment in watcher.missed]
-print("missed more than once in one silence:", len(watcher.missed) > 1)
-print("the first event came after about 1 s:", 0.9 < waits[0] < 1.9)
-print("all events in the silence:", all(t < watcher.beats[-1] for t in watcher.missed))
+first_after = min(t for t in watcher.beats if t > watcher.missed[0])
+after_s = [moment - last_before for moment in (*watcher.missed[:2], first_after)]
+print("missed deadlines:", about(len(watcher.missed), between=(2, 4), digits=1))
+print("first event: ", about(after_s[0], "s after the last beat", between=(0.9, 1.9)))
+print("second event:", about(after_s[1], "s after the last beat", between=(1.9, 2.9)))
+print("next beat:   ", about(after_s[2], "s after the last beat", between=(2.1, 5)))
 
 # %% [markdown]
 # The event occurs when the deadline has passed, and again after every further period until the next message arrives.
@@ -378,6 +418,13 @@ print("all events in the silence:", all(t < watcher.beats[-1] for t in watcher.m
 #
 # A timer that checks the clock can detect the silence, too. It takes a little more code, but the publisher doesn't
 # have to offer a deadline.
+#
+# **Your turn.** The robot offers a deadline of 0.5 s. Which of these requests match that offer: 0.2, 0.5, 1.0, or 3.0 s?
+
+# %% id="your-deadline"
+matching = ...  # TODO: a list of numbers
+
+yours(matching, [0.5, 1.0, 3.0], "The offer must be at least as strict as the request.")
 
 # %% [markdown]
 # ## When it goes wrong
@@ -446,6 +493,7 @@ deaf = fresh(Deaf)
 await run(deaf, seconds=2.0)
 print("heard:", deaf.heard)
 print(*topic_info("/robot/heartbeat").problems)
+deaf.destroy_node()  # this process may now subscribe to the topic as text again
 stop()
 
 # %% [markdown]
@@ -523,16 +571,14 @@ class AlarmPanel(Panel):
         self.alarms.append(silent_s > LIMIT_S)
 
 
-if LIMIT_S is ...:
-    print("Fill in the limit and the subscription, then run this cell again.")
-else:
+seen = ...
+if LIMIT_S is not ...:
     alarm_panel = fresh(AlarmPanel)
     await run(alarm_panel, seconds=9)
-    beats, alarms = alarm_panel.beats, alarm_panel.alarms
-    print("beats heard:", beats or "none: check the subscription and its QoS")
+    alarms = alarm_panel.alarms
     print("alarm:", alarms.count(True), "times; no alarm:", alarms.count(False))
-
-# %%
+    seen = LIMIT_S, "beats" if alarm_panel.beats else "no beats"
+yours(seen, (2.0, "beats"), "Subscribe with qos_profile_sensor_data.")
 stop()
 
 # %% [markdown]
@@ -630,7 +676,8 @@ stop()
 # </details>
 # <details><summary>c) The network cable</summary>
 #
-# ✗ Without a network, the two programs couldn't discover each other, and the list would be empty.
+# ✗ On two machines without a network between them, the programs couldn't discover each other. Then the list would
+# contain only one of them.
 #
 # </details>
 

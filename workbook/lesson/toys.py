@@ -1,13 +1,15 @@
 """Pictures with the boxes of a detector, for films and figures of lessons."""
 
 import io
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from matplotlib import font_manager
 from PIL import Image, ImageDraw, ImageFont
 
 from workbook.models import Detection
+from workbook.pictures.figures import figure, still
 from workbook.pictures.png import Pixels
+from workbook.pictures.stills import Still
 
 HEIGHT = 270
 """Pixels of the page. A picture is brought to this height before boxes are drawn into it."""
@@ -44,6 +46,16 @@ def boxed(picture: Pixels, detections: Sequence[Detection], scores: bool = False
     file = io.BytesIO()
     drawn.save(file, "PNG")
     return file.getvalue()
+
+
+def in_a_row(pictures: Mapping[str, bytes], description: str) -> Still:
+    """PNG pictures next to each other, each below its title."""
+    fig, panels = figure(7.6, 3.1, columns=len(pictures))
+    for axes, (title, png) in zip(panels, pictures.items(), strict=True):
+        axes.imshow(Image.open(io.BytesIO(png)))
+        axes.set_title(title)
+        axes.set_axis_off()
+    return still(fig, description)
 
 
 def _around(frame: Frame) -> Frame:
