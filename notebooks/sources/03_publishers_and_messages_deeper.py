@@ -45,7 +45,7 @@ predict("a-burst-of-pictures")
 # after it has discovered a subscription. We try three depths with three bursts each. After that, we try depth 1 again
 # with tiny images of 1 kB. The cell prints the worst of the three bursts.
 #
-# [the same without helpers: init, fresh, start, spin_for]
+# [the same without helpers: init, fresh, start, spin_for, record]
 
 # %% id="bursts"
 import numpy as np

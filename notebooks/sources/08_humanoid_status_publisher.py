@@ -76,6 +76,8 @@ predict("the-dashboard-opens")
 #
 # We don't want to wait for a minute. So the recorder drives the robot's clock (simulated time, lesson 05), and one
 # minute of robot time takes only a few real seconds.
+#
+# [the same without helpers: record]
 
 # %%
 from workbook.lesson import arrivals, record, values
@@ -380,6 +382,8 @@ stop()
 #
 # The count is still useful at the start. A message that's published before any subscription is connected is lost
 # ([lesson 00](00_start_here.ipynb)). So a program can wait until the count is above 0. This one doesn't wait:
+#
+# [the same without helpers: spin_for]
 
 # %% id="late-listener"
 import rclpy
@@ -406,8 +410,8 @@ print("heard after one more:", len(heard))
 # The `10` in `create_publisher(..., 10)` is the queue depth. It applies only to connected subscriptions; the publisher
 # keeps no messages for later ones. (QoS can change that: lesson 13.)
 #
-# **Your turn.** This node publishes just one message, `started`. Write the condition that the node waits for before it
-# publishes.
+# **Your turn.** Suppose that a node publishes just one message on `/robot/started`. Write the condition that it waits
+# for before it publishes.
 
 # %% id="your-condition"
 started = humanoid.create_publisher(String, "/robot/started", 10)
