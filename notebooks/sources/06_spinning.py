@@ -23,28 +23,33 @@ import time
 
 import rclpy
 
-from lesson_nodes.two_arms import TwoArms
-from workbook.lesson import fresh, init
+from lesson_nodes.two_arms import LEFT_SHOULDER, TwoArms
+from workbook.lesson import about, fresh, init
 from workbook.pictures import humanoid
 from workbook.pictures.live import LiveFigure
 
-init()  # rclpy.init(), made so that a cell can be run again
+init()
 arms = fresh(TwoArms)
 figure_of_it = LiveFigure("a humanoid robot that moves its arms while it is spun")
 
-at_first = list(arms.angles)
+seen = [arms.angles[LEFT_SHOULDER]]
 figure_of_it.show(humanoid.draw(arms.angles))
 time.sleep(2.0)
-print("moved while no one called spin_once:", list(arms.angles) != at_first)
+seen.append(arms.angles[LEFT_SHOULDER])
+print(f"in two seconds without a call: moved by {max(seen) - min(seen):.1f} rad")
 
 for _ in range(60):
     rclpy.spin_once(arms, timeout_sec=0.1)
     figure_of_it.show(humanoid.draw(arms.angles))
-print("moved while we did:             ", list(arms.angles) != at_first)
+    seen.append(arms.angles[LEFT_SHOULDER])
+moved_rad = about(max(seen) - min(seen), "rad", between=(1.0, 2.1))
+print("in sixty calls: moved by", moved_rad)
 
 # %% [markdown]
-# Your calls moved the arms. In a real program, `rclpy.spin` makes such calls for you. This lesson shows what happens in
-# a single call of `spin_once`.
+# The numbers are the left shoulder's. Your calls moved it. In a real program, `rclpy.spin` makes such calls for you.
+# This lesson shows what happens in a single call of `spin_once`.
+#
+# [the same without helpers: init, fresh]
 
 # %% [markdown] prediction="five-words"
 # ## Predict
@@ -56,7 +61,7 @@ print("moved while we did:             ", list(arms.angles) != at_first)
 # rclpy.spin_once(robot, timeout_sec=0.5)
 # ```
 #
-# How many words has the robot heard, that is, how often has its callback run?
+# How often has the robot's callback run?
 #
 # - **a** 1.
 #   when `heard == 1`
@@ -128,10 +133,18 @@ rclpy.spin_once(robot, timeout_sec=0.5)
 print("after one spin_once:", robot.done)
 reveal("five-words", heard=len(robot.done))
 
-# %%
-for call in range(4):
+# %% id="your-calls"
+from workbook.lesson import yours
+
+calls = ...  # TODO: how many more calls does it take to handle all other words?
+
+for _ in range(0 if calls is ... else calls):
     rclpy.spin_once(robot, timeout_sec=0.5)
-    print(f"after {call + 2}:", robot.done)
+yours(
+    ... if calls is ... else robot.done,
+    ["heard stop", "heard wait", "heard turn", "heard wave", "heard walk"],
+    "One call runs one callback, and one callback handles one word.",
+)
 
 # %% [markdown]
 # ## Look inside
@@ -171,6 +184,9 @@ with watch_machine(robot) as seen:
 
 for call, ran, _ in calls:
     print(f"call {call}: {len(ran)} callback: {', '.join(ran)}")
+took = [seconds for _, _, seconds in calls]
+print("all of calls 1 to 5 took", about(sum(took[:5]), "s", between=(0, 0.5)))
+print("all of calls 6 to 8 took", about(sum(took[5:]), "s", between=(0.5, 3)))
 
 # %% [markdown]
 # The drawing from lesson 04 shows the same eight calls. Each green arrow is one call of `spin_once`.
@@ -180,13 +196,6 @@ show_machine(
     seen,
     "three words and one tick of each timer wait while nobody spins; then five calls "
     "run five callbacks at once, timers before words; three more wait for the timers",
-)
-
-# %%
-waits = [waited for _, _, waited in calls]
-print("each call ran one callback:", all(len(ran) == 1 for _, ran, _ in calls))
-print(
-    "the last three waited longer than the first five:", sum(waits[5:]) > sum(waits[:5])
 )
 
 # %% [markdown]
@@ -200,7 +209,7 @@ print(
 # |---|---|
 # | `SingleThreadedExecutor` | one thread, one callback at a time; `rclpy.spin` uses it |
 # | `MultiThreadedExecutor` | several threads (lesson 10) |
-# | `EventsExecutor` (`rclpy.experimental`) | never called a timer or a subscription when we tried it in this build, so don't use it here |
+# | `EventsExecutor` (`rclpy.experimental`) | experimental: in this build, its `spin` ran no callback at all, so don't use it here |
 
 # %% [markdown]
 # ## Change it
@@ -288,7 +297,7 @@ reveal("no-timeout", came_back="after" in seen.log)
 # %%
 predict("timeout-zero")
 
-# %%
+# %% id="busy-loop"
 print(inspect.getsource(ways_to_spin.twenty_ticks))
 
 meters = {}
@@ -296,16 +305,14 @@ for timeout_s in (0, 0.01, 0.1):
     seen = run_program(ways_to_spin, arguments=["twenty_ticks", str(timeout_s)])
     meters[timeout_s] = tuple(map(float, seen.log.split()[-3:]))
 
+USUAL = {0: (500, 1_000_000), 0.01: (40, 700), 0.1: (20, 100)}
+for timeout_s, (iterations, took_s, _) in meters.items():
+    count = about(iterations, "iterations", between=USUAL[timeout_s])
+    seconds = about(took_s, "s", between=(1.9, 8))
+    print(f"timeout_sec={timeout_s}: {count} in {seconds}")
 soonest = min(took_s for _, took_s, _ in meters.values())
-rounds = {timeout_s: iterations for timeout_s, (iterations, _, _) in meters.items()}
-reveal("timeout-zero", soonest_s=soonest, times_as_many_calls=rounds[0] / rounds[0.1])
-
-# %% id="busy-loop"
-print("no loop had twenty ticks before two seconds were over:", soonest > 1.9)
-print(
-    "timeout 0 went round more than 5 times as often as 0.1 s:",
-    rounds[0] > 5 * rounds[0.1],
-)
+times_as_many = meters[0][0] / meters[0.1][0]
+reveal("timeout-zero", soonest_s=soonest, times_as_many_calls=times_as_many)
 
 # %%
 from workbook.pictures.figures import figure, show
@@ -322,23 +329,23 @@ names = [f"timeout_sec={timeout_s}" for timeout_s in meters]
 axes.set(
     yticks=range(3),
     yticklabels=names,
-    xlabel="share of one processor (%)",
+    xlabel="time in which the loop doesn't sleep (%)",
     xlim=(0, 135),
 )
 axes.set_xticks(range(0, 101, 25))
-axes.set_title("a timeout of 0 keeps a processor busy")
+axes.set_title("With a timeout of 0, the loop never sleeps")
 axes.grid(False)
 axes.invert_yaxis()
 show(
     fig,
-    "the loop with timeout 0 takes most of a processor for thousands of iterations, "
-    "the others hardly anything",
+    "the loop with timeout 0 is busy nearly all the time, for thousands of iterations; "
+    "the others sleep most of the time",
 )
 
 # %% [markdown]
-# Such a loop is called a **busy loop**. On a robot, it drains the battery. A longer timeout doesn't delay anything,
-# because the wait ends as soon as a callback becomes ready. So a timeout isn't a period: it's the longest time that the
-# call may wait when nothing happens.
+# Such a loop is called a **busy loop**. It keeps a processor busy, and on a robot, it drains the battery. A longer
+# timeout doesn't delay anything, because the wait ends as soon as a callback becomes ready. So a timeout isn't a period:
+# it's the longest time that the call may wait when nothing happens.
 
 # %% [markdown] prediction="after-spin"
 # ### Experiment 3: what comes after `spin`
@@ -398,8 +405,7 @@ reveal(
 # The next cell runs the program first without `finally`, and then with it:
 
 # %% id="after-spin"
-seen = try_out(ways_to_spin.park_after_spin, interrupt_at="tick")
-print("the arm was parked:", "arm parked" in seen.log)
+_ = try_out(ways_to_spin.park_after_spin, interrupt_at="tick")
 print()
 _ = try_out(ways_to_spin.park_in_finally, interrupt_at="tick")
 
@@ -425,6 +431,23 @@ _ = try_out(ways_to_spin.go_on_later)
 # %% [markdown]
 # Outside of callbacks, as in the last lines of that function, `spin_until_future_complete` is a good tool.
 #
+# **Your turn.** Write the function that a future calls when the map arrives. It gets the future as its argument, and
+# appends the map to `plans`.
+
+# %% id="your-done-callback"
+from rclpy.task import Future
+
+map_is_there, plans = Future(), []
+
+on_map = ...  # TODO: a function
+
+if on_map is not ...:
+    map_is_there.add_done_callback(on_map)
+map_is_there.set_result("a map")
+hint = "lambda future: plans.append(future.result())"
+yours(... if on_map is ... else plans, ["a map"], hint)
+
+# %% [markdown]
 # **A rate without a spin.** People who come from ROS 1 often write this loop:
 
 # %% id="rate-on-main-thread"
@@ -457,8 +480,8 @@ _ = try_out(ways_to_spin.one_executor)
 left_behind = try_out(ways_to_spin.thread_left_behind)
 
 # %%
-print("it did its work:", "the work is done" in left_behind.log)
-print("and then it crashed:", left_behind.signal is not None)
+print("first:", left_behind.log.splitlines()[0])
+print("then:", "a crash" if left_behind.signal else f"exit code {left_behind.exit}")
 
 # %% [markdown]
 # The program finishes its work, and then it *aborts*: when the program exits, Python stops the thread in the middle of
@@ -492,9 +515,9 @@ _ = try_out(ways_to_spin.busy_timer, 0.05, show_code=False)
 # ## From a worked example to your own
 #
 # **Worked example.** We want to wait until the robot receives a word, but for at most two seconds. A safe loop for this
-# has three parts: a condition that ends it, a time limit, and short waits with the *same* timeout. The loop can end
-# late by up to one wait. If that matters, use `min(left, 0.1)`, so that only the last wait is shorter. Compute `left`
-# once per iteration and check it, because `spin_once` with a *negative* timeout waits forever.
+# has three parts: a condition that ends it, a time limit, and short waits with the *same* timeout. Because of
+# `min(left, 0.1)`, only the last wait is shorter, so the loop doesn't end late. Compute `left` once per iteration and
+# check it, because `spin_once` with a *negative* timeout waits forever.
 
 
 # %%
@@ -510,34 +533,30 @@ def wait_until(node, is_so, seconds):
 
 
 robot = fresh(slow_robot)
-print(
-    "heard a word in half a second of silence:",
-    wait_until(robot, lambda: robot.done, 0.5),
-)
+wait_until(robot, lambda: robot.done, 0.5)
+print("after half a second of silence:", robot.done)
 say("stop", "wait")
-print(
-    "heard a word when there were some:       ",
-    wait_until(robot, lambda: robot.done, 2.0),
-)
-print(robot.done)
+wait_until(robot, lambda: robot.done, 2.0)
+print("after two words:", robot.done)
 
 # %% [markdown]
 # The function returned after the first word and left the second one in the queue, because the condition asked for just
 # one word.
 #
-# **Fill in the blanks.** Now wait for all three words. Replace the `...` with your code. Until you do, the cell prints
-# a reminder.
+# **Fill in the blank.** Now wait for all three words.
 
 # %%
-# TODO: a function without arguments: has the robot done three things?
-all_three = ...
+all_three = ...  # TODO: a function without arguments: has the robot done three things?
 
 robot = fresh(slow_robot)
 say("turn", "wave", "walk")
-if all_three is ...:
-    print("Fill in the condition, then run this cell again.")
-else:
-    print("heard all three:", wait_until(robot, all_three, 2.0), robot.done)
+if all_three is not ...:
+    wait_until(robot, all_three, 2.0)
+yours(
+    ... if all_three is ... else robot.done,
+    ["heard turn", "heard wave", "heard walk"],
+    "lambda: len(robot.done) == 3",
+)
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/06_spinning.ipynb), you write a function that spins a node for a given

@@ -64,6 +64,8 @@ robots(
 # %% [markdown]
 # The typo is in a line that runs only when the battery is low, so a test on a charged robot never finds it. A program
 # called **mypy** does, because it reads the whole file without running it:
+#
+# [the same without helpers: record]
 
 # %%
 from pathlib import Path
@@ -232,8 +234,7 @@ reveal("seven-mistakes", mistakes_found=len(found(as_installed)))
 #
 # **On a robot, mistake 4 may crash the program.** With *this course's packages*, 0.0 arrives. But the message code in
 # the Ubuntu packages may be compiled with assertions. In that case, the wrong value aborts the whole process, and
-# `except` can't catch the abort ([rclpy #1297](https://github.com/ros2/rclpy/issues/1297),
-# [#1437](https://github.com/ros2/rclpy/issues/1437)).
+# `except` can't catch the abort ([rclpy #1437](https://github.com/ros2/rclpy/issues/1437)).
 #
 # Why does mypy find so few mistakes in the messages? Its report gives the reason: `Skipping analyzing "std_msgs.msg"`,
 # with the code `import-untyped`. So which type does mypy assign to a message? To find out, use `reveal_type(x)`, which
@@ -256,7 +257,7 @@ check_types(QUESTIONS, stubs=False, notes=True)
 # The publisher's type is `Publisher`. The message's type is **Any**, which means that mypy knows nothing about it and
 # accepts everything that you do with it.
 #
-# Type checkers use a package's hints only if the package contains a file named `py.typed`. rclpy contains that file.
+# Type checkers use the hints inside a package only if the package contains a file named `py.typed`. rclpy does.
 # But the message packages are generated without hints and without the file. Don't silence `import-untyped`, because
 # it's the only sign that your messages aren't being checked.
 #
@@ -273,9 +274,8 @@ from std_msgs.msg import Float32
 
 from workbook.lesson import stub_of
 
-print(stub_of(Float32))
+print(stub_of(Float32), end="\n\n")
 
-# %%
 with_stubs = check_types(VITALS)
 print("found with stubs:", sorted(found(with_stubs)))
 print("new among them:  ", sorted(found(with_stubs) - found(as_installed)))
@@ -286,7 +286,6 @@ with_stubs
 # that `dta` was supposed to be.
 #
 # For your own project, copy the folder `workbook/typings`, and run `mypy --config-file typings/mypy.ini my_node.py`.
-# Newer ROS distributions come with such hints.
 #
 # ### The third net: a publisher with a message type
 #
@@ -343,7 +342,6 @@ nets = {
     "field checks,\nat run time": raised(checked),
 }
 
-# %%
 from workbook.lesson.type_reports import nets_picture
 
 NAMES = {
@@ -358,7 +356,10 @@ NAMES = {
 for name, caught in nets.items():
     print(f"{len(caught)} of 7  {' '.join(name.split())}")
 nets_picture(
-    nets, NAMES, "seven mistakes and five nets: which net catches which mistake"
+    nets,
+    NAMES,
+    "seven mistakes and five nets: which net catches which mistake",
+    title="No net finds all seven mistakes",
 )
 
 # %% [markdown]
@@ -428,6 +429,20 @@ reveal(
     closure=without_hints["closure"],
     in_class=without_hints["class"],
 )
+
+# %% [markdown]
+# **Your turn.** In the closure, the wrong call is in a function that begins with `def main():`. Write that line with a
+# hint, so that mypy checks the function.
+
+# %% id="your-hint"
+from workbook.lesson import yours
+
+line = ...  # TODO: def main(): with a hint, as text
+
+if line is not ...:
+    closure = spoiled(battery_closure, hints=False)
+    report = check_types(closure.replace("def main():", line), strict=False)
+yours(... if line is ... else len(report), 1, '"def main() -> None:"')
 
 # %% [markdown]
 # By default, mypy doesn't check functions without hints. The option `--check-untyped-defs` makes mypy check them, and
@@ -567,17 +582,20 @@ reveal(
 )
 
 # %% [markdown]
-# Give the variable the narrow type, too. Then mypy checks the word in the line where you assign it. Below, the word is
-# first spelled correctly, and then as `eror`. The narrower the type, the more mistakes mypy finds. But at run time,
-# `eror` is still sent, because Python doesn't enforce hints.
+# **Your turn.** Give the variable a narrower type, so that mypy accepts both calls. The narrower the type, the more
+# mistakes mypy finds. But Python doesn't enforce hints: the cell then sends `eror`, and only mypy reports it.
 
-# %%
-right = WORDS.replace("word =", "word: Status =")
-wrong = right.replace('Status = "operational"', 'Status = "eror"')
-print(check_types(right))
+# %% id="your-word"
+line = ...  # TODO: word = "operational", with a hint, as text
+
+if line is not ...:
+    narrow = check_types(WORDS.replace('word = "operational"', line))
+yours(... if line is ... else len(narrow), 0, "The type is called Status.")
+
+first = WORDS.partition("word =")[0]
+wrong = first.replace('send_status("operational")', 'send_status("eror")')
 print(check_types(wrong))
 print(run_program(wrong, seconds=20).log)
-
 # %% [markdown]
 # ## When it goes wrong
 #
@@ -617,6 +635,8 @@ fresh(Reporter)
 # %% [markdown]
 # `Node` already has a property called `publishers`, and you can't assign to it. The same applies to `subscriptions`,
 # `timers`, `clients`, `services`, `context`, and `handle`. mypy reports this mistake without running anything.
+#
+# [the same without helpers: init, fresh]
 #
 # **A value from outside.** This function is annotated, and mypy accepts the program. But the value comes from a file,
 # and mypy doesn't know the file's content.
@@ -696,12 +716,15 @@ for misuse in (
 # The second error comes from rclpy, because `publish` checks the message's class. It doesn't check the fields.
 #
 # **Fill in the blanks.** So far, no net has caught mistake 3, a subscription whose callback expects another message
-# type. `listen` ties the two together: the type variable `Message` stands for the same type in both hints. Two hints
-# are missing. When both are right, mypy reports the last line and no other. `Callable[[X], None]` is a function that
+# type. `listen` ties the two together: the type variable `Message` stands for the same type in both hints. Write the
+# two hints as text. When both are right, mypy reports line 25 and no other. `Callable[[X], None]` is a function that
 # takes an `X` and returns nothing.
 
-# %%
-LISTEN = '''\
+# %% id="your-listen"
+kind = ...  # TODO: the hint for a message class, such as "type[String]"
+callback = ...  # TODO: the hint for its callback, such as "Callable[[String], None]"
+
+LISTEN = f'''\
 from collections.abc import Callable
 from typing import TypeVar
 
@@ -711,7 +734,7 @@ from std_msgs.msg import Float32, String
 Message = TypeVar("Message")
 
 
-def listen(node: Node, kind: ___, topic: str, callback: ___) -> None:
+def listen(node: Node, kind: {kind}, topic: str, callback: {callback}) -> None:
     node.create_subscription(kind, topic, callback, 10)
 
 
@@ -728,10 +751,14 @@ listen(robot, Float32, "/robot/tilt", on_tilt)
 listen(robot, String, "/robot/status", on_word)
 listen(robot, Float32, "/robot/tilt", on_word)
 '''
-if "___" in LISTEN:
-    print("Fill in the two ___, then run this cell again.")
-else:
-    print(check_types(LISTEN))
+if ... not in (kind, callback):
+    report = check_types(LISTEN)
+    print(report)
+yours(
+    ... if ... in (kind, callback) else report.lines,
+    (25,),
+    'Write "type[Message]" and "Callable[[Message], None]".',
+)
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/07_typed_nodes.ipynb), two other teams call your node. Make mypy and your
@@ -868,8 +895,8 @@ else:
 # Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
 #
 # - **`self.level: Publisher[Float32] = …`:** In Jazzy, `Publisher` doesn't accept a type in brackets, and mypy reports
-#   this hint. Inside a method, Python ignores the hint; in a signature, it raises a `TypeError`. Newer versions allow
-#   it.
+#   this hint. Inside a method, Python ignores the hint; in a signature, Python 3.13 and older raise a `TypeError`.
+#   Newer ROS versions allow it.
 # - **mypy will find the misspelled field `msg.dta`:** In fact, it can't without stubs. The message packages come
 #   without types, so each message is `Any`.
 #

@@ -59,6 +59,19 @@ reveal("one-letter-less", complaints=len(report), said=str(report))
 # %% [markdown]
 # ## Look inside
 #
+# **Your turn.** `TypeVar` accepts the word in mypy's message as an argument: `covariant=True` would be the opposite.
+# Write the line, so that mypy has nothing to report.
+
+# %% id="your-variable"
+from workbook.lesson import yours
+
+line = ...  # TODO: Taken = TypeVar("Taken"), with one more argument, as text
+
+if line is not ...:
+    report = check_types(SENDS.replace('Taken = TypeVar("Taken")', line))
+yours(... if line is ... else len(report), 0, "contravariant=True")
+
+# %% [markdown]
 # `contravariant=True` declares that the type appears only as an argument. So you can use a publisher that accepts every
 # message where a publisher for `Float32` is expected, but not the other way around.
 #
@@ -110,9 +123,13 @@ nets = {
     name: {1 for found in check_types(text).findings if "publish" in found.message}
     for name, text in (("rclpy's Publisher", PLAIN), ("Sends[Float32]", TYPED))
 }
-print({name: bool(caught) for name, caught in nets.items()})
+for name, caught in nets.items():
+    print(f"{name}: {len(caught)} of 1 found")
 nets_picture(
-    nets, ROWS, "rclpy's Publisher misses the wrong message, Sends[Float32] finds it"
+    nets,
+    ROWS,
+    "rclpy's Publisher misses the wrong message, Sends[Float32] finds it",
+    title="Only Sends[Float32] finds the wrong message",
 )
 
 # %% [markdown]

@@ -19,7 +19,7 @@
 
 # %%
 from lesson_nodes import humanoid_status_publisher
-from workbook.lesson import start, stop, watch_status
+from workbook.lesson import about, start, stop, watch_status
 
 print("on the graph:", start(humanoid_status_publisher))
 
@@ -32,11 +32,13 @@ view = await watch_status(seconds=9)
 
 # %%
 print("the robot says:", view.status)
-print("battery still nearly full:", 90.0 < view.battery < 100.0)
+print("its battery level:", about(view.battery, "%", between=(95, 100), digits=3))
 stop()
 
 # %% [markdown]
 # Compare the two rows of dots: how do their spacings differ?
+#
+# [the same without helpers: start]
 
 # %% [markdown] prediction="the-dashboard-opens"
 # ## Predict
@@ -53,7 +55,7 @@ stop()
 #
 # - **a** No time: the dashboard asks the node for the level.
 #   when `longest_wait_s < 0.5`
-#   ✗ On a topic nobody asks. A subscription gets the next message that is published.
+#   ✗ There are no requests on a topic. A subscription gets the next message that is published.
 # - **b** 2 s: one period of the battery's timer.
 #   when `1.5 <= longest_wait_s < 2.6`
 #   ✓ A subscriber that has just missed a message waits one period of that topic. That is the longest wait.
@@ -74,6 +76,8 @@ predict("the-dashboard-opens")
 #
 # We don't want to wait for a minute. So the recorder drives the robot's clock (simulated time, lesson 05), and one
 # minute of robot time takes only a few real seconds.
+#
+# [the same without helpers: record]
 
 # %%
 from workbook.lesson import arrivals, record, values
@@ -116,8 +120,9 @@ reveal("the-dashboard-opens", longest_wait_s=longest)
 # %% [markdown]
 # ### Step 1: one topic
 #
-# Find the publisher and the timer in `__init__`, and the callback below it. `init()` initializes ROS in this notebook,
-# as `rclpy.init()` does in a program. But unlike `rclpy.init()`, it lets you run the cell again.
+# Find the publisher and the timer in `__init__`, and the callback below it.
+#
+# [the same without helpers: init, fresh, run]
 
 # %%
 from rclpy.node import Node
@@ -149,15 +154,26 @@ await run(humanoid, until=lambda: humanoid.sent == 3, seconds=10)
 # %% [markdown]
 # ### Step 2: a battery that drains
 #
-# We don't have a battery, so we simulate one: a number that gets a little smaller each time. `max(0.0, ...)` keeps the
-# number from going below zero, because a subscriber might accept −0.1% as a real level.
+# We don't have a battery, so we simulate one: a number that gets a little smaller each time. It mustn't go below zero,
+# because a subscriber might accept −0.1% as a real level.
+#
+# **Your turn.** Write the function that computes the next level. It drains the battery by 0.3, but never below 0.0.
 
-# %%
-careless = careful = 0.8
+# %% id="your-drain"
+from workbook.lesson import yours
+
+drained = ...  # TODO: a function of the level, such as lambda level: level - 0.3
+
+level, seen = 0.8, []
 for _ in range(4):
-    careless = careless - 0.3
-    careful = max(0.0, careful - 0.3)
-    print(f"careless {careless:5.1f} %    with a floor {careful:4.1f} %")
+    level = level - 0.3 if drained is ... else drained(level)
+    seen.append(round(level, 1))
+print("levels:", *seen)
+yours(
+    ... if drained is ... else seen,
+    [0.5, 0.2, 0.0, 0.0],
+    "lambda level: max(0.0, level - 0.3)",
+)
 
 # %% [markdown]
 # ### Step 3: the second topic
@@ -189,7 +205,8 @@ class TwoTopics(OneTopic):
 
 humanoid = fresh(TwoTopics)
 await run(humanoid, until=lambda: humanoid.battery_level < 100.0, seconds=10)
-print("drained by one message, 0.1 to 0.5 %:", 99.5 <= humanoid.battery_level <= 99.9)
+drained_percent = 100.0 - humanoid.battery_level
+print("drained by one message:", about(drained_percent, "%", between=(0.09, 0.51)))
 humanoid.destroy_node()
 
 # %% [markdown]
@@ -245,7 +262,7 @@ rclpy.spin(HumanoidStatusPublisher(battery_level=10.0))
 #   ✗ The next battery message comes after 2 s. The status does not wait for it: it reads the level, not the topic.
 # - **d** It never says so: the node had chosen its word when it started.
 #   when `delay_s >= 2.5`
-#   ✗ The word is chosen in the callback, so it is chosen anew for each message.
+#   ✗ The word is chosen in the callback, so it is chosen again for each message.
 
 # %%
 predict("the-empty-battery")
@@ -272,7 +289,7 @@ from workbook.pictures.palette import BLUE, GREEN, RED
 
 empty = levels[levels.index(0.0) :]
 print("lowest level:", min(levels))
-print("more than ten messages since then:", len(empty) > 10)
+print("messages since then:", about(len(empty), between=(10, 41)))
 print("every one of them says:", *set(empty))
 print(f"still one every {pace(evening, BATTERY):.1f} s")
 
@@ -284,7 +301,7 @@ for word, color, sign in (("operational", GREEN, "o"), ("error", RED, "x")):
     times = [t for t, said in timed if said == word]
     lower.plot(times, [word] * len(times), sign, color=color, markersize=4)
 lower.set(xlabel="robot time (s)", xlim=(0, 120), ylim=(-0.6, 1.6))
-upper.set_title("the battery reaches zero, and the messages go on", fontsize=11)
+upper.set_title("The battery reaches zero, and the messages go on", fontsize=11)
 show(
     fig,
     "the battery falls to zero and stays there; "
@@ -365,6 +382,8 @@ stop()
 #
 # The count is still useful at the start. A message that's published before any subscription is connected is lost
 # ([lesson 00](00_start_here.ipynb)). So a program can wait until the count is above 0. This one doesn't wait:
+#
+# [the same without helpers: spin_for]
 
 # %% id="late-listener"
 import rclpy
@@ -391,7 +410,33 @@ print("heard after one more:", len(heard))
 # The `10` in `create_publisher(..., 10)` is the queue depth. It applies only to connected subscriptions; the publisher
 # keeps no messages for later ones. (QoS can change that: lesson 13.)
 #
-# Now let's add two more subscribers: a monitor in a separate process, and the dashboard in this notebook.
+# **Your turn.** Suppose that a node publishes just one message on `/robot/started`. Write the condition that it waits
+# for before it publishes.
+
+# %% id="your-condition"
+started = humanoid.create_publisher(String, "/robot/started", 10)
+
+ready = ...  # TODO: a function without arguments: does started have a subscription?
+
+if ready is not ...:
+    heard = []
+    log = fresh(lambda: rclpy.create_node("log"))
+    log.create_subscription(
+        String, "/robot/started", lambda message: heard.append(message.data), 10
+    )
+    spin_for(log, seconds=10, until=ready)
+    started.publish(String(data="started"))
+    spin_for(log, seconds=1.0)
+    log.destroy_node()
+yours(
+    ... if ready is ... else heard,
+    ["started"],
+    "lambda: started.get_subscription_count() > 0",
+)
+
+# %% [markdown]
+# Now let's add two more subscribers: a monitor in a separate process, and the dashboard in this notebook. The graph is
+# drawn while the dashboard is open.
 
 # %%
 import asyncio
@@ -409,15 +454,10 @@ listeners = humanoid.status_publisher.get_subscription_count()
 network = graph_picture("/humanoid_status_publisher")
 await opened
 print("listeners while the dashboard was open:", listeners)
-network
-
-# %% [markdown]
-# This graph was drawn while the dashboard was open.
-
-# %%
 stop()
 listener.destroy_node()
 humanoid.destroy_node()
+network
 
 # %% [markdown] prediction="the-exception"
 # ## When it goes wrong
@@ -487,7 +527,7 @@ before = humanoid.sent
 time.sleep(1.0)
 print("main: status messages in the last second:", humanoid.sent - before)
 print("main: the last status:", humanoid.last_word)
-print("main: node on the graph:", "humanoid" in humanoid.get_node_names())
+print("main: on the graph:", *humanoid.get_node_names())
 rclpy.try_shutdown()
 """
 outcome = run_program(PROGRAM, seconds=20)
@@ -534,8 +574,8 @@ await run(fresh(Forecaster), seconds=10)
 #
 # `Float32(data=round(level))` puts an int into a float field (lesson 03). The result is **a wrong value or a crash,
 # depending on the build.** This course's packages send 0.0 without an error. The Ubuntu packages can abort the whole
-# process ([rclpy #1297](https://github.com/ros2/rclpy/issues/1297), [#1437](https://github.com/ros2/rclpy/issues/1437),
-# [diagnostics #427](https://github.com/ros/diagnostics/issues/427)). If the environment variable
+# process ([rclpy #1437](https://github.com/ros2/rclpy/issues/1437), [diagnostics
+# #427](https://github.com/ros/diagnostics/issues/427)). If the environment variable
 # `ROS_PYTHON_CHECK_FIELDS=1` is set, as in this notebook, you get an exception instead:
 
 # %% id="whole-percents" tags=["raises-exception"]
@@ -632,17 +672,17 @@ print("exit code", outcome.exit)
 
 # %% [markdown]
 # **Faded.** A node in the robot's foot counts steps. Every four seconds, it publishes the count to `/robot/steps` as a
-# `Float32`. Fill in the three blanks `___`: the period, the float, and the ending. You're done when the cell prints
-# `sent 1.0` and exit code 0.
+# `Float32`. Fill in the three blanks: the period, the float, and the ending. Then the cell runs the program and sends
+# Ctrl-C after the first message.
 
-# %%
+# %% id="your-step-counter"
 FADED = """
 import rclpy
 from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from std_msgs.msg import Float32
 
-STEPS_PERIOD_S = ___  # 0.25 Hz
+STEPS_PERIOD_S = ...  # TODO: 0.25 Hz
 
 
 class StepCounter(Node):
@@ -656,9 +696,9 @@ class StepCounter(Node):
 
     def publish_steps(self) -> None:
         self.steps += 1
-        message = Float32(data=___)  # self.steps is an int
+        message = Float32(data=...)  # TODO: self.steps is an int
         self.publisher.publish(message)
-        print("main: sent", message.data, flush=True)
+        print("main: sent", message.data, "period", STEPS_PERIOD_S, flush=True)
 
 
 rclpy.init()
@@ -667,11 +707,16 @@ try:
 except (KeyboardInterrupt, ExternalShutdownException):
     pass
 finally:
-    ___
+    ...  # TODO: end without an error, also after Ctrl-C
 """
-outcome = run_program(FADED, seconds=15, interrupt_at="sent")
-print(said(outcome) or outcome.log.strip().splitlines()[-1])
-print("exit code", outcome.exit)
+if "..." not in FADED:
+    outcome = run_program(FADED, seconds=15, interrupt_at="sent")
+    print(outcome.log)
+yours(
+    ... if "..." in FADED else (said(outcome), outcome.exit),
+    ("sent 1.0 period 4.0", 0),
+    "4.0, float(self.steps), and rclpy.try_shutdown()",
+)
 
 # %% [markdown]
 # **Your own.** The [exercise](../exercises/08_humanoid_status_publisher.ipynb) gives you a status publisher with three

@@ -81,7 +81,9 @@ def stub_of(message_class: type) -> str:
     return f"class {name}:\n" + stub.partition(f"\nclass {name}:\n")[2].partition("\nclass ")[0].rstrip()
 
 
-def nets_picture(nets: Mapping[str, Set[int]], names: Mapping[int, str], description: str) -> Still:
+def nets_picture(
+    nets: Mapping[str, Set[int]], names: Mapping[int, str], description: str, *, title: str
+) -> Still:
     """Which net catches which mistake. A net with "run time" in its name catches when the line is reached."""
     fig, axes = figure(7.6, 1.0 + 0.37 * len(names))
     for column, (net, caught) in enumerate(nets.items()):
@@ -110,8 +112,7 @@ def nets_picture(nets: Mapping[str, Set[int]], names: Mapping[int, str], descrip
     axes.set_yticks(list(names), [f"{number}  {name}" for number, name in names.items()])
     axes.set_xticks(range(len(nets)), list(nets))
     axes.set(ylim=(max(names) + 0.6, -0.1), xlim=(-0.4, len(nets) - 0.4))
-    if not any(caught >= set(names) for caught in nets.values()):
-        axes.set_title(f"no net finds all {len(names)} mistakes", fontsize=11)
+    axes.set_title(title, fontsize=11)
     axes.tick_params(length=0)
     axes.grid(False)
     return still(fig, description)
