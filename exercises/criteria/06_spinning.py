@@ -319,7 +319,7 @@ def too_many_jobs(recording: Recording) -> Verdict | None:
     if len(begun) < 2 or short_calls_late(recording):
         return None
     asked, took = ASKED_S[JOBS_ALONE], calls(recording)[JOBS_ALONE].took
-    back = f", return after {took:.2f} s" if took is not None else ""
+    back = f", which returned after {took:.2f} s" if took is not None else ""
     return see.failed(
         "slow-callbacks.several",
         f"{len(begun)} jobs of {JOB_S} s started in a call for {asked:g} s{back}",
