@@ -38,37 +38,36 @@ def walks_its_rounds(recording: Recording) -> Verdict:
             "walks-its-rounds.stands-still",
             f"{seen} after {WATCH_S:g} s",
             f"a line in the log for each round; {LEAST_ROUNDS} of them are enough in {WATCH_S:g} s",
-            "Either the timer does not fire, or not every round is logged. A timer fires only while its node is "
-            "spun. A sleep, an event or an empty loop keeps the program alive, but does not spin the node.",
-            "Keep the guard at work with rclpy.spin(guard), and leave walk_round as it was.",
+            "Either the timer doesn't fire, or not every round is logged. A timer fires only while its node is "
+            "spun. A sleep, an event, or an empty loop keeps the program alive but doesn't spin the node.",
+            "Keep the guard working with rclpy.spin(guard), and don't change walk_round.",
         )
     silent = 0.0 if process.printed_at is None else recording.wall_s - process.printed_at
     if silent <= LONGEST_SILENCE_S:
         return see.passed(seen)
     return see.failed(
         "walks-its-rounds.stops",
-        f"{seen}, and none in the last {see.number(round(silent, 1))} s before Ctrl-C",
-        f"a line in the log for each round, until Ctrl-C, and no more than {LONGEST_SILENCE_S:g} s without one "
-        "before it",
-        "The guard walked at first, and then stopped. Its timer was canceled, or nothing spins the node any more.",
-        "Spin the guard until Ctrl-C: rclpy.spin(guard) returns no sooner.",
+        f"{seen}, but none in the last {see.number(round(silent, 1))} s before Ctrl-C",
+        f"a line in the log for each round, and at most {LONGEST_SILENCE_S:g} s without a line before Ctrl-C",
+        "The guard walked at first but then stopped. Its timer was canceled, or nothing spins the node any more.",
+        "Spin the guard until Ctrl-C: rclpy.spin(guard) doesn't return earlier.",
         about_time=True,
     )
 
 
 @criterion(points=1, title="/night_guard is on the graph, once", needs=[runs_until_told])
 def guard_on_the_graph(recording: Recording) -> Verdict:
-    how = "Leave the class NightGuard as it was, remap nothing, and give the node no namespace."
+    how = "Don't change the class NightGuard, don't remap anything, and don't give the node a namespace."
     verdict = see.on_the_graph(recording, NODE, how=how)
     others = sorted({node.name for node in recording.nodes} - {NODE})
     if not verdict.ok or not others:
         return verdict
     return see.failed(
         "guard-on-the-graph.another-node",
-        f"{NODE}, and {see.listing(others)} as well",
+        f"{NODE}, but also {see.listing(others)}",
         f"one node, {NODE}",
-        "The program makes one more node than it needs.",
-        "Make the guard, and no other node.",
+        "The program creates more nodes than it needs.",
+        "Create the guard and no other node.",
     )
 
 
@@ -79,7 +78,7 @@ def guard_on_the_graph(recording: Recording) -> Verdict:
     about_end=True,
 )
 def arms_parked(recording: Recording) -> Verdict:
-    expected = f"the words {PARKED!r} after Ctrl-C, and not before"
+    expected = f"the words {PARKED!r} in the log after Ctrl-C, and not before"
     process = recording.process
     if PARKED in process.log.lower():
         return see.failed(
@@ -87,18 +86,18 @@ def arms_parked(recording: Recording) -> Verdict:
             "the arms were parked while the guard was still on duty",
             expected,
             "park() is called before rclpy.spin(guard), or in a callback.",
-            "Call guard.park() once spin has ended: in finally.",
+            "Call guard.park() after the spin has ended: in finally.",
         )
     if PARKED in process.end_log.lower():
         return see.passed("the arms were parked after Ctrl-C")
     if process.signal == "SIGKILL":
         return see.failed(
             "arms-parked.ignores-ctrl-c",
-            "the program went on after Ctrl-C, with its arms up, and had to be killed",
+            "the program kept running after Ctrl-C, with the arms up, and had to be killed",
             expected,
-            "The program ignores Ctrl-C. Or it catches KeyboardInterrupt and goes on: in a loop, or with slow "
+            "The program ignores Ctrl-C. Or it catches KeyboardInterrupt and continues, in a loop or with slow "
             "work before it parks.",
-            "Put the try around the whole loop, and park first thing in finally.",
+            "Put the try around the whole loop, and park in the first line of finally.",
         )
     return why_never_parked(recording, expected)
 
@@ -109,10 +108,10 @@ def why_never_parked(recording: Recording, expected: str) -> Verdict:
     if process.signal == "SIGINT" and not process.end_log.strip():
         return see.failed(
             "arms-parked.killed-by-ctrl-c",
-            "the signal of Ctrl-C ended the program at once, and its arms are still up",
+            "the Ctrl-C signal ended the program immediately, with the arms still up",
             expected,
-            "No Python code ran after Ctrl-C. The handler of the signal was set to its default, SIG_DFL, which ends "
-            "a process silently.",
+            "No Python code ran after Ctrl-C. The signal's handler was set to the default, SIG_DFL, which ends a "
+            "process silently.",
             "Keep the handler that rclpy.init() sets, or set one that lets your program clean up.",
         )
     verdict = see.failed_at_the_end(recording, "the arms are still up", expected)
@@ -122,17 +121,18 @@ def why_never_parked(recording: Recording, expected: str) -> Verdict:
     if said is not None:
         return see.failed(
             "arms-parked.other-words",
-            f"after Ctrl-C the log says {said[:LONGEST_QUOTE]!r}",
+            f"after Ctrl-C, the log contains {said[:LONGEST_QUOTE]!r}",
             expected,
-            "The judge reads the log, and these are other words. If park() says them, it was changed.",
-            "Leave the class NightGuard as it was: its park() says 'arms parked'.",
+            "The judge searches the log for the expected words, but these are different. If park() logs them, it "
+            "was changed.",
+            "Restore the class NightGuard: its park() logs 'arms parked'.",
         )
     return see.failed(
         "arms-parked.never",
-        "the program ended after Ctrl-C, and its arms are still up",
+        "the program ended after Ctrl-C, but the arms are still up",
         expected,
-        "Nothing calls park() after Ctrl-C. rclpy.spin() does not return on Ctrl-C: it raises KeyboardInterrupt, "
-        "so the lines after it never run. By then rclpy.ok() is False, and on_shutdown callbacks are not called.",
+        "Nothing calls park() after Ctrl-C. rclpy.spin() doesn't return on Ctrl-C: it raises KeyboardInterrupt, so "
+        "the lines after it never run. By then, rclpy.ok() is False, and on_shutdown callbacks aren't called.",
         "Call guard.park() in the finally block of a try around rclpy.spin(guard), without a condition.",
     )
 
@@ -148,20 +148,20 @@ def ends_cleanly(recording: Recording) -> Verdict:
     if process.signal == "SIGKILL" and walked_after_parking(recording):
         return see.failed(
             "ends-cleanly.walks-on",
-            "the arms were parked after Ctrl-C, then the guard walked on and had to be killed",
+            "the arms were parked after Ctrl-C, but the guard kept walking and had to be killed",
             "exit code 0 and no traceback after Ctrl-C",
-            "The guard is still spun after it has parked. Either a signal handler of your own parks and does not end "
-            "the spin, or a loop starts the night again.",
+            "The guard is still spun after it has parked. Either your own signal handler parks but doesn't end the "
+            "spin, or a loop starts the spin again.",
             "Leave SIGINT to rclpy: spin raises KeyboardInterrupt. Park in finally, and let main() return.",
         )
     if process.signal == "SIGKILL" and PARKED in process.end_log.lower():
         return see.failed(
             "ends-cleanly.goes-on-after-parking",
-            "the arms were parked after Ctrl-C, and the program went on and had to be killed",
+            "the arms were parked after Ctrl-C, but the program kept running and had to be killed",
             "exit code 0 and no traceback after Ctrl-C",
-            "Something keeps running after the arms are parked: a loop that starts again, a sleep or an input. It may "
-            "also be a thread that is not a daemon, or a process that your program started.",
-            "Let main() return when it has cleaned up, and start nothing that outlives it.",
+            "Something keeps running after the arms are parked: a loop that starts again, a sleep, or an input. It "
+            "may also be a non-daemon thread, or a process that your program started.",
+            "Let main() return after cleaning up, and don't start anything that outlives it.",
         )
     verdict = see.exits_cleanly(recording)
     of_a_thread = process.exit == 0 and "Exception in thread" in process.end_log
@@ -172,11 +172,11 @@ def ends_cleanly(recording: Recording) -> Verdict:
         return verdict
     return see.failed(
         "ends-cleanly.thread-raised",
-        "exit code 0 after Ctrl-C, and the traceback of a thread",
+        "exit code 0 after Ctrl-C, but a thread's traceback",
         verdict.expected,
-        "A thread was still spinning when Ctrl-C shut the context down. Then spin raises an exception, and "
-        "nothing in that thread catches it. Such a program sometimes aborts.",
-        "Catch ExternalShutdownException in the function of the thread, and join the thread before main() ends.",
+        "A thread was still spinning when Ctrl-C shut the context down. Then spin raises an exception, which "
+        "nothing in that thread catches. Sometimes, this aborts the program.",
+        "Catch ExternalShutdownException in the thread's function, and join the thread before main() ends.",
     )
 
 
@@ -189,9 +189,9 @@ def node_gone(recording: Recording) -> Verdict:
         "node-gone.killed",
         verdict.saw,
         verdict.expected,
-        "The program did not end on Ctrl-C and was killed, so its node was never removed from the graph. Other "
-        "programs see such a ghost for up to 20 s.",
-        "First make the program end on Ctrl-C. Its node then disappears with it.",
+        "The program didn't end on Ctrl-C and was killed, so its node was never removed from the graph. Other "
+        "programs still see the node for up to 20 s.",
+        "First, make the program end on Ctrl-C. Its node then disappears with it.",
     )
 
 

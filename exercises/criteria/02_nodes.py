@@ -65,9 +65,9 @@ def nobody_else(recording: Recording) -> Verdict:
     if duplicates:
         return see.failed(
             "nobody-else.duplicate-name",
-            f"duplicate node name: {names_or_nobody(duplicates)} is there more than once",
+            f"duplicate node name: {names_or_nobody(duplicates)}, more than once",
             expected,
-            "Two nodes were made with the same name. ROS allows that, but then no one can tell them apart.",
+            "Two nodes were created with the same name. ROS allows that, but then nothing can tell them apart.",
             "Remap one of them: cli_args=['--ros-args', '-r', '__node:=rear_camera'].",
         )
     others = sorted({node.name for node in recording.nodes} - {FRONT, REAR})
@@ -75,21 +75,21 @@ def nobody_else(recording: Recording) -> Verdict:
     if outside:
         return see.failed(
             "nobody-else.outside-namespace",
-            f"{names_or_nobody(outside)}, outside of the namespace /robot",
+            f"{names_or_nobody(outside)}, outside the namespace /robot",
             expected,
-            "A node without a namespace does not belong to one robot. A second robot would have a node of the "
-            "same name.",
-            "Give every node that you make namespace='/robot', and make only the two cameras.",
+            "A node outside the robot's namespace doesn't belong to one robot. A second robot would have a node "
+            "with the same name.",
+            "Give every node that you create namespace='/robot', and create only the two cameras.",
         )
     if others:
         return see.failed(
             "nobody-else.extra-node",
-            f"{names_or_nobody(others)} as well",
+            f"also on the graph: {names_or_nobody(others)}",
             expected,
-            "The program makes one node too many, or one node has the wrong name.",
-            "Make the two cameras and no other node.",
+            "The program creates too many nodes, or a node has the wrong name.",
+            "Create the two cameras and no other node.",
         )
-    return see.passed("no other node is there")
+    return see.passed("no other node on the graph")
 
 
 @criterion(points=1, title="The program is still alive at the end", needs=[program_runs])
@@ -108,8 +108,8 @@ def pictures_of(recording: Recording, frames: Topic, camera: str) -> Verdict:
             "pictures.other-node",
             f"{names_or_nobody(found)} on {frames.name}",
             f"{camera} on {frames.name}, and no other node",
-            "The name of this topic is written out or remapped, so it does not follow the name of the node.",
-            "Leave the driver as it was delivered, and rename the node with __node:=. Its private topics follow.",
+            "This topic's name is hard-coded or remapped, so it doesn't follow the node's name.",
+            "Don't change the driver, and rename the node with __node:=. Its private topics follow.",
         )
     if not see.values(recording, frames):
         return why_no_pictures(recording, frames, camera)
@@ -130,9 +130,9 @@ def both_slow(recording: Recording, verdict: Verdict) -> Verdict | None:
             "pictures.both-slow",
             verdict.saw,
             verdict.expected,
-            "The other camera is too slow, too. Something holds up the executor that serves both: a callback works or "
-            "sleeps, or the loop around spin_once does. Or the periods in the driver were changed.",
-            "Leave the driver and main as they were: executor.spin() runs each callback when it is due.",
+            "The other camera is too slow, too. Something delays the executor that runs both: a callback works or "
+            "sleeps, or the loop around spin_once does. Or the driver's periods were changed.",
+            "Don't change the driver or main: executor.spin() runs each callback when it's due.",
             about_time=verdict.about_time,
         ),
         pace_of=verdict.pace_of,
@@ -147,42 +147,45 @@ def camera_left(recording: Recording, frames: Topic, camera: str) -> Verdict | N
         return None
     return see.failed(
         "pictures.camera-gone",
-        f"{camera} left the graph after {max(gone):.1f} s, and the program ran on without it",
+        f"{camera} left the graph after {max(gone):.1f} s, but the program kept running without it",
         f"{camera} on the graph for as long as the program runs",
-        "Its node or its publisher was destroyed: by destroy_node(), or because its context was shut down.",
+        "Its node or its publisher was destroyed by destroy_node(), or because its context was shut down.",
         "Keep both cameras until the spin has ended.",
     )
 
 
 def why_no_pictures(recording: Recording, frames: Topic, camera: str) -> Verdict:
     """Why a camera that is on the graph takes no pictures."""
-    saw, expected = f"{camera} is there, but it takes no pictures", f"pictures on {frames.name}, two a second"
+    saw, expected = (
+        f"{camera} is on the graph, but publishes no images",
+        f"images on {frames.name}, two per second",
+    )
     explained = see.ended_by_error(recording, saw, expected) or camera_left(recording, frames, camera)
     if explained is not None:
         return explained
     if see.values(reports(recording, camera), FAULTS):
         return see.failed(
             "pictures.never-taken",
-            f"{camera} reports faults, but it takes no pictures",
+            f"{camera} reports faults, but publishes no images",
             expected,
-            "The node is spun, but nothing calls take_picture, or take_picture does not publish.",
-            "Leave the driver as it was delivered.",
+            "The node is spun, but nothing calls take_picture, or take_picture doesn't publish.",
+            "Restore the driver as it was delivered.",
         )
     if not any(see.values(recording, one) for one in (FRONT_FRAME, REAR_FRAME, FAULTS)):
         return see.failed(
             "pictures.nothing-spins",
-            f"{camera} is there, but no node of this program does anything",
+            f"{camera} is on the graph, but neither camera publishes anything",
             expected,
             "Nothing spins the nodes: there is no spin, or a line before it never returns.",
-            "Leave main as it was: it adds both cameras to one executor and spins it.",
+            "Restore main as it was: it adds both cameras to one executor and spins it.",
         )
     return see.failed(
         "pictures.node-not-spun",
         saw,
         expected,
-        "Nothing spins this node. An executor serves only the nodes that were added to it, and rclpy.spin(node) "
-        "serves only that one node.",
-        "Add both nodes to one executor: return both from make_cameras and leave main as it was.",
+        "Nothing spins this node. An executor runs only the nodes that were added to it, and rclpy.spin(node) runs "
+        "only that node.",
+        "Add both nodes to one executor: return both from make_cameras, and don't change main.",
     )
 
 
@@ -209,9 +212,9 @@ def reports_of(recording: Recording, camera: str, frames: Topic) -> Verdict:
             "shared-faults.other-rate",
             saw,
             verdict.expected,
-            "The pictures of this camera come as they should. So its node works, and something else changed the "
-            "reports: in the class, or after the camera was made.",
-            "Leave the driver as it was delivered: it reports once a second.",
+            "This camera's images arrive at the right rate, so its node works. Something else changed the reports: "
+            "in the class, or after the camera was created.",
+            "Restore the driver as it was delivered: it reports once per second.",
             about_time=verdict.about_time,
         ),
         pace_of=verdict.pace_of,
@@ -223,7 +226,7 @@ def why_no_reports(recording: Recording, camera: str, frames: Topic) -> Verdict:
     name = camera.rsplit("/", 1)[1]
     saw, expected = (
         f"no report of {camera}",
-        f"one report a second on {FAULTS.name} that begins with '{name}:'",
+        f"one report per second on {FAULTS.name} that begins with '{name}:'",
     )
     strange = [
         text
@@ -236,19 +239,18 @@ def why_no_reports(recording: Recording, camera: str, frames: Topic) -> Verdict:
     if strange:
         return see.failed(
             "shared-faults.nameless",
-            f"{saw}; another text comes: {str(strange[0])[:LONGEST_QUOTE]!r}",
+            f"{saw}; another text arrives: {str(strange[0])[:LONGEST_QUOTE]!r}",
             expected,
-            "The text of the reports was changed. It must begin with the name, so that everyone knows which camera to "
-            "repair.",
-            "Leave the driver as it was delivered.",
+            "The report text was changed. It must begin with the name, so that people know which camera to repair.",
+            "Restore the driver as it was delivered.",
         )
     if not see.values(recording, frames):
         return see.failed(
             "shared-faults.camera-idle",
-            f"{saw}, and no picture either",
+            f"{saw}, and no image either",
             expected,
             "This node does nothing at all.",
-            "First make its pictures come. The reports will then come, too.",
+            "First, make this node publish its images. The reports should then arrive, too.",
         )
     return why_silent(recording, camera, expected)
 
@@ -260,18 +262,18 @@ def why_silent(recording: Recording, camera: str, expected: str) -> Verdict:
     if hz is not None and hz > TWICE * REPORTS_HZ:
         return see.failed(
             "shared-faults.name-of-the-other",
-            f"no report begins with '{name}:', but {see.number(round(hz, 1))} a second begin with "
+            f"no report begins with '{name}:', but {see.number(round(hz, 1))} per second begin with "
             f"'{other.rsplit('/', 1)[1]}:'",
             expected,
-            "Both cameras report under one name, or one of them reports in place of both.",
-            "Leave the driver as it was delivered: it takes the name from get_name().",
+            "Both cameras report under the same name, or one of them reports for both.",
+            "Restore the driver as it was delivered: it uses the name from get_name().",
         )
     return see.failed(
         "shared-faults.silent",
-        f"no report of {camera}, although its pictures come",
+        f"no report of {camera}, although its images arrive",
         expected,
-        "The node works, but nothing calls report_faults, or report_faults does not publish.",
-        "Leave the driver as it was delivered.",
+        "The node works, but nothing calls report_faults, or report_faults doesn't publish.",
+        "Restore the driver as it was delivered.",
         about_time=True,
     )
 
@@ -284,16 +286,16 @@ def why_not_on_the_topic(recording: Recording, found: list[str]) -> Verdict:
     if elsewhere:
         return see.failed(
             "shared-faults.other-name",
-            f"{saw}; something reports on {' and '.join(elsewhere)}",
+            f"{saw}; some node reports on {' and '.join(elsewhere)}",
             expected,
-            "The name of this topic was edited or remapped. As delivered, it follows the namespace of each camera.",
+            "This topic's name was edited or remapped. As delivered, it follows each camera's namespace.",
             AS_DELIVERED,
         )
     return see.failed(
         "shared-faults.missing",
         saw,
         expected,
-        "The name of this topic was edited or remapped, or one camera has no publisher for it any more.",
+        "This topic's name was edited or remapped, or one camera no longer has a publisher for it.",
         AS_DELIVERED,
     )
 

@@ -62,7 +62,7 @@ def is_wrong_type(argument: str | None) -> bool:
 
 def kind_of(argument: str | None) -> str:
     """What kind of value this is, in words, where that is not obvious."""
-    kinds = {"'": "a text", "[": "a list", "(": "a tuple"}
+    kinds = {"'": "a string", "[": "a list", "(": "a tuple"}
     if argument in BOOLS:
         return "a bool"
     return "an int" if (argument or "").isdecimal() else kinds.get((argument or " ")[0], "")
@@ -186,8 +186,8 @@ def sends(recording: Recording) -> Verdict:
             "number.coroutine",
             words(numbers[0]),
             f"{as_float(meant(numbers[0]))} on {BATTERY.name}, once, within {TOLERANCE:g}",
-            "publish_level is written with async. A call of such a method runs none of its lines, it only makes a "
-            "coroutine, and the driver does not wait for one.",
+            "publish_level is declared with async. Calling it doesn't run its code: the call only creates a "
+            "coroutine, which the driver doesn't await.",
             "Write def publish_level(self, level), without async.",
         )
     return why_not_arrived(numbers[0], numbers)
@@ -200,8 +200,8 @@ def floats_arrive(recording: Recording) -> Verdict:
     if before and verdict.ok:
         return see.failed(
             "floats-arrive.uncalled",
-            f"{as_float(before[0])} went out before publish_level was called",
-            "one message for each call with a number, and no other",
+            f"{as_float(before[0])} was published before publish_level was called",
+            "one message for each call with a number, and no others",
             "Something other than publish_level publishes: __init__, or a timer.",
             "Publish once in publish_level, and nowhere else.",
         )
@@ -215,22 +215,22 @@ def zero_arrives(recording: Recording) -> Verdict:
 
 @criterion(points=2, title="Other numbers arrive, too: int and NumPy's", needs=[sends])
 def numbers_arrive(recording: Recording) -> Verdict:
-    return all_arrived(recording, is_other_number, "ints and NumPy's numbers arrived with the right value")
+    return all_arrived(recording, is_other_number, "ints and NumPy numbers arrived with the right value")
 
 
 @criterion(points=1, title="None, strings, a list, and a tuple are rejected with an error", needs=[sends])
 def no_number_refused(recording: Recording) -> Verdict:
-    return all_refused(recording, is_no_number, "None, words, a list and a tuple raised an error")
+    return all_refused(recording, is_no_number, "None, words, a list, and a tuple raised an error")
 
 
 @criterion(points=1, title="True and '50' are rejected, although float() accepts them", needs=[sends])
 def look_alikes_refused(recording: Recording) -> Verdict:
-    return all_refused(recording, looks_like_number, "bools and texts of digits raised an error")
+    return all_refused(recording, looks_like_number, "bools and strings of digits raised an error")
 
 
 @criterion(points=1, title="nan and inf are rejected, although they are floats", needs=[sends])
 def not_finite_refused(recording: Recording) -> Verdict:
-    return all_refused(recording, is_not_finite, "nan, inf and -inf raised an error")
+    return all_refused(recording, is_not_finite, "nan, inf, and -inf raised an error")
 
 
 @criterion(points=1, title="No 0.0 is sent by mistake", needs=[sends])
@@ -247,12 +247,12 @@ def no_invented_zero(recording: Recording) -> Verdict:
         or (0.0 in call.later and call.number < first_meant)
     ]
     if not invented:
-        return see.passed("0.0 went out only where it was meant")
+        return see.passed("0.0 was published only for an empty battery")
     return see.failed(
         "no-invented-zero.sent",
-        f"0.0 went out for {see.listing(list(dict.fromkeys(invented)))}",
-        "0.0 only for a battery that is empty",
-        "A subscriber cannot tell this zero from a real one. It may stop the robot, or send it home, for no "
+        f"0.0 was published for {see.listing(list(dict.fromkeys(invented)))}",
+        "0.0 only for an empty battery",
+        "A subscriber can't distinguish this zero from a real one. It may stop the robot, or send it home, for no "
         "reason.",
         "Convert numbers with float(level), raise an error for everything else, and never use 0.0 as a default.",
     )
@@ -290,9 +290,9 @@ def words(call: DriverCall) -> str:
     """The call as one writes it, and what kind of value it was, then how it came back and what went out."""
     kind = kind_of(call.argument)
     told = f"publish_level({call.argument})" + (f", {kind}," if kind else "")
-    how = f"raised {call.error}" if call.how == "raised" else "came back without an error"
+    how = f"raised {call.error}" if call.how == "raised" else "returned without an error"
     sent = see.listing([as_float(one) for one in call.sent])
-    return f"{told} {how}, and {f'{sent} went out' if call.sent else 'nothing went out'}"
+    return f"{told} {how}; published: {sent or 'nothing'}"
 
 
 def all_arrived(recording: Recording, wanted: Kind, praise: str) -> Verdict:
@@ -355,7 +355,7 @@ def cannot_be_called(recording: Recording, trouble: str, expected: str) -> Verdi
         "calls-come-back.name-missing",
         f"{trouble} in your file",
         expected,
-        "It is missing, has another name, or is indented wrongly.",
+        "It's missing, has another name, or is indented incorrectly.",
         "Keep the names of the starter: class BatteryPublisher, method publish_level(self, level).",
     )
 
@@ -373,12 +373,12 @@ def ordered_by_another(recording: Recording, is_done: bool, expected: str) -> Ve
         return None
     return see.failed(
         "calls-come-back.other-orders",
-        f"publish_level({others[0]}) was called, without an order of the judge"
+        f"publish_level({others[0]}) was called, but the judge didn't request it"
         if others
-        else f"{see.count(len(made), 'call')} made, fewer than the judge ordered",
+        else f"{see.count(len(made), 'call')} made, fewer than the judge requested",
         expected,
-        "The judge publishes on /driver/calls what the driver is to call. Your program publishes there as well.",
-        "Do not publish on /driver/calls.",
+        "The judge publishes the requested calls on /driver/calls. But your program publishes there, too.",
+        "Don't publish on /driver/calls.",
     )
 
 
@@ -390,23 +390,23 @@ def stopped_short(recording: Recording, latest: str | None, expected: str) -> Ve
             "calls-come-back.program-ended",
             f"the program ended by itself at {where} (exit code {recording.process.exit})",
             expected,
-            "Something ends the whole program, for example sys.exit(). A robot would lose all the nodes of this "
-            "program at once.",
+            "Something ends the whole program, for example sys.exit(). A robot would lose all of this program's "
+            "nodes at the same time.",
             "Raise an error instead, and let the caller decide what to do.",
         )
     if latest is not None:
         return see.failed(
             "calls-come-back.method-waits",
-            f"publish_level({latest}) never came back",
+            f"publish_level({latest}) never returned",
             expected,
             "The method waits forever: in a spin, a loop, or a sleep. Publishing needs no spin.",
-            "Let the method publish and return.",
+            "Let the method publish, and then return.",
         )
     return see.failed(
         "calls-come-back.import-does-not-end",
         "your file keeps running when it is imported, so publish_level was never called",
         expected,
-        "The judge imports your file. Code at the left margin runs at once, and a spin there never ends.",
+        "The judge imports your file. Code at the left margin runs right away, and a spin there never ends.",
         "Keep only the class, or put the rest under `if __name__ == '__main__':`.",
     )
 
@@ -423,7 +423,7 @@ def why_not_arrived(call: DriverCall, made: list[DriverCall]) -> Verdict:
     if not call.sent:
         return why_dropped_at_once(call, made, saw, expected) or why_nothing_sent(call, made, saw, expected)
     if len(call.sent) > 1 or call.later:
-        more = f"; {as_float(call.later[0])} followed after it had come back" if call.later else ""
+        more = f"; {as_float(call.later[0])} followed after it had returned" if call.later else ""
         return see.failed(
             "number.sent-again",
             f"{saw}{more}",
@@ -445,8 +445,8 @@ def why_dropped_at_once(call: DriverCall, made: list[DriverCall], saw: str, expe
         "number.dropped-soon-after",
         saw,
         expected,
-        "This call came a few milliseconds after the one before. The number before it and the one after it arrived. So "
-        "the method drops, or delays, a number that comes so soon.",
+        "This call was made a few milliseconds after the previous one. The previous number and the next one "
+        "arrived. So the method drops or delays a number that follows too soon.",
         "Send each number in its own call, no matter how much time has passed.",
     )
 
@@ -465,8 +465,8 @@ def why_nothing_sent(call: DriverCall, made: list[DriverCall], saw: str, expecte
     if any(one.later for one in numbers):
         return fail(
             "number.sent-later",
-            "The method stores the number, and something else sends it: a timer, or the next call. Until then the "
-            "battery topic is out of date.",
+            "The method stores the number, and something else publishes it: a timer, or the next call. Until then, "
+            "subscribers have an outdated number.",
             "Call publish() in publish_level itself.",
         )
     if later and sends_what_was_before(call, later[0]):
@@ -474,8 +474,8 @@ def why_nothing_sent(call: DriverCall, made: list[DriverCall], saw: str, expecte
     if only_after_errors(made):
         return fail(
             "number.dropped-after-error",
-            "Only numbers that follow an error get lost: the method remembers the error.",
-            "Treat every call the same, no matter what came before it.",
+            "Only numbers that follow an error are lost, so the method stores the error.",
+            "Treat every call the same, no matter what the previous calls were.",
         )
     repeated = any(one.number < call.number and meant(one) == meant(call) for one in went_well)
     if repeated and any(arrived(one) for one in later):
@@ -486,8 +486,8 @@ def why_nothing_sent(call: DriverCall, made: list[DriverCall], saw: str, expecte
         return why_it_stops(saw, expected, len(went_well))
     return fail(
         "number.not-sent",
-        "publish() was not reached. Or the publisher was created in this call, and no subscription is connected "
-        "to it yet.",
+        "publish() was not reached. Or the publisher was created in this call, so no subscription is connected to "
+        "it yet.",
         "Create the publisher in __init__, and call its publish() in every call with a number.",
     )
 
@@ -498,9 +498,9 @@ def why_repeat_dropped(saw: str, expected: str) -> Verdict:
         "number.repeat-dropped",
         saw,
         expected,
-        "This number was sent before, and the method does not send it again. But it was measured again, and a "
-        "subscriber that receives nothing cannot know that.",
-        "Send each number, no matter what was sent before.",
+        "This number was published before, and the method doesn't publish it again. But it was measured again, and "
+        "subscribers can't know that without a message.",
+        "Publish each number, no matter what was published before.",
     )
 
 
@@ -510,9 +510,9 @@ def why_it_stops(saw: str, expected: str, arrived_before: int) -> Verdict:
         "number.stops",
         saw,
         expected,
-        "From this call on nothing is sent, so the method remembers earlier calls. Before it, "
+        "From this call on, nothing is published, so the method depends on earlier calls. Before it, "
         f"{see.count(arrived_before, 'number')} arrived.",
-        "Treat every call the same, no matter what came before it.",
+        "Treat every call the same, no matter what the previous calls were.",
     )
 
 
@@ -527,8 +527,9 @@ def why_one_behind(saw: str, expected: str) -> Verdict:
         "number.one-behind",
         saw,
         expected,
-        "Each call sends the number of the previous call: the message is sent before the new number is stored.",
-        "Make the message from the argument of this call.",
+        "Each call publishes the previous call's number, because the message is published before the new number is "
+        "stored.",
+        "Create the message from this call's argument.",
     )
 
 
@@ -539,7 +540,7 @@ def why_zero_dropped(saw: str, expected: str) -> Verdict:
         saw,
         expected,
         "Zero counts as false in Python, so `if level:` skips an empty battery.",
-        "Do not test whether level is true. Test whether it is a number.",
+        "Don't test whether level is true. Test whether it's a number.",
     )
 
 
@@ -553,16 +554,16 @@ def why_changed(call: DriverCall, made: list[DriverCall], saw: str, expected: st
     if is_other_number(call.argument) and sent == 0.0:
         return fail(
             "number.not-converted",
-            "A float32 field needs a Python float. This build sends an int or a np.float32 as 0.0, and reports no "
+            "A float32 field needs a Python float. This build sends an int or a np.float32 as 0.0, without an "
             "error. The Ubuntu packages may abort the program instead.",
-            "Convert the number when you make the message: Float32(data=float(level)).",
+            "Convert the number when you create the message: Float32(data=float(level)).",
         )
     if sent and abs(100.0 * sent - number) <= 100.0 * TOLERANCE:
         return fail(
             "number.fraction",
-            "The number is divided by 100. The topic carries percent, so a subscriber would think that the "
+            "The number is divided by 100. The topic carries percentages, so a subscriber would assume that the "
             "battery is empty.",
-            "Send the number as it is.",
+            "Publish the number unchanged.",
         )
     before = [one for one in made if one.number < call.number and number_in(one.argument) is not None]
     if before and sends_what_was_before(before[-1], call):
@@ -570,15 +571,16 @@ def why_changed(call: DriverCall, made: list[DriverCall], saw: str, expected: st
     if any(abs(round(number, digits) - sent) <= TOLERANCE for digits in range(5)) or int(number) == sent:
         return fail(
             "number.rounded",
-            "Decimals are cut off, rounded or ignored: by round(), int(), a condition, or a type with fewer digits.",
-            "Send the number as it is. Round it where it is displayed, not where it is sent.",
+            "Decimals are cut off, rounded, or ignored, because of round(), int(), a condition, or a type with "
+            "fewer digits.",
+            "Publish the number unchanged. Round it where it's displayed, not where it's published.",
         )
     if any(one.sent and abs(one.sent[0] - sent) > TOLERANCE for one in made if one.argument == call.argument):
         return why_differently(saw, expected)
     return fail(
         "number.changed",
-        "The number is changed before it is sent: scaled, limited, or converted to another type.",
-        "Send the number as it is, in percent.",
+        "The number is changed before it's published: scaled, limited, or converted to another type.",
+        "Publish the number unchanged, in percent.",
     )
 
 
@@ -588,9 +590,9 @@ def why_differently(saw: str, expected: str) -> Verdict:
         "number.depends-on-earlier",
         saw,
         expected,
-        "In another call the same argument was sent as another number. So what is sent depends on earlier calls: a "
-        "mean, a filter, or a limit for the step from one number to the next.",
-        "Send the number of this call as it is.",
+        "In another call, the same argument was published as another number. So the published number depends on "
+        "earlier calls: a mean, a filter, or a limit on the change between numbers.",
+        "Publish this call's number unchanged.",
     )
 
 
@@ -603,29 +605,27 @@ def why_number_raised(call: DriverCall, made: list[DriverCall], saw: str, expect
     if call.error.startswith("TypeError: Expected <class"):
         return fail(
             "number.no-message-made",
-            "publish() was given something that is not a Float32 message.",
-            "Make the message first: self.battery_publisher.publish(Float32(data=...)).",
+            "publish() received something that isn't a Float32 message.",
+            "Create the message first: self.battery_publisher.publish(Float32(data=...)).",
         )
     if call.error.startswith(MISTAKES):
         return fail(
             "number.mistake",
-            "This error does not come from a check. It is a mistake in your method: a name that Python does not "
-            "know.",
-            "Look for the name in the error, and for the line in the log.",
+            "This error isn't raised by a check. It's a mistake in your method: a name that isn't defined.",
+            "Find the name in the error message, and the line in the log.",
         )
     if went_well_before(call, made) or only_after_errors(made):
         return fail(
             "number.refused-later",
-            "The same kind of call worked before. So the method remembers something: an error, a count, or old "
-            "values.",
-            "Treat every call the same, no matter what came before it.",
+            "The same kind of call worked before, so the method stores something: an error, a count, or old values.",
+            "Treat every call the same, no matter what the previous calls were.",
         )
     if meant(call) in (0.0, 1.0):
         return why_zero_raised(made, saw, expected)
     if is_other_number(call.argument):
         return fail(
             "number.refused",
-            "Your check refuses too much: this is a number, although it is not a Python float.",
+            "Your check rejects too much: this is a number, although it isn't a Python float.",
             "Accept every kind of number (numbers.Real includes NumPy's), then send float(level).",
         )
     return why_float_raised(made, saw, expected)
@@ -639,15 +639,15 @@ def why_float_raised(made: list[DriverCall], saw: str, expected: str) -> Verdict
             "number.small-refused",
             saw,
             expected,
-            "Only charges below 1 % are refused. But a battery that is almost empty is a measurement, too.",
-            "Refuse only what is not a finite number.",
+            "Only charges below 1 % are rejected. But an almost empty battery is a valid measurement, too.",
+            "Reject a value only if it isn't a finite number.",
         )
     return see.failed(
         "number.raised",
         saw,
         expected,
-        "Your method raised an error, although it was given a number.",
-        "Read the error: it names what went wrong in your method.",
+        "Your method raised an error, although it received a number.",
+        "Read the error message: it tells what went wrong in your method.",
     )
 
 
@@ -698,7 +698,7 @@ def why_zero_raised(made: list[DriverCall], saw: str, expected: str) -> Verdict:
             "number.int-refused",
             saw,
             expected,
-            "Your check refuses too much: an int is a number, even when it is 0 or 1.",
+            "Your check rejects too much: an int is a number, even if it's 0 or 1.",
             "Accept every kind of number (numbers.Real includes NumPy's), then send float(level).",
         )
     return see.failed(
@@ -725,13 +725,13 @@ def why_not_refused(call: DriverCall, made: list[DriverCall]) -> Verdict:
     if call.sent and 0.0 != last == call.sent[0]:
         return fail(
             "refusal.last-again",
-            "That is the number that was sent last. A subscriber will think that it was measured again.",
-            "Send nothing when there is nothing to send.",
+            "That's the last published number. But a subscriber will assume that it was measured again.",
+            "Don't publish anything for a rejected value.",
         )
     if call.how == "raised" and call.sent:
         return fail(
             "refusal.too-late",
-            "The error comes too late: the message was already sent.",
+            "The error is raised too late: the message was already published.",
             "Check the value first, and publish in the last line of the method.",
         )
     if not call.sent and strange(call, made):
@@ -739,18 +739,18 @@ def why_not_refused(call: DriverCall, made: list[DriverCall]) -> Verdict:
     if not call.sent:
         return fail(
             "refusal.silent",
-            "The value is dropped silently (return, pass, or only a line in the log). The caller believes that "
+            "The value is dropped silently (return, pass, or only a line in the log). So the caller assumes that "
             "the charge was reported.",
-            "Raise TypeError or ValueError, with the value in its text.",
+            "Raise TypeError or ValueError, with the value in its message.",
         )
     if is_not_finite(call.argument) or looks_like_number(call.argument):
         why = why_not_finite_sent if is_not_finite(call.argument) else why_look_alike_sent
         return why(call, {one.argument for one in made if refused(one, made)}, saw, expected)
     return fail(
         "refusal.no-number-sent",
-        "A message is sent for something that is not a number. Either this build of ROS sends 0.0 for it, or your "
-        "method turns it into a number.",
-        "Raise TypeError if the value is not a number, before you make the message.",
+        "Your method publishes a message for something that isn't a number. Either this build of ROS sends 0.0 for "
+        "it, or your method converts it to a number.",
+        "Raise TypeError if the value isn't a number, before you create the message.",
     )
 
 
@@ -758,7 +758,7 @@ def why_sent_later(strange_one: float, saw: str, expected: str) -> Verdict:
     """Why something went out after a call that was to send nothing had come back."""
     return see.failed(
         "refusal.sent-later",
-        f"{saw}; {as_float(strange_one)} went out after it had come back",
+        f"{saw}; {as_float(strange_one)} followed after it had returned",
         expected,
         "Something other than publish_level publishes, for example a timer, or publish_level publishes after it "
         "has returned.",
@@ -781,11 +781,11 @@ def why_not_finite_sent(
             "A comparison with nan is always False, so min() and max() turn nan into one of the limits.",
         )
     if call.argument == "-inf" and "inf" in refused_ones:
-        return fail("refusal.negative-infinity", "Your check finds inf, but not -inf.")
+        return fail("refusal.negative-infinity", "Your check rejects inf, but not -inf.")
     if str(call.argument).startswith("np.") and {"nan", "inf", "-inf"} <= set(refused_ones):
         return fail(
             "refusal.numpy-not-finite",
-            "Your check covers Python's floats only, but NumPy has nan and inf, too.",
+            "Your check covers only Python's floats, but NumPy has nan and inf, too.",
         )
     return fail(
         "refusal.not-finite-sent",
@@ -805,21 +805,21 @@ def why_look_alike_sent(
     if call.argument == "False" and "True" in refused_ones:
         return fail(
             "refusal.false-sent",
-            "Your check refuses True, but False is a bool as well. It was sent as an empty battery.",
+            "Your check rejects True, but False is a bool, too. It was published as an empty battery.",
         )
     if call.sent[0] == 0.0 and call.argument != "False":
         return fail(
             "refusal.look-alike-not-converted",
-            "A float32 field needs a Python float. This build sends anything else as 0.0, and reports no error. "
-            "The Ubuntu packages may abort the program instead.",
+            "A float32 field needs a Python float. This build sends anything else as 0.0, without an error. The "
+            "Ubuntu packages may abort the program instead.",
         )
     if call.argument in BOOLS:
         return fail(
             "refusal.bool-sent",
-            "In Python a bool is a kind of int, so True becomes 1.0: a battery of one percent.",
+            "In Python, a bool is a kind of int, so True becomes 1.0: a battery of one percent.",
         )
     return fail(
         "refusal.text-read",
-        "float('50') is 50.0: float() also reads texts. A caller that sends a text has a bug, and your method "
-        "hides it.",
+        "float('50') is 50.0, because float() also parses strings. A caller that passes a string has a bug, and "
+        "your method hides it.",
     )

@@ -268,10 +268,10 @@ def battery_topic(recording: Recording) -> Verdict:
     if not verdict.ok and recording.topic(BATTERY_TOPIC).publishers:
         return see.failed(
             "battery-topic.publishes-where-it-listens",
-            f"your node publishes {BATTERY_TOPIC}, and nothing on {PASSED_ON.name}",
+            f"your node publishes {BATTERY_TOPIC}, but nothing on {PASSED_ON.name}",
             verdict.expected,
-            "It publishes on the topic that it subscribes to. So it receives its own messages, and each one "
-            "causes another, without end.",
+            "It publishes to the topic that it subscribes to. So every message that it publishes triggers another "
+            "one, endlessly.",
             f"Write the name as {PASSED_ON.name!r}.",
         )
     return verdict
@@ -305,31 +305,32 @@ def bad_kept_back(recording: Recording) -> Verdict:
     if answered.instead and set(answered.instead) <= LIMITS:
         return see.failed(
             "bad-kept-back.clamped",
-            f"{shown(answered.instead[0])} on {PASSED_ON.name} in place of a bad reading",
+            f"{shown(answered.instead[0])} on {PASSED_ON.name} instead of a bad reading",
             NO_BAD_ONES,
-            "A bad reading is replaced by the nearest limit. A subscriber will think that this value was measured.",
-            "Raise the alarm, and publish nothing on this topic.",
+            "Your node replaces a bad reading with the nearest limit. But a subscriber will assume that this value "
+            "was measured.",
+            "Raise the alarm, and don't publish anything on this topic.",
         )
     if answered.instead:
         return see.failed(
             "bad-kept-back.replaced",
-            f"{shown(answered.instead[0])} on {PASSED_ON.name} in place of a bad reading",
+            f"{shown(answered.instead[0])} on {PASSED_ON.name} instead of a bad reading",
             NO_BAD_ONES,
-            "The node makes up a reading. A subscriber will think that it was measured.",
-            "Raise the alarm, and publish nothing on this topic.",
+            "Your node makes up a reading. But a subscriber will assume that it was measured.",
+            "Raise the alarm, and don't publish anything on this topic.",
         )
     if len(answered.bad) > sum(map(math.isnan, said.bad)) and all(map(math.isnan, answered.bad)):
         return see.failed(
             "bad-kept-back.nan-instead",
-            f"{len(answered.bad)} times nan on {PASSED_ON.name}, more often than it was sent",
+            f"nan {len(answered.bad)} times on {PASSED_ON.name}, more often than it was sent",
             NO_BAD_ONES,
-            "The node publishes a nan in place of other bad readings. A subscriber that compares it with a limit is "
-            "misled: each comparison with nan is False.",
-            "Raise the alarm, and publish nothing on this topic.",
+            "Your node publishes nan instead of other bad readings. A subscriber that compares it with a limit is "
+            "misled, because every comparison with nan is False.",
+            "Raise the alarm, and don't publish anything on this topic.",
         )
     if answered.bad:
         return why_bad_ones_came(answered.bad, said)
-    return see.passed("no bad reading was passed on, and nothing was sent in its place")
+    return see.passed("no bad reading was forwarded, and nothing was sent instead of it")
 
 
 @criterion(points=1, title="/monitor/alarm carries String", needs=[program_runs])
@@ -353,10 +354,11 @@ def one_alarm(recording: Recording) -> Verdict:
     if len(found.repeated) > len(found.missed):
         return see.failed(
             "one-alarm.repeated",
-            f"{len(found.repeated)} alarms too many for bad readings, the first is {quoted(found.repeated[0])}",
+            f"{see.count(len(found.repeated), 'extra alarm')} for bad readings, the first "
+            f"{quoted(found.repeated[0])}",
             ONE_EACH,
-            "The alarm is published in a timer or a loop, more than once in the callback, or by more than one "
-            "subscription.",
+            "Your node publishes the alarm in a timer or a loop, more than once in the callback, or from more than "
+            "one subscription.",
             "Publish it inside the callback, once for each bad reading.",
         )
     if found.missed:
@@ -375,15 +377,15 @@ def own_robot_only(recording: Recording) -> Verdict:
     others, about_them = passed_on(recording).others, alarms(recording).others
     if not others and not about_them:
         return see.passed(
-            f"{len(said_readings(recording).others)} readings of another robot, and none was passed on or reported"
+            f"{len(said_readings(recording).others)} readings of another robot, none of them forwarded or reported"
         )
     saw = f"{shown(others[0])} on {PASSED_ON.name}" if others else f"the alarm {quoted(about_them[0])}"
     return see.failed(
         "own-robot-only.hears-others",
-        f"{saw}: that is a reading of {OTHER_TOPIC}",
-        f"readings of {BATTERY_TOPIC} only",
+        f"{saw}, which is a reading from {OTHER_TOPIC}",
+        f"only readings from {BATTERY_TOPIC}",
         "The node subscribes to more than its own robot's battery.",
-        f"One subscription, to {BATTERY_TOPIC!r}.",
+        f"Create only one subscription, to {BATTERY_TOPIC!r}.",
     )
 
 
@@ -453,13 +455,13 @@ def at_once(recording: Recording) -> Verdict:
     came_at = moments_of_good_ones(recording)
     late = late_ones(recording)
     if len(came_at) != len(said_at) or len(late) <= (1.0 - SHARE_AT_ONCE) * len(said_at):
-        return see.passed(f"{len(said.good)} good readings, at once and in order")
+        return see.passed(f"{len(said.good)} good readings, right away and in order")
     return see.failed(
         "in-order.late",
-        f"{len(late)} of {len(said.good)} good readings came late, one of them after {max(late):.1f} s",
+        f"{len(late)} of {len(said.good)} good readings arrived late, one of them after {max(late):.1f} s",
         f"each good reading on {PASSED_ON.name} within {AT_ONCE_S} s",
-        "Readings are collected and sent later, by a timer or in groups. Or the callback sleeps.",
-        "Publish each one inside the callback, at once.",
+        "Your node collects readings and publishes them later, from a timer or in groups. Or the callback sleeps.",
+        "Publish each reading right away, inside the callback.",
         about_time=True,
     )
 
@@ -632,7 +634,7 @@ def quoted(alarm: str) -> str:
 
 # --- why readings do not come as they were sent -------------------------------------------------------------
 
-EXPECTED = f"each good reading on {PASSED_ON.name}, once, in the order in which they came"
+EXPECTED = f"each good reading on {PASSED_ON.name}, once, in the order of arrival"
 NO_BAD_ONES = f"nothing on {PASSED_ON.name} for a bad reading"
 
 
@@ -644,19 +646,19 @@ def why_nothing_came(recording: Recording) -> Verdict:
     if asked == {"transient_local"}:
         return see.failed(
             "in-order.asks-for-old-messages",
-            f"{nothing}: your subscription asks for transient local",
+            f"{nothing}: your subscription requests transient local",
             EXPECTED,
-            "It asks for messages that were published before it existed, but the sensor keeps none. So the two "
-            "are not connected.",
+            "Your subscription requests messages from before it existed, but the sensor's publisher keeps none. So "
+            "the two never match.",
             "Give create_subscription() a plain depth, such as 10.",
         )
     if made_late(recording, PASSED_ON):
         return see.failed("in-order.publisher-made-late", nothing, EXPECTED, *MADE_LATE)
     return see.program_ended(recording, nothing, EXPECTED) or see.failed(
         "in-order.nothing-passed-on",
-        f"{len(said.readings)} readings were sent to {BATTERY_TOPIC}, and nothing came on {PASSED_ON.name}",
+        f"{len(said.readings)} readings were published on {BATTERY_TOPIC}, but nothing arrived on {PASSED_ON.name}",
         EXPECTED,
-        "Either nothing spins the node, so the callback never runs, or the callback does not publish.",
+        "Either nothing spins the node, so the callback never runs, or the callback doesn't publish.",
         "Spin the node with rclpy.spin(node), and publish the good readings inside the callback.",
         about_time=True,
     )
@@ -666,7 +668,10 @@ def why_some_are_missing(recording: Recording, lost: tuple[int, ...]) -> Verdict
     """Why these good readings, by their places, did not come."""
     said = said_readings(recording)
     came = len(said.good) - len(lost)
-    saw = f"{came} of {len(said.good)} good readings came; the first missing one is {shown(said.good[lost[0]])} %"
+    saw = (
+        f"{came} of {len(said.good)} good readings arrived; the first missing one is "
+        f"{shown(said.good[lost[0]])} %"
+    )
     return (
         ended_with_an_error(recording, saw, EXPECTED)
         or kept_back_for_its_value(said, saw, set(lost))
@@ -682,7 +687,7 @@ def kept_back_for_its_value(said: Readings, saw: str, lost: set[int]) -> Verdict
             "in-order.limits-kept-back",
             saw,
             EXPECTED,
-            "0 and 100 % are good readings, too: an empty battery and a full one. The limits belong to the range.",
+            "0 and 100 % are good readings, too: an empty battery and a full one. The range includes both limits.",
             "Use <= where you have <: 0.0 <= message.data <= 100.0.",
             about_time=True,
         )
@@ -691,8 +696,8 @@ def kept_back_for_its_value(said: Readings, saw: str, lost: set[int]) -> Verdict
             "in-order.low-kept-back",
             saw,
             EXPECTED,
-            "Only low charges are missing. A low charge is bad news, but it is not a bad reading.",
-            "Pass on all from 0 to 100 %.",
+            "Only low charges are missing. A low charge is bad news, but not a bad reading.",
+            "Forward every reading from 0 to 100 %.",
             about_time=True,
         )
     return None
@@ -707,7 +712,7 @@ def kept_back_for_what_came_before(recording: Recording, saw: str, lost: set[int
             "in-order.after-bad-kept-back",
             saw,
             EXPECTED,
-            "The missing readings came directly after a bad one. Whether a reading is good depends on that "
+            "The missing readings directly followed a bad one. But whether a reading is good depends on that "
             "reading alone.",
             EACH_FOR_ITSELF,
             about_time=True,
@@ -717,8 +722,8 @@ def kept_back_for_what_came_before(recording: Recording, saw: str, lost: set[int
             "in-order.equal-kept-back",
             saw,
             EXPECTED,
-            "The missing readings are equal to the ones before them. A charge may stay the same.",
-            "Pass on each good reading, no matter what came before it.",
+            "The missing readings are equal to the ones before them. But a charge may stay the same.",
+            "Forward each good reading, no matter what the previous one was.",
             about_time=True,
         )
     return (
@@ -735,8 +740,8 @@ def jumps_or_stops(said: Readings, saw: str, lost: set[int]) -> Verdict | None:
             "in-order.jumps-kept-back",
             saw,
             EXPECTED,
-            "The missing readings come after a jump. But the charge also jumps when an empty battery is replaced "
-            "by a full one.",
+            "The missing readings follow a jump. But the charge also jumps when an empty battery is replaced by a "
+            "full one.",
             EACH_FOR_ITSELF,
             about_time=True,
         )
@@ -745,8 +750,8 @@ def jumps_or_stops(said: Readings, saw: str, lost: set[int]) -> Verdict | None:
             "in-order.stops-at-the-bad-one",
             saw,
             EXPECTED,
-            "Nothing comes after the first bad reading: the node ends, or it remembers the fault, forever or for a "
-            "while.",
+            "Nothing is forwarded after the first bad reading. The node ends, or it stores the fault, forever or "
+            "for a while.",
             "Judge each reading on its own, and return from the callback without an error after the alarm.",
             about_time=True,
         )
@@ -762,7 +767,7 @@ def risen_kept_back(said: Readings, saw: str, lost: set[int]) -> Verdict | None:
         "in-order.risen-kept-back",
         saw,
         EXPECTED,
-        "All missing readings are higher than one that came before. But the charge rises when an empty battery is "
+        "All missing readings are higher than an earlier one. But the charge rises when an empty battery is "
         "replaced by a full one.",
         EACH_FOR_ITSELF,
         about_time=True,
@@ -779,9 +784,9 @@ def taken_for_bad(recording: Recording, saw: str, lost: set[int]) -> Verdict | N
     if of_them and 2 * len(of_them) > len(lost):
         return see.failed(
             "in-order.taken-for-bad",
-            f"{saw}; there is an alarm about {shown(of_them[0])} %",
+            f"{saw}; there is an alarm for {shown(of_them[0])} %",
             EXPECTED,
-            "The node treats good readings as bad. Perhaps it compares each one with the one before.",
+            "Your node treats good readings as bad. Perhaps it compares each reading with the previous one.",
             EACH_FOR_ITSELF,
             about_time=True,
         )
@@ -828,18 +833,19 @@ def none_from_one_on(recording: Recording, saw: str, lost: tuple[int, ...]) -> V
             "in-order.stops",
             saw,
             EXPECTED,
-            "All readings before it came at once, and none from it on. So the node counts readings or alarms, it "
-            "remembers an error, a callback never returns, or nothing spins the node any more.",
+            "All readings before it arrived right away, but neither this one nor any later one did. Your node "
+            "counts readings or alarms, it stores an error, a callback never returns, or nothing spins the node "
+            "any more.",
             "Treat every reading the same, let the callback return, and spin until the program is stopped.",
             about_time=True,
         )
     if come_in_groups(recording):
         return see.failed(
             "in-order.in-groups",
-            f"{saw}, and {len(late)} of the others came late, one of them after {max(late):.1f} s",
+            f"{saw}; {len(late)} of the others arrived late, one of them after {max(late):.1f} s",
             EXPECTED,
-            "Readings are collected and sent in groups, and the last group was not full.",
-            "Publish each one inside the callback, at once.",
+            "Your node collects readings and publishes them in groups, but the last group was not full.",
+            "Publish each reading right away, inside the callback.",
             about_time=True,
         )
     return None
@@ -853,7 +859,7 @@ def lost_at_an_end(said: Readings, saw: str, lost: tuple[int, ...]) -> Verdict |
             saw,
             EXPECTED,
             "Only the first reading is missing. The node skips it, or uses it for something else.",
-            "Pass on each good reading, the first one, too.",
+            "Forward each good reading, including the first one.",
             about_time=True,
         )
     if lost == (len(said.good) - 1,):
@@ -861,8 +867,8 @@ def lost_at_an_end(said: Readings, saw: str, lost: tuple[int, ...]) -> Verdict |
             "in-order.held-back",
             saw,
             EXPECTED,
-            "Only the last reading is missing. The node keeps each reading until the next one comes.",
-            "Publish each one inside the callback, at once.",
+            "Only the last reading is missing. Your node keeps each reading until the next one arrives.",
+            "Publish each reading right away, inside the callback.",
             about_time=True,
         )
     return None
@@ -875,8 +881,8 @@ def lost_among_others(said: Readings, saw: str, lost: tuple[int, ...]) -> Verdic
             "in-order.several-at-once-lost",
             saw,
             EXPECTED,
-            "The missing readings came directly after another one. The queue was too short for them, or the node "
-            "skips what comes too soon.",
+            "The missing readings arrived at almost the same time as another one. The queue was too short for "
+            "them, or your node skips readings that arrive too soon.",
             "Give the subscription a depth of 10, and publish in every call of the callback.",
             about_time=True,
         )
@@ -884,9 +890,9 @@ def lost_among_others(said: Readings, saw: str, lost: tuple[int, ...]) -> Verdic
         "in-order.some-lost",
         saw,
         EXPECTED,
-        "The node was busy or asleep while they came, and the queue was too short. Or a timer passes on only the "
-        "last reading, and earlier ones are lost.",
-        "Publish inside the callback, at once. Keep the callback short, and give the subscription a depth of 10.",
+        "Your node was busy or asleep while they arrived, and the queue was too short. Or a timer forwards only "
+        "the latest reading, so earlier ones are lost.",
+        "Publish right away, inside the callback. Keep the callback short, and give the subscription a depth of 10.",
         about_time=True,
     )
 
@@ -897,7 +903,7 @@ def made_up_first(level: float, first: float) -> Verdict:
         "in-order.made-up-first",
         f"{shown(level)} on {PASSED_ON.name} before the first reading, {shown(first)}",
         EXPECTED,
-        "The node publishes a value of its own when it starts. A subscriber will think that it was measured.",
+        "Your node publishes a value of its own when it starts. But a subscriber will assume that it was measured.",
         "Publish only inside the callback, and only the reading that it received.",
     )
 
@@ -907,10 +913,10 @@ def in_other_order(ours: tuple[float, ...], good: Sequence[float]) -> Verdict:
     place = next(n for n, (one, other) in enumerate(zip(ours, good, strict=False)) if one != other)
     return see.failed(
         "in-order.other-order",
-        f"{shown(ours[place])} came where {shown(good[place])} should be, as reading {place + 1}",
+        f"reading {place + 1} was {shown(ours[place])} instead of {shown(good[place])}",
         EXPECTED,
-        "Readings are collected and sent in another order, such as the newest first or sorted.",
-        "Publish each one inside the callback, at once: it is called in the right order.",
+        "Your node collects readings and publishes them in another order, such as newest first or sorted.",
+        "Publish each reading right away, inside the callback: rclpy calls it in the right order.",
     )
 
 
@@ -922,11 +928,11 @@ def why_others_came(answered: Answered, said: Readings) -> Verdict:
     if set(ours) == {0.0}:
         return see.failed(
             "in-order.all-zero",
-            f"0 in each of the {len(ours)} messages on {PASSED_ON.name}",
+            f"only 0 on {PASSED_ON.name}, in {see.count(len(ours), 'message')}",
             EXPECTED,
-            "The message is never filled, or its data is not a Python float. This build sends an int as 0.0, and "
-            "reports no error.",
-            "Pass on message.data as it is: Float32(data=message.data), or publish the message itself.",
+            "The message's data is never set, or it isn't a Python float. This build sends an int as 0.0, without "
+            "an error.",
+            "Forward message.data unchanged: Float32(data=message.data), or publish the message itself.",
         )
     if len(ours) > len(said.good) and ours[-len(said.good) :] == said.good:
         return made_up_first(ours[0], said.good[0])
@@ -936,23 +942,23 @@ def why_others_came(answered: Answered, said: Readings) -> Verdict:
             "in-order.changed",
             f"{shown(strange[0])} on {PASSED_ON.name}, which was never sent; {shown(near)} was sent",
             EXPECTED,
-            "The reading is changed before it is published: rounded, averaged, limited or computed from others.",
-            "Pass on message.data as it is.",
+            "The reading is changed before it's published: rounded, averaged, limited, or computed from others.",
+            "Forward message.data unchanged.",
         )
     if twice:
         return see.failed(
             "in-order.repeated",
-            f"{shown(twice[0])} came {ours.count(twice[0])} times on {PASSED_ON.name}",
+            f"{shown(twice[0])} arrived {ours.count(twice[0])} times on {PASSED_ON.name}",
             EXPECTED,
-            "The callback publishes it twice, two subscriptions receive the same topic, or a timer sends the last "
-            "reading again.",
-            "Make one subscription, and publish once in each call of the callback.",
+            "The callback publishes it twice, two subscriptions use the same topic, or a timer repeats the last "
+            "reading.",
+            "Create one subscription, and publish once in each call of the callback.",
         )
     return in_other_order(ours, said.good)
 
 
-INFINITE_IS_BAD = "inf is larger than every number, so it is above 100. And -inf is below 0."
-ASK_WHAT_IS_GOOD = "Ask for what is good: 0.0 <= message.data <= 100.0."
+INFINITE_IS_BAD = "inf is larger than every number, so it's above 100. And -inf is below 0."
+ASK_WHAT_IS_GOOD = "Test for good readings: 0.0 <= message.data <= 100.0."
 
 
 def why_bad_ones_came(came: tuple[float, ...], said: Readings) -> Verdict:
@@ -965,22 +971,23 @@ def why_bad_ones_came(came: tuple[float, ...], said: Readings) -> Verdict:
             saw,
             NO_BAD_ONES,
             "nan is not a number: nan < 0 is False, nan > 100 is False, and nan == nan is False, too. So it slips "
-            "through any test that asks for what is bad.",
-            "Ask for what is good: 0.0 <= message.data <= 100.0 is False for nan. Or ask math.isnan(message.data).",
+            "through any test for bad readings.",
+            "Test for good readings: 0.0 <= message.data <= 100.0 is False for nan. Or test "
+            "math.isnan(message.data).",
         )
     if set(came) <= said.near_limits:
         return see.failed(
             "bad-kept-back.tolerance",
             saw,
             NO_BAD_ONES,
-            "The limits are a little wider than 0 and 100 %, or the reading is rounded before it is compared.",
+            "Your limits are a little wider than 0 and 100 %, or the reading is rounded before the comparison.",
             ASK_WHAT_IS_GOOD,
         )
     return some_of_a_kind(saw, came, said) or see.failed(
         "bad-kept-back.many-passed-on",
         f"{see.listing(list(dict.fromkeys(map(shown, came))))} on {PASSED_ON.name}",
         NO_BAD_ONES,
-        "Several kinds of bad readings are treated as good. A bad reading may be below 0, above 100, or not a "
+        "Your node treats several kinds of bad readings as good. A bad reading may be below 0, above 100, or not a "
         "number.",
         ASK_WHAT_IS_GOOD,
     )
@@ -1005,8 +1012,8 @@ def some_of_a_kind(saw: str, came: tuple[float, ...], said: Readings) -> Verdict
             "bad-kept-back.other-limit",
             saw,
             NO_BAD_ONES,
-            "Other readings on this side of the range are kept back. So the limit is not where it should be, or the "
-            "node knows only some bad readings.",
+            "Your node holds back other readings on this side of the range. So your limit is in the wrong place, "
+            "or the node recognizes only some bad readings.",
             ASK_WHAT_IS_GOOD,
         )
     return None
@@ -1024,7 +1031,7 @@ def kinds_of(readings: Sequence[float]) -> set[str]:
 
 ONE_EACH = f"exactly one text on {ALARM.name} for each bad reading, with its value in it"
 VALUE_AS_IT_CAME = (
-    'Put the value into the text, as it came: String(data=f"bad battery reading: {message.data}").'
+    'Put the unchanged value into the text: String(data=f"bad battery reading: {message.data}").'
 )
 
 
@@ -1041,10 +1048,10 @@ def why_no_alarm_came(recording: Recording) -> Verdict:
         return perhaps_not_called(nothing)
     return see.failed(
         "one-alarm.none",
-        f"{nothing}, and {len(said.bad)} bad readings were sent",
+        f"{nothing}, although {len(said.bad)} bad readings were sent",
         ONE_EACH,
-        "The callback never publishes it.",
-        "Publish a String in the callback when the reading is not good.",
+        "The callback never publishes an alarm.",
+        "Publish a String in the callback if the reading isn't good.",
         about_time=True,
     )
 
@@ -1061,7 +1068,7 @@ def perhaps_not_called(saw: str) -> Verdict:
         saw,
         ONE_EACH,
         "Good readings are missing, too. Perhaps your callback never received the bad one.",
-        "First make sure that all good readings are passed on.",
+        "First, make sure that all good readings are forwarded.",
         about_time=True,
     )
 
@@ -1072,7 +1079,7 @@ def why_not_named(misnamed: Sequence[tuple[int, str]], said: Readings) -> Verdic
     unnamed = [(reading, text) for reading, text in finite if not names(text, reading)]
     finite = unnamed if 2 * len(unnamed) >= len(finite) else finite  # by chance, a text may name its reading
     reading, text = finite[0] if finite else (said.bad[misnamed[0][0]], misnamed[0][1])
-    saw = f"the alarm for the bad reading {shown(reading)} says {quoted(text)}"
+    saw = f"the alarm for the bad reading {shown(reading)} is {quoted(text)}"
 
     def partly(cause: str, because: str, try_this: str = VALUE_AS_IT_CAME) -> Verdict:
         return see.partial(cause, 0.5, saw, ONE_EACH, because, try_this)
@@ -1084,16 +1091,16 @@ def why_not_named(misnamed: Sequence[tuple[int, str]], said: Readings) -> Verdic
     if finite and all(names_as_whole(told, one) for one, told in finite):
         return partly(
             "one-alarm.value-rounded",
-            "The value is rounded to a whole number, so a reading just outside of the range looks good.",
+            "The value is rounded to a whole number, so a reading just outside the range looks good.",
         )
     if finite and all(names_one_of(said.readings, told) and not names(told, one) for one, told in finite):
         return partly(
             "one-alarm.names-another-reading",
-            "The value in this text is that of another reading: of an earlier one, or the same one in each text.",
+            "The value in this text belongs to another reading: an earlier one, or the same reading in every text.",
         )
     return partly(
         "one-alarm.value-not-named",
-        "This text must help a person to find the fault, and the value is the best clue.",
+        "This text must help a person find the fault, and the value is the best clue.",
     )
 
 
@@ -1114,7 +1121,9 @@ def why_alarms_are_missing(recording: Recording, missed: tuple[int, ...]) -> Ver
     """Why no alarm came for these bad readings, by their places among the bad ones."""
     said = said_readings(recording)
     readings = tuple(said.bad[place] for place in missed)
-    saw = f"no alarm for {len(missed)} of {len(said.bad)} bad readings, the first of them is {shown(readings[0])}"
+    saw = (
+        f"no alarm for {len(missed)} of {len(said.bad)} bad readings, the first of them {shown(readings[0])}"
+    )
     ended = ended_with_an_error(recording, saw, ONE_EACH)
     if ended is not None:
         return ended
@@ -1127,8 +1136,8 @@ def why_alarms_are_missing(recording: Recording, missed: tuple[int, ...]) -> Ver
             "one-alarm.first-only",
             saw,
             ONE_EACH,
-            "Only the first bad reading raises an alarm: the node remembers that it has raised one.",
-            "Publish an alarm for each bad reading, no matter what came before it.",
+            "Only the first bad reading raises an alarm, because your node stores that it has raised one.",
+            "Publish an alarm for each bad reading, no matter what the previous ones were.",
             about_time=True,
         )
     if set(missed) == said.bad_in_a_row:
@@ -1137,7 +1146,7 @@ def why_alarms_are_missing(recording: Recording, missed: tuple[int, ...]) -> Ver
             saw,
             ONE_EACH,
             "Of several bad readings in a row, only the first raises an alarm.",
-            "Publish an alarm for each bad reading, no matter what came before it.",
+            "Publish an alarm for each bad reading, no matter what the previous ones were.",
             about_time=True,
         )
     return why_no_more_come(recording, saw, missed) or why_a_kind_is_missing(said, saw, missed)
@@ -1161,8 +1170,8 @@ def why_no_more_come(recording: Recording, saw: str, missed: tuple[int, ...]) ->
             "one-alarm.equal-once",
             saw,
             ONE_EACH,
-            "Each of them is equal to an earlier bad reading, for which an alarm came.",
-            "Publish an alarm for each bad reading, no matter what came before it.",
+            "Each of them is equal to an earlier bad reading that raised an alarm.",
+            "Publish an alarm for each bad reading, no matter what the previous ones were.",
             about_time=True,
         )
     if not came & {repr(said.bad[place]) for place in missed}:
@@ -1171,9 +1180,9 @@ def why_no_more_come(recording: Recording, saw: str, missed: tuple[int, ...]) ->
         "one-alarm.not-each",
         saw,
         ONE_EACH,
-        "For an equal reading an alarm did come. So it depends on more than the reading: on a counter, or on what "
-        "came before. Or several readings share an alarm.",
-        "Publish an alarm for each bad reading, no matter what came before it.",
+        "An equal reading did raise an alarm. So the alarm also depends on something else, such as a counter or an "
+        "earlier reading. Or several readings share an alarm.",
+        "Publish an alarm for each bad reading, no matter what the previous ones were.",
         about_time=True,
     )
 
@@ -1187,8 +1196,8 @@ def why_a_kind_is_missing(said: Readings, saw: str, missed: tuple[int, ...]) -> 
             "one-alarm.tolerance",
             saw,
             ONE_EACH,
-            "Only readings very near to 0 or 100 raise no alarm. The limits are a little wider, or the reading is "
-            "rounded before it is compared.",
+            "Only readings very close to 0 or 100 raise no alarm. Your limits are a little wider, or the reading "
+            "is rounded before the comparison.",
             ASK_WHAT_IS_GOOD,
             about_time=True,
         )
@@ -1198,7 +1207,7 @@ def why_a_kind_is_missing(said: Readings, saw: str, missed: tuple[int, ...]) -> 
             saw,
             ONE_EACH,
             "nan is not a number, and every comparison with it is False: nan < 0, nan > 100, and even nan == nan.",
-            "Ask whether the reading is good, 0.0 <= message.data <= 100.0, and raise the alarm if it is not.",
+            "Test whether the reading is good, 0.0 <= message.data <= 100.0, and raise the alarm if it isn't.",
         )
     if kinds == {"inf"}:
         return see.failed(
@@ -1206,19 +1215,19 @@ def why_a_kind_is_missing(said: Readings, saw: str, missed: tuple[int, ...]) -> 
             saw,
             ONE_EACH,
             INFINITE_IS_BAD,
-            "Ask whether the reading is good, 0.0 <= message.data <= 100.0, and raise the alarm if it is not.",
+            "Test whether the reading is good, 0.0 <= message.data <= 100.0, and raise the alarm if it isn't.",
         )
     return see.failed(
         "one-alarm.kinds-missed",
         saw,
         ONE_EACH,
         "Not every kind of bad reading raises an alarm. A bad reading may be below 0, above 100, or not a number.",
-        "Ask whether the reading is good, 0.0 <= message.data <= 100.0, and raise the alarm if it is not.",
+        "Test whether the reading is good, 0.0 <= message.data <= 100.0, and raise the alarm if it isn't.",
         about_time=True,
     )
 
 
-DECIDE_BY_THIS_ONE = "Decide by this one reading: 0.0 <= message.data <= 100.0."
+DECIDE_BY_THIS_ONE = "Test only the current reading: 0.0 <= message.data <= 100.0."
 NO_FALSE_ONES = "no alarm for a good reading"
 
 
@@ -1228,8 +1237,9 @@ def names_an_earlier_one(saw: str) -> Verdict:
         "no-false-alarm.names-an-earlier-one",
         saw,
         NO_FALSE_ONES,
-        "It came with a good reading and names a bad one from before. Any text on this topic is an alarm.",
-        "Publish on this topic only when this one reading is bad.",
+        "Your node published this text for a good reading, but it contains an earlier bad one. Any text on this "
+        "topic is an alarm.",
+        "Publish on this topic only if the current reading is bad.",
     )
 
 
@@ -1244,9 +1254,9 @@ def names_no_reading(saw: str) -> Verdict:
         "no-false-alarm.names-no-reading",
         saw,
         NO_FALSE_ONES,
-        "This text came with a good reading, and it names none. Any text on this topic is an alarm, even one that "
-        "says that all is well.",
-        "Publish on this topic only when this one reading is bad.",
+        "Your node published this text for a good reading, and it contains no reading. Any text on this topic is "
+        "an alarm, even one that reports that all is well.",
+        "Publish on this topic only if the current reading is bad.",
     )
 
 
@@ -1257,14 +1267,14 @@ def many_false_alarms(saw: str, *, before_bad: bool) -> Verdict:
             "no-false-alarm.every-reading",
             saw,
             NO_FALSE_ONES,
-            "Good readings cause texts on this topic, too, even before the first bad one.",
-            "Publish on this topic only when a reading is bad.",
+            "Your node publishes texts on this topic for good readings, too, even before the first bad one.",
+            "Publish on this topic only if a reading is bad.",
         )
     return see.failed(
         "no-false-alarm.goes-on",
         saw,
         NO_FALSE_ONES,
-        "After the first alarm, an alarm is raised for every later reading, too.",
+        "After the first alarm, your node raises an alarm for most good readings, too.",
         DECIDE_BY_THIS_ONE,
     )
 
@@ -1272,7 +1282,7 @@ def many_false_alarms(saw: str, *, before_bad: bool) -> Verdict:
 def why_false_alarms(found: Alarms, said: Readings) -> Verdict:
     """Why there were alarms for good readings."""
     false = found.false
-    saw = f"{len(false)} alarm{'s' if len(false) > 1 else ''} too many, the first is {quoted(false[0])}"
+    saw = f"{see.count(len(false), 'extra alarm')}, the first {quoted(false[0])}"
     expected = NO_FALSE_ONES
     about_bad = [
         text for text in false if names_one_of(said.bad, text) and not names_one_of(said.inside, text)
@@ -1284,7 +1294,7 @@ def why_false_alarms(found: Alarms, said: Readings) -> Verdict:
             "no-false-alarm.low-charge",
             saw,
             expected,
-            "A low battery is bad news, but it is not a bad reading.",
+            "A low battery is bad news, but not a bad reading.",
             DECIDE_BY_THIS_ONE,
         )
     if len(false) <= len(said.good) // 2 and not any(names_a_number(text) for text in false):
@@ -1295,7 +1305,7 @@ def why_false_alarms(found: Alarms, said: Readings) -> Verdict:
         "no-false-alarm.good-reading",
         saw,
         expected,
-        "Readings from 0 to 100 % are good, both limits included, no matter what came before them.",
+        "Readings from 0 to 100 % are good, including both limits, no matter what the previous readings were.",
         DECIDE_BY_THIS_ONE,
     )
 
@@ -1303,9 +1313,9 @@ def why_false_alarms(found: Alarms, said: Readings) -> Verdict:
 # --- what may explain both ----------------------------------------------------------------------------------
 
 MADE_LATE = (
-    "The publisher is created in the callback. Subscriptions need a moment to find it, and what was published "
-    "before that is lost.",
-    "Create publishers once, in __init__. In the callback, only use them.",
+    "The publisher is created in the callback. Subscriptions need a moment to discover it, so earlier messages are "
+    "lost.",
+    "Create publishers once, in __init__, and only use them in the callback.",
 )
 
 

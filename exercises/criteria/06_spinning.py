@@ -121,7 +121,7 @@ def program_runs(recording: Recording) -> Verdict:
             "pump.missing",
             "your file has no function named pump",
             "def pump(node, seconds), at the left margin of the file",
-            "The name is spelled differently, or the function is inside another one.",
+            "The name is spelled differently, or the function is defined inside another function.",
             "Write def pump(node: Node, seconds: float) -> None: at the left margin.",
         )
     return loaded
@@ -134,14 +134,14 @@ def returns(recording: Recording) -> Verdict:
         return lost
     call = calls(recording)[BURST]
     if call.end is not None:
-        return see.passed("it came back")
-    expected = f"pump(node, {ASKED_S[BURST]}) comes back"
-    return see.program_ended(recording, "the first call never came back", expected) or see.failed(
+        return see.passed("it returned")
+    expected = f"pump(node, {ASKED_S[BURST]}) returns"
+    return see.program_ended(recording, "the first call never returned", expected) or see.failed(
         "returns.never",
-        f"not back {recording.wall_s - call.begin - ASKED_S[BURST]:.1f} s after its time was up",
+        f"no return {recording.wall_s - call.begin - ASKED_S[BURST]:.1f} s after its time was up",
         expected,
         "rclpy.spin and executor.spin return only when ROS is shut down. Or your loop never reaches its end time: "
-        "`seconds` is in seconds, and time.process_time() stands still while it waits.",
+        "`seconds` is in seconds, and time.process_time() doesn't advance while your function waits.",
         "Use rclpy.spin_once(node, timeout_sec=...) in a loop that checks the clock.",
         about_time=True,
     )
@@ -164,10 +164,10 @@ def returns_in_time(recording: Recording) -> Verdict:
     if len(same) > 1 and len(same) == len(took) - 1:
         return see.failed(
             "in-time.first-time-kept",
-            f"the first call took {took[BURST]:.2f} s, and so did the others, which asked for less",
+            f"the first call took {took[BURST]:.2f} s, and so did the others, although they requested less",
             IN_TIME,
             "The end time of the first call is also used for the others.",
-            "Compute the end time in each call, from its own seconds.",
+            "Compute the end time in each call, from that call's seconds.",
             about_time=True,
         )
     made = calls(recording)
@@ -176,16 +176,16 @@ def returns_in_time(recording: Recording) -> Verdict:
         worst = max(took, key=lambda n: took[n] - ASKED_S[n])
         return see.failed(
             "in-time.too-late",
-            f"asked for {ASKED_S[worst]:g} s, back after {took[worst]:.2f} s; the median delay of "
+            f"called with {ASKED_S[worst]:g} s, returned after {took[worst]:.2f} s; the median delay of "
             f"{see.count(len(took), 'call')} was {typical:.2f} s",
             IN_TIME,
-            "It uses a different time from the one that was asked for: rounded up, or never below some minimum. "
-            "Or its last wait is longer than the time that is left.",
+            "Your function doesn't use the requested time: it rounds up, or it enforces a minimum. Or its last "
+            "wait is longer than the remaining time.",
             TIME_THAT_IS_LEFT,
             about_time=True,
         )
     return see.passed(
-        f"asked for {ASKED_S[BURST]:g} s, took {took[BURST]:.2f} s; the median delay of "
+        f"called with {ASKED_S[BURST]:g} s, took {took[BURST]:.2f} s; the median delay of "
         f"{see.count(len(took), 'call')} was {max(0.0, typical):.2f} s"
     )
 
@@ -202,11 +202,11 @@ def words_handled(recording: Recording) -> Verdict:
             "words-handled.more-than-once",
             f"{len(got)} words handled, but only {words} were sent",
             f"each of the {words} words once",
-            "Your function gave the node a second subscription, or it calls the callback itself.",
-            "Leave the node as it is, and let spin_once call the callbacks.",
+            "Your function created a second subscription on the node, or it calls the callback itself.",
+            "Don't change the node, and let spin_once call the callbacks.",
         )
     saw = f"{len(got)} of {words} words handled during the call"
-    expected = f"all {words} words that came during the call"
+    expected = f"all {words} words that arrived during the call"
     hint = (
         "Call rclpy.spin_once(node, timeout_sec=...) again and again until the time is up, without a sleep."
     )
@@ -215,7 +215,7 @@ def words_handled(recording: Recording) -> Verdict:
             "words-handled.one-a-round",
             saw,
             expected,
-            "One spin_once runs one callback, and a sleep runs none. Other callbacks that are ready wait for the next "
+            "One spin_once runs one callback, and a sleep runs none. All other ready callbacks wait for the next "
             "spin_once.",
             hint,
             about_time=True,
@@ -224,8 +224,8 @@ def words_handled(recording: Recording) -> Verdict:
         "words-handled.none",
         saw,
         expected,
-        "Nothing spins this node while time passes. Callbacks wait during a sleep, and spinning another node does "
-        "not help this one.",
+        "Nothing spins this node during the call. Callbacks don't run during a sleep, or while another node is "
+        "spun.",
         hint,
         about_time=True,
     )
@@ -243,7 +243,7 @@ def timers_tick(recording: Recording) -> Verdict:
     if len(beats) < LEAST_SHARE * wanted or not looks:
         return see.failed(
             "timers-tick.too-few",
-            f"{len(beats)} heartbeats in {asked} s, and it looked around {len(looks)} times",
+            f"{len(beats)} heartbeats and {see.count(len(looks), 'look')} around in {asked} s",
             expected,
             "A timer fires only while the node is spun, and one spin_once runs one callback.",
             "Spin until the time is up, and never sleep in between.",
@@ -255,7 +255,7 @@ def timers_tick(recording: Recording) -> Verdict:
             "timers-tick.silence",
             f"no heartbeat for {silence:.2f} s during the call",
             expected,
-            "For part of the time nothing spins the node: your function sleeps, or it has stopped spinning and "
+            "For part of the time, nothing spins the node. Your function sleeps, or it has stopped spinning and "
             "waits for the end.",
             "Spin until the time is up, and never sleep in between.",
             about_time=True,
@@ -272,10 +272,10 @@ def again(recording: Recording) -> Verdict:
     if took is not None and took < ASKED_S[AGAIN] - EARLY_S:
         return see.failed(
             "again.ends-early",
-            f"the second call came back after {took:.2f} s",
-            f"back after {ASKED_S[AGAIN]} s",
-            "Something from the first call is still there and ends the second one: a timer, a flag, or a future. Or "
-            "your function gives later calls less time than they ask for.",
+            f"the second call returned after {took:.2f} s",
+            f"return after {ASKED_S[AGAIN]} s",
+            "Something left over from the first call ends the second one: a timer, a flag, or a future. Or your "
+            "function gives later calls less time than they request.",
             "Destroy what you created on the node (node.destroy_timer), and create it again in each call.",
         )
     late = took is not None and took > ASKED_S[AGAIN] + 2 * LATE_S + kept_waiting(recording, AGAIN)
@@ -283,10 +283,10 @@ def again(recording: Recording) -> Verdict:
     if late and took is not None and first is not None and abs(took - first) < EARLY_S:
         return see.failed(
             "again.same-time-as-first",
-            f"the first call took {first:.2f} s, and the second one {took:.2f} s as well",
-            f"back after {ASKED_S[AGAIN]} s",
+            f"the first call took {first:.2f} s, and so did the second one: {took:.2f} s",
+            f"return after {ASKED_S[AGAIN]} s",
             "The end time of the first call is also used for the others.",
-            "Compute the end time in each call, from its own seconds.",
+            "Compute the end time in each call, from that call's seconds.",
         )
     return nothing_handled(recording) or why_less_again(recording)
 
@@ -301,12 +301,12 @@ def slow_callbacks(recording: Recording) -> Verdict:
         return (
             too_many_jobs(recording)
             or late_after_job(recording)
-            or see.passed(f"{verdict.saw}, with {len(begun)} slow jobs begun")
+            or see.passed(f"{verdict.saw}, with {len(begun)} slow jobs started")
         )
     return see.failed(
         "slow-callbacks.none-begun",
-        "none of the slow jobs was begun",
-        "the jobs are begun one after another, until the time is up",
+        "none of the slow jobs was started",
+        "the jobs start one after another until the time is up",
         "Nothing took a message from the queue of /robot/jobs.",
         "Let rclpy.spin_once(node, timeout_sec=...) choose what to run.",
         about_time=True,
@@ -319,13 +319,13 @@ def too_many_jobs(recording: Recording) -> Verdict | None:
     if len(begun) < 2 or short_calls_late(recording):
         return None
     asked, took = ASKED_S[JOBS_ALONE], calls(recording)[JOBS_ALONE].took
-    back = f", and back after {took:.2f} s" if took is not None else ""
+    back = f", which returned after {took:.2f} s" if took is not None else ""
     return see.failed(
         "slow-callbacks.several",
-        f"{len(begun)} jobs of {JOB_S} s begun in a call for {asked:g} s{back}",
-        "at most one callback once the time is up: the second job waits for the next call",
-        "Several callbacks run between two looks at the clock, for example in a loop inside the loop. Or the time is "
-        "counted only after a first callback.",
+        f"{len(begun)} jobs of {JOB_S} s started in a call for {asked:g} s{back}",
+        "at most one callback after the time is up: the second job waits for the next call",
+        "Several callbacks run between two checks of the clock, for example in a nested loop. Or your function "
+        "starts to measure time only after a first callback.",
         TIME_THAT_IS_LEFT,
     )
 
@@ -339,12 +339,12 @@ def late_after_job(recording: Recording) -> Verdict | None:
     spent = call.took if call.took is not None else recording.wall_s - call.begin
     if spent <= asked + JOB_S + LATE_S + kept_waiting(recording, JOBS_ALONE):
         return None
-    back = f"back after {spent:.2f} s" if call.took is not None else f"not back after {spent:.2f} s"
+    back = f"returned after {spent:.2f} s" if call.took is not None else f"no return after {spent:.2f} s"
     return see.failed(
         "slow-callbacks.late-after-job",
-        f"asked for {asked:g} s, {back}, although one job takes {JOB_S} s",
-        f"back at most one job ({JOB_S} s) and {LATE_S} s after its time is up",
-        "After a slow callback, your function waits or sleeps, although its time is up.",
+        f"called with {asked:g} s, {back}, although one job takes {JOB_S} s",
+        f"return at most one job ({JOB_S} s) and {LATE_S} s after the time is up",
+        "After a slow callback, your function waits or sleeps although its time is up.",
         TIME_THAT_IS_LEFT,
         about_time=True,
     )
@@ -367,8 +367,8 @@ def quiet_node(recording: Recording) -> Verdict:
     return see.failed(
         "quiet-node.words-wait",
         f"{see.count(len(heard), 'word')} handled during the call",
-        f"the first {EARLY_QUIET_WORDS} words are handled: they came long before the call ended",
-        "For part of the call nothing spun this node: your function sleeps once nothing is ready, or it spins "
+        f"the first {EARLY_QUIET_WORDS} words are handled: they arrived long before the call ended",
+        "For part of the call, nothing spun this node. Your function sleeps when nothing is ready, or it spins "
         "another node.",
         "Spin until the time is up, and let spin_once do the waiting.",
         about_time=True,
@@ -385,11 +385,11 @@ def easy_on_the_processor(recording: Recording) -> Verdict:
         return polls_with_timers(recording, share) or see.passed(f"{share:.0%} of one processor")
     return see.failed(
         "easy-on-the-processor.never-waits",
-        f"{share:.0%} of one processor, most of it for waiting",
+        f"{share:.0%} of one processor, mostly for waiting",
         f"less than {PROCESSOR_SHARE:.0%}",
         "A loop with timeout_sec=0, or with a very short timeout, hardly waits: it polls for work again and again.",
-        "Let spin_once wait, for example 0.05 s, but no longer than the time that is left. It returns by itself "
-        "when a callback was ready.",
+        "Let spin_once wait, for example 0.05 s, but no longer than the remaining time. It returns earlier if a "
+        "callback is ready.",
     )
 
 
@@ -404,8 +404,8 @@ def polls_with_timers(recording: Recording, quiet: float) -> Verdict | None:
         "easy-on-the-processor.polls-with-timers",
         f"{share:.0%} of one processor with the robot that has timers, {quiet:.0%} with the quiet one",
         f"less than {SHARE_WITH_TIMERS:.0%} with timers, and less than {PROCESSOR_SHARE:.0%} with the quiet robot",
-        "Between two callbacks, your loop polls for work again and again. It waits only if the node has no timer.",
-        "Give each spin_once the same timeout, for example 0.05 s, whatever the node has.",
+        "Between two callbacks, your loop polls for work again and again. It waits only if the node has no timers.",
+        "Give each spin_once the same timeout, for example 0.05 s, with or without timers.",
     )
 
 
@@ -423,16 +423,16 @@ def nothing_left_running(recording: Recording) -> Verdict:
     if cut_off:
         return see.failed(
             "nothing-left-running.still-works",
-            f"job {cut_off[0]} was begun in a call, and still ran when the call had come back",
-            "no callback runs unless pump is called",
-            "Callbacks run in other threads, and pump does not wait for them to finish.",
+            f"job {cut_off[0]} started in a call, and was still running after the call had returned",
+            "no callback runs outside of calls to pump",
+            "Callbacks run in other threads, and pump returns without waiting for them to finish.",
             "Run the callbacks in the thread that called pump, as rclpy.spin_once(node, timeout_sec=...) does.",
         )
     changed = see.driver_reports(recording, CHANGED)
     return (
         why_changed(changed)
         if changed
-        else see.passed("between the calls no callback ran, and the node is as it was")
+        else see.passed("no callback ran between the calls, and the node is unchanged")
     )
 
 
@@ -447,15 +447,15 @@ def spins_on(recording: Recording) -> Verdict | None:
         return see.failed(
             "nothing-left-running.another-node",
             f"{len(beats)} heartbeats of the first robot while pump was called with another one",
-            "pump runs the callbacks of the node that it was called with",
-            "The executor or the node of an earlier call is used again, so the earlier node is spun as well.",
-            "Use the node that you were handed. If you add it to an executor, remove it before you return.",
+            "pump runs only the callbacks of the node that was passed to it",
+            "Your function reuses the executor or the node of an earlier call, so the earlier node is spun as well.",
+            "Use the node that was passed to pump. If you add it to an executor, remove it before you return.",
         )
     return see.failed(
         "nothing-left-running.spins-on",
         f"{len(beats)} heartbeats between the calls",
-        "no callback runs unless pump is called",
-        "A thread that spins was left behind. It runs callbacks at unexpected times, and may abort the "
+        "no callback runs outside of calls to pump",
+        "Your function left a spinning thread behind. It runs callbacks at unexpected times, and may abort the "
         "process when the program ends.",
         "Spin in the thread that called pump. If you need another thread, end it: executor.shutdown(), then join().",
     )
@@ -468,39 +468,41 @@ def thread_left(saw: str) -> Verdict:
             "nothing-left-running.thread-runs",
             saw,
             "nothing that pump started keeps running",
-            "Your function starts a thread that goes on after pump has returned. Each call may leave one more.",
-            "Avoid the thread, or tell it to end and join() it before you return.",
+            "Your function starts a thread that keeps running after pump has returned. Each call may leave one "
+            "more.",
+            "Avoid the thread, or end it and join() it before you return.",
         )
     return see.failed(
         "nothing-left-running.thread-left",
         saw,
         "nothing that pump started keeps running",
-        "A thread was left behind in spin(). That it has no node any more does not end it. Each call leaves one "
+        "Your function left a thread behind in spin(). Removing its node doesn't end it. Each call leaves one "
         "more, and such a thread may abort the process when the program ends.",
-        "Spin in the thread that called pump. If you need another one, end it: executor.shutdown(), then join().",
+        "Spin in the thread that called pump. If you need another thread, end it: executor.shutdown(), then join().",
     )
 
 
 def why_changed(changed: list[str]) -> Verdict:
     """What a call has changed that is not its own."""
     call, _, first = changed[0].partition(" ")
-    expected = "the node has what it had, and ROS and its nodes are as they were"
+    expected = "the node, the ROS context, and the other nodes are unchanged"
     saw = f"after call {call}: {first}"
     if "left" in first:
         return see.failed(
             "nothing-left-running.left-behind",
             saw,
             expected,
-            "What you create on the node stays there after pump has returned. The next call finds it there, too.",
-            "Avoid it, or remove it before you return, as node.destroy_timer(timer) does with a timer.",
+            "Objects that you create on the node stay there after pump has returned, and still exist in the next "
+            "call.",
+            "Don't create them, or remove them before you return. For a timer, call node.destroy_timer(timer).",
         )
     if first.startswith("job"):
         return see.failed(
             "nothing-left-running.cut-off",
             saw,
-            "a callback that has begun is finished before pump returns",
-            "Something ended the callback half way: a signal, or an exception from another thread.",
-            "Check the clock between two callbacks, and let the callback that runs finish.",
+            "a callback that has started finishes before pump returns",
+            "Something ended the callback halfway: a signal, or an exception from another thread.",
+            "Check the clock between two callbacks, and let a running callback finish.",
         )
     if "thread" in first:
         return thread_left(saw)
@@ -508,15 +510,15 @@ def why_changed(changed: list[str]) -> Verdict:
         return see.failed(
             "nothing-left-running.not-its-own",
             f"in call {call}: {first}",
-            "pump makes no node and does not call rclpy.init",
-            "The program that calls pump has done both already.",
-            "Work with the node that you were handed.",
+            "pump creates no node and doesn't call rclpy.init",
+            "The program that calls pump has already done both.",
+            "Use the node that was passed to pump.",
         )
     return see.failed(
         "nothing-left-running.changed",
         saw,
         expected,
-        "The timers and subscriptions belong to the node. Do not cancel, restart, change or destroy them.",
+        "The timers and subscriptions belong to the node. Don't cancel, restart, change, or destroy them.",
         "Only spin the node: rclpy.spin_once(node, timeout_sec=...).",
     )
 
@@ -646,19 +648,19 @@ def first_call_raised(recording: Recording, raised: str) -> Verdict:
         "pump.raises",
         saw,
         expected,
-        "An exception left your function.",
+        "Your function raised an exception and didn't catch it.",
         "Read the last lines of the log from the bottom up.",
     )
 
 
 def not_made(recording: Recording, number: int) -> Verdict | None:
     """Why a call was not made, or could not do its work; None if it could."""
-    expected = f"pump(node, {ASKED_S[number]}) comes back when the time is up"
+    expected = f"pump(node, {ASKED_S[number]}) returns when the time is up"
     call = calls(recording).get(number)
     if call is None:
         return see.program_ended(recording, "this call was never made", expected) or see.failed(
             "call.never-begun",
-            "the call before it never came back",
+            "the previous call never returned",
             expected,
             "Something waits forever.",
             "Give every wait the same short timeout_sec, for example 0.05 s.",
@@ -666,12 +668,12 @@ def not_made(recording: Recording, number: int) -> Verdict | None:
     if call.raised is not None:
         return see.failed(
             "call.raises-later",
-            f"call 1 raised nothing, and call {number} raised {call.raised}",
+            f"call 1 raised no exception, but call {number} raised {call.raised}",
             expected,
             "Something no longer existed when pump was called again: the node or a part of it, its executor, or the "
             "ROS context.",
-            "Leave the node and the context as you found them. Do not destroy either, or a part of the node, and do "
-            "not shut down the context.",
+            "Leave the node and the context unchanged. Don't destroy the node or a part of it, and don't shut down "
+            "the context.",
         )
     return None
 
@@ -696,7 +698,7 @@ def in_time(recording: Recording, number: int, extra: float = 0.0) -> Verdict:
         )
     if call.took > asked + extra + LATE_S + kept_waiting(recording, number):
         return too_late(number, call.took)
-    return see.passed(f"asked for {asked} s, took {call.took:.2f} s")
+    return see.passed(f"called with {asked} s, took {call.took:.2f} s")
 
 
 def ended_early(recording: Recording, took: dict[int, float]) -> Verdict | None:
@@ -708,11 +710,11 @@ def ended_early(recording: Recording, took: dict[int, float]) -> Verdict | None:
     if subtracted(ahead):
         return see.failed(
             "in-time.subtracted",
-            f"asked for {ASKED_S[BURST]:g} s and {ASKED_S[AGAIN]:g} s, back {ahead[BURST]:.2f} s and "
+            f"called with {ASKED_S[BURST]:g} s and {ASKED_S[AGAIN]:g} s, returned {ahead[BURST]:.2f} s and "
             f"{ahead[AGAIN]:.2f} s too early",
             IN_TIME,
-            "Each time is shortened by about as much. Your function subtracts something from it, or does not begin a "
-            "wait that would reach beyond the end.",
+            "Both calls are shorter by about the same time. Your function subtracts a constant, or it doesn't "
+            "start a wait that would exceed the end time.",
             "Store time.monotonic() + seconds at the start, and continue until that time.",
         )
     if ahead.get(BURST, math.inf) > EARLY_S or all(seconds > AHEAD_S for seconds in ahead.values()):
@@ -724,10 +726,10 @@ def ended_early(recording: Recording, took: dict[int, float]) -> Verdict | None:
         return None
     return see.failed(
         "in-time.short-calls",
-        f"asked for {ASKED_S[SHORT]:g} s, back after {ASKED_S[SHORT] - max(shorts):.2f} s; longer calls took their "
-        "time",
+        f"called with {ASKED_S[SHORT]:g} s, returned after {ASKED_S[SHORT] - max(shorts):.2f} s; longer calls took "
+        "their full time",
         IN_TIME,
-        "A short time is treated in another way, or the time is counted in whole steps and rounded down.",
+        "Your function handles short times differently, or it divides the time into whole steps and rounds down.",
         "Store time.monotonic() + seconds at the start, and continue until that time.",
     )
 
@@ -747,17 +749,17 @@ def nothing_handled(recording: Recording) -> Verdict | None:
             "again.timers-reset",
             f"no callback ran in {len(SHORT_CALLS)} calls of {ASKED_S[SHORTEST]:g} to {ASKED_S[SHORT]:g} s, and timers "
             "were reset",
-            "every callback that is ready runs, in a short call, too",
-            "Each call starts the timers anew. Then none of them is due before a short call is over.",
-            "Do not reset the timers of the node. They keep their plan between two calls.",
+            "every ready callback runs, even in a short call",
+            "Each call resets the timers, so none of them is due before a short call is over.",
+            "Don't reset the node's timers. They keep their schedule between calls.",
         )
     return see.failed(
         "again.short-calls-do-nothing",
-        f"no callback ran in {len(SHORT_CALLS)} calls of {ASKED_S[SHORTEST]:g} to {ASKED_S[SHORT]:g} s, though a "
+        f"no callback ran in {len(SHORT_CALLS)} calls of {ASKED_S[SHORTEST]:g} to {ASKED_S[SHORT]:g} s, although a "
         "heartbeat was due",
-        "every callback that is ready runs, in a short call, too",
-        "A short time is treated in another way: your function only sleeps, or has no time left before it spins.",
-        "Spin first, then check the clock, whatever the length of the call.",
+        "every ready callback runs, even in a short call",
+        "Your function handles short times differently: it only sleeps, or it runs out of time before it spins.",
+        "Spin first, and then check the clock, no matter how short the call is.",
         about_time=True,
     )
 
@@ -775,7 +777,7 @@ def why_less_again(recording: Recording) -> Verdict:
 
 def why_not_again(recording: Recording, beats: int, saw: str) -> Verdict:
     """Why the second call did less than the first one; `beats`: how many heartbeats there were in it."""
-    expected = "words that waited in the queue are handled, and the timers tick again"
+    expected = "the words waiting in the queue are handled, and the timers fire again"
     if waiting_words(recording) & set(done_in(recording, HEARD.name, BETWEEN)):
         return see.failed(
             "again.handled-before",
@@ -789,17 +791,17 @@ def why_not_again(recording: Recording, beats: int, saw: str) -> Verdict:
             "again.timers-canceled",
             f"{saw}; the first call canceled timers",
             expected,
-            "A timer that was canceled does not fire in the next call.",
-            "The timers belong to the node. Do not cancel, restart or destroy them.",
+            "A canceled timer doesn't fire in the next call.",
+            "The timers belong to the node. Don't cancel, restart, or destroy them.",
         )
     if beats >= A_FEW_BEATS:
         return see.failed(
             "again.words-lost",
             saw,
             expected,
-            "The words waited in the queue, and were dropped: your function takes messages out itself, or creates "
-            "subscriptions anew. Or it handles too few callbacks.",
-            "Leave the subscriptions as they are, and let spin_once call their callbacks.",
+            "The words waited in the queue but were dropped: your function takes messages itself, or it re-creates "
+            "subscriptions. Or it handles too few callbacks.",
+            "Don't change the subscriptions, and let spin_once call their callbacks.",
             about_time=True,
         )
     return see.failed(
@@ -807,9 +809,9 @@ def why_not_again(recording: Recording, beats: int, saw: str) -> Verdict:
         saw,
         expected,
         "The first call destroyed the node or the executor, shut down ROS, or left a thread behind that takes the "
-        "callbacks. Or a future or a flag of the first call still says that it is done.",
-        "Do not destroy or shut down what you did not create. Create executors and futures anew in each call, and "
-        "shut your executor down in the same call.",
+        "callbacks. Or a future or a flag from the first call is still marked as done.",
+        "Don't destroy or shut down anything that you didn't create. Create new executors and futures in each "
+        "call, and shut your executor down in the same call.",
         about_time=True,
     )
 
@@ -822,9 +824,9 @@ def ended_by_what_was_left(recording: Recording, number: int, took: float) -> Ve
     call, _, what = left.partition(" ")
     return see.failed(
         "in-time.ended-by-what-was-left",
-        f"asked for {ASKED_S[number]:g} s, back after {took:.2f} s; after call {call}: {what}",
+        f"called with {ASKED_S[number]:g} s, returned after {took:.2f} s; after call {call}: {what}",
         IN_TIME,
-        "Something that an earlier call left on the node still runs, and it ends this call.",
+        "An object that an earlier call left on the node is still active, and it ends this call.",
         "Destroy what you created on the node before you return: node.destroy_timer(timer).",
     )
 
@@ -838,9 +840,9 @@ def ended_by_silence(recording: Recording, number: int, took: float) -> Verdict 
         return None
     return see.failed(
         "in-time.ended-by-silence",
-        f"asked for {ASKED_S[number]:g} s, back after {took:.2f} s, and nothing was ready until then",
+        f"called with {ASKED_S[number]:g} s, returned after {took:.2f} s; no callback had been ready until then",
         IN_TIME,
-        "Your function returns when nothing has been ready for a while. But a callback may be ready later.",
+        "Your function returns if no callback is ready for a while. But a callback may be ready later.",
         "Continue until the time is up, even if nothing is ready.",
     )
 
@@ -853,11 +855,11 @@ def ended_by_job(recording: Recording, number: int, took: float) -> Verdict | No
         return None
     return see.failed(
         "in-time.ended-by-job",
-        f"asked for {ASKED_S[number]:g} s, back after {took:.2f} s and {see.count(len(begun), 'job')} of {JOB_S} s; "
-        "the first call, which had no slow jobs, took its time",
+        f"called with {ASKED_S[number]:g} s, returned after {took:.2f} s and {see.count(len(begun), 'job')} of "
+        f"{JOB_S} s; the first call, without slow jobs, took its full time",
         IN_TIME,
-        "A slow callback ends your function early. It takes a long spin_once for one in which nothing was ready, or "
-        "counts the time of a callback twice.",
+        "After a slow callback, your function returns early. It assumes that a long spin_once call means that "
+        "nothing was ready, or it counts the callback's time twice.",
         "Store time.monotonic() + seconds at the start, and continue until that time.",
     )
 
@@ -872,15 +874,15 @@ def too_early(number: int, took: float) -> Verdict:
     """The call came back too early."""
     return see.failed(
         "in-time.too-early",
-        f"asked for {ASKED_S[number]:g} s, back after {took:.2f} s",
+        f"called with {ASKED_S[number]:g} s, returned after {took:.2f} s",
         IN_TIME,
         "Your function counts callbacks instead of time: spin_once returns as soon as one callback has run. Or it "
-        "shortens the time: by a factor, a limit, or other units.",
+        "shortens the time by a factor, a limit, or a wrong unit.",
         "Store time.monotonic() + seconds at the start, and continue until that time.",
     )
 
 
-IN_TIME = f"back when the time is up: at most {EARLY_S} s earlier, at most {LATE_S} s later"
+IN_TIME = f"return when the time is up: at most {EARLY_S} s earlier, at most {LATE_S} s later"
 TIME_THAT_IS_LEFT = (
     "Compute the end once, and check the clock before each spin_once. "
     "Give it a short timeout_sec, for example 0.05 s."
@@ -889,13 +891,13 @@ TIME_THAT_IS_LEFT = (
 
 def still_open(recording: Recording, asked: float, open_s: float) -> Verdict:
     """The call was not back when the watch ended, `open_s` seconds after its begin."""
-    expected = f"back after {asked} s"
-    return see.program_ended(recording, "this call never came back", expected) or see.failed(
+    expected = f"return after {asked} s"
+    return see.program_ended(recording, "this call never returned", expected) or see.failed(
         "in-time.not-back",
-        f"not back {open_s - asked:.1f} s after its time was up",
+        f"no return {open_s - asked:.1f} s after its time was up",
         expected,
-        "spin_once without a timeout waits until there is something to do, possibly forever. A timeout that "
-        "starts again after each callback may also add up.",
+        "Without a timeout, spin_once waits until a callback is ready, possibly forever. Or a timeout that "
+        "restarts after each callback adds up.",
         TIME_THAT_IS_LEFT,
         about_time=True,
     )
@@ -903,14 +905,14 @@ def still_open(recording: Recording, asked: float, open_s: float) -> Verdict:
 
 def too_late(number: int, took: float) -> Verdict:
     """The call took too long."""
-    saw, expected = f"back after {took:.2f} s", f"back after {ASKED_S[number]} s"
+    saw, expected = f"returned after {took:.2f} s", f"back after {ASKED_S[number]} s"
     if number == QUIET:
         return see.failed(
             "in-time.wait-begins-anew",
             saw,
             expected,
-            "A wait went on beyond the end. It started again with its full length after a callback, your function "
-            "sleeps, or it moves the end.",
+            "A wait continued beyond the end time. It restarted with its full length after a callback, your "
+            "function sleeps, or it postpones the end time.",
             TIME_THAT_IS_LEFT,
             about_time=True,
         )
@@ -918,7 +920,8 @@ def too_late(number: int, took: float) -> Verdict:
         "in-time.callbacks-not-counted",
         saw,
         expected,
-        "The time that callbacks take is not counted, or everything is handled before you check the clock.",
+        "Your function doesn't count the time that callbacks take, or it handles everything before it checks the "
+        "clock.",
         TIME_THAT_IS_LEFT,
         about_time=True,
     )

@@ -62,8 +62,9 @@ def ended_when_empty(recording: Recording, ended: Verdict) -> Verdict:
         "alive-at-end.empty",
         f"{ended.saw}; the last charge was {see.number(levels[-1])} %",
         ended.expected,
-        "The battery was empty or about to be. Either your program ends for that reason, or it ended just then because "
-        "of a loop that counts, or a spin with a time limit. Silence does not say that the battery is empty.",
+        "The battery was empty or almost empty. Your program ends for that reason, or it happened to end then, "
+        "because of a counting loop or a spin with a time limit. But silence doesn't tell anyone that the battery "
+        "is empty.",
         'Keep publishing 0.0 and "error" when the battery is empty. Only Ctrl-C ends the program.',
     )
 

@@ -97,7 +97,7 @@ def heartbeat_topic(recording: Recording) -> Verdict:
 @see.needs_messages(HEARTBEAT)
 def heartbeat_share(recording: Recording) -> Verdict:
     beats = see.beats(recording, HEARTBEAT)
-    saw = f"{beats.count} heartbeats of {beats.due} that were due ({beats.share:.0%})"
+    saw = f"{beats.count} of {beats.due} heartbeats ({beats.share:.0%})"
     if beats.share > MOST_SHARE:
         return see.failed(
             "heartbeat-share.too-many",
@@ -105,7 +105,7 @@ def heartbeat_share(recording: Recording) -> Verdict:
             "10 heartbeats a second, no more",
             "Two places publish the heartbeat, or its period is shorter than 0.1 s. A safety system that counts "
             "heartbeats is misled.",
-            "Let one timer of 0.1 s publish the heartbeat, and nothing else.",
+            "Publish the heartbeat only from one 0.1 s timer.",
         )
     if beats.share < LEAST_SHARE:
         ended = see.program_ended(recording, saw, f"at least {LEAST_SHARE:.0%}, at 10 Hz")
@@ -145,8 +145,8 @@ def heartbeat_gap(recording: Recording) -> Verdict:
             "heartbeat-gap.held-up",
             where,
             expected,
-            "Planning does not explain all of that time. Something else holds up the heartbeat.",
-            "Let a thread without slow work run the timer of the heartbeat.",
+            "Planning doesn't explain all of that silence. Something else delays the heartbeat.",
+            "Run the heartbeat's timer in a thread that does no slow work.",
             about_time=True,
         )
     return see.failed(
@@ -170,9 +170,9 @@ def in_groups(recording: Recording) -> Verdict | None:
         "heartbeat-share.in-groups",
         f"{pace.count} heartbeats, {pace.burst} at a time",
         "one heartbeat every 0.1 s",
-        "Several heartbeats are published at once, and then none for a while: one callback publishes them all, or "
-        "makes up for missing ones.",
-        "Publish one heartbeat on every tick of a timer of 0.1 s.",
+        "Several heartbeats are published at the same time, and then none for a while. One callback publishes them "
+        "all, or makes up for missing ones.",
+        "Publish one heartbeat on every tick of a 0.1 s timer.",
         about_time=True,
     )
 
@@ -183,9 +183,9 @@ def begins_late(cause: str, saw: str, expected: str) -> Verdict:
         cause,
         saw,
         expected,
-        "The heartbeat begins late: its timer is created after something else has happened, or its callback does not "
-        "publish at first.",
-        "Create the timer of the heartbeat in __init__, and publish on every tick.",
+        "The heartbeat starts late: its timer is created only after something else has happened, or its callback "
+        "doesn't publish at first.",
+        "Create the heartbeat's timer in __init__, and publish on every tick.",
         about_time=True,
     )
 
@@ -194,12 +194,12 @@ def held_up_once(where: str, expected: str) -> Verdict:
     """The heartbeat stops for less than a plan, and goes on during most plans."""
     return see.failed(
         "heartbeat-gap.other-plans-do-not",
-        f"{where}; during most plans the heartbeat goes on",
+        f"{where}; during most plans, the heartbeat continues",
         expected,
-        "Planning does not hold up the heartbeat: it goes on during other plans, and the silence is shorter than a "
-        "plan. Something else holds it up, such as a callback that takes long now and then.",
-        "Read the log: what did the program do at that time? Let a thread without slow work run the timer of the "
-        "heartbeat.",
+        "Planning doesn't delay the heartbeat: it continues during other plans, and the silence is shorter than a "
+        "plan. Something else delays it, such as a callback that's sometimes slow.",
+        "Read the log: what did the program do at that time? Run the heartbeat's timer in a thread that does no "
+        "slow work.",
         about_time=True,
     )
 
@@ -226,7 +226,7 @@ def plans_right(recording: Recording) -> Verdict:
         or fits_no_request(made, asked)
         or too_soon(made, asked)
         or inexact(made, asked)
-        or see.passed(f"{see.count(len(made), 'plan')}, each as the planner finds it")
+        or see.passed(f"{see.count(len(made), 'plan')}, each exactly as the planner finds it")
     )
 
 
@@ -244,7 +244,7 @@ def all_in_order(recording: Recording) -> Verdict:
             "no plan at all",
             expected,
             "Nothing was published, so no request has been answered.",
-            "Begin with one request: does its plan arrive?",
+            "Start with one request: does its plan arrive?",
         )
     if any(plan.of is None for plan in made):
         return not_told_apart(made, asked, expected)
@@ -334,7 +334,8 @@ def uneven(recording: Recording) -> Verdict | None:
             expected,
             "Extra heartbeats at one time do not make up for missing ones at another. The safety system needs to "
             "know whether the robot is well now.",
-            "Set the period to 0.1 s, and move the planning to a place where it does not stop the heartbeat.",
+            "Set the period to 0.1 s, and move the planning out of the heartbeat's way, to another thread and "
+            "callback group.",
         )
     if together := in_groups(recording):
         return together
@@ -358,8 +359,9 @@ def slower_while_planning(recording: Recording, expected: str) -> Verdict | None
         "heartbeat-share.slower-while-planning",
         f"typically {busy:.2f} s from one heartbeat to the next while a plan is made, {idle:.2f} s otherwise",
         expected,
-        "While a plan is computed, the planning decides when heartbeats are published, or some are left out.",
-        "Let one timer of 0.1 s publish every heartbeat, whether or not a plan is being computed.",
+        "While a plan is being computed, the planning determines when heartbeats are published, or some are "
+        "skipped.",
+        "Publish every heartbeat from one 0.1 s timer, whether or not a plan is being computed.",
         about_time=True,
     )
 
@@ -379,9 +381,9 @@ def each_late(saw: str, expected: str, typical: float) -> Verdict:
         "heartbeat-share.each-late",
         saw,
         expected,
-        f"There is no long silence, but typically {typical:.3f} s from one heartbeat to the next. The period is longer "
-        "than 0.1 s, or a loop sleeps for a full period and adds the time of its work.",
-        "Use create_timer(0.1, ...): a timer allows for the time that the work takes.",
+        f"There's no long silence, but the heartbeats are typically {typical:.3f} s apart. The period is longer "
+        "than 0.1 s, or a loop sleeps for a full period, and the time for its work is added.",
+        "Use create_timer(0.1, ...): a timer compensates for the time that the work takes.",
         about_time=True,
     )
 
@@ -409,19 +411,19 @@ def why_beats_are_missing(recording: Recording, beats: see.Beats, saw: str) -> V
             "heartbeat-share.held-up",
             f"{saw}; none for {beats.silence.seconds:.1f} s from {beats.silence.start:.1f} s on",
             expected,
-            "Planning does not explain all of that time. Something else holds up the heartbeat.",
-            "Let a thread without slow work run the timer of the heartbeat.",
+            "Planning doesn't explain all of that silence. Something else delays the heartbeat.",
+            "Run the heartbeat's timer in a thread that does no slow work.",
             about_time=True,
         )
     return see.failed(
         "heartbeat-share.nobody-serves-the-timer",
         saw,
         expected,
-        "They are missing while plans are computed. Usually the planner then has the only thread. Or it is in the "
-        "same callback group as the heartbeat, and only one callback of that group runs at a time. Or several plans at "
-        "once take all threads.",
-        "Separate the planning from the heartbeat: use a callback group and a second thread, or a queue and a "
-        "worker thread.",
+        "Heartbeats are missing while plans are computed. Usually, the planner occupies the only thread. Or it's "
+        "in the heartbeat's callback group, which runs only one callback at a time. Or several plans occupy all "
+        "threads at the same time.",
+        "Separate the planning from the heartbeat: use a second callback group and a second thread, or a queue and "
+        "a worker thread.",
         about_time=True,
     )
 
@@ -513,7 +515,7 @@ EACH_RIGHT = "for each request the bend that ElbowPlanner finds for it"
 def no_plan(recording: Recording, nothing: Verdict) -> Verdict:
     """Not one plan arrived, for the reason of `nothing` where an error is to blame."""
     saw, expected = (
-        f"not one plan for {len(requests(recording))} requests",
+        f"no plan for {len(requests(recording))} requests",
         "a plan on /robot/plan for each request",
     )
     try_this = (
@@ -529,8 +531,8 @@ def no_plan(recording: Recording, nothing: Verdict) -> Verdict:
             "plans-right.none",
             saw,
             expected,
-            "The work was handed over but never done, or it failed silently. An exception in a thread pool stays in "
-            "its future until someone asks for the result.",
+            "The work was handed over but never done, or it failed silently. An exception in a thread pool stays "
+            "in its future until your code calls result().",
             try_this,
         )
     )
@@ -546,17 +548,17 @@ def not_yet_found(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | Non
             f"a bend of {early[0].bend:.4f} rad {early[0].after:.2f} s after the request, and {len(made)} plans in all",
             EACH_RIGHT,
             "The bend found so far is published while the planner is still searching.",
-            "Publish one plan for a request: what plan() returns when it is finished.",
+            "Publish one plan per request: the value that plan() returns.",
         )
     if first.of is not None or first.after >= SOONEST_S or told_by_another_measure(made, asked) is not None:
         return None
     return see.failed(
         "plans-right.not-yet-found",
         f"a bend of {first.bend:.4f} rad {max(0.0, first.after):.2f} s after the first request",
-        f"the result of a search of {PLANNING_S} s by ElbowPlanner, as it was given",
-        "The result was published before it was found: the search was handed to another thread, and its result "
-        "was read at once.",
-        "Publish a plan where it is finished, not the current value of a shared variable.",
+        f"the result of a {PLANNING_S} s search by the unchanged ElbowPlanner",
+        "The result was published before it was found: the search was handed to another thread, but its result was "
+        "read right away.",
+        "Publish a plan where the search finishes, not the current value of a shared variable.",
     )
 
 
@@ -566,18 +568,18 @@ def not_its_own(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | None:
     if order[1:] == asked:
         return see.failed(
             "plans-right.one-in-advance",
-            f"a bend of {made[0].bend:.4f} rad, and then the plans for all {len(asked)} requests",
+            f"a bend of {made[0].bend:.4f} rad, then the plans for all {len(asked)} requests",
             EACH_RIGHT,
-            "A value was published before the plan for the first request, for example a start value.",
-            "Publish one plan for a request: what plan() returns when it is finished.",
+            "A value was published before the plan for the first request, for example an initial value.",
+            "Publish one plan per request: the value that plan() returns.",
         )
     if 2 < len(order) <= len(asked) and order[1:] == asked[: len(order) - 1] and order != asked[: len(order)]:
         return see.failed(
             "plans-right.one-behind",
-            f"with the second request comes the plan for the first ({metres(asked[:1])}), and so on",
+            f"the second plan is the one for the first request ({metres(asked[:1])}), and so on",
             EACH_RIGHT,
             "The published value is the result of the previous search.",
-            "Publish what plan() has just returned.",
+            "Publish the value that plan() has just returned.",
         )
     twice, missing = too_many_and_missing(made, asked)
     return why_mixed_up(made, twice, missing) if twice and missing else None
@@ -588,18 +590,19 @@ def why_mixed_up(made: Sequence[Plan], twice: list[float], missing: list[float])
     if all(plan.apart >= SOONEST_S for plan in made[1:]):
         return see.failed(
             "plans-right.overwritten",
-            f"the plan for {metres(twice)} came too often, and for {metres(missing)} one is missing",
+            f"too many plans for {metres(twice)}, too few for {metres(missing)}",
             EACH_RIGHT,
-            "A later request overwrote an earlier one: one variable holds the distance of all that wait, or begin() "
-            "was called while the planner was searching.",
-            "Keep each waiting distance, for example in a queue.Queue, and begin a search when the one before is done.",
+            "A later request overwrote an earlier one: all waiting requests share one variable for their distance, "
+            "or begin() was called while the planner was searching.",
+            "Keep each waiting distance, for example in a queue.Queue, and begin a search when the previous one is "
+            "done.",
         )
     return see.failed(
         "plans-right.race",
-        f"the plan for {metres(twice)} came too often, and for {metres(missing)} one is missing",
+        f"too many plans for {metres(twice)}, too few for {metres(missing)}",
         EACH_RIGHT,
-        "Two searches ran at once on one planner, which can hold only one: the second overwrote the first. That "
-        "is a race.",
+        "Two searches ran at the same time on one planner, which can hold only one: the second overwrote the "
+        "first. That's a race condition.",
         "Let one search finish before the next begins: use a mutually exclusive group, one worker thread, or a "
         "lock.",
     )
@@ -636,10 +639,10 @@ def fits_no_request(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | N
             "plans-right.fits-no-request",
             saw,
             EACH_RIGHT,
-            "The planner was given something other than the requested distance, was interrupted by another search, or "
-            "was stopped long before its last step.",
-            "Give the request's data to the planner, run all steps of one search (plan() does that), then publish the "
-            "result.",
+            "The planner received something other than the requested distance, was interrupted by another search, "
+            "or was stopped long before its last step.",
+            "Pass the request's data to the planner, run all steps of one search (plan() does that), and then "
+            "publish the result.",
         )
     )
 
@@ -652,7 +655,7 @@ def in_another_measure(measure: str | None, saw: str) -> Verdict | None:
             saw,
             EACH_RIGHT,
             "Each value is the right bend, but in degrees. ROS uses radians.",
-            "Publish what the planner returns: it is in rad.",
+            "Publish the value that the planner returns: it's in radians.",
         )
     if measure == "half":
         return see.failed(
@@ -660,15 +663,15 @@ def in_another_measure(measure: str | None, saw: str) -> Verdict | None:
             saw,
             EACH_RIGHT,
             "Each value is half of the right bend.",
-            "Publish what the planner returns, as it is.",
+            "Publish the value that the planner returns, unchanged.",
         )
     if measure == "distance":
         return see.failed(
             "plans-right.distance",
             saw,
             EACH_RIGHT,
-            "That is the distance of a request (m), not a bend.",
-            "Publish what the planner returns for it.",
+            "That's the distance of a request (m), not a bend.",
+            "Publish the bend that the planner returns for this distance.",
         )
     return None
 
@@ -680,16 +683,18 @@ def of_its_own(made: Sequence[Plan], asked: Sequence[float], strange: Plan, saw:
             "plans-right.not-finite",
             saw,
             EACH_RIGHT,
-            "That is no angle: your program computes it or sets it itself, for example for a distance out of reach.",
-            "Give every request to the planner, and publish what plan() returns.",
+            "That isn't an angle. Your program computes or sets this value itself, for example for a distance out "
+            "of reach.",
+            "Pass every request to the planner, and publish the value that plan() returns.",
         )
     if not too_many_and_missing(made, asked)[1]:
         return see.failed(
             "plans-right.besides",
-            f"{saw}; the plans for all {len(asked)} requests came, too",
+            f"{saw}; the plans for all {len(asked)} requests also arrived",
             EACH_RIGHT,
-            "Besides the plans your program publishes a value of its own: at the start, in a pause, or after a plan.",
-            "Publish only what plan() has returned for a request.",
+            "In addition to the plans, your program publishes a value of its own: at the start, in a pause, or "
+            "after a plan.",
+            "Publish only the values that plan() returns for requests.",
         )
     return None
 
@@ -701,14 +706,13 @@ def too_soon(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | None:
         return None
     again = all(plan.turn > 1 for plan in soon)
     saw = f"the plan for {soon[0].name} {soon[0].after:.2f} s after its request"
-    expected = f"a search of {PLANNING_S} s by ElbowPlanner, as it was given"
+    expected = f"a {PLANNING_S} s search by the unchanged ElbowPlanner"
     if again and len(made) <= len(asked):
         return see.failed(
             "plans-right.from-memory",
-            f"{saw}, for which the same had been requested before",
+            f"{saw}; the same distance had been requested before",
             expected,
-            "The first plan was stored and used again. Since then, something may have moved into the way of the "
-            "arm.",
+            "The first plan was stored and reused. Since then, something may have moved into the arm's way.",
             "Let the planner search for every request, even for a distance that was requested before.",
         )
     if again:
@@ -717,9 +721,9 @@ def too_soon(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | None:
         "plans-right.planner-left-out",
         saw,
         expected,
-        "The planner was changed or skipped, or it did not run all of its steps. On the robot it spends its time "
-        "on the collision checker, and an unchecked plan may break something.",
-        "Leave ElbowPlanner as it is, let it finish each search, and run it in another place.",
+        "The planner was changed or skipped, or it didn't run all of its steps. On the robot, it spends its time "
+        "checking for collisions, and an unchecked plan may break something.",
+        "Don't change ElbowPlanner. Let it finish each search, but run it in another thread.",
     )
 
 
@@ -730,7 +734,9 @@ def inexact(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | None:
         return None
     first = off[0]
     assert first.of is not None
-    saw = f"a bend of {first.bend:.7f} rad for {first.name}, where the planner finds {planned(first.of):.7f} rad"
+    saw = (
+        f"a bend of {first.bend:.7f} rad for {first.name}, but the planner finds {planned(first.of):.7f} rad"
+    )
     expected = f"{EACH_RIGHT}, to {TOLERANCE_RAD:.6f} rad"
     rounded = rounded_to(made, asked)
     if rounded is not None:
@@ -738,25 +744,25 @@ def inexact(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | None:
             "plans-right.distance-rounded",
             saw,
             expected,
-            f"Each plan is right for the distance of its request rounded to {rounded}.",
-            "Give the request's data to the planner unchanged.",
+            f"Each plan is correct for its request's distance rounded to {rounded}.",
+            "Pass the request's data to the planner unchanged.",
         )
     if all(plan.bend == 0.0 and plan.of == max(asked) for plan in off):
         return see.failed(
             "plans-right.straight-by-hand",
             saw,
             expected,
-            "For a distance out of reach your program publishes 0.0 itself.",
-            "Give every request to the planner, and publish what plan() returns.",
+            "For a distance out of reach, your program publishes 0.0 itself.",
+            "Pass every request to the planner, and publish the value that plan() returns.",
         )
     if all(plan.of is not None and abs(plan.bend - bend_for(plan.of)) < TOLERANCE_RAD / 2.0 for plan in off):
         return see.failed(
             "plans-right.formula",
             saw,
             expected,
-            "It is closer to the exact angle than the planner gets in its twenty steps. So it was computed by a "
-            "formula, or with more steps than one search has.",
-            "Leave ElbowPlanner as it is, and publish what plan() returns.",
+            "The bend is closer to the exact angle than the planner gets in its twenty steps. So it was computed "
+            "by a formula, or with more steps than a search has.",
+            "Don't change ElbowPlanner, and publish the value that plan() returns.",
         )
     return cut_short(saw, expected)
 
@@ -768,7 +774,7 @@ def cut_short(saw: str, expected: str) -> Verdict:
         saw,
         expected,
         "The result was rounded, or the search was stopped before its last step.",
-        "Run all steps of one search (plan() does that), and publish what it returns, unchanged.",
+        "Run all steps of one search (plan() does that), and publish the returned value unchanged.",
     )
 
 
@@ -793,8 +799,8 @@ def not_told_apart(made: Sequence[Plan], asked: Sequence[float], expected: str) 
         "all-in-order.not-told-apart",
         f"{see.count(len(made), 'plan')} for {len(asked)} requests; at least one plan fits no request",
         expected,
-        "As long as plans fit no request, it is impossible to tell which request they answer.",
-        "First make sure that each plan is right.",
+        "The judge can't tell which request a plan belongs to if it fits none of them.",
+        "First, make sure that each plan is correct.",
     )
 
 
@@ -817,10 +823,10 @@ def missing_or_twice(
     if twice:
         return see.failed(
             "all-in-order.twice",
-            f"{len(made)} plans; more than were requested for {metres(twice)}",
+            f"{len(made)} plans, more than requested for {metres(twice)}",
             expected,
-            "The result is published in two places, or again later, or a request is planned twice.",
-            "Publish a plan once, where it is finished.",
+            "Two places publish the result, it's published again later, or a request is planned twice.",
+            "Publish a plan once, where its search finishes.",
         )
     return None
 
@@ -839,9 +845,9 @@ def why_missing(recording: Recording, made: Sequence[Plan], missing: list[float]
             "all-in-order.too-slow",
             f"{len(made)} plans in {WATCH_S:g} s, typically {apart:.1f} s apart",
             f"{expected} within {WATCH_S:g} s; a search takes {PLANNING_S} s",
-            "Your program waits between the steps of a search, or between two searches. Or it searches more than once "
+            "Your program waits between the steps of a search or between searches. Or it searches more than once "
             "for a request.",
-            "Begin the next step, or the next search, as soon as the one before is finished.",
+            "Begin the next step, or the next search, as soon as the previous one is finished.",
             about_time=True,
         )
     if len(order) > 1 and order == asked[: len(order)]:
@@ -854,9 +860,10 @@ def why_missing(recording: Recording, made: Sequence[Plan], missing: list[float]
             "all-in-order.missing",
             saw,
             expected,
-            "Requests that came while a plan was being computed are lost: refused, overwritten by newer ones, or "
-            "dropped from a queue that is too short.",
-            "Keep requests that must wait: in a queue.Queue, or in the subscription's own queue with a depth of 10.",
+            "Requests that arrive while a plan is being computed are lost: refused, overwritten by newer ones, or "
+            "dropped from a queue that's too short.",
+            "Keep the requests that must wait in a queue.Queue, or in the subscription's own queue with a depth of "
+            "10.",
         )
     )
 
@@ -869,7 +876,7 @@ def rest_s(recording: Recording) -> float:
 
 def nothing_more(recording: Recording, made: Sequence[Plan], saw: str, expected: str) -> Verdict:
     """The first requests are answered, and the last one or ones are not."""
-    saw = f"{saw}. Nothing came after plan number {len(made)}"
+    saw = f"{saw}. No plan followed after number {len(made)}"
     ended = see.program_ended(recording, saw, expected)
     if ended is not None:
         return ended
@@ -877,9 +884,9 @@ def nothing_more(recording: Recording, made: Sequence[Plan], saw: str, expected:
     if one_missing and made[0].after > 1.5 * PLANNING_S:
         return see.failed(
             "all-in-order.with-the-next",
-            f"{saw}; number 1 had come {made[0].after:.1f} s after its request",
+            f"{saw}; number 1 had arrived {made[0].after:.1f} s after its request",
             expected,
-            "A plan is published when the next one is finished, so the last one stays behind.",
+            "A plan is published only when the next one is finished, so the last one is never published.",
             "Publish each plan as soon as plan() has returned it.",
             about_time=True,
         )
@@ -888,18 +895,18 @@ def nothing_more(recording: Recording, made: Sequence[Plan], saw: str, expected:
             "all-in-order.last-missing",
             saw,
             expected,
-            "The last one that had to wait is lost: dropped from a queue that is too short, or refused because the "
-            "same distance was waiting. Or the planning has stopped.",
-            "Keep requests that must wait, each of them: in a queue.Queue, or in the subscription's own queue with a "
-            "depth of 10.",
+            "The last request that had to wait is lost: dropped from a queue that's too short, or refused because "
+            "the same distance was already waiting. Or the planning has stopped.",
+            "Keep each request that must wait, in a queue.Queue or in the subscription's own queue with a depth of "
+            "10.",
             about_time=True,
         )
     return see.failed(
         "all-in-order.stops-or-refuses",
         saw,
         expected,
-        "The planning has stopped: a loop has ended, an error has ended its thread, or a 'busy' flag was never reset. "
-        "Or requests that come soon after another one are refused.",
+        "The planning has stopped: a loop has ended, an error has ended its thread, or a 'busy' flag was never "
+        "reset. Or requests that arrive soon after another one are refused.",
         "Read the log. Let the planning wait for the next request for as long as the program runs.",
         about_time=True,
     )
@@ -912,9 +919,9 @@ def refused(asked: Sequence[float], missing: list[float], saw: str, expected: st
             "all-in-order.first-missing",
             saw,
             expected,
-            "The first request was not answered, though nothing else was being planned: it is treated as a test or a "
-            "start value.",
-            "Answer each request, also the first one.",
+            "The first request was not answered, although nothing else was being planned. Your code treats it as a "
+            "test or an initial value.",
+            "Answer each request, including the first one.",
         )
     if missing == [max(asked)]:
         return see.failed(
@@ -922,7 +929,8 @@ def refused(asked: Sequence[float], missing: list[float], saw: str, expected: st
             saw,
             expected,
             f"The arm cannot reach {metres(missing)}, and the request was not answered.",
-            "Give every request to the planner. For a distance out of reach it finds the straight arm.",
+            "Pass every request to the planner. For a distance out of reach, it returns the bend of the straight "
+            "arm.",
         )
     again = [one for one, times in Counter(asked).items() if times > 1]
     if missing in ([one for one, other in pairwise(asked) if one == other], again):
@@ -930,8 +938,7 @@ def refused(asked: Sequence[float], missing: list[float], saw: str, expected: st
             "all-in-order.asked-before",
             saw,
             expected,
-            "It was requested twice, but answered once. A distance that was requested before is still a new "
-            "request.",
+            "Your node skips a distance that was requested before. But a repeated distance is still a new request.",
             "Answer each request, no matter what was requested before.",
         )
     return None
@@ -946,9 +953,9 @@ def other_order(made: Sequence[Plan], asked: Sequence[float]) -> Verdict | None:
         "all-in-order.other-order",
         f"plans for {metres(order)}, in this order",
         f"the order of the requests: {metres(asked)}",
-        "Waiting requests are not taken in order (for example the newest or the nearest first), or several "
+        "Waiting requests aren't processed in order (for example, the newest or the nearest first), or several "
         "searches overtake each other.",
-        "First in, first out: queue.Queue does that, and so does a mutually exclusive group.",
+        "Process requests first in, first out: queue.Queue does that, and so does a mutually exclusive group.",
     )
 
 
@@ -960,16 +967,16 @@ def side_by_side(made: Sequence[Plan]) -> Verdict | None:
     if all(plan.apart > ALMOST_S for plan in made[1:]):
         return see.failed(
             "all-in-order.shorter-searches",
-            f"the plan for {close.name} {close.apart:.3f} s after the one before it",
-            f"a search of {PLANNING_S} s by ElbowPlanner, as it was given",
-            "Searches are a little shorter than the planner's: its steps or their time were changed.",
-            "Leave ElbowPlanner as it is, and run it in another place.",
+            f"the plan for {close.name} {close.apart:.3f} s after the previous plan",
+            f"a {PLANNING_S} s search by the unchanged ElbowPlanner",
+            "Your searches are a little shorter than the planner's: its steps or their duration were changed.",
+            "Don't change ElbowPlanner, but run it in another thread.",
         )
     return see.failed(
         "all-in-order.side-by-side",
-        f"the plan for {close.name} {close.apart:.2f} s after the one before it",
-        f"one search at a time, {PLANNING_S} s for each",
-        "Several searches run at the same time. There is only one collision checker, so requests must wait their "
+        f"the plan for {close.name} {close.apart:.2f} s after the previous plan",
+        f"one search at a time, {PLANNING_S} s each",
+        "Several searches run at the same time. There's only one collision checker, so requests must wait their "
         "turn.",
         "Let one worker, or one mutually exclusive group, plan for all requests.",
     )

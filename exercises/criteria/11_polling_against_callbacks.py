@@ -145,7 +145,7 @@ def once_in_order(recording: Recording) -> Verdict:
     expected = EACH_ONCE
     nothing = see.no_message(recording, SEEN)
     if nothing is not None:
-        try_this = "Publish in the callback of the subscription."
+        try_this = "Publish in the subscription's callback."
         return see.failed(nothing.cause, "no report at all", expected, nothing.because, try_this)
     numbers, sent = reported(recording), touches(recording).numbers
     strange = [number for number in numbers if number not in sent]
@@ -157,21 +157,24 @@ def once_in_order(recording: Recording) -> Verdict:
     if twice:
         return see.failed(
             "once-in-order.twice",
-            f"{see.count(len(twice), 'number')} reported more often than touches came with it: {some(twice)}",
+            f"{see.count(len(twice), 'number')} reported more often than it was published: {some(twice)}",
             expected,
-            "Two places report: the callback and a loop or timer that is still there, or two subscriptions. Or a "
-            "touch is reported again later, though nothing is new.",
-            "Keep one place that reports: the callback.",
+            "Two places report: the callback and a remaining loop or timer, or two subscriptions. Or your program "
+            "reports a touch again later, although there's no new one.",
+            "Report only in the callback.",
         )
     if early and {*range(len(sent))} <= {*places}:
-        saw = f"{early[0]} was reported before there was a touch of this number, besides the reports of all touches"
+        saw = (
+            f"{early[0]} was reported before there was a touch with this number, in addition to the reports of "
+            "all touches"
+        )
         return see.failed("once-in-order.besides-all", saw, expected, *A_NUMBER_OF_ITS_OWN)
     if early:
         return see.failed(
             "once-in-order.ahead",
-            f"{early[0]} was reported before there was a touch of this number",
+            f"{early[0]} was reported before there was a touch with this number",
             expected,
-            "The report names the touch that will come next, not the one that came.",
+            "Your program reports the next touch's number instead of the current one's.",
             "Report message.data in the callback.",
         )
     return other_order([place for place in places if place is not None], sent, expected) or see.passed(
@@ -182,7 +185,7 @@ def once_in_order(recording: Recording) -> Verdict:
 @criterion(points=2, title="Reports come within a few milliseconds", needs=[topics])
 def quick(recording: Recording) -> Verdict:
     expected = (
-        f"of the touches that come alone, three in four within {ALONE_MS:g} ms; of those that come together, half "
+        f"three in four of the touches that arrive alone within {ALONE_MS:g} ms; half of those that arrive together "
         f"within {TOGETHER_MS:g} ms"
     )
     alone, together = late_ms(recording, alone=True), late_ms(recording, alone=False)
@@ -192,20 +195,23 @@ def quick(recording: Recording) -> Verdict:
             "no report that could be timed",
             expected,
             "No touch was reported.",
-            "Publish message.data in the callback of the subscription.",
+            "Publish message.data in the subscription's callback.",
         )
     soon = sum(one <= ALONE_MS for one in alone)
     if soon < ALONE_SHARE * len(alone):
         typical = statistics.median(alone)
-        saw = f"{soon} of {len(alone)} that came alone within {ALONE_MS:g} ms; typically {typical:.0f} ms"
+        saw = (
+            f"{soon} of {len(alone)} touches that arrived alone within {ALONE_MS:g} ms; typically {typical:.0f} "
+            "ms"
+        )
         return why_late(recording, alone, saw, expected)
     half = statistics.median(together) if together else 0.0
     if half > TOGETHER_MS:
         return see.failed(
             "quick.cannot-keep-up",
-            f"of those that came together, half were later than {half:.0f} ms",
+            f"of the touches that arrived together, half were reported later than {half:.0f} ms",
             expected,
-            "Touches wait in a queue, and your program takes them out too slowly.",
+            "Touches wait in a queue, because your program takes them out too slowly.",
             REPORT_IN_THE_CALLBACK,
             about_time=True,
         )
@@ -221,15 +227,16 @@ def easy_on_processor(recording: Recording) -> Verdict:
     share = see.processor_share(recording, begin, end)
     if share is None or share <= PROCESSOR_SHARE:
         return see.passed("hardly any processor time" if share is None else f"{share:.0%} of a processor")
-    expected = f"less than {PROCESSOR_SHARE:.0%}: while no touch comes, there is nothing to do"
-    saw = f"{share:.1%} of a processor while no touch came"
+    expected = f"less than {PROCESSOR_SHARE:.0%}: without touches, there is nothing to do"
+    saw = f"{share:.1%} of a processor while there was no touch"
     if share < NEVER_WAITS_SHARE < share + recording.in_line_s / recording.simulated_s:
         return see.failed(
             "easy-on-processor.wants-more",
-            f"{saw}. It was ready to use more, and waited for a busy processor for {recording.in_line_s:.1f} s in all",
+            f"{saw}. Your program was ready to use more, but waited for a busy processor for "
+            f"{recording.in_line_s:.1f} s in all",
             expected,
-            "A loop never waits: while True without a sleep, or spin_once with timeout_sec=0. Or a timer or a sleep is "
-            "very short. The machine was too busy to see which.",
+            "A loop never waits: while True without a sleep, or spin_once with timeout_sec=0. Or a timer or a "
+            "sleep is very short. The machine was too busy for the judge to see which.",
             "Remove that loop or timer, and let rclpy.spin(node) wait for the next touch.",
         )
     if share < NEVER_WAITS_SHARE:
@@ -237,8 +244,8 @@ def easy_on_processor(recording: Recording) -> Verdict:
             "easy-on-processor.wakes-too-often",
             saw,
             expected,
-            "The program wakes up many hundred times a second: by a timer with a very short period, or a loop "
-            "with a very short sleep. Or it computes something now and then, though no touch comes.",
+            "Your program wakes up many hundred times per second. A timer has a very short period, or a loop has a "
+            "very short sleep. Or it sometimes computes something although there's no touch.",
             "Remove that timer or loop, and let rclpy.spin(node) wait for the next touch.",
         )
     return see.failed(
@@ -246,7 +253,7 @@ def easy_on_processor(recording: Recording) -> Verdict:
         saw,
         expected,
         "A loop never waits: while True without a sleep, or spin_once with timeout_sec=0.",
-        "Let rclpy.spin(node) wait. The operating system wakes it when there is something to do.",
+        "Let rclpy.spin(node) wait. The operating system wakes it up when a callback is ready.",
     )
 
 
@@ -337,35 +344,35 @@ def some(numbers: list[int]) -> str:
 def no_report(recording: Recording, nothing: Verdict) -> Verdict:
     """Not one report arrived, for the reason of `nothing` where an error is to blame."""
     sent = len(touches(recording).numbers)
-    saw, expected = f"not one report for {sent} touches", f"all {sent} of them on {SEEN.name}"
-    try_this = "Spin the node, and publish in the callback of the subscription."
+    saw, expected = f"no report for {sent} touches", f"all {sent} of them on {SEEN.name}"
+    try_this = "Spin the node, and publish in the subscription's callback."
     if "Error" in nothing.saw:
         return see.failed(nothing.cause, saw, expected, nothing.because, try_this)
     return see.asks_for_other_qos(recording, TOUCH, saw, expected) or see.failed(
         "none-missed.no-report",
         saw,
         expected,
-        "The callback is never called, or it does not publish.",
+        "The callback never runs, or it doesn't publish.",
         try_this,
     )
 
 
 REPORT_IN_THE_CALLBACK = (
-    "Report in the callback of the subscription, keep it short, and let rclpy.spin wait for the next touch."
+    "Report in the subscription's callback, keep it short, and let rclpy.spin wait for the next touch."
 )
 EACH_ONCE = "each number once, in the order of the touches"
 NOT_WHAT_THE_MESSAGE_SAYS = (
-    "Your program reports something other than the number in the message: its own counter, a start value, or a number "
-    "that it computes.",
+    "Your program reports something other than the number in the message: its own counter, an initial value, or a "
+    "computed number.",
     "Report message.data.",
 )
 A_NUMBER_OF_ITS_OWN = (
-    "Besides the touches your program reports a number of its own. It does so at the start, in a pause, after a burst, "
-    "or when the skin begins again.",
-    "Report the touches that came, and nothing else.",
+    "Your program also reports a number that isn't a touch: at the start, in a pause, after a burst, or when the "
+    "skin restarts.",
+    "Report only the touches that arrive.",
 )
 IN_ONE_BYTE = (
-    "The number is stored in one byte: after 255 it starts again at 0.",
+    "The number is stored in one byte, so it wraps to 0 after 255.",
     "Report message.data unchanged.",
 )
 
@@ -379,13 +386,13 @@ def no_such_touch(strange: list[int], numbers: list[int], sent: list[int], expec
             "once-in-order.gap-filled",
             f"{saw}; {see.count(len(strange), 'such report')} in all",
             expected,
-            "Skipped numbers are reported as well.",
-            "Report the touches that came, and nothing else.",
+            "Your program also reports the skipped numbers.",
+            "Report only the touches that arrive.",
         )
     if set(numbers).issuperset(sent):
         return see.failed(
             "once-in-order.something-else",
-            f"{saw}; {see.count(len(strange), 'such report')} in all, besides those of all touches",
+            f"{saw}; {see.count(len(strange), 'such report')} in all, in addition to those of all touches",
             expected,
             *A_NUMBER_OF_ITS_OWN,
         )
@@ -399,22 +406,22 @@ def other_order(places: list[int], sent: list[int], expected: str) -> Verdict | 
     back = [(a, b) for a, b in pairwise(places) if b < a and sent[a] != sent[b]]
     if not back:
         return None
-    saw = f"touch {sent[back[0][1]]} was reported after {sent[back[0][0]]}, which came later"
+    saw = f"touch {sent[back[0][1]]} was reported after {sent[back[0][0]]}, which arrived later"
     if all(sent[b] > sent[a] for a, b in back):
         return see.failed(
             "once-in-order.sorted",
             saw,
             expected,
-            "Touches that came together are reported by their numbers, the smallest first. But the skin had begun "
-            "again at 1 between them.",
-            "Report in the callback, one touch after another, as they come.",
+            "Your program sorts touches that arrive together by their numbers. But the skin had restarted at 1 "
+            "between them.",
+            "Report in the callback, one touch after another, in the order of arrival.",
         )
     return see.failed(
         "once-in-order.other-order",
         saw,
         expected,
-        "The newest touch is reported first (pop() takes from the end of a list), or touches are kept in a set. Or "
-        "several threads report at once.",
+        "Your program reports the newest touch first (pop() takes the end of a list), or it keeps touches in a "
+        "set. Or several threads report at the same time.",
         "Report in the callback, one touch after another, in one thread.",
     )
 
@@ -434,16 +441,17 @@ def why_late(recording: Recording, alone: Sequence[float], saw: str, expected: s
             "quick.with-the-next",
             saw,
             expected,
-            f"The next touch comes {1000.0 * sent.apart_s:.0f} ms later: a touch is reported when the next one comes.",
+            f"The next touch arrives {1000.0 * sent.apart_s:.0f} ms later, so your program reports a touch only "
+            "when the next one arrives.",
             REPORT_IN_THE_CALLBACK,
             about_time=True,
         )
     if close >= MOSTLY * len(at):
         return see.failed(
             "quick.collected",
-            f"{saw}; reports of touches that came alone went out together",
+            f"{saw}; touches that arrived alone were reported together",
             expected,
-            "Touches are collected until there are enough of them, or until a loop or timer looks at them.",
+            "Your program collects touches until there are enough of them, or until a loop or timer checks them.",
             REPORT_IN_THE_CALLBACK,
             about_time=True,
         )
@@ -460,8 +468,8 @@ def why_each_late(recording: Recording, alone: Sequence[float], saw: str, expect
             "quick.held-back",
             saw,
             expected,
-            "All are late by the same time: something slow runs before publish(), such as a sleep, or a timer "
-            "publishes later.",
+            "All reports are late by the same time. Something slow runs before publish(), such as a sleep, or a "
+            "timer publishes later.",
             REPORT_IN_THE_CALLBACK,
             about_time=True,
         )
@@ -470,8 +478,8 @@ def why_each_late(recording: Recording, alone: Sequence[float], saw: str, expect
             "quick.polls",
             saw,
             expected,
-            "A touch waits until a loop or timer polls: on average for half of its period. A queue that is emptied at "
-            "each poll loses nothing, but is just as late. Or something slow runs before publish().",
+            "A touch waits until a loop or timer polls: half a period on average. A queue that's emptied at each "
+            "poll loses no touches, but the delay is the same. Or something slow runs before publish().",
             REPORT_IN_THE_CALLBACK,
             about_time=True,
         )
@@ -479,7 +487,7 @@ def why_each_late(recording: Recording, alone: Sequence[float], saw: str, expect
         "quick.falls-behind",
         saw,
         expected,
-        "Touches wait in a queue, and your program takes them out too slowly.",
+        "Touches wait in a queue, because your program takes them out too slowly.",
         REPORT_IN_THE_CALLBACK,
         about_time=True,
     )
@@ -503,7 +511,7 @@ def why_missed(recording: Recording, missed: list[int]) -> Verdict:
     touch = touches(recording)
     sent = touch.numbers
     saw = f"{len(missed)} of {len(sent)} touches missed: {some([sent[place] for place in missed])}"
-    expected = f"each of the {len(sent)} touches reported"
+    expected = f"a report for each of the {len(sent)} touches"
     numbers = reported(recording)
     strange = [number for number in numbers if number not in sent]
     if strange:
@@ -519,16 +527,16 @@ def why_missed(recording: Recording, missed: list[int]) -> Verdict:
     if late_ms > TOO_LATE_MS:
         return see.failed(
             "none-missed.cannot-keep-up",
-            f"{saw} (and the others came {late_ms:.0f} ms late)",
+            f"{saw} (and the others were reported {late_ms:.0f} ms late)",
             expected,
-            "Touches wait in a queue, and your program takes them out too slowly. The callback takes long, or a "
-            "loop sleeps and calls spin_once, which handles one message. A full queue drops touches.",
-            "Keep the callback short, and let rclpy.spin call it as often as there is something to do.",
+            "Touches wait in a queue, because your program takes them out too slowly. The callback is slow, or a "
+            "loop sleeps between calls to spin_once, which handles one message each. A full queue drops touches.",
+            "Keep the callback short, and let rclpy.spin call it for every message.",
             about_time=True,
         )
     place = missed[0]
     if missed == [*range(place, len(sent))]:
-        after = f"nothing after touch {sent[place - 1]}" if place > 0 else "not one report"
+        after = f"nothing after touch {sent[place - 1]}" if place > 0 else "no report"
         error = see.ended_by_error(recording, f"{after}: {len(missed)} missed", expected)
         if error is not None:
             return error
@@ -545,15 +553,16 @@ def why_nothing_more(recording: Recording, nothing: str, expected: str) -> Verdi
             "none-missed.ended",
             f"{nothing}, because the program ended by itself",
             expected,
-            "It stops spinning: the spin has a time limit, or a loop ends when no touch comes for a while.",
-            "Let rclpy.spin(node) run until Ctrl-C, however long no touch comes.",
+            "Your program stops spinning: the spin has a time limit, or a loop ends when there's no touch for a "
+            "while.",
+            "Let rclpy.spin(node) run until Ctrl-C, no matter how long the pauses between touches are.",
         )
     return see.failed(
         "none-missed.stops",
         nothing,
         expected,
         "Something has stopped: an exception in the callback, a loop or thread that ended (in a pause without "
-        "touches?), or the spin of the node. Or a counter allows only so many reports.",
+        "touches?), or the spin of the node. Or a counter limits the number of reports.",
         "Read the log, and let rclpy.spin(node) run until Ctrl-C.",
     )
 
@@ -565,23 +574,25 @@ def first_or_last(touch: Touches, missed: list[int], saw: str, expected: str) ->
             "none-missed.the-first",
             saw,
             expected,
-            "Only the first touch is missing: it is treated as a test, or as a start value to compare with.",
-            "Report every touch, the first one as well.",
+            "Only the first touch is missing. Your program treats it as a test, or as an initial value to compare "
+            "with.",
+            "Report every touch, including the first one.",
         )
     if missed == [touch.after_the_pause]:
         return see.failed(
             "none-missed.after-the-pause",
             f"{saw}, the first one after three seconds without touches",
             expected,
-            "After a pause, the next touch is not reported: it only wakes something up, or is taken for a start value.",
-            "Report every touch, no matter how long none had come.",
+            "After a pause, your program doesn't report the next touch. The touch only wakes something up, or your "
+            "program treats it as an initial value.",
+            "Report every touch, no matter how long the pause before it was.",
         )
     if missed == [len(touch.numbers) - 1]:
         return see.failed(
             "none-missed.the-last",
             saw,
             expected,
-            "Only the last touch is missing: a touch is reported when the next one comes.",
+            "Only the last touch is missing, because your program reports a touch only when the next one arrives.",
             "Report each touch in the callback that receives it.",
         )
     return of_a_kind(touch, missed, saw, expected)
@@ -592,9 +603,9 @@ def of_a_kind(touch: Touches, missed: list[int], saw: str, expected: str) -> Ver
     if missed == [*range(min(touch.restarts, default=0), len(touch.numbers))]:
         return see.failed(
             "none-missed.smaller-numbers",
-            f"{saw}: nothing after the skin began again at 1",
+            f"{saw}: nothing after the skin restarted at 1",
             expected,
-            "Your program treats a number smaller than the one before as old.",
+            "Your program treats a number that's smaller than the previous one as old.",
             "Report each touch, no matter what its number is.",
         )
     if len(missed) > 1 and missed == [place for place, number in enumerate(touch.numbers) if number > 60]:
@@ -602,7 +613,7 @@ def of_a_kind(touch: Touches, missed: list[int], saw: str, expected: str) -> Ver
             "none-missed.greater-numbers",
             saw,
             expected,
-            "Only small numbers are reported. A touch may have any number.",
+            "Your program reports only small numbers. But a touch may have any number.",
             "Report each touch, no matter what its number is.",
         )
     return None
@@ -614,9 +625,10 @@ def numbers_taken_amiss(touch: Touches, missed: set[int], saw: str, expected: st
     if touch.twice in missed and missed <= touch.known:
         return see.failed(
             "none-missed.number-known",
-            f"{saw}, where a number came again after the skin had begun again at 1",
+            f"{saw}, where a number was repeated after the skin had restarted at 1",
             expected,
-            "Your program drops a touch as a duplicate when its number came before, or is the same as the last one.",
+            "Your program drops a touch as a duplicate if its number has occurred before, or is equal to the "
+            "previous one.",
             report_each,
         )
     if missed & touch.after_skips and missed <= touch.after_skips | touch.restarts:
@@ -624,15 +636,16 @@ def numbers_taken_amiss(touch: Touches, missed: set[int], saw: str, expected: st
             "none-missed.after-a-gap",
             f"{saw}, where the skin had skipped a number",
             expected,
-            "A touch is treated as an error when its number is not one more than the number before.",
+            "Your program treats a touch as an error if its number isn't one more than the previous one.",
             report_each,
         )
     if min(touch.restarts, default=None) in missed and missed <= touch.restarts:
         return see.failed(
             "none-missed.at-the-restart",
-            f"{saw}, where the skin began again at 1",
+            f"{saw}, where the skin restarted at 1",
             expected,
-            "A touch is treated as old or as a start value when its number is smaller than the one before.",
+            "Your program treats a touch as old, or as an initial value, if its number is smaller than the "
+            "previous one.",
             report_each,
         )
     return None
@@ -645,10 +658,10 @@ def missed_now_and_then(touch: Touches, missed: list[int], saw: str, expected: s
         which = "it" if len(missed) == 1 else "all of them" if together == len(missed) else "most of them"
         return see.failed(
             "none-missed.came-together",
-            f"{saw}; {which} came together with others",
+            f"{saw}; {which} arrived together with others",
             expected,
-            "When several touches come at once, there is room for too few. A variable holds only the last "
-            "one, a queue has a small depth, or touches that follow another one too soon are skipped.",
+            "Your program can't store several touches that arrive at the same time. A variable holds only the last "
+            "one, a queue has a small depth, or the program skips touches that follow another one too soon.",
             "Report in the callback itself, and give the subscription a depth large enough for a burst.",
             about_time=True,
         )
@@ -656,7 +669,7 @@ def missed_now_and_then(touch: Touches, missed: list[int], saw: str, expected: s
         "none-missed.polls",
         saw,
         expected,
-        "Your program polls: it looks at the last touch now and then, and touches in between are lost.",
-        "Report each touch in the callback when it comes, and remove the loop that polls.",
+        "Your program polls: it checks the last touch from time to time, so touches in between are lost.",
+        "Report each touch in the callback when it arrives, and remove the polling loop.",
         about_time=True,
     )

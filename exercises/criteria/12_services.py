@@ -101,9 +101,9 @@ def alive_at_end(recording: Recording) -> Verdict:
             "alive-at-end.result-of-none",
             verdict.saw,
             verdict.expected,
-            "A call without an answer has no response: future.result() is None, and call() returns None when its "
-            "time is up.",
-            f'Say "{NO_ANSWER}" where the response is None, and read its field success only where it is not.',
+            "Without a response, there is no result: future.result() is None, and call() returns None after its "
+            "timeout.",
+            f'Publish "{NO_ANSWER}" if the response is None. Read its field success only if it isn\'t.',
         )
     last = max(asked(recording), key=lambda call: call.t, default=None)
     if last is not None and last.answered_t is not None:
@@ -114,8 +114,8 @@ def alive_at_end(recording: Recording) -> Verdict:
         "alive-at-end.result-too-early",
         verdict.saw,
         verdict.expected,
-        "call_async() returns at once, before the answer is there. Until then future.result() is None.",
-        "Look at the result in a done callback: future.add_done_callback(self.on_answer).",
+        "call_async() returns right away, before the response arrives. Until then, future.result() is None.",
+        "Read the result in a done callback: future.add_done_callback(self.on_answer).",
     )
 
 
@@ -180,7 +180,7 @@ def results_told(recording: Recording) -> Verdict:
     late = told_late(fitting)
     if len(late) > 1:
         return why_late(recording, late, len(fitting))
-    return see.passed(f"{len(fitting)} answers told")
+    return see.passed(f"{len(fitting)} responses reported")
 
 
 @criterion(
@@ -199,7 +199,7 @@ def unanswered_told(recording: Recording) -> Verdict:
     if len(in_vain) == 1 and any(given_up_a_moment_early(recording, one) for one in answers_in(recording)):
         in_vain = []  # a very busy machine
     if not in_vain:
-        return see.passed(f'"{NO_ANSWER}" for each call without an answer, and no false alarm')
+        return see.passed(f'"{NO_ANSWER}" for each call without a response, and no false alarm')
     return why_given_up(recording, in_vain)
 
 
@@ -218,9 +218,10 @@ def heartbeat_steady(recording: Recording) -> Verdict:
     if not SHORTEST_BEAT_S <= typical <= LONGEST_BEAT_S:
         return see.failed(
             "heartbeat-steady.other-period",
-            "one single beat" if beats.count == 1 else f"typically a beat every {typical:.2g} s",
+            "only one beat" if beats.count == 1 else f"typically a beat every {typical:.2g} s",
             FIVE_HERTZ,
-            "The timer has a different period, or a loop sleeps for a full period and adds the time of its work.",
+            "The timer has a different period. Or a loop sleeps for a full period, and the time for its work is "
+            "added.",
             "5 Hz is a period of 0.2 s: create_timer(0.2, self.beat), with one publish() in it.",
             about_time=True,
         )
@@ -233,10 +234,10 @@ def waited_in_vain(verdict: Verdict, lag: float) -> Verdict:
     """The program ended because a result was None, `lag` seconds after the answer to its last call had come."""
     return see.failed(
         "alive-at-end.waited-in-vain",
-        f"{verdict.saw}; the answer to the last call had come {lag:.1f} s earlier",
+        f"{verdict.saw}; the response to the last call had arrived {lag:.1f} s earlier",
         verdict.expected,
-        "A callback waited for this answer, or spun the node inside, until its time was up. The answer can be handled "
-        "only after the callback has returned. So future.result() was still None.",
+        "A callback waited for this response, or spun the node itself, until its timeout. But rclpy can handle the "
+        "response only after the callback has returned, so future.result() was still None.",
         "Send the request with call_async(), add a done callback, and return. Do not wait or spin in a callback.",
     )
 
@@ -257,14 +258,14 @@ def why_few_calls(recording: Recording, calls: list[CallSeen]) -> Verdict:
     """Why so few calls came."""
     last = calls[-1]
     expected = f"a call every second, so {LEAST_CALLS} or more in {WATCH_S:.0f} s"
-    how_many = "one single call" if len(calls) == 1 else f"{len(calls)} calls"
+    how_many = "only one call" if len(calls) == 1 else f"{len(calls)} calls"
     if recording.process.ended_by == "itself":
         return see.failed(
             "calls-arrive.ended",
-            f"{how_many}, and then the program ended",
+            f"{how_many} before the program ended",
             expected,
             "A program that has ended sends no more requests.",
-            "First find out why it ended.",
+            "First, find out why it ended.",
         )
     blamed = see.failed_by_error(recording, how_many, expected)
     if blamed is not None:
@@ -275,8 +276,8 @@ def why_few_calls(recording: Recording, calls: list[CallSeen]) -> Verdict:
         "calls-arrive.too-few",
         f"{how_many} in {recording.simulated_s:.0f} s",
         expected,
-        "The timer that sends the requests is too slow, or something holds it up.",
-        "create_timer(1.0, self.ask), and let ask() return at once.",
+        "The timer that sends the requests is too slow, or something delays it.",
+        "Use create_timer(1.0, self.ask), and let ask() return right away.",
         about_time=True,
     )
 
@@ -288,21 +289,21 @@ def why_no_more(recording: Recording, last: CallSeen, how_many: str, expected: s
     if reported and is_alive(recording) and last is not asked(recording)[0]:
         return see.failed(
             "calls-arrive.stops",
-            f"{how_many}: the one at {last.t:.1f} s was answered at {answered_t:.1f} s and reported, and no call came "
-            "after it",
+            f"{how_many}: the call at {last.t:.1f} s was answered at {answered_t:.1f} s and reported, but no other "
+            "call followed",
             expected,
-            "The answer was handled, so nothing was waiting for it. The requests are counted, or their timer is "
-            "canceled, perhaps because of what the answer said.",
-            "Send a request on every tick of the timer, whatever the answers say.",
+            "The response was handled, so nothing is still waiting for it. The requests are limited in number, or "
+            "their timer is canceled, perhaps because of the response.",
+            "Send a request on every tick of the timer, no matter what the responses contain.",
         )
     if is_alive(recording):
         return see.failed(
             "calls-arrive.asks-no-more",
-            f"{how_many}, the last one at {last.t:.1f} s; it was answered at {answered_t:.1f} s",
+            f"{how_many}, the last one at {last.t:.1f} s, answered at {answered_t:.1f} s",
             expected,
-            "It sends a request only once and not from a timer. Or the callback is still waiting for the answer, "
-            "because client and callback share a callback group.",
-            "Send the requests from a timer, do not wait in it, and read the answer in a done callback.",
+            "Your node sends a request only once and not from a timer. Or the callback is still waiting for the "
+            "response, because the client and the callback share a callback group.",
+            "Send the requests from a timer, don't wait in its callback, and read the response in a done callback.",
         )
     return why_nothing_more(last.t, answered_t, reported, (how_many, expected))
 
@@ -313,21 +314,21 @@ def why_nothing_more(asked_t: float, answered_t: float, reported: bool, words: t
     if reported:
         return see.failed(
             "calls-arrive.lost-its-executor",
-            f"{how_many}: the one at {asked_t:.1f} s was answered at {answered_t:.1f} s and reported, and then your "
-            "node did nothing more",
+            f"{how_many}: the call at {asked_t:.1f} s was answered at {answered_t:.1f} s and reported, but then "
+            "your node did nothing more",
             expected,
-            "The callback got its answer, so it was not a deadlock. rclpy.spin_until_future_complete(node, "
+            "The callback received the response, so there was no deadlock. rclpy.spin_until_future_complete(node, "
             "future) in a callback takes the node away from its executor. After that, nothing spins the node.",
-            "Do not spin in a callback: call_async(), then add_done_callback(), and return.",
+            "Don't spin in a callback. Use call_async(), then add_done_callback(), and return.",
         )
     return see.failed(
         "calls-arrive.deadlock",
-        f"{how_many}: the one at {asked_t:.1f} s was answered at {answered_t:.1f} s, and then your node did nothing "
-        "more",
+        f"{how_many}: the call at {asked_t:.1f} s was answered at {answered_t:.1f} s, but then your node did "
+        "nothing more",
         expected,
-        "The callback that sends the request waits for the response. But the response can be handled only when "
-        "the thread and the callback group of the client are free. That is a deadlock.",
-        "Do not wait in the callback: call_async(), then add_done_callback(), and return.",
+        "The callback that sends the request waits for the response. But rclpy can handle the response only when "
+        "the client's callback group and a thread are free. That's a deadlock.",
+        "Don't wait in the callback. Use call_async(), then add_done_callback(), and return.",
     )
 
 
@@ -339,7 +340,7 @@ def is_alive(recording: Recording) -> bool:
 
 def why_a_pause(recording: Recording, longest: float, before: CallSeen) -> Verdict:
     """Why no call came for `longest` seconds, after the call `before`."""
-    saw = f"after the call at {before.t:.1f} s no call came for {longest:.1f} s"
+    saw = f"after the call at {before.t:.1f} s, there was no call for {longest:.1f} s"
     blamed = see.failed_by_error(recording, saw, ONCE_A_SECOND)
     if blamed is not None:
         return blamed
@@ -348,20 +349,20 @@ def why_a_pause(recording: Recording, longest: float, before: CallSeen) -> Verdi
     if before.response is None and to_the_end and earlier is not before:
         return see.failed(
             "asks-every-second.stops-at-a-later-one",
-            f"after the call at {before.t:.1f} s, which was never answered, no call came any more. After the one at "
-            f"{earlier.t:.1f} s, which was not answered either, calls had gone on",
+            f"there were no more calls after the one at {before.t:.1f} s, which got no response. But the calls "
+            f"continued after the one at {earlier.t:.1f} s, which got no response either",
             ONCE_A_SECOND,
-            "The requests stop after a number of calls, or after a number of calls without an answer.",
+            "The requests stop after some number of calls, or after some number of calls without a response.",
             "Send a request on every tick of the timer, without end.",
             about_time=True,
         )
     if before.response is None:
         return see.failed(
             "asks-every-second.waits-for-unanswered",
-            f"after the call at {before.t:.1f} s, which was never answered, no call came for {longest:.1f} s",
+            f"after the call at {before.t:.1f} s, which got no response, there was no call for {longest:.1f} s",
             ONCE_A_SECOND,
-            "After a call without an answer it sends no more requests, or skips more than one. It still waits for "
-            "an answer that will never come, or it pauses.",
+            "After a call without a response, your node sends no more requests, or skips more than one. It's still "
+            "waiting for a response that will never arrive, or it pauses.",
             "Give up an open call when the next one is due: remove_pending_request(future), then send the next "
             "request.",
             about_time=True,
@@ -375,21 +376,21 @@ def why_a_pause_after_an_answer(recording: Recording, longest: float, before: Ca
     if gave_up:
         return see.failed(
             "asks-every-second.stops-after-no-answer",
-            f'{saw}; in between your node had said "{NO_ANSWER}", at {gave_up[0]:.1f} s',
+            f'{saw}; your node had published "{NO_ANSWER}" at {gave_up[0]:.1f} s',
             ONCE_A_SECOND,
-            "After giving up a call, it sends no more requests, or skips more than one. Or the requests are "
-            "counted, and this was the last one.",
-            "Forget the call that was given up, and send the next request when it is due.",
+            "After giving up on a call, your node sends no more requests, or skips more than one. Or the requests "
+            "are limited in number, and this was the last one.",
+            "Forget the abandoned call, and send the next request when it's due.",
             about_time=True,
         )
     if before.t + longest >= recording.simulated_s - EDGE_S:
         return see.failed(
             "asks-every-second.stops",
-            f"{len(asked(recording))} calls, the last one at {before.t:.1f} s, none until "
+            f"{len(asked(recording))} calls, the last one at {before.t:.1f} s, then none until "
             f"{recording.simulated_s:.1f} s",
             ONCE_A_SECOND,
-            "The requests stop, although the last call was answered: they are counted, the timer is canceled, or "
-            "the callback that sends them does not return.",
+            "The requests stop, although the last call was answered. They are limited in number, the timer is "
+            "canceled, or the callback that sends them doesn't return.",
             "Send a request on every tick of the timer, without end.",
             about_time=True,
         )
@@ -397,8 +398,8 @@ def why_a_pause_after_an_answer(recording: Recording, longest: float, before: Ca
         "asks-every-second.pause",
         saw,
         ONCE_A_SECOND,
-        "Something holds up the timer that sends the requests.",
-        "Let the method that sends the request return at once.",
+        "Something delays the timer that sends the requests.",
+        "Let the method that sends the request return right away.",
         about_time=True,
     )
 
@@ -412,20 +413,20 @@ def why_seldom(recording: Recording, typical: float, long: list[tuple[float, Cal
     if stops_during_a_call(recording) is not None:
         return see.failed(
             "asks-every-second.waits-in-callback",
-            f"{saw}; while a call is open, the heart stops too",
+            f"{saw}; while a call is open, the heartbeat stops, too",
             ONCE_A_SECOND,
-            "The callback that sends the request waits for the answer, longer than the period of its timer. While "
-            "it waits, no other callback runs: neither the heartbeat nor the one that handles the answer.",
+            "The callback that sends the request waits for the response for longer than its timer's period. While "
+            "it waits, no other callback runs: neither the heartbeat's nor the one that handles the response.",
             "Send the request with call_async(), add a done callback, and return. Do not spin or sleep in a callback.",
             about_time=True,
         )
     if after_slow and len(after_slow) == len(long):
         return see.failed(
             "asks-every-second.waits-for-answer",
-            f"{saw}; {long[0][0]:.1f} s after the call at {long[0][1].t:.1f} s, whose answer was slow",
+            f"{saw}; {long[0][0]:.1f} s after the call at {long[0][1].t:.1f} s, whose response was slow",
             ONCE_A_SECOND,
-            "The next request waits for the answer to the last one, and then for one more second.",
-            "create_timer(1.0, self.ask), and let ask() return at once.",
+            "The next request waits for the response to the last one, and then for one more second.",
+            "Use create_timer(1.0, self.ask), and let ask() return right away.",
             about_time=True,
         )
     return see.failed(
@@ -434,8 +435,8 @@ def why_seldom(recording: Recording, typical: float, long: list[tuple[float, Cal
         if typical > LONGEST_PERIOD_S
         else f"{len(long)} pauses of {min(p for p, _ in long):.1f} s or longer",
         ONCE_A_SECOND,
-        "The period of the timer that sends the requests is too long, or something holds it up again and again.",
-        "create_timer(1.0, self.ask), and let ask() return at once.",
+        "The timer that sends the requests has too long a period, or something delays it again and again.",
+        "Use create_timer(1.0, self.ask), and let ask() return right away.",
         about_time=True,
     )
 
@@ -451,7 +452,7 @@ def why_too_often(recording: Recording, calls: list[CallSeen], typical: float) -
             f"{how_many}, {together} at a time",
             ONCE_A_SECOND,
             "Several requests are sent at the same moment: by two timers, by two clients, or twice in one callback.",
-            "Keep one client, one timer of 1.0 s, and one call_async() in its callback.",
+            "Keep one client, one 1.0 s timer, and one call_async() in its callback.",
         )
     saw = f"{how_many}, typically {typical:.2g} s apart"
     short = [(a, b) for a, b in pairwise(calls) if b.t - a.t < SHORTEST_PERIOD_S]
@@ -461,10 +462,10 @@ def why_too_often(recording: Recording, calls: list[CallSeen], typical: float) -
     if len(after_answers) > MOSTLY * len(short):
         return see.failed(
             "asks-every-second.asks-after-an-answer",
-            f"{saw}; {len(after_answers)} of them came at once after an answer",
+            f"{saw}; {len(after_answers)} of them followed a response immediately",
             ONCE_A_SECOND,
-            "An answer leads to the next call: what handles the answer sends a request, too.",
-            "Send requests only from a timer of 1.0 s, whatever an answer says.",
+            "Each response triggers another call: the code that handles the response sends a request, too.",
+            "Send requests only from a 1.0 s timer, no matter what a response contains.",
         )
     return why_a_short_period(calls, typical, saw)
 
@@ -488,16 +489,17 @@ def why_a_short_period(calls: list[CallSeen], typical: float, saw: str) -> Verdi
             "asks-every-second.short-period",
             saw,
             ONCE_A_SECOND,
-            "Calls come evenly, and too often: the timer that sends the requests has too short a period.",
+            "The calls are evenly spaced but too frequent: the timer that sends the requests has too short a "
+            "period.",
             "Give it a period of one second: create_timer(1.0, self.ask).",
         )
     return see.failed(
         "asks-every-second.too-often",
         saw,
         ONCE_A_SECOND,
-        "The wrong timer sends the requests, or a waiting call is repeated. A robot that is asked too often "
-        "does nothing else.",
-        "Use one timer of 1.0 s for the requests, and another one for the heartbeat.",
+        "The wrong timer sends the requests, or a call that's still waiting is repeated. A robot that is called "
+        "too often does nothing else.",
+        "Use a 1.0 s timer for the requests, and another timer for the heartbeat.",
     )
 
 
@@ -509,9 +511,9 @@ def why_calls_between(calls: list[CallSeen]) -> Verdict:
         f"{len(calls)} calls from {calls[0].t:.1f} s to {calls[-1].t:.1f} s: for example, one at {before.t:.1f} s and "
         f"the next {1000.0 * pause:.0f} ms later",
         ONCE_A_SECOND,
-        "Besides the call of each second there are others. A call is repeated when it got no answer, several are "
-        "sent at the start, or two places send requests.",
-        "Send requests in one place only, from a timer of 1.0 s. After a call without an answer, wait for its next "
+        "There are extra calls in addition to one per second. Your node repeats a call that got no response, sends "
+        "several at the start, or sends requests from two places.",
+        "Send requests in one place only, from a 1.0 s timer. After a call without a response, wait for the next "
         "tick.",
     )
 
@@ -519,7 +521,7 @@ def why_calls_between(calls: list[CallSeen]) -> Verdict:
 # --- the answers, and what the program said of them ---------------------------------------------------------
 
 EACH_ANSWER_ONCE = (
-    f'"ok" or "faulty", as the response says, once, at most {TOLD_WITHIN_S} s after each answer'
+    f'"ok" or "faulty", according to the response, once, at most {TOLD_WITHIN_S} s after each response'
 )
 Report = tuple[float, str]
 
@@ -604,27 +606,28 @@ def why_late(recording: Recording, late: list[tuple[Answer, float]], told_in_all
     """Why answers were reported late, each by so much (s)."""
     answer, delay = late[0]
     saw = (
-        f"{len(late)} of {told_in_all} answers were reported late: for example, the answer that came at "
-        f"{answer.at:.1f} s was reported {delay:.1f} s later"
+        f"{len(late)} of {told_in_all} responses were reported late: for example, the response at {answer.at:.1f} s "
+        f"was reported {delay:.1f} s later"
     )
     given_up_at = [t for t, _ in told(recording, NO_ANSWER)]
     if all(any(abs(one.at + wait - t) <= EARLY_S for t in given_up_at) for one, wait in late):
         return see.failed(
             "results-told.waits-for-earlier-call",
-            f'{saw}, just when an earlier call was reported with "{NO_ANSWER}"',
+            f'{saw}, just when "{NO_ANSWER}" was reported for an earlier call',
             EACH_ANSWER_ONCE,
-            "The reports are kept in the order of the calls: an answer waits until all earlier calls are settled.",
-            "Report each answer when it comes, whatever happens to other calls.",
+            "Your node reports in the order of the calls, so a response waits until all earlier calls are settled.",
+            "Report each response when it arrives, whatever happens to other calls.",
             about_time=True,
         )
     moments = [call.t for call in asked(recording)]
     if not all(any(abs(one.at + wait - t) <= SLACK_S for t in moments) for one, wait in late):
         return see.failed(
             "results-told.delayed",
-            f"{saw}, not just when a request was sent",
+            f"{saw}, and not at the moment of a request",
             EACH_ANSWER_ONCE,
-            "Something waits between the answer and its report: a timer, a sleep, or a check that comes too seldom.",
-            "Publish at once in a done callback: future.add_done_callback(self.on_answer).",
+            "Something waits between the response and its report: a timer, a sleep, or a check that runs too "
+            "rarely.",
+            "Publish right away in a done callback: future.add_done_callback(self.on_answer).",
             about_time=True,
         )
     return see.failed(
@@ -632,7 +635,7 @@ def why_late(recording: Recording, late: list[tuple[Answer, float]], told_in_all
         saw,
         EACH_ANSWER_ONCE,
         "The result is read only when the next request is sent, so each report belongs to an earlier call.",
-        "Read the answer in a done callback: future.add_done_callback(self.on_answer).",
+        "Read the response in a done callback: future.add_done_callback(self.on_answer).",
         about_time=True,
     )
 
@@ -664,11 +667,11 @@ def other_order(answers: list[Answer], words: list[Report]) -> Verdict:
     """The results do not match the answers, and none of the causes that we know explains it."""
     return see.failed(
         "results-told.other-order",
-        f"{len(answers)} answers came, but the {len(words)} results on {HEALTH.name} do not match them, or "
+        f"there were {len(answers)} responses, but the {len(words)} results on {HEALTH.name} don't match them, or "
         "are in another order",
         EACH_ANSWER_ONCE,
         "The reported result belongs to another call.",
-        "In the done callback, use the future that was passed to it, and no other.",
+        "In the done callback, use only the future that is passed to it.",
     )
 
 
@@ -688,10 +691,11 @@ def why_collected(answers: list[Answer], words: list[Report]) -> Verdict | None:
     return see.failed(
         "results-told.collected",
         f"{len(together[0])} results at {together[0][0][0]:.1f} s, and {len(together[1])} at "
-        f"{together[1][0][0]:.1f} s. The answers had come one by one",
+        f"{together[1][0][0]:.1f} s. The responses had arrived one by one",
         EACH_ANSWER_ONCE,
-        "Answers are collected, and reported together later: by a timer, or when there are enough of them.",
-        "Publish at once in a done callback: future.add_done_callback(self.on_answer).",
+        "Your node collects responses and reports them together later: from a timer, or when there are enough of "
+        "them.",
+        "Publish right away in a done callback: future.add_done_callback(self.on_answer).",
         about_time=True,
     )
 
@@ -707,12 +711,12 @@ def why_early_for_an_answer(recording: Recording, answers: list[Answer]) -> Verd
         if too_soon and not answer.may_be_missing:
             return see.failed(
                 "results-told.given-up-early",
-                f"the call at {answer.call.t:.1f} s was answered with {answer.response} after "
-                f'{answer.at - answer.call.t:.1f} s, and your node had said "{NO_ANSWER}" after '
+                f"the call at {answer.call.t:.1f} s got the response {answer.response} after "
+                f'{answer.at - answer.call.t:.1f} s, but your node had published "{NO_ANSWER}" after '
                 f"{too_soon[0] - answer.call.t:.1f} s",
                 EACH_ANSWER_ONCE,
-                f"It gave up too early: an answer may take {MAY_TAKE_S} s.",
-                "Give up on a call when the next one is due, and no earlier.",
+                f"Your node gave up too early: a response may take {MAY_TAKE_S} s.",
+                "Give up on a call when the next one is due, not earlier.",
                 about_time=True,
             )
     return None
@@ -726,14 +730,17 @@ def why_no_more_told(recording: Recording, answers: list[Answer], words: list[Re
     before = [t for t, _ in words if missing and t < missing[0].at]
     if not before or len(before) < len(words) or given_up(recording, missing[0].call):
         return None
-    saw = f"the last report of an answer came at {before[-1]:.1f} s; the answer at {missing[0].at:.1f} s had none"
+    saw = (
+        f"the last report of a response was at {before[-1]:.1f} s; the response at {missing[0].at:.1f} s was "
+        "not reported"
+    )
     return see.failed_by_error(recording, saw, EACH_ANSWER_ONCE) or see.failed(
         "results-told.stops",
-        f"{saw}, nor any after it",
+        f"{saw}, nor was any later one",
         EACH_ANSWER_ONCE,
-        "The reports stop while answers still come: they are counted, or the code that handles the answers has "
-        "stopped.",
-        "Report each answer, without end.",
+        "The reports stop although responses still arrive. They are limited in number, or the code that handles "
+        "the responses has stopped.",
+        "Report every response until Ctrl-C.",
     )
 
 
@@ -759,12 +766,12 @@ def why_changes_only(recording: Recording, answers: list[Answer], words: list[Re
     one, before = repeated[0]
     return see.failed(
         "results-told.changes-only",
-        f'the answer at {one.at:.1f} s was "{one.word}", like the one at {before.at:.1f} s, and was not reported. All '
-        "answers that differed from the one before were reported",
+        f'the response at {one.at:.1f} s meant "{one.word}", like the one at {before.at:.1f} s, and was not '
+        "reported. All responses that differed from the previous one were reported",
         EACH_ANSWER_ONCE,
-        "Your node reports a result only when it differs from the last one. The control room then cannot see "
-        "whether the robot is still tested.",
-        "Publish for each answer, even when it says the same again.",
+        "Your node reports a result only when it differs from the last one. So the control room can't see whether "
+        "the robot is still being tested.",
+        "Publish for each response, even if the result is the same as before.",
     )
 
 
@@ -784,11 +791,11 @@ def why_one_left_out_after_no_answer(
         return None
     return see.failed(
         "results-told.none-after-no-answer",
-        f'{len(missing)} answers were not reported, each the first one after a "{NO_ANSWER}": for example, the one at '
-        f"{missing[0].at:.1f} s. All others were reported",
+        f'{len(missing)} responses were not reported, each the first one after a "{NO_ANSWER}": for example, the '
+        f"one at {missing[0].at:.1f} s. All others were reported",
         EACH_ANSWER_ONCE,
-        "When a call was given up, your code leaves out the next answer, as if it belonged to that call.",
-        "Forget the call that was given up with remove_pending_request(future). Then report each answer that comes.",
+        "After giving up on a call, your code skips the next response, as if it belonged to that call.",
+        "Forget the abandoned call with remove_pending_request(future). Then report each response that arrives.",
     )
 
 
@@ -804,11 +811,11 @@ def why_a_result_without_an_answer(
     call, (t, word) = about[0]
     return see.failed(
         "results-told.no-answer-came",
-        f'the call at {call.t:.1f} s got no answer, and your node said "{word}" at {t:.1f} s',
-        f'"{NO_ANSWER}" for a call that got none; "ok" and "faulty" for answers only',
-        "A call without an answer is reported as if there had been one. Nothing has said whether the robot is "
-        "well.",
-        f'Where a call is given up, publish "{NO_ANSWER}".',
+        f'the call at {call.t:.1f} s got no response, but your node published "{word}" at {t:.1f} s',
+        f'"{NO_ANSWER}" for a call that got no response; "ok" and "faulty" only for responses',
+        "Your node reports a result for a call that got no response. But without a response, the robot's health is "
+        "unknown.",
+        f'When you give up on a call, publish "{NO_ANSWER}".',
     )
 
 
@@ -845,21 +852,21 @@ def why_extra(answers: list[Answer], words: list[Report]) -> Verdict | None:
         t, word = strange[0]
         return see.failed(
             "results-told.without-an-answer",
-            f'your node said "{word}" at {t:.1f} s, and no answer had said so in the {TOLD_WITHIN_S} s before. Each '
-            "answer was reported, too",
+            f'your node published "{word}" at {t:.1f} s, but no response in the {TOLD_WITHIN_S} s before meant '
+            "that. Each response was also reported",
             EACH_ANSWER_ONCE,
-            "A result is published where no answer has come: at the start, by a timer, or as a first guess.",
-            'Publish "ok" and "faulty" in one place only: where an answer comes in.',
+            "Your node publishes a result without a response: at the start, from a timer, or as a first guess.",
+            'Publish "ok" and "faulty" in one place only: where you handle a response.',
         )
     if len(left) != 1:
         return None
     t, word = left[0]
     return see.failed(
         "results-told.one-twice",
-        f'your node said "{word}" at {t:.1f} s once more: the answer of that moment had its report already',
+        f'your node published an extra "{word}" at {t:.1f} s, for a response that it had already reported',
         EACH_ANSWER_ONCE,
-        "One answer is reported twice: two places publish it, or it is kept and reported again.",
-        "Publish in one place only: where the answer comes in.",
+        "One response is reported twice: two places publish it, or it is stored and reported again.",
+        "Publish in one place only: where you handle the response.",
     )
 
 
@@ -869,10 +876,10 @@ def why_too_many(answers: list[Answer], words: list[Report]) -> Verdict | None:
         return None
     return see.failed(
         "results-told.more-than-once",
-        f"{len(answers)} answers came, and your node reported {len(words)} results",
+        f"there were {len(answers)} responses, but your node reported {len(words)} results",
         EACH_ANSWER_ONCE,
-        "An answer is reported more than once: by two methods, or again and again until the next one comes.",
-        "Publish in one place only: where the answer comes in.",
+        "A response is reported more than once: by two methods, or again and again until the next one arrives.",
+        "Publish in one place only: where you handle the response.",
     )
 
 
@@ -888,24 +895,25 @@ def why_always_the_same(answers: list[Answer], words: list[Report]) -> Verdict |
     if not wrong or None in said:
         return None
     one, word = wrong[0]
-    saw = f'the call at {one.call.t:.1f} s was answered with {one.response}, and your node said "{word}"'
+    saw = f'the call at {one.call.t:.1f} s got the response {one.response}, but your node published "{word}"'
     if len(said) == 2 and len(wrong) == len(nearest):
         return see.failed(
             "results-told.inverted",
             saw,
             EACH_ANSWER_ONCE,
-            'Every report says the opposite of its answer: "ok" and "faulty" are swapped.',
+            'Every report is the opposite of its response: "ok" and "faulty" are swapped.',
             '"ok" if future.result().success else "faulty".',
         )
     if len(said) == 1:
-        return why_one_word(f"{saw}, as for every answer", word)
+        return why_one_word(f"{saw}, as for every response", word)
     first = next((place for place, (_, word) in enumerate(nearest) if word == wrong[0][1]), 0)
     if all(word == wrong[0][1] for _, word in nearest[first:]):
         return see.failed(
             "results-told.stays",
-            f'{saw}, as for every answer after the first "{word}"',
+            f'{saw}, as for every response after the first "{word}"',
             EACH_ANSWER_ONCE,
-            f'Once it has said "{word}", it says so for every answer: an attribute keeps the old result.',
+            f'After the first "{word}", your node publishes "{word}" for every response, because an attribute keeps '
+            "the old result.",
             "Take each result from its own response: future.result().success.",
         )
     return None
@@ -918,17 +926,17 @@ def why_one_word(saw: str, word: str | None) -> Verdict:
             "results-told.always-faulty",
             saw,
             EACH_ANSWER_ONCE,
-            'Your program never says "ok". It does not take its word from the field success. It looks at something '
-            "else, such as the text of the response, which is for people.",
-            'Ask for the field: "ok" if future.result().success else "faulty".',
+            'Your program never publishes "ok". It doesn\'t use the field success, but something else, such as the '
+            "response's text, which is for people.",
+            'Read the field: "ok" if future.result().success else "faulty".',
         )
     return see.failed(
         "results-told.always-the-same",
         saw,
         EACH_ANSWER_ONCE,
-        "Your program does not check the field success of the response. The response itself always counts as "
+        "Your program doesn't check the response's field success. The response object itself always counts as "
         "true, and its text is for people.",
-        'Ask for the field: "ok" if future.result().success else "faulty".',
+        'Read the field: "ok" if future.result().success else "faulty".',
     )
 
 
@@ -937,19 +945,19 @@ def why_wrongly_told(recording: Recording, answer: Answer, words: list[Report]) 
     in_time = [report[1] for report in words if answer.near(report)]
     if answer.may_be_missing or answer.word in in_time:
         return None
-    came = f"the call at {answer.call.t:.1f} s was answered with {answer.response}"
+    came = f"the call at {answer.call.t:.1f} s got the response {answer.response}"
     if in_time:
         return see.failed(
             "results-told.other-result",
-            f'{came}, and your node said "{in_time[0]}"',
+            f'{came}, but your node published "{in_time[0]}"',
             EACH_ANSWER_ONCE,
-            "That is the result of another call, or it does not come from the field success. The text in message "
-            "is for people, and the same text may come with both results.",
-            "In the done callback, use the future that was passed to it: future.result().success.",
+            "This is the result of another call, or it isn't based on the field success. The text in message is "
+            "for people, and the same text may go with either result.",
+            "In the done callback, use the future that is passed to it: future.result().success.",
         )
     gave_up = given_up(recording, answer.call)
-    said = f'your node said "{NO_ANSWER}"' if gave_up else f'nothing said "{answer.word}"'
-    saw = f"{came} at {answer.at:.1f} s, and {said}"
+    said = f'your node published "{NO_ANSWER}"' if gave_up else f'"{answer.word}" was not published'
+    saw = f"{came} at {answer.at:.1f} s, but {said}"
     others = [
         one
         for one in answers_in(recording)
@@ -960,11 +968,11 @@ def why_wrongly_told(recording: Recording, answer: Answer, words: list[Report]) 
     if not gave_up and all(is_told) and (slow_told or not answer.was_slow):
         return see.failed(
             "results-told.one-left-out",
-            f"{saw}. All other answers{', slow ones too,' if answer.was_slow else ' that came at once'} were reported",
+            f"{saw}. All other {'responses, even slow ones,' if answer.was_slow else 'fast responses'} were reported",
             EACH_ANSWER_ONCE,
-            "Answers are handled, so something in your code leaves this one out: a counter, a flag, or a comparison "
-            "with an earlier answer.",
-            "Report each answer, also the first one.",
+            "Your code handles responses but skips this one, because of a counter, a flag, or a comparison with an "
+            "earlier response.",
+            "Report each response, including the first one.",
         )
     return why_not_taken_in(recording, answer, saw, gave_up)
 
@@ -977,10 +985,10 @@ def why_not_taken_in(recording: Recording, answer: Answer, saw: str, gave_up: bo
     if stops_during_a_call(recording) is not None:
         return see.failed(
             "results-told.waits-in-callback",
-            f"{saw}; while a call is open, the heart stops too",
+            f"{saw}; while a call is open, the heartbeat stops, too",
             EACH_ANSWER_ONCE,
-            "The callback that sent the request waits for the answer. It holds the thread or the callback group "
-            "of the client, so nothing can handle the answer that has come.",
+            "The callback that sent the request waits for the response. It occupies the thread or the client's "
+            "callback group, so rclpy can't handle the response that has arrived.",
             "Return from the callback that sends the request, and publish in a done callback of the future.",
             about_time=True,
         )
@@ -991,9 +999,9 @@ def why_not_taken_in(recording: Recording, answer: Answer, saw: str, gave_up: bo
             "results-told.slow-dropped",
             f"{saw}; it had taken {answer.at - answer.call.t:.1f} s",
             EACH_ANSWER_ONCE,
-            f"A slow answer is dropped, or its call is forgotten before it comes. An answer may take {MAY_TAKE_S} "
-            "s.",
-            "Report the answer in a done callback, however long it took. Forget a call after a second, not "
+            "A slow response is dropped, or its call is forgotten before the response arrives. A response may take "
+            f"{MAY_TAKE_S} s.",
+            "Report the response in a done callback, however long it took. Forget a call after a second, not "
             "earlier.",
             about_time=True,
         )
@@ -1002,7 +1010,7 @@ def why_not_taken_in(recording: Recording, answer: Answer, saw: str, gave_up: bo
         saw,
         EACH_ANSWER_ONCE,
         "The response has reached the process, but nothing handles it. The callback that sent the request still "
-        "holds the callback group of the client, or nothing checks the future.",
+        "occupies the client's callback group, or nothing checks the future.",
         "Return from the callback that sends the request, and publish in a done callback of the future.",
         about_time=True,
     )
@@ -1011,7 +1019,8 @@ def why_not_taken_in(recording: Recording, answer: Answer, saw: str, gave_up: bo
 # --- the calls without an answer ----------------------------------------------------------------------------
 
 ONE_NO_ANSWER = (
-    f'"{NO_ANSWER}" once for a call without an answer, {MAY_TAKE_S} to {GIVEN_UP_WITHIN_S:.0f} s after it'
+    f'"{NO_ANSWER}" once for a call without a response, {MAY_TAKE_S} to {GIVEN_UP_WITHIN_S:.0f} s after the '
+    "call"
 )
 
 
@@ -1068,10 +1077,11 @@ def why_early(call: CallSeen, at: float) -> Verdict:
     """A call got no answer, and "no answer" was said too early."""
     return see.failed(
         "unanswered-told.early",
-        f'the call at {call.t:.1f} s got no answer, and your node said "{NO_ANSWER}" after {at - call.t:.1f} s',
+        f'the call at {call.t:.1f} s got no response, and your node published "{NO_ANSWER}" after {at - call.t:.1f} '
+        "s",
         ONE_NO_ANSWER,
-        f"It gave up too early: an answer may take {MAY_TAKE_S} s.",
-        "Give up on a call when the next one is due, and no earlier.",
+        f"Your node gave up too early: a response may take {MAY_TAKE_S} s.",
+        "Give up on a call when the next one is due, not earlier.",
     )
 
 
@@ -1079,21 +1089,20 @@ def why_always_early(waited: list[float]) -> Verdict:
     """Each call without an answer was given up a little too early, after so long (s)."""
     return see.failed(
         "unanswered-told.always-early",
-        f'{len(waited)} calls got no answer, and your node had said "{NO_ANSWER}" at most {max(waited):.2f} s after '
-        "each of them",
+        f'{len(waited)} calls got no response, and your node published "{NO_ANSWER}" at most {max(waited):.2f} s '
+        "after each of them",
         ONE_NO_ANSWER,
-        f"The time limit is a little too short: an answer may take {MAY_TAKE_S} s, and would be lost.",
-        "Give up on a call when the next one is due, and no earlier.",
+        f"The time limit is a little too short. A response may take {MAY_TAKE_S} s, and your node would miss it.",
+        "Give up on a call when the next one is due, not earlier.",
         about_time=True,
     )
 
 
 def why_not_given_up(recording: Recording, call: CallSeen, later: list[float]) -> Verdict:
     """A call got no answer, and "no answer" was said too late, at the first of `later`, or never."""
-    saw = f"the call at {call.t:.1f} s got no answer, and your node "
+    saw = f"the call at {call.t:.1f} s got no response, and your node "
     try_this = (
-        "Remember the open call. When a second has passed, report it, and forget it with "
-        "remove_pending_request(future)."
+        "Store the open call. After a second, report it, and forget it with remove_pending_request(future)."
     )
     if later and later[0] - call.t < MAY_TAKE_S - SLACK_S:
         return why_early(call, later[0])
@@ -1103,9 +1112,10 @@ def why_not_given_up(recording: Recording, call: CallSeen, later: list[float]) -
     if later and later[0] - call.t < 2 * GIVEN_UP_WITHIN_S:
         return see.failed(
             "unanswered-told.late",
-            f"{saw}said so {later[0] - call.t:.1f} s later",
+            f"{saw}reported that {later[0] - call.t:.1f} s later",
             ONE_NO_ANSWER,
-            "The call is given up too late: after more than two seconds, or only with the second request after it.",
+            "Your node gives up on the call too late: after more than two seconds, or only with the second request "
+            "after it.",
             try_this,
             about_time=True,
         )
@@ -1127,11 +1137,11 @@ def why_always_late(recording: Recording, late: float) -> Verdict:
     first = next(call for call in asked(recording) if call.response is None)
     return see.failed(
         "unanswered-told.always-late",
-        f'the call at {first.t:.1f} s got no answer, and your node said "{NO_ANSWER}" {late:.1f} s later; the same '
-        "with the next ones",
+        f'the call at {first.t:.1f} s got no response, and your node published "{NO_ANSWER}" {late:.1f} s later; '
+        "the next such calls were equally late",
         ONE_NO_ANSWER,
-        "The time limit is too long: a call without an answer is given up, but always too late.",
-        "Give up on a call about one second after it, when the next one is due.",
+        "The time limit is too long: your node gives up on calls without a response, but always too late.",
+        "Give up on a call after about one second, when the next one is due.",
         about_time=True,
     )
 
@@ -1151,11 +1161,11 @@ def why_forgotten(recording: Recording, call: CallSeen, saw: str) -> Verdict | N
         return None
     return see.failed(
         "unanswered-told.forgotten",
-        f"{saw}said nothing about it; another call was answered at {end:.1f} s, while this one waited. Of the call at "
-        f'{given[0].t:.1f} s it had said "{NO_ANSWER}"',
+        f"{saw}published nothing about it; another call was answered at {end:.1f} s, while this one was open. For "
+        f'the call at {given[0].t:.1f} s, your node published "{NO_ANSWER}"',
         ONE_NO_ANSWER,
-        "The answer to another call makes your node forget this one, for example by clearing all open calls.",
-        "When an answer comes, forget only the call that it belongs to.",
+        "The response to another call makes your node forget this one, for example by clearing all open calls.",
+        "When a response arrives, forget only the call that it belongs to.",
     )
 
 
@@ -1168,17 +1178,17 @@ def why_never_given_up(recording: Recording, call: CallSeen, saw: str, try_this:
     if call is not first and given_up(recording, first):
         return see.failed(
             "unanswered-told.first-only",
-            f'{saw}said nothing about it; of the call at {first.t:.1f} s it had said "{NO_ANSWER}"',
+            f'{saw}published nothing about it. For the call at {first.t:.1f} s, it had published "{NO_ANSWER}"',
             ONE_NO_ANSWER,
-            "It gives up one call but not the next. The check for a missing answer works only once, or a repeated "
-            f'"{NO_ANSWER}" is treated as nothing new.',
-            "Store the time of each call, and report each call that is given up.",
+            "Your node gives up on one call but not on the next. The check for a missing response works only once, "
+            f'or a repeated "{NO_ANSWER}" is treated as nothing new.',
+            "Store the time of each call, and report each call that you give up on.",
         )
     return see.failed(
         "unanswered-told.never",
-        f"{saw}said nothing about it",
+        f"{saw}published nothing about it",
         ONE_NO_ANSWER,
-        "A future without an answer calls nothing: no done callback, no error. Something else must check each "
+        "Without a response, a future runs no done callback and raises no error. Something else must check each "
         "open call before the next call replaces it.",
         try_this,
     )
@@ -1193,11 +1203,12 @@ def why_once_in_a_row(recording: Recording, call: CallSeen, saw: str) -> Verdict
         return None
     return see.failed(
         "unanswered-told.once-in-a-row",
-        f'{saw}said nothing about it; of the call before it, at {before.t:.1f} s, it had said "{NO_ANSWER}"',
+        f"{saw}published nothing about it. For the previous call, at {before.t:.1f} s, it had published "
+        f'"{NO_ANSWER}"',
         ONE_NO_ANSWER,
-        f'Of several calls in a row without an answer, only the first is reported: a repeated "{NO_ANSWER}" is '
+        f'Of several calls in a row without a response, only the first is reported: a repeated "{NO_ANSWER}" is '
         "treated as nothing new.",
-        "Report each call that is given up, even when the one before was given up as well.",
+        "Report each call that you give up on, even if you also gave up on the previous one.",
     )
 
 
@@ -1210,21 +1221,21 @@ def why_given_up(recording: Recording, in_vain: list[float]) -> Verdict:
         call = waiting[0]
         return see.failed(
             "unanswered-told.still-open",
-            f'your node said "{NO_ANSWER}" {at - call.t:.1f} s after the call at {call.t:.1f} s; the answer to this '
-            f"call came {(call.answered_t or at) - call.t:.1f} s after the call",
+            f'your node published "{NO_ANSWER}" {at - call.t:.1f} s after the call at {call.t:.1f} s; the response '
+            f"arrived {(call.answered_t or at) - call.t:.1f} s after the call",
             ONE_NO_ANSWER,
-            f"It gives up too early: an answer may take {MAY_TAKE_S} s.",
-            "Give up no earlier than the next request.",
+            f"Your node gives up too early: a response may take {MAY_TAKE_S} s.",
+            "Don't give up before the next request.",
             about_time=True,
         )
     if any(call.response is None and given_up(recording, call) for call in calls):
         return see.failed(
             "unanswered-told.twice",
-            f'"{NO_ANSWER}" at {at:.1f} s once more, and no other call was without an answer',
+            f'another "{NO_ANSWER}" at {at:.1f} s, but no other call was without a response',
             ONE_NO_ANSWER,
-            "The call that was given up is still stored, and is reported again. Or a call that was left out is "
-            "reported, though it was never made.",
-            "Report a call once, and forget it when you have reported it.",
+            "The abandoned call is still stored and is reported again. Or your node reports a call that it skipped "
+            "and never made.",
+            "Report a call once, and forget it after you've reported it.",
         )
     return why_given_up_though_answered(recording, at)
 
@@ -1234,20 +1245,21 @@ def why_given_up_though_answered(recording: Recording, at: float) -> Verdict:
     if told_answers(recording) is not None:
         return see.failed(
             "unanswered-told.besides-the-answer",
-            f'"{NO_ANSWER}" at {at:.1f} s, and every call until then had been answered, and its answer reported',
+            f'"{NO_ANSWER}" at {at:.1f} s, although every call until then had been answered and reported',
             ONE_NO_ANSWER,
-            f'Answers are handled, so nothing waits. "{NO_ANSWER}" is published with a request, before its answer can '
-            "come, or a call that was answered is still stored as open.",
-            f'Publish "{NO_ANSWER}" only when a call is given up, and forget a call when its answer has come.',
+            f'Your node handles the responses. But it publishes "{NO_ANSWER}" with a request, before the response '
+            "can arrive, or it still stores an answered call as open.",
+            f'Publish "{NO_ANSWER}" only when you give up on a call, and forget a call when its response has '
+            "arrived.",
             about_time=True,
         )
     return see.failed(
         "unanswered-told.was-answered",
-        f'"{NO_ANSWER}" at {at:.1f} s, and every call until then had been answered',
+        f'"{NO_ANSWER}" at {at:.1f} s, although every call until then had been answered',
         ONE_NO_ANSWER,
-        "The answer came but was not handled, because the callback that sent the request waits for it. Or a call "
-        "that was answered is still stored as open.",
-        "Do not wait in the callback, and forget a call when its answer has come.",
+        "The response arrived but wasn't handled, because the callback that sent the request waits for it. Or an "
+        "answered call is still stored as open.",
+        "Don't wait in the callback, and forget a call when its response has arrived.",
         about_time=True,
     )
 
@@ -1255,8 +1267,8 @@ def why_given_up_though_answered(recording: Recording, at: float) -> Verdict:
 # --- the heartbeat ------------------------------------------------------------------------------------------
 
 FIVE_HERTZ = (
-    f"5 Hz, even while a call waits for its answer: {LEAST_SHARE:.0%} to {MOST_SHARE:.0%} of the beats, typically one "
-    f"every {SHORTEST_BEAT_S} to {LONGEST_BEAT_S} s"
+    f"5 Hz, even while a call waits for its response: {LEAST_SHARE:.0%} to {MOST_SHARE:.0%} of the beats, typically "
+    f"one every {SHORTEST_BEAT_S} to {LONGEST_BEAT_S} s"
 )
 
 
@@ -1279,11 +1291,11 @@ def stops_during_a_call(recording: Recording) -> Verdict | None:
     silent_from = beats.silent_from[0] if beats.silent_from else spans[0][0]
     return see.failed(
         "heartbeat-steady.stops-during-a-call",
-        f"while a call was waiting for its answer, {beats.came} beats came, and {beats.due:.0f} were due: for example, "
+        f"while calls were waiting for their responses, {beats.came} of {beats.due:.0f} beats arrived: for example, "
         f"too few after the call at {silent_from - EDGE_S:.1f} s",
         FIVE_HERTZ,
-        "The callback that sends the request waits for the answer. While it waits, it holds the thread, or the "
-        "callback group of the heartbeat, and no other callback runs. Or beats are left out while a call is open.",
+        "The callback that sends the request waits for the response. Until then, it occupies the thread or the "
+        "heartbeat's callback group, so the heartbeat can't run. Or your code skips beats while a call is open.",
         "Publish a beat on every tick of its timer. Send the request with call_async() and return. Or give the "
         "heartbeat and the waiting callback different callback groups and a MultiThreadedExecutor.",
         about_time=True,
@@ -1299,9 +1311,9 @@ def comes_in_bursts(recording: Recording) -> Verdict | None:
         "heartbeat-steady.in-bursts",
         f"{pace.count} beats, {pace.burst} at a time",
         FIVE_HERTZ,
-        "Several beats are published at once, and then none for a while. In between, nothing shows that the "
-        "program still runs.",
-        "Publish one beat on every tick of a timer of 0.2 s.",
+        "Several beats are published at the same time, and then none for a while. In between, nothing shows that "
+        "the program is still running.",
+        "Publish one beat on every tick of a 0.2 s timer.",
     )
 
 
@@ -1311,7 +1323,7 @@ def stops_for_good(recording: Recording) -> Verdict | None:
     typical = see.beats(recording, HEARTBEAT).typical_s
     if recording.simulated_s - end <= max(STOPPED_S, 1.5 * typical):
         return None
-    saw = f"the last beat came at {end:.1f} s, then none until {recording.simulated_s:.1f} s"
+    saw = f"the last beat arrived at {end:.1f} s, then none until {recording.simulated_s:.1f} s"
     blamed = see.failed_by_error(recording, saw, FIVE_HERTZ)
     if blamed is not None:
         return blamed
@@ -1319,16 +1331,16 @@ def stops_for_good(recording: Recording) -> Verdict | None:
     if later < FEW_CALLS:
         return see.failed(
             "heartbeat-steady.stops",
-            f"{saw}; {'one call came after it, and then no other' if later else 'nor did a call come after it'}",
+            f"{saw}; {'only one call followed' if later else 'no call followed either'}",
             FIVE_HERTZ,
-            "Nothing spins the node any more. Either a callback waits for an answer that cannot be handled while it "
-            "waits, or the loop that spins the node has ended.",
+            "Nothing spins the node any more. Either a callback waits for a response that rclpy can't handle in "
+            "the meantime, or the loop that spins the node has ended.",
             "Send the request with call_async(), add a done callback, and return. Spin until Ctrl-C.",
             about_time=True,
         )
     return see.failed(
         "heartbeat-steady.stops-alone",
-        f"{saw}; after it came {later} calls",
+        f"{saw}; {later} calls followed",
         FIVE_HERTZ,
         "The rest of the program continues, but the heartbeat does not. Its timer is canceled or destroyed, it "
         "stops after some number of beats, or its thread has ended.",
@@ -1338,21 +1350,21 @@ def stops_for_good(recording: Recording) -> Verdict | None:
 
 def why_too_few_or_many(beats: see.Beats) -> Verdict:
     """The typical pause is right, and still there are too few beats, or too many."""
-    saw = f"{beats.count} beats, and {beats.due} were due"
+    saw = f"{beats.count} beats, but {beats.due} were due"
     if beats.share > 1.0:
         return see.failed(
             "heartbeat-steady.too-many",
             saw,
             FIVE_HERTZ,
             "More than one place publishes the heartbeat.",
-            "Keep one timer of 0.2 s for it, with one publish() in it.",
+            "Keep one 0.2 s timer for it, with one publish() in its callback.",
         )
     return see.failed(
         "heartbeat-steady.too-few",
-        f"{saw}; the longest silence took {beats.silence.seconds:.1f} s, from {beats.silence.start:.1f} s on",
+        f"{saw}; the longest silence was {beats.silence.seconds:.1f} s, from {beats.silence.start:.1f} s on",
         FIVE_HERTZ,
-        "Something sometimes holds up the heartbeat: a callback in its thread or callback group waits, sleeps or "
+        "Something sometimes delays the heartbeat: a callback in its thread or callback group waits, sleeps, or "
         "works.",
-        "Let every callback return at once, or give the heartbeat its own callback group and thread.",
+        "Let every callback return right away, or give the heartbeat its own callback group and thread.",
         about_time=True,
     )

@@ -127,9 +127,9 @@ def line_rate(recording: Recording) -> Verdict:
         return replace(usual, expected=TWO_HERTZ)
     return see.failed(
         "line-rate.uneven",
-        f"{seen.count} lines, {seen.hz or 0.0:.2g} Hz, typically {typical:.2g} s from one to the next",
+        f"{seen.count} lines, {seen.hz or 0.0:.2g} Hz, typically {typical:.2g} s apart",
         TWO_HERTZ,
-        "The period is slightly wrong, or a loop sleeps for a full period and adds the time of its work.",
+        "The period is slightly wrong, or a loop sleeps for a full period, and the time for its work is added.",
         "2 Hz is a period of 0.5 s: create_timer(0.5, self.publish_line).",
         about_time=True,
     )
@@ -149,8 +149,8 @@ def status_at_once(recording: Recording) -> Verdict:
             "status-at-once.no-line",
             f"no line between {AT_ONCE_S:.1f} s and {until:.1f} s",
             f'"{first}" on every line, from {AT_ONCE_S:g} s on',
-            "No line came at all in that time, so the problem is the line, not the status.",
-            "First find out why the line does not come at 2 Hz.",
+            "No line arrived at all in that time, so the problem is the line, not the status.",
+            "First, find out why the line isn't published at 2 Hz.",
         )
     wrong = next(((t, text) for t, text in lines if named(text) != [first]), None)
     if wrong is not None:
@@ -158,7 +158,7 @@ def status_at_once(recording: Recording) -> Verdict:
             recording, first, f'"{wrong[1]}" on {LINE.name} {wrong[0]:.1f} s after the start'
         )
     if all_requests(recording, "durability", "volatile"):
-        return guessed(f'"{first}" on the line, and a volatile subscription to {STATUS.topic}')
+        return guessed(f'"{first}" on the line, but only a volatile subscription to {STATUS.topic}')
     return see.passed(f'"{first}" on each of {len(lines)} lines')
 
 
@@ -181,10 +181,10 @@ def status_follows(recording: Recording) -> Verdict:
             "status-follows.no-line",
             f"no line more than {FOLLOWS_S} s after a change of the status",
             "the new status on the line",
-            "No line came at all in that time, so the problem is the line, not the status.",
-            "First find out why the line does not come at 2 Hz.",
+            "No line arrived at all in that time, so the problem is the line, not the status.",
+            "First, find out why the line isn't published at 2 Hz.",
         )
-    return see.passed(f"the line named {followed} of {len(changes)} new statuses, and never another one")
+    return see.passed(f"the line showed {followed} of {len(changes)} new statuses, and never a wrong one")
 
 
 @criterion(points=1, title="It receives the heartbeat", needs=[program_runs])
@@ -235,7 +235,7 @@ def no_false_alarm(recording: Recording) -> Verdict:
         # The alarm of this silence may last until it is taken back: whether it is, `alarm_falls` judges.
         taken_back = [t for t, on in alarms(recording, ended, recording.simulated_s) if not on]
         calm_from = taken_back[0] if taken_back else recording.simulated_s
-    return see.passed("no alarm while the heart beats, nor in the first second of silence")
+    return see.passed("no alarm while the heartbeat arrives, nor in the first second of silence")
 
 
 @criterion(points=1, title="The alarm ends when the heart beats again", needs=[alarm_raised, no_false_alarm])
@@ -253,7 +253,7 @@ def alarm_falls(recording: Recording) -> Verdict:
             if fell is not None and just_after_a_status(recording, fell):
                 return why_waits_for_a_status(fell - ended)
             return why_not_taken_back(number, None if fell is None else fell - ended)
-    return see.passed("ended when the heart beat again")
+    return see.passed("ended when the heartbeat returned")
 
 
 # --- what was said, and when --------------------------------------------------------------------------------
@@ -391,7 +391,7 @@ def why_silent(recording: Recording) -> Verdict | None:
             f"{see.count(with_a_status, 'line')} in {recording.simulated_s:.1f} s, each just after the robot published "
             "its status",
             TWO_HERTZ,
-            "The line is published in the callback of the status, which is called only when the status changes.",
+            "Your node publishes the line in the status callback, which runs only when the status changes.",
             "Store the status in self, and publish the line from a timer: create_timer(0.5, self.publish_line).",
         )
     gaps = line_gaps(recording)
@@ -405,17 +405,17 @@ def why_silent(recording: Recording) -> Verdict | None:
             "line-rate.stops-with-the-alarm",
             f"no line {times}, just when the alarm was raised",
             TWO_HERTZ,
-            "The code that handles the silence also holds up the line: it waits or sleeps in a callback. Or no "
-            "line is published during an alarm.",
-            "Let every callback return at once, and publish the line on every tick of its timer, with or without "
-            "an alarm.",
+            "The code that handles the silence also blocks the line: it waits or sleeps in a callback. Or no line "
+            "is published during an alarm.",
+            "Let every callback return right away, and publish the line on every tick of its timer, with or "
+            "without an alarm.",
         )
     if gaps and all(any(abs(last - began) <= BEAT_S for began, _ in silences(recording)) for last, _ in gaps):
         return see.failed(
             "line-rate.stops-with-the-heart",
-            f"no line {times}, just while the heart was silent",
+            f"no line {times}, exactly while there was no heartbeat",
             TWO_HERTZ,
-            "The line is published in the callback of the heartbeat, and nothing calls it during a silence.",
+            "Your node publishes the line in the heartbeat callback, which doesn't run during a silence.",
             "Publish the line from its own timer: create_timer(0.5, self.publish_line).",
         )
     return None
@@ -431,11 +431,11 @@ def also_with_each_beat(recording: Recording) -> Verdict | None:
         return None
     return see.failed(
         "line-rate.also-with-each-beat",
-        f"{len(lines)} lines in {recording.simulated_s:.1f} s. A line came with {len(with_a_beat)} of {len(beats)} "
-        f"beats, and {len(others)} lines came at other times",
+        f"{len(lines)} lines in {recording.simulated_s:.1f} s. A line arrived right after {len(with_a_beat)} of "
+        f"{len(beats)} beats, and {len(others)} lines arrived at other times",
         TWO_HERTZ,
-        "Two places publish the line: a timer, and the callback of the heartbeat.",
-        "Let the timer alone publish the line. In the callback, only store what you need.",
+        "Two places publish the line: a timer and the heartbeat callback.",
+        "Publish the line only from the timer. In the callback, just store the data that the timer needs.",
     )
 
 
@@ -445,8 +445,8 @@ def two_words(cause: str, seen: str, expected: str) -> Verdict:
         cause,
         seen,
         expected,
-        "The line names the right status, but also another of the three words. A reader cannot tell which one is "
-        "right.",
+        "The line contains the right status, but also another of the three words. So a reader can't tell which one "
+        "is right.",
         f"Put exactly one of {', '.join(WORDS)} on the line.",
     )
 
@@ -456,10 +456,10 @@ def guessed(seen: str) -> Verdict:
     return see.failed(
         "status-at-once.guessed",
         seen,
-        "a subscription that asks for earlier messages: reliable and transient local",
-        "A volatile subscription receives nothing that was published before. The program made up the word on the "
-        "line.",
-        "Ask for it: QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL), and begin with unknown.",
+        "a subscription that requests earlier messages: reliable and transient local",
+        "A volatile subscription receives no earlier messages. So your program made up the word on the line.",
+        "Request earlier messages with QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL), and start "
+        "with unknown.",
     )
 
 
@@ -473,17 +473,17 @@ def why_not_at_once(recording: Recording, first: str, seen: str) -> Verdict:
             "status-at-once.volatile",
             seen,
             expected,
-            "Your subscription to /robot/status is volatile: it asks only for messages from now on. The robot "
-            "published its status before, and publishes again only when the status changes.",
-            "Ask for it: QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL).",
+            "Your subscription to /robot/status is volatile, so it requests only new messages. But the robot "
+            "published its status earlier, and publishes again only when the status changes.",
+            "Request earlier messages with QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL).",
         )
     if all_requests(recording, "reliability", "best_effort"):
         return see.failed(
             "status-at-once.best-effort",
             seen,
             expected,
-            "Your subscription to /robot/status is transient local, but best effort. Earlier messages are "
-            "delivered to reliable subscriptions only.",
+            "Your subscription to /robot/status is transient local, but best effort. But earlier messages are "
+            "delivered only to reliable subscriptions.",
             "Leave reliability out of this QoSProfile: the default is reliable.",
         )
     return why_not_on_the_line(seen, expected)
@@ -496,15 +496,15 @@ def why_not_on_the_line(seen: str, expected: str) -> Verdict:
             "status-at-once.no-word",
             seen,
             expected,
-            f"The line holds none of the words {', '.join(WORDS)}.",
+            f"The line contains none of the words {', '.join(WORDS)}.",
             "Put message.data into the line unchanged.",
         )
     return see.failed(
         "status-at-once.not-kept",
         seen,
         expected,
-        "Your subscription asks for the right QoS, so the message comes. But the line is not made from it, or is "
-        "published only when a message comes.",
+        "Your subscription requests the right QoS, so the message arrives. But the line doesn't use it, or is "
+        "published only when a message arrives.",
         "In the callback, store message.data in self. Publish it on every tick of a timer.",
         about_time=True,
     )
@@ -515,24 +515,27 @@ def why_not_followed(
 ) -> Verdict:
     """Why the line does not name the new status after a change; `followed`: how many changes it has followed."""
     begin, _, word = change
-    expected = f'"{word}" on the line at most {FOLLOWS_S} s after the robot has said so'
-    saw = f'"{wrong}" still on the line {FOLLOWS_S} s or more after the robot had said "{word}" at {begin:.1f} s'
+    expected = f'"{word}" on the line at most {FOLLOWS_S} s after the robot has published it'
+    saw = (
+        f'"{wrong}" still on the line {FOLLOWS_S} s or more after the robot had published "{word}" at '
+        f"{begin:.1f} s"
+    )
     if UNKNOWN in named(wrong):
         return see.failed(
             "status-follows.unknown-again",
             saw,
             expected,
-            "A status is known, but the line says that none is. A silent heartbeat does not change the last "
-            "status of the robot.",
-            f"Say {UNKNOWN} only before the first status. The alarm reports the silence.",
+            "The robot's status is known, but the line claims that it isn't. A silent heartbeat doesn't change the "
+            "robot's last status.",
+            f"Show {UNKNOWN} only before the first status. The alarm reports the silence.",
         )
     if not named(wrong):
         return see.failed(
             "status-follows.no-word",
             saw,
             expected,
-            f"The line holds none of the words {', '.join(WORDS)}. So it does not show the status.",
-            "Put message.data into every line, whatever else is on the line.",
+            f"The line contains none of the words {', '.join(WORDS)}. So it doesn't show the status.",
+            "Put message.data into every line, no matter what else is on the line.",
         )
     return why_followed_late(recording, followed, change, saw)
 
@@ -542,15 +545,15 @@ def why_followed_late(
 ) -> Verdict:
     """The line names an old status after a `change`, for a while or for good."""
     begin, end, word = change
-    expected = f'"{word}" on the line at most {FOLLOWS_S} s after the robot has said so'
+    expected = f'"{word}" on the line at most {FOLLOWS_S} s after the robot has published it'
     if any(word in named(text) for _, text in lines_between(recording, begin + FOLLOWS_S, end + AT_ONCE_S)):
         return see.failed(
             "status-follows.late",
             saw,
             expected,
-            "The line names the new status, but late or not always. It comes from a queue of older messages, or "
-            "the line also depends on something else.",
-            "Let the callback store every message in self, and make each line from that alone.",
+            "The line shows the new status, but late or not always. The status comes from a queue of older "
+            "messages, or the line also depends on something else.",
+            "Let the callback store every message in self, and build each line only from the stored message.",
             about_time=True,
         )
     if not followed and any(
@@ -558,11 +561,12 @@ def why_followed_late(
     ):
         return see.failed(
             "status-follows.only-sometimes",
-            f'{saw}. The line named "{word}" only after later changes',
+            f'{saw}. The line showed "{word}" only after later changes',
             expected,
-            "The line can change, so something else decides when it does: the heartbeat, the alarm, or a number of "
+            "The line does change, but something else decides when: the heartbeat, the alarm, or a number of "
             "messages.",
-            "Store each message as it comes, and make each line from that alone: self.last_status = message.data.",
+            "Store each message when it arrives, and build each line only from that: self.last_status = "
+            "message.data.",
         )
     return why_followed_no_more(followed, saw, expected)
 
@@ -576,15 +580,15 @@ def why_followed_no_more(followed: int, saw: str, expected: str) -> Verdict:
             expected,
             "The line follows some changes but not others. Perhaps a repeated status is skipped, one status is "
             "never replaced, or the program stops handling messages after some time.",
-            "Store each message as it comes: self.last_status = message.data, and nothing else.",
+            "When a message arrives, do only this: self.last_status = message.data.",
         )
     return see.failed(
         "status-follows.never",
         saw,
         expected,
-        "Only the first status gets onto the line: it is read once at the start, or a later one does not replace "
-        "it. Or a callback never returns, so the next message is not handled.",
-        "Let the callback of the subscription store every message in self. Never wait or sleep in a callback.",
+        "The line shows only the first status. It's read once at the start, or later messages don't replace it. Or "
+        "a callback never returns, so the next message isn't handled.",
+        "Let the subscription's callback store every message in self. Never wait or sleep in a callback.",
         about_time=True,
     )
 
@@ -601,28 +605,30 @@ def why_not_raised(
     if with_status:
         return see.failed(
             "alarm-raised.with-the-status",
-            f"the alarm changed {with_status} times, each time just when the status did",
+            f"the alarm changed {with_status} times, each time just when the status changed",
             expected,
-            "The alarm follows the status, not the silence of the heartbeat.",
-            "Store time.monotonic() at each beat, and let a timer compare it with the clock.",
+            "The alarm follows the status instead of the heartbeat's silence.",
+            "Store time.monotonic() at each beat, and let a timer compare it with the current time.",
         )
     in_time = raised_in_time(recording, number)
     if raised and in_time is not None and just_after_a_status(recording, began + raised[0]):
         return see.failed(
             "alarm-raised.waits-for-a-status",
-            f"True only {raised[0]:.1f} s after the last beat, just when the status had changed. In another silence it "
-            f"came after {in_time:.1f} s",
+            f"True only {raised[0]:.1f} s after the last beat, just when the status had changed. In another "
+            f"silence, it was published after {in_time:.1f} s",
             expected,
-            "The alarm depends on the status, too: while the robot says one of the two words, none is raised.",
-            "Compare only the clock with the time of the last beat, whatever the status is.",
+            "The alarm also depends on the status: your node doesn't raise it while the status is one of the two "
+            "words.",
+            "Only compare the current time with the time of the last beat, whatever the status is.",
         )
     if raised:
         return see.failed(
             "alarm-raised.late",
             f"True only {raised[0]:.1f} s after the last beat",
             expected,
-            "The limit is too long, or the timer that checks the clock fires too rarely. Both times add up.",
-            "Use 2 s as the limit, and check the clock at least twice a second.",
+            "The time limit is too long, or the timer that checks it fires too rarely. The limit and the timer's "
+            "period add up.",
+            "Use 2 s as the limit, and check it at least twice per second.",
             about_time=True,
         )
     if number > 0:
@@ -637,19 +643,19 @@ def why_not_raised_again(recording: Recording, began: float, ended: float, expec
     if by_status is not None:
         return see.failed(
             "alarm-raised.status-counts",
-            f"{nothing}, the one from {began:.1f} s on, in which the status changed. In the first silence, the alarm "
-            f"ended at {by_status:.1f} s, just when the status changed",
+            f"{nothing} that began at {began:.1f} s and in which the status changed. In the first silence, the "
+            f"alarm ended at {by_status:.1f} s, just when the status changed",
             expected,
-            "A status counts as a beat: it starts the measurement of the silence anew, and ends the alarm.",
-            "Store the time of the last beat in the callback of the heartbeat, and only there.",
+            "Your node counts a status as a beat: it restarts the silence measurement and ends the alarm.",
+            "Store the time of the last beat only in the heartbeat callback.",
         )
     return see.failed(
         "alarm-raised.first-only",
-        f"{nothing}, the one from {began:.1f} s on; in the first silence the alarm was raised",
+        f"{nothing} that began at {began:.1f} s; in the first silence, the alarm was raised",
         expected,
-        "The alarm works only once: a flag is set and never cleared, or a timer is canceled and never reset. Or a "
-        "new status counts as a beat.",
-        "When the heart beats again, reset everything to its state before the alarm.",
+        "The alarm works only once: a flag is set and never cleared, or a timer is canceled and never reset. Or "
+        "your node counts a new status as a beat.",
+        "When the heartbeat returns, reset everything to its state before the alarm.",
     )
 
 
@@ -661,18 +667,18 @@ def why_never_raised(recording: Recording, began: float, ended: float, expected:
     if said and back:
         return see.failed(
             "alarm-raised.inverted",
-            f"False {said[0] - began:.1f} s after the last beat, and True when the heart beat again",
+            f"False {said[0] - began:.1f} s after the last beat, and True when the heartbeat returned",
             expected,
-            "The alarm is the wrong way round: it is True while the heart beats.",
-            "Publish True when the silence is longer than the limit, and False when a beat comes.",
+            "The alarm is inverted: it's True while the heartbeat arrives.",
+            "Publish True when the silence exceeds the limit, and False when a beat arrives.",
         )
     if back:
         return see.failed(
             "alarm-raised.with-the-next-beat",
-            f"nothing in {ended - began:.1f} s of silence, and True when the heart beat again",
+            f"nothing in {ended - began:.1f} s of silence, and True when the heartbeat returned",
             expected,
-            "You check the clock in the callback of the heartbeat, and nothing calls it during a silence.",
-            "Check the clock in a timer, or use the event for a missed deadline. Neither of them needs a message.",
+            "Your node checks the time in the heartbeat callback, but that doesn't run during a silence.",
+            "Check the time in a timer, or use the event for a missed deadline. Neither needs a message.",
             about_time=True,
         )
     return why_nothing_noticed(nothing, expected, said[0] - began if said else None)
@@ -685,18 +691,18 @@ def why_nothing_noticed(nothing: str, expected: str, said_after: float | None) -
             "alarm-raised.false-instead",
             f"{nothing}; False was published {said_after:.1f} s after the last beat",
             expected,
-            "The program publishes False during the silence: the limit is too long, the clock is checked too rarely, "
-            "or data is not a bool. The Ubuntu packages send Bool(data=1) as False.",
-            "Send a comparison, which is True or False: Bool(data=silent_for > LIMIT), with a limit of 2 s. Check the "
-            "clock at least twice a second.",
+            "Your program publishes False during the silence. The limit is too long, it's checked too rarely, or "
+            "data isn't a bool. The Ubuntu packages send Bool(data=1) as False.",
+            "Publish the result of a comparison: Bool(data=silent_for > LIMIT), with a limit of 2 s. Check it at "
+            "least twice per second.",
         )
     return see.failed(
         "alarm-raised.never",
         nothing,
         expected,
-        "Nothing calls your code during the silence: there is no timer that checks the clock, and no event for a "
+        "None of your code runs during the silence: there's no timer that checks the time, and no event for a "
         "missed deadline. Or the limit is too long.",
-        "Store time.monotonic() at each beat, and let a timer compare it with the clock.",
+        "Store time.monotonic() at each beat, and let a timer compare it with the current time.",
         about_time=True,
     )
 
@@ -704,34 +710,34 @@ def why_nothing_noticed(nothing: str, expected: str, said_after: float | None) -
 def why_false_alarm(at: float, last_beat: float, first: float | None) -> Verdict:
     """Why the alarm was raised at a moment (s) so soon after the last beat; `first`: after how long the first was."""
     after = at - last_beat
-    expected = f"no alarm until the heart has been silent for {NOT_BEFORE_S:g} s"
+    expected = f"no alarm until the heartbeat has been silent for {NOT_BEFORE_S:g} s"
     if after <= 1.5 * BEAT_S:
         return see.failed(
             "no-false-alarm.while-beating",
-            f"True on {ALARM.name} at {at:.1f} s, {after:.2f} s after a beat, while the heart was beating",
+            f"True on {ALARM.name} at {at:.1f} s, only {after:.2f} s after a beat",
             expected,
-            f"One beat comes every {BEAT_S} s. A limit close to that raises an alarm for every short delay. Or the "
-            "alarm depends on something else than the last beat: the status, the time since the start, or a sum of "
-            "several pauses.",
+            f"A beat arrives every {BEAT_S} s. With a limit close to that, every short delay raises an alarm. Or "
+            "the alarm depends on something other than the last beat: the status, the time since the start, or a "
+            "sum of several pauses.",
             "Use 2 s as the limit, and measure from the last beat.",
             about_time=True,
         )
     if first is not None and first >= NOT_BEFORE_S:
         return see.failed(
             "no-false-alarm.later-one-early",
-            f"True on {ALARM.name} {after:.2f} s after the last beat. The first one came after {first:.1f} s",
+            f"True on {ALARM.name} {after:.2f} s after the last beat. The first alarm was raised after {first:.1f} s",
             expected,
-            "The first silence has left something behind: a counter that is not cleared, a flag, or another limit. Or "
-            "the program checks the clock rarely, with a limit that is too short.",
-            "When the heart beats again, reset everything to its state before the alarm. Use 2 s as the limit.",
+            "Something remains from the first silence: a counter or a flag that isn't cleared, or a changed limit. "
+            "Or the program checks the time rarely, with a limit that's too short.",
+            "When the heartbeat returns, reset everything to its state before the alarm. Use 2 s as the limit.",
             about_time=True,
         )
     return see.failed(
         "no-false-alarm.early",
         f"True on {ALARM.name} {after:.2f} s after the last beat",
         expected,
-        f"The limit is too short. One beat comes every {BEAT_S} s, and sometimes one is late. People soon ignore a "
-        "dashboard that raises an alarm for that.",
+        f"The limit is too short. A beat arrives every {BEAT_S} s, and sometimes one is late. If the dashboard "
+        "raises an alarm for that, people soon ignore it.",
         "Use 2 s as the limit, and measure from the last beat.",
         about_time=True,
     )
@@ -742,19 +748,19 @@ def why_fell_in_silence(after: float, with_a_status: bool) -> Verdict:
     if with_a_status:
         return see.failed(
             "alarm-falls.with-the-status",
-            f"False on {ALARM.name} {after:.1f} s after the last beat, while the heart was still silent. The "
-            "status had just changed",
-            "an alarm that lasts until the heart beats again",
-            "A new status ends the alarm, as if it were a beat.",
-            "End the alarm in the callback of the heartbeat, and only there.",
+            f"False on {ALARM.name} {after:.1f} s after the last beat, during the silence. The status had just "
+            "changed",
+            "an alarm that lasts until the heartbeat returns",
+            "A new status ends the alarm as if it were a beat.",
+            "End the alarm only in the heartbeat callback.",
         )
     return see.failed(
         "alarm-falls.in-silence",
-        f"False on {ALARM.name} {after:.1f} s after the last beat, while the heart was still silent",
-        "an alarm that lasts until the heart beats again",
-        "Something other than a beat ends the alarm: it ends by itself after a while, or it depends on something "
-        "other than the beats.",
-        "End the alarm in the callback of the heartbeat, and only there.",
+        f"False on {ALARM.name} {after:.1f} s after the last beat, during the silence",
+        "an alarm that lasts until the heartbeat returns",
+        "Something other than a beat ends the alarm. It ends by itself after a while, or it depends on something "
+        "else.",
+        "End the alarm only in the heartbeat callback.",
     )
 
 
@@ -762,40 +768,42 @@ def why_waits_for_a_status(after: float) -> Verdict:
     """The alarm went on for so long (s) after the heart beat again, until the status changed."""
     return see.failed(
         "alarm-falls.waits-for-a-status",
-        f"False only {after:.1f} s after the heart beat again, just when the status had changed",
-        f"False on {ALARM.name} within {FALLS_WITHIN_S:g} s after the heart beats again",
-        "The end of the alarm depends on the status, too: while the robot says one of the two words, it goes on.",
-        "A beat alone ends the alarm, whatever the status is.",
+        f"False only {after:.1f} s after the heartbeat returned, just when the status had changed",
+        f"False on {ALARM.name} within {FALLS_WITHIN_S:g} s after the heartbeat returns",
+        "The end of the alarm also depends on the status: the alarm continues while the status is one of the two "
+        "words.",
+        "End the alarm with the next beat, whatever the status is.",
     )
 
 
 def why_not_taken_back(number: int, after: float | None) -> Verdict:
     """The alarm goes on for so long (s) after silence `number` (from 0), or for ever."""
-    expected = f"False on {ALARM.name} within {FALLS_WITHIN_S:g} s after the heart beats again"
+    expected = f"False on {ALARM.name} within {FALLS_WITHIN_S:g} s after the heartbeat returns"
     if after is not None:
         return see.failed(
             "alarm-falls.late",
-            f"False only {after:.1f} s after the heart beat again",
+            f"False only {after:.1f} s after the heartbeat returned",
             expected,
-            "The first beat ends the silence. The program waits for more beats, or checks too rarely.",
-            "End the alarm with the first beat, or check at least twice a second.",
+            "The first beat ends the silence, but your program waits for more beats, or checks too rarely.",
+            "End the alarm with the first beat, or check at least twice per second.",
             about_time=True,
         )
     if number > 0:
         return see.failed(
             "alarm-falls.first-only",
-            "the first alarm ended when the heart beat again, and a later one did not",
+            "the first alarm ended when the heartbeat returned, but a later one did not",
             expected,
-            "What ends the alarm works only once: a flag is never cleared, or a timer is canceled and never reset.",
-            "When the heart beats again, reset everything to its state before the alarm.",
+            "The code that ends the alarm works only once: a flag is never cleared, or a timer is canceled and "
+            "never reset.",
+            "When the heartbeat returns, reset everything to its state before the alarm.",
         )
     return see.failed(
         "alarm-falls.never",
-        "no False after the heart beat again",
+        "no False after the heartbeat returned",
         expected,
-        "The event for a missed deadline does not report when messages come again, and a timer that only raises "
-        "the alarm does not end it. Or a loop that waits for the next beat prevents that beat from being handled, or "
-        "the program waits for more beats than came.",
-        "End the alarm in the callback of the heartbeat, or publish silent > LIMIT on every tick, whether true or "
-        "false.",
+        "The event for a missed deadline doesn't report the return of messages, and a timer that only raises the "
+        "alarm doesn't end it. Or a loop that waits for the next beat keeps that beat from being handled, or your "
+        "program waits for too many beats.",
+        "End the alarm in the heartbeat callback, or publish silent > LIMIT on every tick, whether it's True or "
+        "False.",
     )

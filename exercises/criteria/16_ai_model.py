@@ -328,8 +328,8 @@ def heartbeat_kept(recording: Recording) -> Verdict:
             "heartbeat-kept.too-many",
             saw,
             HEARTBEAT_EXPECTED,
-            "More than one place publishes the status, or the period of its timer is shorter than 0.1 s.",
-            "Let one timer of 0.1 s publish the status, and nothing else.",
+            "More than one place publishes the status, or its timer's period is shorter than 0.1 s.",
+            "Publish the status only from one 0.1 s timer.",
         )
     if round(beats.share, 2) < LEAST_BEATS or round(beats.silence.seconds, 2) > LONGEST_SILENCE_S:
         return why_no_heartbeat(recording, beats, saw)
@@ -341,23 +341,25 @@ def detections_come(recording: Recording) -> Verdict:
     given = answers(recording)
     if any(answer.things for answer in given):
         return see.passed("detections come")
-    expected = f"what is on the desk, on {DETECTIONS.name}"
+    expected = f"the toys on the desk, on {DETECTIONS.name}"
     if given:
         return see.failed(
             "detections-come.empty",
-            f"{see.count(len(given), 'message')} on {DETECTIONS.name}, and not one with a marker in it",
+            f"{see.count(len(given), 'message')} on {DETECTIONS.name}, but none contains a marker",
             expected,
-            "The model found nothing in any picture, or its result is not put into the message.",
-            "Is the picture in the colors that the model expects? Print what the model returns for one picture.",
+            "The model found nothing in any image, or its result isn't put into the message.",
+            "Check that the image has the color order that the model expects, and print the model's result for one "
+            "image.",
         )
-    nothing = f"{PICTURES} pictures were sent to {IMAGE.name}, and nothing came on {DETECTIONS.name}"
+    nothing = f"{PICTURES} images were published on {IMAGE.name}, but nothing arrived on {DETECTIONS.name}"
     return see.ended_or_error(recording, nothing, expected) or see.failed(
         "detections-come.nothing",
         nothing,
         expected,
-        "Nobody hands pictures to the model, its result is not published, or an exception was lost in a thread. Or all "
-        "pictures are taken for old ones: their stamps come from another clock than that of the program.",
-        "Log a line before and after the model is called: which is missing?",
+        "Your code doesn't pass images to the model or doesn't publish its result, or an exception was lost in a "
+        "thread. Or your code rejects all images as old, because their stamps come from a different clock than "
+        "your program's.",
+        "Log a line before and after the model call: which one is missing?",
         about_time=True,
     )
 
@@ -370,7 +372,7 @@ def detections_come(recording: Recording) -> Verdict:
 def stamps_kept(recording: Recording) -> Verdict:
     given = full_answers(recording)
     return wrong_stamps(run_of(recording), given) or see.passed(
-        f"{see.count(len(given), 'message')}, each with the stamp of its picture"
+        f"{see.count(len(given), 'message')}, each with its image's stamp"
     )
 
 
@@ -394,8 +396,8 @@ def fresh(recording: Recording) -> Verdict:
     in_time = sum(round(age, 2) <= MOSTLY_S for age in ages) / len(ages)
     hertz = answered_hz(recording, seen)
     saw = (
-        f"typically {typical:.2f} s old, {in_time:.0%} at most {MOSTLY_S:g} s; {hertz:.1f} pictures answered "
-        "each second"
+        f"typically {typical:.2f} s old, {in_time:.0%} at most {MOSTLY_S:g} s; {hertz:.1f} images answered per "
+        "second"
     )
     too_old = round(typical, 2) > TYPICALLY_S or in_time < MOSTLY_SHARE
     if matched != full_answers(recording):  # the pictures are known to a few hundredths of a second
@@ -428,11 +430,11 @@ def right(recording: Recording) -> Verdict:
     if not known:
         return few_answers(recording, 0)
     wrong = [(place, one) for place, one in known if not is_right(run, place, one)]
-    saw = f"{len(known) - len(wrong)} of {len(known)} messages are right"
+    saw = f"{len(known) - len(wrong)} of {len(known)} messages are correct"
     if len(known) - len(wrong) >= RIGHT_SHARE * len(known):
         return see.passed(saw)
     place, one = wrong[len(wrong) // 2]
-    saw += f". Picture {place + 1} shows {listed(run.whole(place))}; the message says {listed(one.things)}"
+    saw += f". Image {place + 1} shows {listed(run.whole(place))}; the message contains {listed(one.things)}"
     reason = first_that_fits(run, REASONS, wrong) or SOMETHING_ELSE
     return see.failed(reason.cause, saw, RIGHT_EXPECTED, reason.because, reason.try_this)
 
@@ -444,7 +446,7 @@ def right(recording: Recording) -> Verdict:
 )
 def survives(recording: Recording) -> Verdict:
     run, recording = run_of(recording), in_judges_time(recording)
-    saw = f"for {len(run.in_glare)} pictures the model raises RuntimeError (glare)"
+    saw = f"for {len(run.in_glare)} images, the model raises RuntimeError (glare)"
     given = answers(recording)
     full = [one for one in given if one.things]
     return (
@@ -454,7 +456,7 @@ def survives(recording: Recording) -> Verdict:
         or answered_glare(run, saw, full)
         or said_nothing_there(recording, saw, given)
         or no_line(recording, saw)
-        or see.passed(f"{saw}: logged, and the pictures after them were answered")
+        or see.passed(f"{saw}: logged, and later images were answered")
     )
 
 
@@ -486,7 +488,7 @@ def fall_reported(recording: Recording) -> Verdict:
     again = [at for at, word in said if at > errors[0] and word == OPERATIONAL]
     if again:
         return why_taken_back(
-            f'{saw}, and "{OPERATIONAL}" again {again[0] - errors[0]:.1f} s later', again[0], moments, what
+            f'{saw}, but "{OPERATIONAL}" again {again[0] - errors[0]:.1f} s later', again[0], moments, what
         )
     return see.passed(f"{saw}, and from then on")
 
@@ -495,19 +497,19 @@ HEARTBEAT_EXPECTED = (
     f"{LEAST_BEATS:.0%} to {MOST_BEATS:.0%} of ten heartbeats a second, never more than {LONGEST_SILENCE_S:g} s "
     "without one"
 )
-ONE_EACH = f"one message on {DETECTIONS.name} for a picture, with all that was found in it"
-PICTURE_STAMPS = "in each marker the stamp of the picture that it was found in"
+ONE_EACH = f"one message on {DETECTIONS.name} per image, with all of its detections"
+PICTURE_STAMPS = "in each marker, the stamp of the image in which the toy was detected"
 FRESH_EXPECTED = (
-    f"typically at most {TYPICALLY_S:g} s old, nine of ten at most {MOSTLY_S:g} s; at least {LEAST_HZ:g} pictures "
-    "answered each second"
+    f"typically at most {TYPICALLY_S:g} s old, nine of ten at most {MOSTLY_S:g} s; at least {LEAST_HZ:g} images "
+    "answered per second"
 )
 RIGHT_EXPECTED = (
-    f"in {RIGHT_SHARE:.0%} of the messages each toy that is seen whole, with its label, within {WITHIN_PIXELS:g} "
-    "pixels, and nothing else"
+    f"in {RIGHT_SHARE:.0%} of the messages, each fully visible toy with its label, within {WITHIN_PIXELS:g} pixels, "
+    "and nothing else"
 )
 SURVIVES_EXPECTED = (
-    "no message for such a picture, a line in the log with the text of the exception, and answers to the pictures "
-    "after that"
+    "no message for such an image, a line in the log with the exception's text, and answers to the images after "
+    "that"
 )
 FALL_EXPECTED = (
     f'"{ERROR}" at most {FALL_WITHIN_S:g} s after {TILTED_SAMPLES} samples in a row are tilted by more than '
@@ -602,7 +604,7 @@ def full_answers(recording: Recording) -> list[Answered]:
     return [one for one in answers(recording) if one.things]
 
 
-NO_PICTURE = "the stamps do not tell which picture each message is for"
+NO_PICTURE = "the stamps don't tell which image each message is for"
 
 
 def with_their_pictures(recording: Recording) -> list[Answered] | None:
@@ -666,8 +668,8 @@ def why_no_heartbeat(recording: Recording, beats: see.Beats, saw: str) -> Verdic
             "heartbeat-kept.rarely",
             saw,
             HEARTBEAT_EXPECTED,
-            "The status is published once, or when it changes. A listener cannot tell a robot that is well from one "
-            "that has stopped.",
+            "The status is published only once, or only when it changes. So a subscriber can't distinguish a "
+            "healthy robot from one that has stopped.",
             "Publish the status in the callback of create_timer(0.1, ...), whether or not it has changed.",
             about_time=True,
         )
@@ -681,7 +683,8 @@ def why_no_heartbeat(recording: Recording, beats: see.Beats, saw: str) -> Verdic
                 "heartbeat-kept.stops",
                 saw,
                 HEARTBEAT_EXPECTED,
-                "The heartbeat has stopped: the program ended, or its timer is no longer served.",
+                "The heartbeat has stopped: the program ended, or the executor no longer runs the heartbeat's "
+                "timer.",
                 "Read the log: what was the last thing that happened?",
                 about_time=True,
             )
@@ -689,12 +692,12 @@ def why_no_heartbeat(recording: Recording, beats: see.Beats, saw: str) -> Verdic
     if waits_for_the_model(recording):
         return see.failed(
             "heartbeat-kept.waits-for-the-model",
-            f"{saw}. Most heartbeats come right after a message with detections",
+            f"{saw}. Most heartbeats arrive right after a message with detections",
             HEARTBEAT_EXPECTED,
-            f"The timer waits for the model, for {MODEL_S:g} s each time. Either one thread serves both. Or the "
-            "heartbeat needs a lock that is held while the model is called.",
-            "Call the model in a thread of its own, or give its callback a callback group of its own in a "
-            "MultiThreadedExecutor. Hold no lock during the call.",
+            f"The timer waits for the model, {MODEL_S:g} s each time. Either one thread runs both, or the heartbeat "
+            "needs a lock that is held during the model call.",
+            "Call the model in its own thread, or give its callback its own callback group in a "
+            "MultiThreadedExecutor. Don't hold a lock during the call.",
             about_time=True,
         )
     return why_few_beats(beats, saw)
@@ -708,11 +711,11 @@ def ends_with_the_fall(recording: Recording, saw: str) -> Verdict | None:
         return None
     return see.failed(
         "heartbeat-kept.ends-with-the-fall",
-        f'{saw}, when "{ERROR}" had come {see.count(times, "time")}',
+        f'{saw}; by then, "{ERROR}" had arrived {see.count(times, "time")}',
         HEARTBEAT_EXPECTED,
-        "The status is published until the fall, and then no more. A listener cannot tell a robot that lies on the "
-        "floor from one that has lost its connection.",
-        f'Publish "{ERROR}" ten times a second from then on.',
+        "The status is no longer published after the fall. So a subscriber can't distinguish a robot on the floor "
+        "from one that has lost its connection.",
+        f'After a fall, publish "{ERROR}" ten times per second.',
         about_time=True,
     )
 
@@ -724,17 +727,18 @@ def why_few_beats(beats: see.Beats, saw: str) -> Verdict:
             "heartbeat-kept.held-up",
             f"{saw}, from {beats.silence.start:.1f} s on",
             HEARTBEAT_EXPECTED,
-            "Something holds up the thread that serves the timer, or keeps the processor for itself.",
-            "Let a thread without slow work serve the timer of the status.",
+            "Something blocks the thread that runs the timer, or uses up the processor.",
+            "Run the status timer in a thread that does no slow work.",
             about_time=True,
         )
     return see.failed(
         "heartbeat-kept.too-few",
-        f"{saw}; typically {beats.typical_s:.2f} s from one to the next",
+        f"{saw}; typically {beats.typical_s:.2f} s apart",
         HEARTBEAT_EXPECTED,
-        "The period of the timer is too long, or the status is published in a callback that runs less often. Or a loop "
-        "sleeps between two calls of spin_once.",
-        "Publish the status in the callback of create_timer(0.1, ...), and let rclpy.spin or an executor wait for it.",
+        "The timer's period is too long, or the status is published in a callback that runs less often. Or a loop "
+        "sleeps between calls to spin_once.",
+        "Publish the status in the callback of create_timer(0.1, ...), and use rclpy.spin() or an executor without "
+        "sleeping.",
         about_time=True,
     )
 
@@ -785,28 +789,30 @@ def strange_stamps(run: Run, given: Sequence[Answered]) -> Verdict | None:
     if all(0.0 in one.stamps and len(one.stamps) == 2 for one in strange):
         return see.failed(
             "stamps-kept.some-without-stamp",
-            f"{len(strange)} of {see.count(len(given), 'message')} with markers whose stamp is 0 s, beside some with "
-            "the stamp of a picture",
+            f"{len(strange)} of {see.count(len(given), 'message')} with some markers stamped 0 s, and others with "
+            "an image's stamp",
             PICTURE_STAMPS,
-            "Only some markers of a message got the header of their picture.",
-            "Give each marker the header of its picture. to_markers does that: leave it as it is.",
+            "Only some of a message's markers have their image's header.",
+            "Give each marker its image's header. The original to_markers does that, so don't change it.",
         )
-    saw = f"{len(strange)} of {see.count(len(given), 'message')} with a stamp that no picture had, the first {{}}"
+    saw = (
+        f"{len(strange)} of {see.count(len(given), 'message')} with a stamp that no image had, the first {{}}"
+    )
     if all(one.stamps == (0.0,) for one in strange):
         return see.failed(
             "stamps-kept.no-stamp",
             saw.format("0 s"),
             PICTURE_STAMPS,
-            "New markers are published, and their header was never filled in.",
-            "Give each marker the header of its picture.",
+            "Your code publishes new markers without filling in their headers.",
+            "Give each marker its image's header.",
         )
     return see.failed(
         "stamps-kept.own-stamp",
         saw.format(f"{stamp:.2f} s"),
         PICTURE_STAMPS,
-        "The node stamps its detections with its own clock, or loses a part of the stamp. But the stamp says when the "
-        "picture was taken, not when the model had looked at it.",
-        "Copy the whole header of the picture into each marker.",
+        "The node stamps its detections with its own clock, or loses a part of the stamp. But the stamp must tell "
+        "when the image was taken, not when the model processed it.",
+        "Copy the image's whole header into each marker.",
     )
 
 
@@ -817,10 +823,11 @@ def several_pictures(given: Sequence[Answered]) -> Verdict | None:
         return None
     return see.failed(
         "stamps-kept.several-pictures",
-        f"{see.count(len(mixed), 'message')} with markers of {len(mixed[0].stamps)} pictures",
+        f"{see.count(len(mixed), 'message')} with markers from several images, the first from {len(mixed[0].stamps)}",
         ONE_EACH,
-        "Markers of earlier pictures stay in the message, or pictures are collected before they are published.",
-        "Begin a new MarkerArray for each picture.",
+        "Markers from earlier images stay in the message, or your code collects several images' detections before "
+        "publishing.",
+        "Create a new MarkerArray for each image.",
     )
 
 
@@ -832,10 +839,10 @@ def one_for_each(given: Sequence[Answered]) -> Verdict | None:
         return None
     return see.failed(
         "stamps-kept.one-for-each-detection",
-        f"{see.count(len(given), 'message')} with one marker each, up to {max(several)} for the same picture",
+        f"{see.count(len(given), 'message')} with one marker each, up to {max(several)} for the same image",
         ONE_EACH,
-        "Each detection is published in a message of its own.",
-        "Call to_markers once, with all that was found, and publish once.",
+        "Each detection is published in its own message.",
+        "Call to_markers once with all detections, and publish once.",
     )
 
 
@@ -846,11 +853,11 @@ def answered_twice(given: Sequence[Answered]) -> Verdict | None:
         return None
     return see.failed(
         "stamps-kept.repeated",
-        f"{most} messages with the stamp of picture {place + 1}",
+        f"{most} messages with the stamp of image {place + 1}",
         ONE_EACH,
-        "One picture is answered again and again, by a timer or a loop that does not notice that nothing is new. Or "
-        "two lines publish the same result.",
-        "Remove the stored picture when you hand it to the model, and publish what it returned once.",
+        "A timer or a loop answers the same image again and again, because it doesn't check for a new one. Or two "
+        "lines publish the same result.",
+        "Clear the stored image when you pass it to the model, and publish the model's result once.",
     )
 
 
@@ -862,11 +869,12 @@ def not_in_order(given: Sequence[Answered]) -> Verdict | None:
         return None
     return see.failed(
         "stamps-kept.goes-back",
-        f"picture {back[0][1] + 1} is answered after picture {back[0][0] + 1}; {len(back)} times it goes back",
-        "messages in the order of their pictures",
-        "Several threads or processes publish at once, or pictures are taken from the wrong end of a queue. Or an "
-        "earlier result is published for a newer picture, while the model is still busy.",
-        "Let one thread call the model and publish, and hand it the newest picture only.",
+        f"image {back[0][1] + 1} is answered after image {back[0][0] + 1}; {see.count(len(back), 'step')} back in "
+        "all",
+        "messages in the order of their images",
+        "Several threads or processes publish at the same time, or your code takes images from the wrong end of a "
+        "queue. Or it publishes an earlier result for a newer image while the model is still busy.",
+        "Let a single thread call the model and publish, and pass it only the newest image.",
     )
 
 
@@ -917,16 +925,16 @@ def later_stamps(run: Run, given: Sequence[Answered]) -> Verdict | None:
     known = [one for one in given if (one.place or 0) > MOST_BEHIND]
     here, there = (statistics.median(fitting(run, known, back)) for back in (0, behind))
     saw = (
-        f"the detections are typically {here:.1f} pixels away from the toys, but only {there:.1f} pixels away "
-        f"from where the toys were {see.count(behind, 'picture')} earlier"
+        f"the detections are typically {here:.1f} pixels away from the toys, but only {there:.1f} pixels away from "
+        f"where the toys were {see.count(behind, 'image')} earlier"
     )
     return last_result_again(given, saw) or see.failed(
         "stamps-kept.later-picture",
         saw,
         PICTURE_STAMPS,
-        "A detection gets the stamp of a picture that came later. The header was read from an attribute that the next "
-        "picture overwrites. Or the result for one picture is published for the next one.",
-        "Keep pixels and header of a picture together, and hand both to the thread that calls the model.",
+        "A detection gets a later image's stamp. The header was read from an attribute that the next image "
+        "overwrites, or one image's result is published for the next image.",
+        "Keep an image's pixels and header together, and pass both to the thread that calls the model.",
     )
 
 
@@ -937,11 +945,11 @@ def last_result_again(given: Sequence[Answered], saw: str) -> Verdict | None:
         return None
     return see.failed(
         "stamps-kept.last-result-again",
-        f"{saw}. A message came every {pace:.2f} s, and the model takes {MODEL_S:g} s",
+        f"{saw}. A message arrived every {pace:.2f} s, but the model takes {MODEL_S:g} s",
         PICTURE_STAMPS,
-        "Each picture is answered at once, with what was found in an earlier one. The robot reaches for where the toys "
-        "have been.",
-        "Publish only when the model returns, with the header of the picture that it was called with.",
+        "Each image is answered right away, with the detections from an earlier image. So the robot reaches for "
+        "places where the toys used to be.",
+        "Publish only when the model returns, with the header of the image that it received.",
     )
 
 
@@ -1056,60 +1064,61 @@ def some_missing(run: Run, place: int, answer: Answered) -> bool:
 REASONS = (
     Reason(
         "right.colors-swapped",
-        "The blue ball was taken for a toy, and orange toys are missing. Red and blue are exchanged: the camera sends "
-        "bgr8, and the model expects RGB.",
-        "Turn the order of the colors around before you call the model: pixels[:, :, ::-1], or cv2.cvtColor.",
+        "The model detected the blue ball as a toy, but missed orange toys. Red and blue are swapped: the camera "
+        "sends bgr8, but the model expects RGB.",
+        "Reverse the color order before you call the model: pixels[:, :, ::-1], or cv2.cvtColor.",
         colors_swapped,
     ),
     Reason(
         "right.only-one",
-        "Of all that was found, one detection is published.",
+        "Only one of the detections is published.",
         "Publish a marker for each detection that the model returns.",
         only_the_first,
     ),
     Reason(
         "right.rows-for-columns",
-        "Columns and rows are exchanged.",
+        "Columns and rows are swapped.",
         "position.x is the column (u), position.y the row (v).",
         rows_for_columns,
     ),
     Reason(
         "right.corner",
-        "The labels are right, but each place is above the toy and to its left: it is a corner of the box.",
-        "u and v of a detection are the middle of its box. Leave to_markers as it is.",
+        "The labels are correct, but each position is above the toy's center and to its left: it's a corner of the "
+        "box.",
+        "A detection's u and v are the center of its box. Don't change to_markers.",
         at_a_corner,
     ),
     Reason(
         "right.labels",
-        "The places are right, but labels are not those of the toys at these places.",
-        "Each detection has its own label: ns=one.label. Leave to_markers as it is.",
+        "The positions are correct, but some labels don't belong to the toys at these positions.",
+        "Each detection has its own label: ns=one.label. Don't change to_markers.",
         wrong_labels,
     ),
     Reason(
         "right.no-toy",
-        "All toys are there, and also a marker whose label is no toy. A marker with the action DELETEALL is a marker, "
-        "too.",
-        "Publish a marker for each detection that the model returned for this picture, and no other.",
+        "All toys are there, but there's also a marker whose label isn't a toy. A marker with the action DELETEALL "
+        "counts as a marker, too.",
+        "Publish one marker for each detection that the model returned for this image, and no others.",
         other_labels,
     ),
     Reason(
         "right.some-extra",
-        "All toys are there, and other markers, too: what was found in another picture, or the same toy twice.",
-        "Publish a marker for each detection that the model returned for this picture, and no other.",
+        "All toys are there, but there are extra markers: detections from another image, or the same toy twice.",
+        "Publish one marker for each detection that the model returned for this image, and no others.",
         some_extra,
     ),
     Reason(
         "right.some-missing",
-        "What is published is right, but toys are missing that can be seen whole.",
+        "The published markers are correct, but some fully visible toys are missing.",
         "Publish a marker for each detection that the model returns.",
         some_missing,
     ),
 )
 SOMETHING_ELSE = Reason(
     "right.something-else",
-    "The model did not get the picture as the camera took it, or its result was changed. A model that gets wrong "
-    "pixels raises nothing: it finds other things.",
-    "Draw what you hand to the model, for one picture: colors, rows and columns must be as in the picture.",
+    "The model received different pixels than the camera sent, or your code changed the model's result. Wrong "
+    "pixels don't raise an exception; they just lead to wrong detections.",
+    "Plot the array that you pass to the model for one image: colors, rows, and columns must be as in the image.",
     lambda run, place, answer: True,
 )
 
@@ -1119,13 +1128,13 @@ SOMETHING_ELSE = Reason(
 
 def few_answers(recording: Recording, answered: int) -> Verdict:
     """Nothing can be said, because hardly any picture was answered."""
-    saw = f"{see.count(answered, 'picture')} of {PICTURES} answered"
+    saw = f"{see.count(answered, 'image')} of {PICTURES} answered"
     return see.ended_or_error(recording, saw, FRESH_EXPECTED) or see.failed(
         "answers.too-few",
         saw,
         FRESH_EXPECTED,
         "The node stopped answering, or answers very rarely.",
-        "Hand the newest picture to the model as soon as it has finished the one before.",
+        "Pass the newest image to the model as soon as it has finished the previous one.",
         about_time=True,
     )
 
@@ -1135,25 +1144,26 @@ def too_soon(ages: Sequence[float], saw: str) -> Verdict | None:
 
     One in twenty may seem to: on a busy machine, the moment at which a picture was sent is noted late.
     """
-    expected = f"the result of SlowDetector, which takes {MODEL_S:g} s for each picture"
+    expected = f"the result of SlowDetector, which takes {MODEL_S:g} s per image"
     if round(statistics.median(ages), 2) < SOONEST_S:
         return see.failed(
             "fresh.faster-than-the-model",
             saw,
             expected,
-            "The detections come sooner than the given model can find them: something else finds them.",
-            "Call SlowDetector, and leave it as it is.",
+            "The detections arrive sooner than the given model can compute them, so something else computes them.",
+            "Call SlowDetector, and don't change it.",
         )
     soon = [age for age in ages if round(age, 2) < SOONEST_S]
     if len(soon) <= len(ages) / 20:
         return None
     return see.failed(
         "fresh.some-guessed",
-        f"{saw}; {len(soon)} of {see.count(len(ages), 'message')} came sooner than {SOONEST_S:g} s after their picture",
+        f"{saw}; {len(soon)} of {see.count(len(ages), 'message')} arrived sooner than {SOONEST_S:g} s after their "
+        "image",
         expected,
-        "Some detections come sooner than the model can find them: an earlier result is published again for a newer "
-        "picture.",
-        "Publish only what the model returned, with the header of the picture that it was called with.",
+        "Some detections arrive sooner than the model can compute them: an earlier result is published again for a "
+        "newer image.",
+        "Publish only the model's result, with the header of the image that it received.",
     )
 
 
@@ -1170,10 +1180,10 @@ def rarely_after_the_fall(recording: Recording, seen: Sequence[Timed], saw: str)
         return None
     return see.failed(
         "fresh.rarely-after-the-fall",
-        f"{saw}. From the fall on, only {hertz:.1f} each second",
+        f"{saw}. After the fall, only {hertz:.1f} per second",
         FRESH_EXPECTED,
-        "After the fall, fewer pictures are handed to the model. But a robot that lies on the floor still has to see.",
-        "Only the status follows the fall. Look at pictures as often as before.",
+        "After the fall, your code passes fewer images to the model. But a robot on the floor still has to see.",
+        "Change only the status after a fall. Pass images to the model as often as before.",
         about_time=True,
     )
 
@@ -1191,29 +1201,29 @@ def why_old(recording: Recording, seen: Sequence[Timed], saw: str) -> Verdict:
             "fresh.queue-grows",
             f"{saw}. The first were {first:.1f} s old, the last {last:.1f} s",
             FRESH_EXPECTED,
-            f"The camera sends {CAMERA_HZ:g} pictures a second, and the model can take five. All others wait in a "
-            "queue, longer and longer.",
-            "Keep the newest picture only: a queue of depth 1, or an attribute that each picture overwrites.",
+            f"The camera sends {CAMERA_HZ:g} images per second, but the model can process only five. The others "
+            "wait in a queue that keeps growing.",
+            "Keep only the newest image: use a queue depth of 1, or an attribute that each image overwrites.",
             about_time=True,
         )
     if pace > 1.5 * MODEL_S:
         return see.failed(
             "fresh.slow",
-            f"{saw}. From one message to the next, {pace:.2f} s pass",
+            f"{saw}. The messages are {pace:.2f} s apart",
             FRESH_EXPECTED,
-            f"The model takes {MODEL_S:g} s for a picture, and something else takes more. The model is loaded anew for "
-            "each picture, it is called more than once, or the node waits before it publishes.",
-            "Create SlowDetector once, at the start. Call it once for each picture, and publish at once.",
+            f"The model takes {MODEL_S:g} s per image, but something takes additional time. Your code reloads the "
+            "model for each image, calls it more than once, or waits before it publishes.",
+            "Create SlowDetector once, at the start. Call it once per image, and publish right away.",
             about_time=True,
         )
     missed = [sum(1 for at in sent if sent[one.place] < at <= one.wall - MODEL_S) for one in seen]
     return see.failed(
         "fresh.old-pictures",
-        f"{saw}. When the model began, typically {statistics.median(missed):.0f} newer pictures had come",
+        f"{saw}. When the model started, typically {statistics.median(missed):.0f} newer images had already arrived",
         FRESH_EXPECTED,
-        f"Pictures wait for about {max(waited, 0.0):.2f} s before the model gets them, while newer ones are there. "
-        "They wait in the queue of the subscription, or in one of your own.",
-        "Keep the newest picture only: a queue of depth 1, or an attribute that each picture overwrites.",
+        f"Images wait for about {max(waited, 0.0):.2f} s before the model receives them, although newer ones have "
+        "arrived. They wait in the subscription's queue, or in your own.",
+        "Keep only the newest image: use a queue depth of 1, or an attribute that each image overwrites.",
         about_time=True,
     )
 
@@ -1224,22 +1234,22 @@ def stops_early(recording: Recording, seen: Sequence[Timed], saw: str) -> Verdic
     if sent[-1] - seen[-1].wall <= STOPPED_S or gave_up_in_glare(recording, seen):
         return None
     errors = [one.published for one in recording.topic(STATUS.name).arrivals if one.value["data"] == ERROR]
-    saw = f"{saw}. In the last {sent[-1] - seen[-1].wall:.1f} s none was answered"
+    saw = f"{saw}. In the last {sent[-1] - seen[-1].wall:.1f} s, none was answered"
     if errors and abs(seen[-1].wall - errors[0]) <= STOPPED_S / 2:
         return see.failed(
             "fresh.stops-with-the-fall",
             saw,
             FRESH_EXPECTED,
-            "The detections end with the fall. But a robot that lies on the floor still has to see.",
-            "Only the status follows the fall. Look at pictures until Ctrl-C.",
+            "The detections stop with the fall. But a robot on the floor still has to see.",
+            "Change only the status after a fall. Process images until Ctrl-C.",
             about_time=True,
         )
     return see.ended_or_error(recording, saw, FRESH_EXPECTED) or see.failed(
         "fresh.stops",
         saw,
         FRESH_EXPECTED,
-        "The node stopped answering: its thread ended, or waits for something that never comes.",
-        "Look at pictures until Ctrl-C. Log a line before and after the model is called: which is missing?",
+        "The node stopped answering: its thread ended, or waits for something that never happens.",
+        "Process images until Ctrl-C. Log a line before and after the model is called: which is missing?",
         about_time=True,
     )
 
@@ -1250,8 +1260,8 @@ def why_few(recording: Recording, saw: str) -> Verdict:
         "fresh.too-few",
         saw,
         FRESH_EXPECTED,
-        "The model stands idle between two pictures: a timer calls it too rarely, or the node stopped answering.",
-        "Hand the newest picture to the model as soon as it has finished the one before.",
+        "The model is idle between images: a timer calls it too rarely, or the node stopped answering.",
+        "Pass the newest image to the model as soon as it has finished the previous one.",
         about_time=True,
     )
 
@@ -1271,10 +1281,10 @@ def silent_since_glare(recording: Recording, saw: str, given: Sequence[Answered]
     if not ended and (over or not gave_up_in_glare(recording, given)):
         return see.failed(
             "survives.not-seen",
-            f"{saw}, and no picture after them was answered",
+            f"{saw}, and no later image was answered",
             SURVIVES_EXPECTED,
             "The node lags far behind the camera, or it stopped answering for another reason.",
-            "First make sure that fresh pictures are answered until the end.",
+            "First, make sure that fresh images are answered until the end.",
             about_time=True,
         )
     if ended:
@@ -1282,15 +1292,16 @@ def silent_since_glare(recording: Recording, saw: str, given: Sequence[Answered]
         if not WORDS_OF_THE_MODEL.search(recording.process.log) and see.last_error(recording) is None:
             return left_by_itself(recording)
     else:
-        saw = f"{saw}, and then no picture was answered any more"
+        saw = f"{saw}, and then no image was answered any more"
     lines = len(WORDS_OF_THE_MODEL.findall(recording.process.log))
     if not ended and lines > 2 * sum(end - begin for begin, end in run.events.glare_s) / MODEL_S:
         return see.failed(
             "survives.same-picture-again",
-            f"{saw}. The log has the text of the exception {lines} times",
+            f"{saw}. The log contains the exception's text {lines} times",
             SURVIVES_EXPECTED,
-            "The same picture is handed to the model again and again, and the model gives up on it each time.",
-            "In the except branch, log, and go on with the next picture.",
+            "Your code passes the same image to the model again and again, and the model raises the exception each "
+            "time.",
+            "In the except branch, log the error, and continue with the next image.",
             about_time=True,
         )
     return why_ended(saw, bool(lines) and "Traceback" not in recording.process.log)
@@ -1298,7 +1309,7 @@ def silent_since_glare(recording: Recording, saw: str, given: Sequence[Answered]
 
 def left_by_itself(recording: Recording) -> Verdict:
     """The program ended, and not because the model gave up."""
-    saw = "whether the node survives cannot be seen"
+    saw = "the judge can't see whether the node survives"
     ended = see.program_ended(recording, saw, SURVIVES_EXPECTED)
     assert ended is not None
     return ended
@@ -1309,21 +1320,22 @@ def why_ended(saw: str, caught: bool) -> Verdict:
     if caught:
         return see.failed(
             "survives.gave-up",
-            f"{saw}. The log has the text of the exception, and no traceback",
+            f"{saw}. The log contains the exception's text, but no traceback",
             SURVIVES_EXPECTED,
-            "The exception was caught and logged. Then the node ended its thread or itself, or it no longer hands "
-            "pictures to the model.",
-            "In the except branch, log, and go on with the next picture. However often the model raises, the next "
-            "picture may be fine.",
+            "The exception was caught and logged. But then the node ended its thread or itself, or it no longer "
+            "passes images to the model.",
+            "In the except branch, log the error, and continue with the next image. However often the model "
+            "raises, the next image may be fine.",
             about_time=True,
         )
     return see.failed(
         "survives.ended",
         saw,
         SURVIVES_EXPECTED,
-        "The exception of the model was not caught where the model is called. It ended the thread, the executor or "
-        "the program.",
-        "try: found = model(pixels) / except RuntimeError as error: log it, and go on with the next picture.",
+        "The model's exception wasn't caught where the model is called. It ended the thread, the executor, or the "
+        "program.",
+        "try: found = model(pixels) / except RuntimeError as error: log the error, and continue with the next "
+        "image.",
         about_time=True,
     )
 
@@ -1335,10 +1347,10 @@ def too_rarely(saw: str, given: Sequence[Answered]) -> Verdict | None:
         return None
     return see.failed(
         "survives.too-rarely",
-        f"{saw}, but so few pictures were answered that the model probably got none of these",
+        f"{saw}, but so few images were answered that the model probably received none of these",
         SURVIVES_EXPECTED,
-        "Whether the node survives cannot be seen.",
-        "First make sure that the model gets a picture at least three times a second.",
+        "So the judge can't see whether the node survives.",
+        "First, make sure that the model receives an image at least three times per second.",
         about_time=True,
     )
 
@@ -1355,10 +1367,10 @@ def pauses(recording: Recording, saw: str, given: Sequence[Answered]) -> Verdict
         if waited > PAUSE_S:
             return see.failed(
                 "survives.pauses",
-                f"{saw}, and after glare no picture was answered for {waited:.1f} s",
+                f"{saw}, and after the glare, no image was answered for {waited:.1f} s",
                 SURVIVES_EXPECTED,
-                "The program waits before it goes on, or creates the model anew. The next picture may be fine.",
-                "In the except branch, log, and take the next picture at once.",
+                "The program waits before it continues, or it re-creates the model. But the next image may be fine.",
+                "In the except branch, log the error, and take the next image right away.",
                 about_time=True,
             )
     return None
@@ -1372,18 +1384,18 @@ def answered_glare(run: Run, saw: str, given: Sequence[Answered]) -> Verdict | N
     if not any(toy.label in LABELS for one in guessed for toy in one.things):
         return see.failed(
             "survives.marker-without-a-toy",
-            f"{saw}, and for {len(guessed)} of them a marker came whose label is no toy",
+            f"{saw}, but for {len(guessed)} of them, your node published a marker whose label isn't a toy",
             SURVIVES_EXPECTED,
-            "A marker that stands for no toy, such as DELETEALL, also says something about the desk. But the model "
-            "could not see it.",
-            "In the except branch, log and return: publish nothing.",
+            "A marker for no toy, such as DELETEALL, is still a statement about the desk. But the model couldn't "
+            "see the desk.",
+            "In the except branch, log the error and return without publishing.",
         )
     return see.failed(
         "survives.answered",
-        f"{saw}, and {len(guessed)} of them were answered with detections",
+        f"{saw}, but {len(guessed)} of them were answered with detections",
         SURVIVES_EXPECTED,
-        "The model returned nothing for these pictures. What was published is left over from an earlier one.",
-        "In the except branch, log and return: publish nothing.",
+        "The model returned nothing for these images. The published detections are left over from an earlier image.",
+        "In the except branch, log the error and return without publishing.",
     )
 
 
@@ -1400,10 +1412,10 @@ def said_nothing_there(recording: Recording, saw: str, given: Sequence[Answered]
         return None
     return see.failed(
         "survives.empty",
-        f"{saw}, and {see.count(len(empty), 'message')} came without a marker",
+        f"{saw}, but {see.count(len(empty), 'message')} arrived without a marker",
         SURVIVES_EXPECTED,
-        "An empty message says that the desk is empty. But the model could not see it.",
-        "In the except branch, log and return: publish nothing.",
+        "An empty message means that the desk is empty. But the model couldn't see the desk.",
+        "In the except branch, log the error and return without publishing.",
     )
 
 
@@ -1414,12 +1426,12 @@ def no_line(recording: Recording, saw: str) -> Verdict | None:
     own_words = "glare" in recording.process.log
     return see.failed(
         "survives.no-line",
-        f'{saw}, and no line of the log has the text "glare: ...% of the picture is white"',
+        f'{saw}, but no line of the log contains "glare: ...% of the picture is white"',
         SURVIVES_EXPECTED,
-        "The program logs words of its own, not those of the exception. They do not say how bright it was."
+        "The program logs its own text, not the exception's. So the log doesn't show how bright the image was."
         if own_words
-        else "The exception is swallowed, or its text is not in the line that is logged. An engineer who asks why the "
-        "robot was blind does not learn it.",
+        else "The exception is swallowed, or its text isn't in the logged line. So an engineer can't find out "
+        "why the robot was blind.",
         'self.get_logger().error(f"the model gave up: {error}")',
     )
 
@@ -1434,7 +1446,7 @@ def never_fell(recording: Recording) -> Verdict:
             "fall-reported.not-seen",
             "the watch ended before the robot fell",
             FALL_EXPECTED,
-            "The machine was too busy to send all samples of the IMU in time.",
+            "The machine was too busy to send all IMU samples in time.",
             "Check it again.",
             about_time=True,
         )
@@ -1461,9 +1473,10 @@ def too_early(recording: Recording, at: float, moments: Sequence[float]) -> Verd
                 "fall-reported.on-a-jolt",
                 f'"{ERROR}" after a jolt of {jolt.count} samples',
                 FALL_EXPECTED,
-                "A jolt is taken for a fall: fewer than ten samples are enough. Or tilted samples are counted, and the "
-                "count does not begin again at an upright one.",
-                "Count the tilted samples in a row, and set the count to 0 at each upright one. Ten are a fall.",
+                "Your node interprets a jolt as a fall. Fewer than ten samples are enough for it, or an upright "
+                "sample doesn't reset its count of tilted samples.",
+                "Count the tilted samples in a row, and reset the count to 0 at each upright sample. Ten tilted "
+                "samples are a fall.",
             )
     return why_calm_but_early(recording, at, moments)
 
@@ -1475,18 +1488,18 @@ def why_calm_but_early(recording: Recording, at: float, moments: Sequence[float]
     if moments[what.leaning.first] <= at <= moments[what.leaning.end] + 0.25:
         return see.failed(
             "fall-reported.on-leaning",
-            f'"{ERROR}" while the robot leans by {what.leaning.deg:g}°',
+            f'"{ERROR}" while the robot is tilted by {what.leaning.deg:g}°',
             FALL_EXPECTED,
             "The angle above which the robot counts as tilted is too small, or degrees and radians are mixed up.",
-            f"A sample is tilted when its angle is more than {TILT_DEG:g}°.",
+            f"A sample counts as tilted if its angle is more than {TILT_DEG:g}°.",
         )
     for begin, end in what.glare_s:
         if sent[round(begin * CAMERA_HZ)] <= at <= sent[round(end * CAMERA_HZ)] + 5 * MODEL_S:
             return see.failed(
                 "fall-reported.on-glare",
-                f'"{ERROR}" while the model gives up on pictures',
+                f'"{ERROR}" while the model raises exceptions',
                 FALL_EXPECTED,
-                "An exception of the model is taken for a fall, or changes the status.",
+                "The model's exception changes the status, or your code handles it like a fall.",
                 "Log the exception. Only a fall may change the status.",
             )
     return see.failed(
@@ -1494,7 +1507,7 @@ def why_calm_but_early(recording: Recording, at: float, moments: Sequence[float]
         f'"{ERROR}" {moments[what.fall_sample] - at:.1f} s before the fall',
         FALL_EXPECTED,
         "Nothing had happened to the robot yet.",
-        "Say which condition sets the status, and log the tilt when it is met.",
+        "Find the condition that sets the status, and log the tilt when it's met.",
     )
 
 
@@ -1505,12 +1518,13 @@ def counted_on(at: float, moments: Sequence[float], what: Events) -> Verdict | N
         return None
     return see.failed(
         "fall-reported.counts-on",
-        f'"{ERROR}" at the second of two jolts of {second.count} samples, with {second.first - first.end} upright '
+        f'"{ERROR}" at the second of two {second.count}-sample jolts, with {second.first - first.end} upright '
         "samples between them",
         FALL_EXPECTED,
-        "The first jolt alone was no fall for this node. So the upright samples take only a part of the count away, or "
-        "tilted samples are counted within a span of time.",
-        "Count the tilted samples in a row: set the count to 0 at each upright one. Ten are a fall.",
+        "Your node didn't interpret the first jolt alone as a fall. So the upright samples reduce the count only "
+        "partly, or your node counts tilted samples within a time window.",
+        "Count the tilted samples in a row: reset the count to 0 at each upright sample. Ten tilted samples are a "
+        "fall.",
     )
 
 
@@ -1524,10 +1538,10 @@ def why_taken_back(saw: str, at: float, moments: Sequence[float], what: Events) 
             FALL_EXPECTED,
             "The status follows the current tilt. But a robot that has fallen and was set upright again may be "
             "damaged.",
-            "Remember the fall in an attribute, and never take it back.",
+            "Store the fall in an attribute, and never reset it.",
         )
     how = (
-        "while the robot still lay there"
+        "while the robot was still on the floor"
         if at < upright
         else f"{at - upright:.1f} s after it was set upright"
     )
@@ -1537,21 +1551,21 @@ def why_taken_back(saw: str, at: float, moments: Sequence[float], what: Events) 
         FALL_EXPECTED,
         "The fall is forgotten after a while: by a counter, a timer, or a time limit. But a robot that has fallen may "
         "be damaged, however long ago that was.",
-        "Remember the fall in an attribute, and never take it back.",
+        "Store the fall in an attribute, and never reset it.",
     )
 
 
 def no_error(recording: Recording) -> Verdict:
     """Why "error" never came."""
-    saw = f'the robot fell and lay at {FALLEN_DEG:g}°, and "{ERROR}" never came on {STATUS.name}'
+    saw = f'the robot fell and lay at {FALLEN_DEG:g}°, but "{ERROR}" never arrived on {STATUS.name}'
     return see.program_ended(recording, saw, FALL_EXPECTED) or see.failed(
         "fall-reported.never",
         saw,
         FALL_EXPECTED,
-        f"The angle above which a sample counts as tilted is larger than {TILT_DEG:g}°. Or only one axis counts, and "
-        "the robot fell forward and to the left at once. Or the callback of /robot/imu does not run for all samples, "
-        "or the status does not follow it.",
-        f"Count the samples of which tilt() says more than {TILT_DEG:g}°, in the callback of /robot/imu.",
+        f"Your threshold angle is larger than {TILT_DEG:g}°. Or you check only one axis, but the robot fell forward "
+        "and to the left at the same time. Or the /robot/imu callback doesn't run for all samples or doesn't "
+        "change the status.",
+        f"In the /robot/imu callback, count the samples for which tilt() returns more than {TILT_DEG:g}°.",
         about_time=True,
     )
 
@@ -1563,8 +1577,8 @@ def late_error(recording: Recording, saw: str) -> Verdict:
             "fall-reported.waits-for-the-model",
             saw,
             FALL_EXPECTED,
-            "The samples of the IMU wait for the model: one thread serves both, or both need the same lock.",
-            "Call the model in a thread of its own, and hold no lock during the call. Then the callback of /robot/imu "
+            "The IMU samples wait for the model: one thread runs both, or both need the same lock.",
+            "Call the model in its own thread, and don't hold a lock during the call. Then the /robot/imu callback "
             "runs right away.",
             about_time=True,
         )
@@ -1572,9 +1586,9 @@ def late_error(recording: Recording, saw: str) -> Verdict:
         "fall-reported.late",
         saw,
         FALL_EXPECTED,
-        "The samples wait in a queue, the node waits for more of them than ten, or it publishes the status rarely. Or "
-        "it counts once for each heartbeat, not for each sample: ten heartbeats take a second, ten samples 0.2 s.",
-        f"Count in the callback of /robot/imu: {TILTED_SAMPLES} tilted samples in a row are a fall. Publish the status "
-        "ten times a second.",
+        "The samples wait in a queue, the node waits for more than ten of them, or it publishes the status rarely. "
+        "Or it counts once per heartbeat, not per sample: ten heartbeats take a second, ten samples only 0.2 s.",
+        f"Count in the /robot/imu callback: {TILTED_SAMPLES} tilted samples in a row are a fall. Publish the status "
+        "ten times per second.",
         about_time=True,
     )

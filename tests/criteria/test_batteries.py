@@ -51,7 +51,7 @@ def test_a_battery_drains() -> None:
     refuses(
         see.drains(battery([100.0, 90.0, 80.0, *[70.0] * 7]), BATTERY),
         "70 % halfway through and 70 % at the end",
-        "stays the same",
+        "stops falling",
     )
 
 

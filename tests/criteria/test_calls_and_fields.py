@@ -81,7 +81,7 @@ def test_a_value_is_named_with_its_field_and_what_it_takes(logs: dict[str, str])
     error = find_error(logs["error.wrong-value-type"])
     assert error is not None
     assert error.because == "The field 'data' of String takes string. It was given dict: {}."
-    assert "a text" in error.try_this
+    assert "a string" in error.try_this
 
 
 def test_the_fields_of_a_message_are_named(logs: dict[str, str]) -> None:

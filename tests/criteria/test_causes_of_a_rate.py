@@ -23,7 +23,7 @@ def with_times(times: list[float], *, in_lockstep: bool = False, of: Topic = STA
 def test_in_lockstep_an_even_topic_is_not_held_up() -> None:
     seen = see.rate(with_times(every(2.0, 7), in_lockstep=True), STATUS)
     assert seen.cause == "rate.evenly-too-slow"
-    refuses(seen, "nothing holds up the timer", about_time=True)
+    refuses(seen, "nothing delays the timer", about_time=True)
 
 
 def test_elsewhere_a_slow_callback_makes_an_even_topic_as_well() -> None:
@@ -69,7 +69,7 @@ def test_of_too_few_messages_a_late_first_one_is_told() -> None:
     few = on_topic(BATTERY.name, BATTERY.type, [2.7, 4.7, 6.7], window=(0.0, 8.5))
     seen = see.rate(recorded(few), BATTERY)
     assert seen.cause == "rate.first-late"
-    refuses(seen, "the first came after 2.7 s", "before it publishes", about_time=True)
+    refuses(seen, "the first arrived after 2.7 s", "before it publishes", about_time=True)
 
 
 def silent_beside(other_node: str) -> Recording:

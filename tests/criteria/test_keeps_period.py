@@ -41,7 +41,7 @@ def test_counts_alone_would_let_it_pass() -> None:
 
 def test_one_message_has_no_period() -> None:
     verdict = judged([3.0])
-    assert verdict.saw == "one single message"
+    assert verdict.saw == "a single message"
 
 
 def test_silence_is_said_first() -> None:

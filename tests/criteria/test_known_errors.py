@@ -99,7 +99,7 @@ CASES = [
         6,
         "rclpy.try_shutdown()",
     ),
-    Case("overtaken", OVERTAKEN, "rcl_shutdown already called", 19, "run it again"),
+    Case("overtaken", OVERTAKEN, "rcl_shutdown already called", 19, "Run it again"),
     Case(
         "overtaken_after_a_mistake",
         OVERTAKEN_AFTER_A_MISTAKE,
@@ -135,7 +135,7 @@ Humanoid()
 """,
         "TypeError",
         6,
-        "handle another name",
+        "Rename your method handle",
     ),
     in_node(
         "builtin_callback",
@@ -231,7 +231,11 @@ Humanoid()
     Case("disk_full", "import os\nraise OSError(28, os.strerror(28))\n", "OSError", 2, "Write less"),
     Case("large_file", "import os\nraise OSError(27, os.strerror(27))\n", "OSError", 2, "Write less"),
     Case(
-        "open_files", "import os\nraise OSError(24, os.strerror(24))\n", "OSError", 2, "Close what you open"
+        "open_files",
+        "import os\nraise OSError(24, os.strerror(24))\n",
+        "OSError",
+        2,
+        "Close each file that you open",
     ),
     Case(
         "forks",
@@ -244,14 +248,14 @@ Humanoid()
     Case("shell_line", "import rclpy\n!rm -rf /\n", "SyntaxError", None, "Remove that line"),
     Case("cell_magic", "%%bash\nrm -rf /\n", "SyntaxError", None, "Remove that line"),
     Case("line_magic", "def main():\n    %load_ext autoreload\n", "SyntaxError", None, "Remove that line"),
-    Case("no_such_name", "import rclpy\nrclpy.inti()\n", "AttributeError", 2, "name of a ROS module"),
+    Case("no_such_name", "import rclpy\nrclpy.inti()\n", "AttributeError", 2, "like a ROS module"),
     Case(
         "shadow",
         "import os, sys\nos.makedirs('own')\nopen('own/geometry_msgs.py', 'w').close()\nsys.path.insert(0, 'own')\n"
         "from geometry_msgs.msg import Twist\n",
         "ModuleNotFoundError",
         5,
-        "name of a package",
+        "like a package",
     ),
     Case(
         "in_a_thread",

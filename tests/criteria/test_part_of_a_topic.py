@@ -45,4 +45,4 @@ def test_an_error_after_ctrl_c_is_blamed() -> None:
     assert see.failed_at_the_end(recorded(process=replace(LIVING, log=LOG)), "silence", "none") is None
     verdict = see.failed_at_the_end(recorded(process=replace(LIVING, end_log=LOG)), "silence", "none")
     assert verdict is not None
-    assert verdict.saw == "silence: after Ctrl-C came line 7: NameError: name x"
+    assert verdict.saw == "silence; error after Ctrl-C: line 7: NameError: name x"

@@ -36,7 +36,7 @@ def test_once_it_has_followed_robot_time_that_is_final() -> None:
 def test_everything_stops_at_once() -> None:
     refuses(
         see.rate(stopped(7), BATTERY),
-        "the last message on /robot/status came at 7.0 s",
+        "the last message on /robot/status arrived at 7.0 s",
         "never returns",
         about_time=True,
     )

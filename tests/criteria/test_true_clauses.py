@@ -25,8 +25,8 @@ ENDS = {
     "crash": {"exit": None, "signal": "SIGSEGV"},
 }
 WENT_ON = re.compile(r"while (.+?) went on")
-NOTHING_EITHER = re.compile(r"nothing came on (.+?) after that, either")
-ALL_STOPPED = re.compile(r"the last message on (.+?) came at ([\d.]+) s")
+NOTHING_EITHER = re.compile(r"nothing arrived on (.+?) after that, either")
+ALL_STOPPED = re.compile(r"the last message on (.+?) arrived at ([\d.]+) s")
 
 
 def ended(recording: Recording, moment: float, how: dict[str, object]) -> Recording:

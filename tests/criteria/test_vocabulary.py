@@ -85,7 +85,7 @@ def test_a_publisher_on_the_graph_is_a_program_that_runs() -> None:
         (ended_by_itself("", 3), False, ("2.5 s", "exit code 3", "rclpy.spin(node)")),
         (ended_by_itself(signal="SIGSEGV"), False, ("signal SIGSEGV", "compiled code")),
         (ended_by_itself(signal="SIGABRT"), False, ("signal SIGABRT", "os.abort()")),
-        (ended_by_itself(signal="SIGKILL"), False, ("signal SIGKILL", "no memory left")),
+        (ended_by_itself(signal="SIGKILL"), False, ("signal SIGKILL", "no memory was left")),
         (ended_by_itself(signal="SIGXCPU"), False, ("signal SIGXCPU", "processor time")),
         (ended_by_itself(signal="SIGALRM"), False, ("signal SIGALRM", "alarm")),
         (
@@ -98,8 +98,8 @@ def test_a_publisher_on_the_graph_is_a_program_that_runs() -> None:
         (replace(LIVING, limits_hit=("files",)), False, ("20 000 files", "stopped")),
         (replace(LIVING, domains_used=(17,)), False, ("can be found", "ROS_AUTOMATIC_DISCOVERY_RANGE")),
         (replace(LIVING, domains_used=(17, 42)), False, ("can be found", "ROS_AUTOMATIC_DISCOVERY_RANGE")),
-        (LIVING, True, ("/humanoid", "publishes nothing at all", "create_publisher")),
-        (LIVING, False, ("no node", "8.0 s")),
+        (LIVING, True, ("/humanoid", "no publisher at all", "create_publisher")),
+        (LIVING, False, ("none of its nodes", "8.0 s")),
     ],
     ids=[
         *(
@@ -172,10 +172,10 @@ def test_messages_that_nobody_can_read_are_heeded_beside_right_ones(word: Callab
     right = on_topic(BATTERY.name, FLOAT, EVEN, [[0.5]] * len(EVEN))
     assert word(recorded(right), BATTERY).ok
     garbled = word(beside(right, undecodable=2, broken_at=3.0), BATTERY)
-    refuses(garbled, "7 readable messages", "2 came", "could not be decoded", "the first at 3.0 s")
+    refuses(garbled, "7 readable messages", "but also 2 that could not be decoded", "the first at 3.0 s")
     assert garbled.cause == "all-kept.undecodable"
     large = word(beside(right, not_kept=1, too_large=1, broken_at=3.0), BATTERY)
-    refuses(large, "7 readable messages", "1 came", "larger than 4 MB", "the first at 3.0 s")
+    refuses(large, "7 readable messages", "but also 1 larger than 4 MB", "the first at 3.0 s")
     assert large.cause == "all-kept.too-large"
 
 
@@ -184,7 +184,7 @@ def test_more_messages_than_are_kept_are_heeded_once_those_are_right() -> None:
     full_at = EVEN[-1] + BATTERY.period
     full = beside(right, not_kept=9, full_at=full_at, room=4_000_000)
     for verdict in (see.rate(full, BATTERY), see.length(full, BATTERY, 1)):
-        refuses(verdict, "4 MB", f"{len(EVEN)} messages", "not looked at")
+        refuses(verdict, "4 MB", f"{len(EVEN)} messages", "ignored the rest")
         assert verdict.cause == "all-kept.too-much"
     refuses(see.length(full, BATTERY, 2), "1 value")
     fast = on_topic(BATTERY.name, FLOAT, every(0.01, 200))
@@ -249,7 +249,7 @@ def test_exits_cleanly() -> None:
     refuses(
         see.exits_cleanly(silent(replace(LIVING, exit=1, end_log=OVERTAKEN))),
         "in the middle of a spin or a shutdown",
-        "started again",
+        "starts it again",
     )
     interrupted = (
         'Traceback (most recent call last):\n  File "/answers/answer.py", line 7\nKeyboardInterrupt\n\n'
@@ -370,11 +370,11 @@ def test_rate_accepts_its_whole_tolerance() -> None:
         (every(4.0, 3), ("0.25 Hz", "3 messages", "Too slow")),
         ([1.0, 5.0, 9.0], ("0.25 Hz", "3 messages", "Too slow")),
         (every(2.9, 4), ("0.34 Hz", "Too slow", "create_timer(2.0, ...)")),
-        ([2.0], ("one single message in 14.0 s", "published once")),
+        ([2.0], ("a single message in 14.0 s", "published once")),
         ([2.0, 2.0], ("2 messages at one moment",)),
-        (sorted(EVEN * 2), ("messages come in pairs", "Two timers")),
+        (sorted(EVEN * 2), ("messages arrive in pairs", "Two timers")),
         (sorted(EVEN * 3), ("groups of 3",)),
-        ([2.0, 4.0], ("the last of 2 messages came at 4.0 s", "nothing until 14.0 s", "stops")),
+        ([2.0, 4.0], ("the last of 2 messages arrived at 4.0 s", "nothing until 14.0 s", "stops")),
         ([2.0, 4.0, 8.5, 10.0, 12.0, 14.0], ("a silence of 4.5 s after 4.0 s", "never sleep")),
         ([5.0, 7.0, 9.0, 11.0, 13.0], ("a silence of 5.0 s before the first message",)),
     ],
@@ -385,7 +385,7 @@ def test_rate_accepts_its_whole_tolerance() -> None:
         "slow, and the next one is due when the watch ends",
         "a bit slow",
         "once",
-        "at once",
+        "at the same time",
         "pairs",
         "triples",
         "stops",
@@ -437,7 +437,7 @@ def test_length() -> None:
     refuses(
         see.length(joints([0.0] * 11, [0.0] * 11), JOINTS, 12),
         "every message has 11 values",
-        "One element too many or too few",
+        "off-by-one",
     )
     refuses(see.length(joints([0.0] * 12, [0.0] * 13), JOINTS, 12), "1 of 2 messages have 13 values")
     refuses(see.length(joints([], [0.0] * 12), JOINTS, 12), "0 values", "before its data was set")

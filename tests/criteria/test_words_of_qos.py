@@ -27,13 +27,13 @@ def test_a_subscription_may_ask_for_less_than_is_offered(asked: SubscriberSeen) 
 @pytest.mark.parametrize(
     ("asked", "words", "step"),
     [
-        (replace(ASKED, reliability="reliable"), "asks for reliable, and best effort", "BEST_EFFORT"),
+        (replace(ASKED, reliability="reliable"), "requests reliable, but best effort", "BEST_EFFORT"),
         (
             replace(ASKED, durability="transient_local"),
-            "transient local, and volatile",
+            "transient local, but volatile",
             "Leave durability out",
         ),
-        (replace(ASKED, deadline=0.4), "deadline of 0.4 s, and one of 0.5 s", "0.5 s or longer"),
+        (replace(ASKED, deadline=0.4), "deadline of 0.4 s, but only 0.5 s", "0.5 s or longer"),
         (replace(ASKED, type=BOOL), "for Bool", "Import String"),
     ],
 )
@@ -47,7 +47,7 @@ def test_asking_for_more_is_told_with_the_policy(asked: SubscriberSeen, words: s
 
 def test_a_deadline_that_nobody_offers_is_told() -> None:
     verdict = see.hears(listening(replace(ASKED, deadline=2.0)), see.publish(BEAT, String, []))
-    assert "asks for a deadline of 2 s, and none is offered" in verdict.saw
+    assert "requests a deadline of 2 s, but none is offered" in verdict.saw
     assert "no deadline" in verdict.expected
 
 

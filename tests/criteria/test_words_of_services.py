@@ -30,7 +30,7 @@ def test_one_call_that_arrived_suffices() -> None:
 @pytest.mark.parametrize(
     ("recording", "words"),
     [
-        (with_clients(("/robot/selftest", TRIGGER)), "your node calls /robot/selftest, and not"),
+        (with_clients(("/robot/selftest", TRIGGER)), "your node calls /robot/selftest, not"),
         (with_clients(("/camera/reset", TRIGGER)), "your program has /camera/reset"),
         (with_clients((SERVICE, SET_BOOL)), "is of type SetBool"),
         (with_clients((SERVICE, TRIGGER)), "no call arrived"),

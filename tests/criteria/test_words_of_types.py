@@ -124,7 +124,7 @@ def test_code_out_of_sight_is_named() -> None:
 @pytest.mark.parametrize(
     ("program", "words"),
     [
-        ("from rclpy.publisher import Publisher\nx: Publisher[int]\n", "Publisher is not generic"),
+        ("from rclpy.publisher import Publisher\nx: Publisher[int]\n", "Publisher isn't generic"),
         (
             "from rclpy.node import Node\nclass A(Node):\n"
             "    def __init__(self) -> None:\n        self.publishers = 1\n",

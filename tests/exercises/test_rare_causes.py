@@ -39,7 +39,7 @@ def test_01_a_thread_that_spins_raises() -> None:
     log = 'Exception in thread Thread-1:\nTraceback (most recent call last):\n  File "/rclpy/executors.py", line 701\n'
     process = replace(LIVING, end_log=f"arms parked\n{log}")
     verdict = judged("01_the_context", "ends_cleanly", recorded(process=process))
-    refused_for("ends-cleanly.thread-raised", verdict, "of a thread")
+    refused_for("ends-cleanly.thread-raised", verdict, "a thread's traceback")
 
 
 def test_01_an_error_of_its_own_in_a_thread_is_not_blamed_on_spin() -> None:
@@ -133,7 +133,7 @@ def test_13_a_line_that_follows_only_while_the_heart_beats() -> None:
     times = every(0.5, 27)
     line = on_topic("/dashboard/line", TEXT, times, ["error" if at < 6.0 else "operational" for at in times])
     verdict = judged("13_qos_and_discovery", "status_follows", replace(recorded(line), published=said))
-    refused_for("status-follows.only-sometimes", verdict, 'named "operational" only after later changes')
+    refused_for("status-follows.only-sometimes", verdict, 'showed "operational" only after later changes')
 
 
 def touches_of_11() -> tuple[tuple[Published, ...], list[float], list[int]]:
@@ -156,7 +156,7 @@ def test_11_a_program_that_ends_in_a_pause_without_touches() -> None:
 def test_02_faults_in_another_namespace() -> None:
     faults = TopicRecording("/camera/faults", (publisher(TEXT, "/robot/camera"),))
     verdict = judged("02_nodes", "shared_faults", recorded(faults))
-    refused_for("shared-faults.other-name", verdict, "something reports on /camera/faults")
+    refused_for("shared-faults.other-name", verdict, "some node reports on /camera/faults")
 
 
 def test_03_a_float_raises() -> None:
@@ -213,7 +213,7 @@ def test_03_what_a_call_did(cause: str, criterion: str, made: Sequence[Call]) ->
 
 def test_03_something_goes_out_before_any_call() -> None:
     verdict = judged("03_publishers_and_messages", "floats_arrive", calls(*WELL, uncalled=[50.0]))
-    refused_for("floats-arrive.uncalled", verdict, "50.0 went out before")
+    refused_for("floats-arrive.uncalled", verdict, "50.0 was published before")
 
 
 def test_03_a_call_of_which_a_report_got_lost_is_not_judged() -> None:

@@ -101,9 +101,9 @@ def test_a_program_in_a_string_is_read_as_code(tmp_path: Path, monkeypatch: pyte
 def test_strings_of_code_are_read_with_values_and_without_docstrings() -> None:
     source = ROOT / "exercises" / "criteria" / "01_the_context.py"
     texts = [passage.text for passage in string_passages(source)]
-    assert "The program makes one more node than it needs." in texts
+    assert "The program creates more nodes than it needs." in texts
     assert not any(text.startswith("How exercise 01 is judged") for text in texts)
-    assert "the words 5 after Ctrl-C, and not before" in texts
+    assert "the words 5 in the log after Ctrl-C, and not before" in texts
 
 
 def test_sentences_end_at_full_stops_and_not_within_numbers() -> None:

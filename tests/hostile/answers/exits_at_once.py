@@ -1,5 +1,5 @@
 # score: 0
-# says: before any message came
+# says: before any message arrived
 """Ends with the code of success."""
 import sys
 

@@ -1,5 +1,5 @@
 # score: 0
-# says: before any message came
+# says: before any message arrived
 """Writes full marks into every descriptor and every place that a grader may read."""
 import json
 import os

@@ -1,5 +1,5 @@
 # score: 0
-# says: before any message came
+# says: before any message arrived
 """A daemon in a session of its own, with a clean environment, that goes on publishing after the program has ended."""
 import os
 import sys

@@ -1,6 +1,6 @@
 # loses: numbers_arrive, no_number_refused, look_alikes_refused, not_finite_refused, no_invented_zero
 # cause: number.not-converted
-# says: an int, came back
+# says: an int, returned
 """Switches the field checks on when the message class is there already."""
 
 import os

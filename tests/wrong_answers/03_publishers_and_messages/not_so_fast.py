@@ -2,7 +2,7 @@
 # loses: floats_arrive
 # also: zero_arrives, numbers_arrive
 # cause: number.dropped-soon-after
-# says: nothing went out
+# says: published: nothing
 # after: import math
 import time
 

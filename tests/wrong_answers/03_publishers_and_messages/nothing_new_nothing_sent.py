@@ -1,7 +1,7 @@
 # Does not send a number that is equal to the last one.
 # loses: floats_arrive, zero_arrives, numbers_arrive
 # cause: number.repeat-dropped
-# says: nothing went out
+# says: published: nothing
 # after: self.battery_publisher = self.create_publisher(Float32, "/robot/battery", 10)
 self.last = -1.0
 

@@ -1,7 +1,7 @@
 # Stores the number, and a timer sends it.
 # loses: floats_arrive, zero_arrives, numbers_arrive
 # cause: number.sent-later
-# says: nothing went out
+# says: published: nothing
 # after: self.battery_publisher = self.create_publisher(Float32, "/robot/battery", 10)
 self.waiting: list[float] = []
 self.create_timer(0.03, self.send)

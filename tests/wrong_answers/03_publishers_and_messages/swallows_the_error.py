@@ -1,6 +1,6 @@
 # loses: no_number_refused, look_alikes_refused, not_finite_refused
 # cause: refusal.silent
-# says: nothing went out
+# says: published: nothing
 """Writes a warning into the log, and goes on as if nothing had been."""
 
 from rclpy.node import Node

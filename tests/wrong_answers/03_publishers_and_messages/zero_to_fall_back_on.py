@@ -1,6 +1,6 @@
 # loses: no_number_refused, look_alikes_refused, not_finite_refused, no_invented_zero
 # cause: refusal.no-number-sent
-# says: 0.0 went out
+# says: published: 0.0
 """Sends 0.0 where it cannot read the value."""
 
 import math

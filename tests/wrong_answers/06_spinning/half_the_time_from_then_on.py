@@ -2,7 +2,7 @@
 # loses: again, slow_callbacks, quiet_node
 # also: returns_in_time
 # cause: again.ends-early
-# says: the second call came back after 0.6
+# says: the second call returned after 0.6
 # before: def pump(node: Node, seconds: float) -> None:
 made: list[float] = []
 

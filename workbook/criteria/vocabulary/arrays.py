@@ -40,7 +40,7 @@ def length(recording: Recording, topic: Topic, wanted: int, what: str = "value")
             f"{how_many} {kinds} {what}s",
             f"exactly {count(wanted, what)} in every message",
             because,
-            f"Print len(msg.data) before you publish; it must say {wanted}.",
+            f"Print len(msg.data) before you publish. It must be {wanted}.",
         )
 
     if 0 in wrong:
@@ -53,11 +53,11 @@ def length(recording: Recording, topic: Topic, wanted: int, what: str = "value")
     if len(wrong) < len(lengths):
         return fail(
             "length.changes",
-            "Some messages have the right length. So the program adds or leaves out an element in some calls only.",
+            "Some messages have the right length, so only some calls add or omit an element.",
         )
     return fail(
         "length.one-off",
-        "One element too many or too few is easily made, for example by counting from 0 or from 1.",
+        "This is often an off-by-one error, such as a count that starts at 1 instead of 0.",
     )
 
 
@@ -84,8 +84,8 @@ def varies(recording: Recording, topic: Topic, at_least: int, by: float, what: s
     if len(moving) >= at_least and enough >= MOSTLY * len(changed):
         return passed(f"{len(moving)} of {width} {what}s move")
     expected = (
-        f"at least {count(at_least, what)} that change from message to message (by more than {by:g}), in "
-        f"{MOSTLY:.0%} of the messages at least"
+        f"at least {count(at_least, what)} that change by more than {by:g} from message to message, in at least "
+        f"{MOSTLY:.0%} of the messages"
     )
     if len(rows) < 2 <= len(arrivals):
         return _other_lengths(len(arrivals), expected)
@@ -97,10 +97,10 @@ def varies(recording: Recording, topic: Topic, at_least: int, by: float, what: s
 def _other_lengths(messages: int, expected: str) -> Verdict:
     return failed(
         "varies.other-lengths",
-        f"{count(messages, 'message')} of different lengths: none can be compared with another",
+        f"{count(messages, 'message')} of different lengths, so they can't be compared",
         expected,
-        "The number of values differs from message to message, so nobody can say which of them moved.",
-        "First give every message the same number of values, then let them move.",
+        "The number of values differs from message to message, so the judge can't tell which of them moved.",
+        "First give every message the same number of values. Then make them move.",
     )
 
 
@@ -127,8 +127,8 @@ def _does_not_vary(
         return at_rest(
             "varies.none",
             f"no {what} moves: every message is the same, {exact}",
-            "The values are set once, outside the callback. Or the movement repeats with the period of the timer, "
-            "so every message shows the same pose.",
+            "The values are set once, outside the callback. Or the movement repeats with the timer's period, so "
+            "every message shows the same pose.",
         )
     if len(moving) < at_least:
         return at_rest("varies.too-few", f"only {what} {moving[0]} moves", "Only one element ever changes.")

@@ -47,7 +47,7 @@ def begins_full(recording: Recording, battery: Topic) -> Verdict:
             saw,
             expected,
             "The charge is a fraction, from 1 down to 0, not a percentage.",
-            "Publish percent: 100.0 for a full battery. A fraction times 100 is a percentage.",
+            "Publish a percentage: multiply the fraction by 100, so that a full battery is 100.0.",
         )
     return failed(
         "begins-full.not-full",
@@ -69,8 +69,8 @@ def drains(recording: Recording, battery: Topic) -> Verdict:
             "drains.never",
             f"{number(levels[0])} % in the first message and {number(levels[-1])} % in the last",
             "a battery that drains a little with every message",
-            "The level is set once and never changed, or the change is not kept in self.",
-            "Subtract a little from self.battery_level in the callback, then publish what is left.",
+            "The level is set once and never changed, or the new level isn't stored in self.",
+            "Subtract a little from self.battery_level in the callback, then publish the new level.",
         )
     middle = levels[len(levels) // 2]
     if len(levels) >= HALVES_FROM and levels[-1] >= middle:
@@ -79,7 +79,8 @@ def drains(recording: Recording, battery: Topic) -> Verdict:
             f"{number(levels[0])} % in the first message, but {number(middle)} % halfway through and "
             f"{number(levels[-1])} % at the end",
             "a battery that drains a little with every message",
-            "The charge falls at first, then stays the same: the drain depends on a condition or a counter.",
+            "The charge falls at first but then stops falling, because the drain depends on a condition or a "
+            "counter.",
             "Subtract a little from self.battery_level in every call of the callback.",
         )
     return passed("it drains")
@@ -128,7 +129,7 @@ def _data(recording: Recording, topic: Topic) -> list[_Said]:
 
 
 def _error_while_charged(at: float, level: float, *, before: bool, back: bool) -> Verdict:
-    saw = f'"error" at {seconds(at)}, while the battery says {number(level)} %'
+    saw = f'"error" at {seconds(at)}, while the battery is at {number(level)} %'
     expected = '"operational" while the battery has charge, and "error" once it is empty'
     try_this = 'Use the level itself: "operational" if self.battery_level > 0.0 else "error".'
     if back:
@@ -144,7 +145,7 @@ def _error_while_charged(at: float, level: float, *, before: bool, back: bool) -
             "word-fits-charge.too-early",
             saw,
             expected,
-            "The limit is not 0. A low battery is not yet empty.",
+            "The threshold isn't 0. A low battery isn't empty yet.",
             try_this,
         )
     return failed(
@@ -172,15 +173,16 @@ def _no_error_when_empty(at: float, empty_at: float, said: list[Any]) -> Verdict
     if WORKS in said[said.index(EMPTY) :]:
         return failed(
             "word-fits-charge.error-not-kept",
-            f'{saw}; "error" was among the words, too',
+            f'{saw}; "error" was also published',
             expected,
-            "The word is not kept while the battery is empty: it depends on something else, such as a counter.",
+            'The status doesn\'t stay at "error" while the battery is empty. It depends on something else, such as '
+            "a counter.",
             try_this,
         )
     return failed(
         "word-fits-charge.too-late",
-        f'{saw}; "error" came only after that',
+        f'{saw}; "error" was published only after that',
         expected,
-        "The word changes too late: it depends on an older level, or on one that reaches 0 later.",
+        "The word changes too late: it depends on an older level, or on a different level that reaches 0 later.",
         try_this,
     )

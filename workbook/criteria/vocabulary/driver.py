@@ -72,8 +72,9 @@ def forged_report(recording: Recording) -> Verdict | None:
     return failed(
         "driver.not-signed",
         f"a message on {topic} without the signature of the judge's driver",
-        f"on {topic} only what the driver reports, which signs each of its messages",
-        "The driver calls your code, and reports there what it saw. Your program publishes on this topic as well.",
+        f"on {topic}, only messages that the driver has signed",
+        "The driver calls your code and reports the results on this topic. But your program publishes on this "
+        "topic, too.",
         f"Do not publish on {topic}.",
     )
 

@@ -48,11 +48,11 @@ def exits_cleanly(recording: Recording) -> Verdict:
             "exits-cleanly.overtaken",
             "exit code 1 after Ctrl-C, with a traceback from rclpy's own spin or shutdown",
             _EXPECTED,
-            "Now and then rclpy's own handling of Ctrl-C shuts the context down in the middle of a spin or a shutdown. "
-            "That is no fault of the program. So it is started again, up to two times, and one end without a "
-            "traceback is enough.",
-            "Run it again. If it always ends like this, look at what your program does and prints after Ctrl-C: let "
-            "main() return after rclpy.try_shutdown().",
+            "Occasionally, rclpy's own Ctrl-C handler shuts the context down in the middle of a spin or a "
+            "shutdown. That isn't your program's fault, so the judge starts it again, up to two times. One run "
+            "that ends without a traceback is enough.",
+            "Run it again. If it always ends like this, check what your program does and prints after Ctrl-C: "
+            "main() should return after rclpy.try_shutdown().",
         )
     error = find_error(process.end_log, process.program)
     return _by_exit_code(process) if error is None else _by_error(process, error)
@@ -65,8 +65,8 @@ def _by_error(process: ProcessRecord, error: ProgramError) -> Verdict:
             "exits-cleanly.prints-an-error",
             saw,
             _EXPECTED,
-            "The program caught this exception and went on to its end, but it printed the traceback.",
-            "Find what raises it. Ctrl-C has shut the context down, so leave out what needs ROS after that.",
+            "The program caught this exception and ended normally, but it printed the traceback.",
+            "Find the call that raises it. Ctrl-C shuts the context down, so don't use ROS after that.",
         )
     return failed(error.cause, saw, _EXPECTED, error.because, error.try_this)
 
@@ -77,7 +77,7 @@ def _by_exit_code(process: ProcessRecord) -> Verdict:
             "exits-cleanly.prints-a-traceback",
             "exit code 0 after Ctrl-C, but it printed a traceback",
             _EXPECTED,
-            "The program catches the exception, and then prints the traceback itself.",
+            "The program catches the exception but prints the traceback itself.",
             "Do not print the traceback: Ctrl-C is not an error.",
         )
     if process.exit == 0:
@@ -96,8 +96,8 @@ def _by_exit_code(process: ProcessRecord) -> Verdict:
             "exits-cleanly.killed-by-the-signal",
             "ended by signal SIGINT after Ctrl-C, without a KeyboardInterrupt",
             _EXPECTED,
-            "Nothing in the program handles the signal. signal.signal(signal.SIGINT, signal.SIG_DFL) or os.kill() "
-            "does this.",
+            "The signal ended the program before Python could handle it. That happens after "
+            "signal.signal(signal.SIGINT, signal.SIG_DFL), or through os.kill().",
             "Leave the handling of SIGINT as it is, and catch KeyboardInterrupt around rclpy.spin(node).",
         )
     how = f"ended by signal {process.signal}" if process.signal else f"exit code {process.exit}"
@@ -123,10 +123,9 @@ def _by_signal(process: ProcessRecord) -> Verdict:
             "exits-cleanly.runs-on",
             f"it kept running after Ctrl-C and had to be killed{_thread_that_stays(process)}",
             _EXPECTED,
-            "KeyboardInterrupt is caught inside a loop, the signal is ignored, or the program waits for something "
-            "at its end: a thread, a lock, an input.",
-            "Let KeyboardInterrupt leave the spin. Catch it only around rclpy.spin(node), and wait for nothing "
-            "after that.",
+            "KeyboardInterrupt is caught inside a loop, or the signal is ignored. Or the program waits for "
+            "something at its end, such as a thread, a lock, or input.",
+            "Catch KeyboardInterrupt only around rclpy.spin(node), and don't wait for anything after that.",
         )
     if process.signal == "SIGABRT":
         return failed(
@@ -138,10 +137,10 @@ def _by_signal(process: ProcessRecord) -> Verdict:
         )
     return failed(
         "exits-cleanly.crashed",
-        "it crashed while Ctrl-C ended it (SIGSEGV)",
+        "it crashed after Ctrl-C (SIGSEGV)",
         _EXPECTED,
-        "A thread still used the node or its context when they were destroyed. On a very busy machine, a bug in "
-        "rclpy can also cause this.",
+        "A thread was still using the node or its context when they were destroyed. On a very busy machine, a bug "
+        "in rclpy can also cause this.",
         "Run it again. If it crashes again, shut the executor down first, join its thread, and call "
         "rclpy.try_shutdown() last.",
     )

@@ -46,7 +46,7 @@ KNOWN_ERRORS = (
     KnownError(
         "error.context-manager",
         r"'NoneType' object does not support the context manager protocol",
-        "`with rclpy.init():` belongs to a newer rclpy. In Jazzy rclpy.init() returns None.",
+        "`with rclpy.init():` belongs to a newer rclpy. In Jazzy, rclpy.init() returns None.",
         "Call rclpy.init() on its own line, and rclpy.try_shutdown() in a finally block.",
     ),
     KnownError(
@@ -64,9 +64,9 @@ KNOWN_ERRORS = (
     KnownError(
         "error.shutdown-overtaken",
         OVERTAKEN,
-        "Ctrl-C came in the middle of rclpy's own work. This happens now and then. It is a bug in rclpy, not in your "
-        "program.",
-        "Nothing: run it again.",
+        "Ctrl-C arrived in the middle of rclpy's own work. This happens occasionally. It's a bug in rclpy, not in "
+        "your program.",
+        "Run it again. There's nothing to fix in your program.",
     ),
     KnownError(
         "error.shutdown-twice",
@@ -77,7 +77,7 @@ KNOWN_ERRORS = (
     KnownError(
         "error.no-super-init",
         r"has no attribute '_default_callback_group'|object has no attribute '_parameters'",
-        "The Node was never set up: super().__init__('name') is missing or comes too late.",
+        "The Node was never initialized: super().__init__('name') is missing or is called too late.",
         "Make super().__init__('your_node_name') the first line of __init__.",
     ),
     KnownError(
@@ -89,14 +89,14 @@ KNOWN_ERRORS = (
     KnownError(
         "error.callback-takes-no-message",
         r"callback should be either be callable with one argument",
-        "The callback of a subscription takes one argument, the message, or two, the message and its message "
-        "info. This one does not.",
+        "A subscription's callback takes one argument (the message) or two (the message and its message info). "
+        "Yours can't be called like that.",
         "Give it one argument besides self: def on_battery(self, message: Float32).",
     ),
     KnownError(
         "error.node-without-name",
         r"missing 1 required positional argument: 'node_name'",
-        "A node needs a name, and Node.__init__ was given none.",
+        "A node needs a name, but Node.__init__ didn't receive one.",
         "Write super().__init__('your_node_name').",
     ),
     KnownError(
@@ -108,15 +108,16 @@ KNOWN_ERRORS = (
     KnownError(
         "error.missing-argument",
         r"missing 1 required positional argument: '\w+'",
-        "A function was called without an argument that it needs. A timer calls its callback without arguments. A "
-        "subscription calls its callback with the message. Pass the callback itself; do not call it.",
+        "A function was called without an argument that it needs. A timer calls its callback without arguments, "
+        "and a subscription passes it the message. Or your code called the callback instead of passing it.",
         "For a timer: def on_timer(self). For a subscription: create_subscription(Float32, name, "
         "self.on_battery, 10), without parentheses.",
     ),
     KnownError(
         "error.callback-called",
         r"'NoneType' object is not callable",
-        "The callback is None. Usually it was called instead of passed, so the timer got its result, None.",
+        "The callback is None. Usually it was called instead of passed, so the timer received its return value, "
+        "None.",
         "Pass the function without parentheses: create_timer(2.0, self.publish_joints).",
     ),
     KnownError(
@@ -128,9 +129,9 @@ KNOWN_ERRORS = (
     KnownError(
         "error.no-message-class",
         r"has no attribute '_TYPE_SUPPORT'",
-        "The message type that was given is not a message class. (The words about ROS 1 are rclpy's guess, and "
+        "The message type that was given is not a message class. (The mention of ROS 1 is rclpy's guess, and "
         "usually wrong.)",
-        "Give the class itself, for example Float32 from std_msgs.msg, not a Python type or a name in quotes.",
+        "Give the class itself, for example Float32 from std_msgs.msg, not a Python type or a string.",
     ),
     KnownError(
         "error.topic-of-two-types",
@@ -147,15 +148,15 @@ KNOWN_ERRORS = (
     KnownError(
         "error.callback-without-signature",
         r"no signature found for builtin",
-        "rclpy asks a callback how many arguments it takes, and this built-in method does not tell.",
+        "rclpy checks how many arguments a callback takes, but this built-in method has no signature to check.",
         "Write the callback yourself, for example lambda message: self.inbox.append(message).",
     ),
     KnownError(
         "error.method-in-with",
         r"'method' object does not support the context manager protocol",
-        "A with statement got a method. In the line super().__init__, that is rclpy: your class has a method with the "
-        "name handle, and Node needs this name itself.",
-        "Give a method with the name handle another name. In a with statement of your own, call the method.",
+        "A with statement received a method. If the error is in the line super().__init__, your class has a method "
+        "named handle, but Node needs this name itself.",
+        "Rename your method handle. If the with statement is your own, call the method in it.",
     ),
     KnownError(
         "error.invalid-topic-name",
@@ -172,28 +173,30 @@ KNOWN_ERRORS = (
     KnownError(
         "error.topic-name-no-text",
         r"rclpy_resolve_name\(\): incompatible function arguments",
-        "The name of a topic or service must be a text, and something else stands in its place. In ROS 2 the message "
-        "type comes first, then the name. In ROS 1 it was the other way around.",
-        "Write the type first, then the name as a text: create_publisher(String, 'name', 10).",
+        "The name of a topic or service must be a string, but your code passes something else. In ROS 2, the "
+        "message type comes first, then the name. In ROS 1, it was the other way around.",
+        "Write the type first, then the name as a string: create_publisher(String, 'name', 10).",
     ),
     KnownError(
         "error.ros-arguments",
         r"RCLInvalidROSArgsError",
-        "ROS cannot read one of its arguments, and the error quotes it. A rule of a remapping is one text with := in "
-        "it. The new name of a node has letters, digits and underscores only, and no slash.",
-        "Write each rule as two texts: '-r', '__node:=new_name'. For another namespace, use the argument namespace.",
+        "ROS can't parse one of its arguments; the error quotes it. A remapping rule is a single string with := in "
+        "it. A node's new name may contain only letters, digits, and underscores, no slash.",
+        "Write each rule as two strings: '-r', '__node:=new_name'. To change the namespace, use the argument "
+        "namespace.",
     ),
     KnownError(
         "error.context-down",
         r"publisher's context is invalid",
-        "The context was already shut down, and then nothing can be published. On Ctrl-C rclpy shuts it down at once.",
+        "The context was already shut down, so nothing can be published. On Ctrl-C, rclpy shuts it down right away.",
         "Leave the message out, or publish it before the context is shut down.",
     ),
     KnownError(
         "error.destroyed",
         r"InvalidHandle: cannot use Destroyable because destruction was requested",
-        "Something is used after it was destroyed. The error calls a node, a publisher or a timer a Destroyable.",
-        "Call destroy_node() and the like last, after the last use.",
+        "An object is used after it was destroyed. A Destroyable in the error is a node, a publisher, a timer, or "
+        "the like.",
+        "Call destroy_node() and similar methods only after the last use.",
     ),
     KnownError(
         "error.wrong-value-type",
@@ -205,12 +208,12 @@ KNOWN_ERRORS = (
         "error.field-of-other-type",
         r"AssertionError: The '\w+' field must be",
         "A message field was given a value of the wrong type.",
-        "Give the field a value of its type: float(angle) for a float, str(word) for a text, a list for an array.",
+        "Give the field a value of its type: float(angle) for a float, str(word) for a string, a list for an array.",
     ),
     KnownError(
         "error.generic-publisher",
         r"type 'Publisher' is not subscriptable|'type' object is not subscriptable",
-        "Publisher[String] is written for a newer rclpy. In Jazzy Publisher takes no type parameter.",
+        "Publisher[String] is written for a newer rclpy. In Jazzy, Publisher takes no type parameter.",
         "Annotate with plain Publisher.",
     ),
     KnownError(
@@ -222,15 +225,15 @@ KNOWN_ERRORS = (
     KnownError(
         "error.module-without-name",
         r"module '(?:rclpy|\w+_(?:msgs|srvs|interfaces))[\w.]*' has no attribute",
-        "The module has nothing with that name. Or a file of yours with the name of the module (for example "
-        "rclpy.py) hides the real one.",
-        "Check the spelling, and do not give your file the name of a ROS module.",
+        "The module contains no such name. Or a file of yours has the module's name (for example rclpy.py) and "
+        "hides the real module.",
+        "Check the spelling, and don't name your file like a ROS module.",
     ),
     KnownError(
         "error.module-hides-package",
         r"'\w+' is not a package",
-        "A file with that name (and .py) is beside the program and hides the package.",
-        "Do not give your file the name of a package.",
+        "A .py file with that name, next to your program, hides the package.",
+        "Don't name your file like a package.",
     ),
     KnownError(
         "error.import-not-found",
@@ -285,7 +288,7 @@ KNOWN_ERRORS = (
         "error.too-many-files",
         r"Too many open files",
         "The program keeps more files or connections open than an answer may.",
-        "Close what you open (with open(...) as file), and create each publisher and node once.",
+        "Close each file that you open (with open(...) as file), and create each publisher and node only once.",
     ),
     KnownError(
         "error.too-many-threads",

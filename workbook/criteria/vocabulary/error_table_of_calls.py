@@ -17,13 +17,13 @@ ERRORS_OF_CALLS = (
     KnownError(
         "error.qos-as-words",
         r"\bassert isinstance\(value, QoS(?:Durability|Reliability|History|Liveliness)Policy\)",
-        "A QoS policy was given as a text. rclpy takes a value of its enum instead.",
+        "A QoS policy must be a value of its enum in rclpy, not a string or a number.",
         "Import the enum from rclpy.qos: DurabilityPolicy.TRANSIENT_LOCAL, ReliabilityPolicy.BEST_EFFORT.",
     ),
     KnownError(
         "error.qos-duration",
         r"\bassert isinstance\(value, Duration\)",
-        "Lifespan, deadline and lease duration take a Duration of rclpy, not a number.",
+        "Lifespan, deadline, and lease duration take an rclpy Duration, not a number.",
         "Write lifespan=Duration(seconds=0.3), with Duration from rclpy.duration.",
     ),
     KnownError(
@@ -41,26 +41,26 @@ ERRORS_OF_CALLS = (
     KnownError(
         "error.qos-without-depth",
         r"History and/or depth settings are required|QoSProfile\.__init__\(\) takes 1 positional",
-        "A QoSProfile needs its depth, given by name.",
+        "A QoSProfile needs a depth, as a keyword argument.",
         "Write QoSProfile(depth=10).",
     ),
     KnownError(
         "error.qos-not-a-profile",
         r"Expected QoSProfile or int, but received",
-        "The place of the queue depth (QoS) holds something else. For a subscription, the callback comes before "
-        "it.",
+        "The argument for the queue depth (QoS) is neither a number nor a QoSProfile. For a subscription, the "
+        "callback comes before it.",
         "Give a depth such as 10, or a QoSProfile.",
     ),
     KnownError(
         "error.logger-takes-text",
         r"Invoked with: <LoggingSeverity|RcutilsLogger\.\w+\(\) takes 2 positional",
-        "A logger of rclpy takes one text and nothing else.",
-        "Put the values into the text: self.get_logger().info(f'level {level}').",
+        "An rclpy logger takes a single string and nothing else.",
+        "Put the values into the string: self.get_logger().info(f'level {level}').",
     ),
     KnownError(
         "error.timer-once",
         r"create_timer\(\) got an unexpected keyword argument '(?:oneshot|once)'",
-        "A timer of rclpy repeats until it is canceled. The keyword oneshot belongs to ROS 1 (rospy).",
+        "An rclpy timer repeats until it is canceled. The keyword oneshot belongs to ROS 1 (rospy).",
         "Keep the timer in an attribute, and call its cancel() in the callback.",
     ),
     KnownError(
@@ -74,36 +74,37 @@ ERRORS_OF_CALLS = (
         "error.ros-1-keyword",
         r"got an unexpected keyword argument '(?:queue_size|latch|buff_size|tcp_nodelay|subscriber_listener|"
         r"callback_args|anonymous)'",
-        "This keyword belongs to ROS 1 (rospy). rclpy has a QoS profile, qos_profile, in its place.",
-        "Give the depth as the last argument: create_publisher(Float32, name, 10). For latch, use a durability of"
-        " TRANSIENT_LOCAL.",
+        "This keyword belongs to ROS 1 (rospy). rclpy doesn't have it: queue settings belong in the QoS profile.",
+        "Give the depth as the last argument: create_publisher(Float32, name, 10). For latch, use "
+        "DurabilityPolicy.TRANSIENT_LOCAL.",
     ),
     KnownError(
         "error.no-event-loop",
         r"no running event loop|no current event loop|Timeout should be used inside a task",
-        "An async callback of rclpy runs in rclpy's executor. asyncio doesn't run there, so asyncio.sleep and "
-        "other calls of asyncio fail.",
-        "Let a timer wait: create_timer(period, callback). Remove the asyncio call from the callback.",
+        "rclpy's executor runs async callbacks without an asyncio event loop. So asyncio.sleep and other asyncio "
+        "calls fail in a callback.",
+        "Replace the asyncio call with a timer: create_timer(period, callback).",
     ),
     KnownError(
         "error.timer-period",
         r"timer period must be non-negative|timer_period_sec[^\n]*\n(?:[ ^~]*\n)?[^\n]*cannot convert float "
         r"(?:infinity|NaN) to integer",
-        "A timer got a period that is negative, infinite or NaN. A period is a time in seconds.",
-        "Look at the line that computes the period, and give create_timer a positive number.",
+        "A timer received a negative, infinite, or NaN period. A period is a time in seconds.",
+        "Check the line that computes the period, and give create_timer a positive number.",
     ),
     KnownError(
         "error.timer-arguments-swapped",
         r"float\(\) argument must be a string or a real number, not '(?:method|function|Node|"
         r"builtin_function_or_method)'",
-        "A number was expected, but a function was given. create_timer takes the period first, then the callback.",
+        "A number was expected, but a function or a node was given. create_timer takes the period first, then the "
+        "callback.",
         "Write create_timer(1.0, self.on_timer).",
     ),
     KnownError(
         "error.topic-name-none",
         r"topic_name argument is null",
         "The name of the topic is None.",
-        "Give the name as a text: create_publisher(String, 'name', 10).",
+        "Give the name as a string: create_publisher(String, 'name', 10).",
     ),
     KnownError(
         "error.parameter-not-declared",
@@ -120,38 +121,38 @@ ERRORS_OF_CALLS = (
     KnownError(
         "error.spin-on-no-node",
         r"node\.executor = self\n[\s\S]*object has no attribute 'executor'",
-        "The function that spins was given something that is not a node.",
+        "The spin function received something that isn't a node.",
         "Create the node first, then spin it: node = Humanoid(), then rclpy.spin(node).",
     ),
     KnownError(
         "error.nothing-to-spin",
         r"spin\w*\(\) missing 1 required positional argument: 'node'",
-        "The function that spins was given no node.",
+        "The spin function received no node.",
         "Write rclpy.spin(node).",
     ),
     KnownError(
         "error.time-without-to-msg",
         r"'Time' object has no attribute '(?:sec|nanosec)'",
-        "This is a time of rclpy, not a Time message. It has nanoseconds, but no sec.",
-        "Turn it into a message with to_msg().",
+        "This is an rclpy Time, not a Time message. It has the attribute nanoseconds, but not sec.",
+        "Convert it to a message with to_msg().",
     ),
     KnownError(
         "error.time-minus-number",
         r"unsupported operand type\(s\) for [-+]: 'Time' and '(?:int|float)'",
-        "A time of rclpy and a plain number can't be added or subtracted.",
+        "An rclpy Time and a plain number can't be added or subtracted.",
         "Use Duration(seconds=1.0) from rclpy.duration, or compare the nanoseconds.",
     ),
     KnownError(
         "error.duration-by-position",
         r"(?:Duration|Time)\.__init__\(\) takes 1 positional argument",
-        "Time and Duration take their parts by name.",
+        "Time and Duration take keyword arguments only.",
         "Write Duration(seconds=1.0).",
     ),
     KnownError(
         "error.field-by-position",
         r"\b(?:U?Int\d+|Float\d+|String|Bool|Header|Twist|Vector3|Point|Pose|Quaternion|Image|Imu|"
         r"JointState)\w*\.__init__\(\) takes 1 positional argument but 2 were given",
-        "A message takes its values by the names of its fields.",
+        "A message's constructor takes its fields as keyword arguments only.",
         "Write the field's name: Float32(data=1.0).",
     ),
 )

@@ -59,7 +59,7 @@ def _advice(kind: str, given: str) -> str:
     if kind in ("float", "double"):
         return "Give the field a float: float(level), or 100.0 instead of 100."
     if kind.startswith(("string", "wstring")):
-        return "Give the field a text: 'a word', str(value), or text.decode() for bytes."
+        return "Give the field a string: 'a word', str(value), or text.decode() for bytes."
     if kind == "boolean":
         return "Give the field True or False."
     if given == "int":

@@ -40,7 +40,8 @@ def _grows(times: list[float], topic: Topic, expected: str) -> Verdict | None:
         "rate.grows",
         f"more and more messages: {', then '.join(map(str, counts))}, in {seconds(part_s)} each",
         expected,
-        "Each call makes one more call follow. A callback creates a timer, or a subscription to what it publishes.",
+        "Each call leads to one more call, because a callback creates a timer, or a subscription to the topic that "
+        "it publishes.",
         "Create timers and subscriptions in __init__ only, never in a callback.",
         about_time=True,
     )
@@ -56,8 +57,8 @@ def _without_a_pause(times: list[float], topic: Topic, expected: str) -> Verdict
         "rate.without-a-pause",
         f"{count(in_a_second, 'message')} within {number(FLOOD_S)} s, from {seconds(began)} on",
         expected,
-        "Nothing waits between two messages. The period given to create_timer is 0 s or nearly so: 1 // 5 is 0, "
-        "because // drops the fraction. Or a loop publishes without a pause.",
+        "There's no pause between messages. The period given to create_timer is 0 s or close to it: for example, 1 "
+        "// 5 is 0, because // drops the fraction. Or a loop publishes without waiting.",
         f"Print the period that you give to create_timer: it must be {number(topic.period)} s. Let only that timer "
         "publish.",
         about_time=True,

@@ -170,5 +170,5 @@ def failed_at_the_end(recording: Recording, saw: str, expected: str) -> Verdict 
     error = None if shutdown_overtaken(process.end_log) else find_error(process.end_log, process.program)
     if error is None:
         return None
-    told = f"{saw}: after Ctrl-C came {error.where}{error.error}"
+    told = f"{saw}; error after Ctrl-C: {error.where}{error.error}"
     return failed(error.cause, told, expected, error.because, error.try_this)

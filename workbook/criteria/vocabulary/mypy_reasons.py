@@ -42,7 +42,7 @@ REASONS = (
         "mypy.generic-publisher",
         "type-arg",
         '"Publisher" expects no type arguments',
-        "In this rclpy Publisher is not generic. Publisher[String] belongs to a newer rclpy and does not run here.",
+        "In this rclpy, Publisher isn't generic. Publisher[String] belongs to a newer rclpy and doesn't run here.",
         "Describe what you need as a Protocol with a type variable, and annotate with that: Sends[Float32].",
     ),
     Reason(
@@ -84,7 +84,7 @@ REASONS = (
         "mypy.no-attribute",
         "attr-defined",
         "",
-        "This type has nothing with that name. Often this is a spelling mistake.",
+        "This type has no attribute with that name. Often, this is a spelling mistake.",
         "Look up the names that the class or the message really has.",
     ),
     Reason(
@@ -126,7 +126,7 @@ REASONS = (
         "mypy.unused-ignore",
         "unused-ignore",
         "",
-        "There is nothing to ignore in this line.",
+        "mypy reports nothing in this line, so the comment has no effect.",
         "Remove the comment.",
     ),
     Reason(

@@ -26,8 +26,8 @@ def on_the_graph(
             "on-the-graph.twice",
             f"{found[name].most} nodes are called {name}",
             expected,
-            "ROS allows duplicate node names. Every node of that name answers a request to it, and the caller "
-            "gets the first answer.",
+            "ROS allows duplicate node names. Every node with that name responds to a request, and the caller "
+            "receives the first response.",
             "Give each node its own name, or create only one of them.",
         )
     blamed = failed_by_error(recording, f"no node {name}", expected)
@@ -36,7 +36,7 @@ def on_the_graph(
     if not found:
         return failed(
             "on-the-graph.no-node",
-            f"no node {name}, and no other one",
+            f"no node {name}, nor any other node",
             expected,
             "The program never reaches the line that creates a node.",
             "Call rclpy.init(), then create the node.",
@@ -46,7 +46,7 @@ def on_the_graph(
 
 def _not_there(found: Mapping[str, NodeSeen], wanted: str, beside: Collection[str], try_this: str) -> Verdict:
     def fail(cause: str, because: str) -> Verdict:
-        saw = f"no node {wanted}; there is {listing(sorted(found))}"
+        saw = f"no node {wanted}, only {listing(sorted(found))}"
         return failed(cause, saw, f"one node {wanted}", because, try_this)
 
     duplicate = next((name for name in beside if name in found and found[name].most > 1), None)
@@ -57,7 +57,7 @@ def _not_there(found: Mapping[str, NodeSeen], wanted: str, beside: Collection[st
         )
     others = sorted(found.keys() - set(beside))
     if not others:
-        return fail("on-the-graph.never-made", "It was never created, or the program does not keep it.")
+        return fail("on-the-graph.never-made", "It was never created, or the program doesn't store it.")
     base = wanted.rsplit("/", 1)[1]
     for other in others:
         namespace, _, name = other.rpartition("/")
@@ -106,8 +106,8 @@ def nodes_gone_at_end(recording: Recording) -> Verdict:
     return failed(
         "nodes-gone-at-end.cut-off",
         f"{listing(left)} still on the graph after the program had ended",
-        "no node of the program on the graph once it has ended",
-        "The program was cut off (os._exit, a kill, an abort), so its node was never removed. Other programs see "
-        "such a ghost for up to 20 s.",
+        "none of the program's nodes on the graph once it has ended",
+        "The program ended abruptly (os._exit, a kill, an abort), so its node was never removed. Other programs "
+        "still see the node for up to 20 s.",
         "Let main() return: catch KeyboardInterrupt around the spin, then call rclpy.try_shutdown().",
     )

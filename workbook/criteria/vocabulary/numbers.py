@@ -47,7 +47,7 @@ def really_arrives(recording: Recording, topic: Topic) -> Verdict:
     meant = said_by_field_checks(recording) == "" and seen[:1] != [0.0]  # that it rises again, others judge
     if meant or (not followed and (not seen or seen[0] != 0.0)):
         return passed(
-            f"numbers arrive as they are, the first is {number(seen[0])}" if seen else "no numbers in it"
+            f"numbers arrive unchanged; the first is {number(seen[0])}" if seen else "no numbers in it"
         )
     if len(zeros) == len(seen):
         return _zeros(
@@ -72,7 +72,7 @@ def given_floats(recording: Recording, topic: Topic) -> Verdict:
     if place is None:
         return passed("its numbers are floats")
     beside = next(value for value in [*seen[place:], *reversed(seen[:place])] if value != 0.0)
-    return _zeros(recording, f"0.0 on {topic.name} in message {place + 1}, and {number(beside)} beside it")
+    return _zeros(recording, f"0.0 on {topic.name} in message {place + 1}, next to {number(beside)}")
 
 
 def _zero_that_stands_out(seen: Sequence[float]) -> int | None:
@@ -98,7 +98,7 @@ def _zero_that_stays(seen: Sequence[float]) -> int | None:
 
 
 def _zeros(recording: Recording, saw: str) -> Verdict:
-    expected = "the number that your program wants to send, in every message"
+    expected = "the number that your program means to send, in every message"
     try_this = (
         "Give the field a float: float(level), or 100.0 instead of 100. Do not use int() or round() first."
     )
@@ -173,7 +173,8 @@ def within(
         )
     if math.isinf(bad.value):
         return fail(
-            "within.infinite", "The value is infinite: a division by zero, or a number too large for 32 bits."
+            "within.infinite",
+            "The value is infinite: a division by zero, or a number too large for 32 bits.",
         )
     if _back_at(recording, topic, bad) != (low if bad.value < low else high):
         return fail("within.not-limited", "The simulated value is not limited.")
@@ -208,8 +209,8 @@ def never_rises(recording: Recording, topic: Topic, slack: float = 1e-4) -> Verd
                 "never-rises.now-and-then",
                 f"{saw} ({len(rises)} of {count(len(numbers), 'message')})",
                 "a value that only falls",
-                "Most messages do not rise. So something adds to the level now and then, or sets it anew.",
-                "Only subtract from the level that the node stores, also when it is low or empty.",
+                "The level doesn't rise in most messages, so something occasionally adds to it or resets it.",
+                "Only subtract from the level that the node stores, even when it's low or empty.",
             )
         return failed(
             "never-rises.rises",

@@ -15,7 +15,7 @@ A_ROUND_S = 0.95
 """A program that spun for so long (s) has been seen. Sooner than that, it is chance whether its publishers were."""
 ANOTHER_MIDDLEWARE = "Expected RMW implementation identifier"
 """What rcl logs before it ends a program with code 102."""
-_EXPECTED = "a program that starts, makes its node and keeps it running"
+_EXPECTED = "a program that starts, creates its node, and keeps it running"
 
 
 @criterion(points=0, title="Your program runs and its node is on the graph")
@@ -37,7 +37,7 @@ def program_runs(recording: Recording) -> Verdict:
     if strangers and not at_home:
         return failed(
             "program-runs.other-domain",
-            f"your node is on domain {strangers[0]}, the exercise on another one",
+            f"your node is on domain {strangers[0]}, but the exercise uses another one",
             "a node on the domain that the environment gives (ROS_DOMAIN_ID)",
             "The program chooses its own domain, so nothing on this domain can receive its messages.",
             "Remove the domain_id argument or the ROS_DOMAIN_ID line from your program.",
@@ -59,7 +59,7 @@ def _runs_unseen(recording: Recording, at_home: bool) -> Verdict:
     if at_home and not recording.nodes:
         return failed(
             "program-runs.discovery-changed",
-            "your program uses ROS, but no node of it can be found",
+            "your program uses ROS, but none of its nodes can be found",
             _EXPECTED,
             "The program changes how nodes find each other: ROS_AUTOMATIC_DISCOVERY_RANGE, ROS_LOCALHOST_ONLY, "
             "ROS_STATIC_PEERS, RMW_IMPLEMENTATION, FASTRTPS_DEFAULT_PROFILES_FILE or another variable of ROS.",
@@ -75,7 +75,7 @@ def _runs_unseen(recording: Recording, at_home: bool) -> Verdict:
         )
     if recording.nodes:
         names = listing(sorted(node.name for node in recording.nodes))
-        saw = f"node {names} is there, but it publishes nothing at all"
+        saw = f"no publisher at all; the graph shows only {names}"
         return held_by_a_spin(recording, saw, _EXPECTED) or failed(
             "program-runs.publishes-nothing",
             saw,
@@ -86,7 +86,7 @@ def _runs_unseen(recording: Recording, at_home: bool) -> Verdict:
         )
     return failed(
         "program-runs.no-node",
-        f"the program runs, but no node of it appeared within {seconds(recording.process.watched_for)}",
+        f"the program runs, but none of its nodes appeared within {seconds(recording.process.watched_for)}",
         _EXPECTED,
         "The program is still busy in its first lines (a loop, a sleep, a wait), or it never creates a node.",
         "Create the node first, and let timers do repeated work.",
@@ -136,21 +136,21 @@ def _ended_before_it_was_seen(recording: Recording) -> Verdict:
     ended = f"the program ended after {seconds(process.ended_at or 0.0)}"
     if process.signal is not None:
         return ended_by_signal(
-            process, f"{ended} (signal {process.signal}), before any message came", _EXPECTED
+            process, f"{ended} (signal {process.signal}), before any message arrived", _EXPECTED
         )
     if ANOTHER_MIDDLEWARE in process.log:
         return failed(
             "program-runs.other-middleware",
-            f"{ended}: it asks for a middleware that is not installed",
+            f"{ended}: it requests a middleware that isn't installed",
             _EXPECTED,
             "The program sets RMW_IMPLEMENTATION.",
             "Remove the line that sets it: the environment already chooses a middleware.",
         )
     return failed(
         "program-runs.ended",
-        f"{ended} (exit code {process.exit}), before any message came",
+        f"{ended} (exit code {process.exit}), before any message arrived",
         _EXPECTED,
-        "Nothing keeps the program alive: without a spin it ends after its last line.",
+        "Nothing keeps the program alive: without a spin, it ends after its last line.",
         "Create the node in main(), call rclpy.spin(node), and call main() at the end of the file.",
     )
 

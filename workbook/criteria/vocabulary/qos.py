@@ -22,7 +22,7 @@ def hears(recording: Recording, offered: Publishes) -> Verdict:
     clashes = [_clash(one, offered) for one in seen if one.type == topic.type]
     if all(clash is not None for clash in clashes) and clashes[0] is not None:
         return clashes[0]
-    return passed(f"hears {topic.name}")
+    return passed(f"subscribes to {topic.name} with compatible QoS")
 
 
 def _offer(offered: Publishes) -> str:
@@ -38,8 +38,8 @@ def _clash(asked: SubscriberSeen, offered: Publishes) -> Verdict | None:
     def fail(cause: str, saw: str, try_this: str) -> Verdict:
         return failed(
             cause,
-            f"your subscription to {offered.topic} {saw}: the two never match",
-            f"a subscription that asks for no more than is offered: {_offer(offered)}",
+            f"your subscription to {offered.topic} {saw}, so the two never match",
+            f"a subscription that requests no more than the publisher offers: {_offer(offered)}",
             "A subscription that requests more than the publisher offers receives no message at all. A warning "
             "(WARN) in your log names the policy.",
             try_this,
@@ -48,28 +48,28 @@ def _clash(asked: SubscriberSeen, offered: Publishes) -> Verdict | None:
     if asked.reliability == "reliable" and offered.qos == "best_effort":
         return fail(
             "hears.reliable",
-            "asks for reliable, and best effort is offered",
+            "requests reliable, but best effort is offered",
             "Give create_subscription() a QoSProfile with reliability=ReliabilityPolicy.BEST_EFFORT, or "
             "qos_profile_sensor_data. A number as QoS means reliable.",
         )
     if asked.durability == "transient_local" and offered.qos != "latched":
         return fail(
             "hears.transient-local",
-            "asks for transient local, and volatile is offered",
-            "Leave durability out of this subscription's QoSProfile: this publisher keeps nothing for late "
+            "requests transient local, but volatile is offered",
+            "Leave durability out of this subscription's QoSProfile: this publisher keeps no messages for late "
             "joiners.",
         )
     if asked.deadline is not None and offered.deadline is None:
         return fail(
             "hears.deadline-not-offered",
-            f"asks for a deadline of {number(asked.deadline)} s, and none is offered",
+            f"requests a deadline of {number(asked.deadline)} s, but none is offered",
             "Leave the deadline out of the QoSProfile, and let a timer check the clock.",
         )
     if asked.deadline is not None and offered.deadline is not None and asked.deadline < offered.deadline:
         return fail(
             "hears.deadline-too-short",
-            f"asks for a deadline of {number(asked.deadline)} s, and one of {number(offered.deadline)} s is offered",
-            f"Ask for {number(offered.deadline)} s or longer.",
+            f"requests a deadline of {number(asked.deadline)} s, but only {number(offered.deadline)} s is offered",
+            f"Request a deadline of {number(offered.deadline)} s or longer.",
         )
     return None
 
@@ -101,9 +101,7 @@ def kept_for_latecomers(recording: Recording, topic: Topic) -> Verdict:
                 "Earlier messages are delivered only to reliable connections. Best effort sends each message once.",
                 "Leave reliability out of the QoSProfile, or set ReliabilityPolicy.RELIABLE.",
             )
-    return _kept_in_fact(recording, topic, expected) or passed(
-        f"{topic.name} is kept for those who come later"
-    )
+    return _kept_in_fact(recording, topic, expected) or passed(f"{topic.name} is kept for late joiners")
 
 
 def _kept_in_fact(recording: Recording, topic: Topic, expected: str) -> Verdict | None:
@@ -114,8 +112,8 @@ def _kept_in_fact(recording: Recording, topic: Topic, expected: str) -> Verdict 
                 "kept-for-latecomers.lifespan",
                 f"{topic.name} is offered as transient local, but with a lifespan of {number(publisher.lifespan)} s",
                 expected,
-                "A message is thrown away when its lifespan is over. A subscription that comes after that receives "
-                "nothing.",
+                "A message is discarded when its lifespan is over. A subscription that is created after that "
+                "receives nothing.",
                 "Leave lifespan out of the QoSProfile of this publisher.",
             )
     if recording.topic(topic.name).kept == 0:

@@ -114,7 +114,7 @@ def _watched_s(recording: Recording, topic: Topic) -> str:
 
 
 def _at_one_moment(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
-    once = "one single message" if seen.count == 1 else f"{seen.count} messages at one moment, and no other"
+    once = "a single message" if seen.count == 1 else f"{seen.count} messages at one moment, and no others"
     saw, expected = f"{once} in {_watched_s(recording, topic)}", _rate_expected(topic)
     last = recording.topic(topic.name).arrivals[-1].t
     return gone_silent(recording, topic, last, saw, expected) or failed(
@@ -134,7 +134,7 @@ def _groups(seen: Pace) -> str:
 def _in_bursts(topic: Topic, seen: Pace, hz: float) -> Verdict:
     return failed(
         "rate.in-bursts",
-        f"{hertz(hz)} Hz: messages come in {_groups(seen)}",
+        f"{hertz(hz)} Hz: messages arrive in {_groups(seen)}",
         _rate_expected(topic),
         "Two timers call the same function, two publishers share the topic, or one callback publishes twice.",
         "Keep one timer and one publish() for this topic.",
@@ -144,8 +144,8 @@ def _in_bursts(topic: Topic, seen: Pace, hz: float) -> Verdict:
 
 def _stops(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
     saw = (
-        f"the last of {count(seen.count, 'message')} came at {seconds(seen.gap.start)}, "
-        f"then nothing until {seconds(seen.gap.end)}"
+        f"the last of {count(seen.count, 'message')} arrived at {seconds(seen.gap.start)}, then nothing until "
+        f"{seconds(seen.gap.end)}"
     )
     expected = _rate_expected(topic)
     return gone_silent(recording, topic, seen.gap.start, saw, expected) or failed(
@@ -167,19 +167,20 @@ def _skips(recording: Recording, topic: Topic, seen: Pace) -> Verdict | None:
     if seen.gap.kind == "before":
         return failed(
             "rate.begins-late",
-            f"the first message came after {seconds(seen.gap.seconds)}; {listing(going_on)} had begun before that",
+            f"the first message arrived after {seconds(seen.gap.seconds)}; {listing(going_on)} had started before "
+            "that",
             _rate_expected(topic),
-            "The timer of this topic is created late, or its callback does not publish at first. It skips calls, or "
+            "This topic's timer is created late, or its callback doesn't publish at first: it skips calls, or it "
             "works or sleeps before it publishes.",
-            "Create the timer in __init__, and publish at once in each call of its callback.",
+            "Create the timer in __init__, and publish right away in each call of its callback.",
             about_time=True,
         )
     return _uneven(recording, topic) or failed(
         "rate.skips",
         f"a silence of {seconds(seen.gap.seconds)} after {seconds(seen.gap.start)}, while {listing(going_on)} went on",
         _rate_expected(topic),
-        "The node was not blocked. A condition or a counter skips the publish() now and then, or the callback of "
-        "this topic waits for something.",
+        "The node wasn't blocked. A condition or a counter sometimes skips the publish(), or this topic's callback "
+        "waits for something.",
         "Publish once in each call of the timer's callback, no matter what was published before.",
         about_time=True,
     )
@@ -210,8 +211,8 @@ def _changes(recording: Recording, topic: Topic, expected: str) -> Verdict | Non
         "rate.changes",
         f"one message every {hertz(at_first)} s until {seconds(moment)}, then one every {hertz(later)} s",
         expected,
-        "The pace changes while the program runs. The timer is created anew with another period, or from then on a "
-        "condition leaves calls out or adds some.",
+        "The rate changes while the program runs. The timer is re-created with another period, or from then on, a "
+        "condition skips calls or adds some.",
         f"Keep one timer with a fixed period: create_timer({topic.period}, ...). Publish once in each call of its "
         "callback.",
         about_time=True,
@@ -227,12 +228,13 @@ def _uneven(recording: Recording, topic: Topic) -> Verdict | None:
         return None
     return failed(
         "rate.uneven",
-        f"{seconds(min(intervals))} to {seconds(max(intervals))} from one message to the next; {len(soon)} came too "
-        f"soon, {len(late)} too late",
+        f"{seconds(min(intervals))} to {seconds(max(intervals))} from one message to the next; {len(soon)} arrived "
+        f"too soon, {len(late)} too late",
         _rate_expected(topic),
-        "The time between two messages changes. The timer is created anew with other periods, or the callback waits "
+        "The time between two messages changes. The timer is re-created with other periods, or the callback waits "
         "before it publishes.",
-        f"Create one timer, with a fixed period: create_timer({topic.period}, ...). Publish at once in its callback.",
+        f"Create one timer, with a fixed period: create_timer({topic.period}, ...). Publish right away in its "
+        "callback.",
         about_time=True,
     )
 
@@ -242,10 +244,10 @@ def _falls_silent(topic: Topic, seen: Pace) -> Verdict:
     if seen.in_bursts:
         return failed(
             "rate.groups-with-silences",
-            f"messages come in {_groups(seen)}, and there is a silence of {seconds(seen.gap.seconds)} {where}",
+            f"messages arrive in {_groups(seen)}, with a silence of {seconds(seen.gap.seconds)} {where}",
             _rate_expected(topic),
-            "Several messages are published at once, and then none for a while. One callback publishes them all. Or "
-            "something blocks the node: another callback works or sleeps, and then the timer makes up for it.",
+            "Several messages are published at the same time, and then none for a while. One callback publishes "
+            "them all. Or another callback works or sleeps and blocks the node, and the timer catches up afterward.",
             f"Publish once in each call of a timer's callback: create_timer({topic.period}, ...). Keep all callbacks "
             "short, and never sleep in them.",
             about_time=True,
@@ -254,8 +256,8 @@ def _falls_silent(topic: Topic, seen: Pace) -> Verdict:
         "rate.silence",
         f"a silence of {seconds(seen.gap.seconds)} {where}",
         _rate_expected(topic),
-        "Something blocks the node: while one callback works or sleeps, no other timer runs. Or some messages are "
-        "left out.",
+        "Something blocks the node: while one callback works or sleeps, no other timer runs. Or your code skips "
+        "some messages.",
         "Keep callbacks short, never sleep in them, and publish once in each call.",
         about_time=True,
     )
@@ -267,10 +269,10 @@ def _too_few(recording: Recording, topic: Topic, seen: Pace) -> Verdict:
     if ended is None and seen.gap.kind == "before" and seen.gap.seconds > FIRST_LATE_PERIODS * topic.period:
         return failed(
             "rate.first-late",
-            f"{saw}, and the first came after {seconds(seen.gap.seconds)}",
+            f"{saw}, and the first arrived after {seconds(seen.gap.seconds)}",
             _rate_expected(topic),
-            "The first message comes later than one period. The callback works or sleeps before it publishes, or its "
-            "timer is created late.",
+            "The first message takes longer than one period. The callback works or sleeps before it publishes, or "
+            "its timer is created late.",
             f"Let create_timer({topic.period}, ...) call the callback, publish in its first line, and never sleep in "
             "it.",
             about_time=True,
@@ -315,9 +317,9 @@ def keeps_period(recording: Recording, topic: Topic) -> Verdict:
     seen = topic_pace(recording, topic)
     typical = seen.typical_interval
     if typical is None:
-        return program_ended(recording, "one single message", expected) or failed(
+        return program_ended(recording, "a single message", expected) or failed(
             "keeps-period.once",
-            "one single message",
+            "a single message",
             expected,
             "The message is published once, not repeatedly.",
             _try_rate(topic),
@@ -333,8 +335,8 @@ def keeps_period(recording: Recording, topic: Topic) -> Verdict:
         "keeps-period.other-period",
         f"typically {typical:.3g} s from one message to the next",
         expected,
-        "The period given to create_timer is slightly wrong. Or a loop sleeps for a full period and adds the time "
-        "of its work.",
+        "The period given to create_timer is wrong. Or a loop sleeps for a full period, and the time for its work "
+        "is added.",
         _try_rate(topic),
         about_time=True,
     )
@@ -374,10 +376,10 @@ def _other_rate(recording: Recording, topic: Topic, hz: float, saw: str, expecte
     if recording.in_lockstep and intervals and _all_about(intervals, median(intervals)):
         return fail(
             "rate.evenly-too-slow",
-            "Too slow, but even, so nothing holds up the timer. Its period is too long, or only some of its calls "
+            "Too slow, but steady, so nothing delays the timer. Its period is too long, or only some of its calls "
             "publish.",
         )
-    return fail("rate.too-slow", "Too slow: the period is too long, or a slow callback holds up the timer.")
+    return fail("rate.too-slow", "Too slow: the period is too long, or a slow callback delays the timer.")
 
 
 def _try_rate(topic: Topic) -> str:

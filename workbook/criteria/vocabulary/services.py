@@ -35,7 +35,7 @@ def offers(recording: Recording, service: str, service_type: str) -> Verdict:
             "offers.other-type",
             f"{service} is of type {seen[service].rsplit('/', 1)[1]}",
             expected,
-            "create_service() got another type.",
+            "create_service() received a different type.",
             f"Import {short} from {service_type.split('/')[0]}.srv.",
         )
     nothing = f"no service {service}"
@@ -64,7 +64,7 @@ def calls_service(recording: Recording, service: str, service_type: str) -> Verd
             "calls-service.other-type",
             f"the client for {service} is of type {listing(types)}",
             expected,
-            "A server and a client of different types never connect, and nothing reports it.",
+            "A server and a client of different types never connect, and no error reports it.",
             f"Import {short} from {service_type.split('/')[0]}.srv and give it to create_client().",
         )
     blamed = failed_by_error(recording, f"no client for {service}", expected)
@@ -77,9 +77,9 @@ def _no_client(recording: Recording, service: str, short: str, expected: str) ->
     if near is not None:
         return failed(
             "calls-service.other-name",
-            f"your node calls {near}, and not {service}",
+            f"your node calls {near}, not {service}",
             expected,
-            "The two names differ. ROS compares names letter by letter, and a call without a server just waits.",
+            "The two names differ. ROS compares names letter by letter, so the call just waits for a server.",
             f"Write the name as {service!r}.",
         )
     return held_by_a_spin(recording, f"no client for {service}", expected) or failed(
@@ -97,7 +97,7 @@ def _never_called(recording: Recording, service: str, expected: str) -> Verdict:
     )
     return blamed or failed(
         "calls-service.never-called",
-        f"the client for {service} is there, but no call arrived",
+        f"the client for {service} exists, but no call arrived",
         expected,
         "No timer calls the method that sends requests. Or the only call was made in __init__, before client and "
         "server had found each other, and was lost.",

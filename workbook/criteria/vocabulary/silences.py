@@ -19,12 +19,10 @@ def program_ended(recording: Recording, saw: str, expected: str) -> Verdict | No
     """A failed verdict that blames the end of the program, by its error if there was one; None if it runs on."""
     if recording.process.ended_by != "itself":
         return None
-    blamed = failed_by_error(
-        recording, f"{saw}, and an error had ended the program", expected, about_time=True
-    )
+    blamed = failed_by_error(recording, f"{saw}; an error had ended the program", expected, about_time=True)
     return blamed or failed(
         "silence.program-ended",
-        f"{saw}, and the program had ended",
+        f"{saw}; the program had ended",
         expected,
         "The program ended by itself, so nothing was published after that.",
         "Keep the node alive with rclpy.spin(node) until Ctrl-C.",
@@ -94,8 +92,8 @@ def others_within(recording: Recording, topic: Topic, start: float, end: float) 
 def _when_others_stopped(recording: Recording, others: list[str], since: float) -> str:
     last = max((arrival.t for name in others for arrival in recording.topic(name).arrivals), default=since)
     if last <= since:
-        return f"nothing came on {listing(others)} after that, either"
-    return f"the last message on {listing(others)} came at {seconds(last)}"
+        return f"nothing arrived on {listing(others)} after that, either"
+    return f"the last message on {listing(others)} arrived at {seconds(last)}"
 
 
 def gone_silent(recording: Recording, topic: Topic, since: float, saw: str, expected: str) -> Verdict | None:

@@ -30,8 +30,8 @@ def initialized_again(recording: Recording, saw: str, expected: str) -> Verdict 
         "spin.initialized-again",
         f"{saw}; line {recording.repeated_init} initializes ROS again and again, in a loop",
         expected,
-        "Each round makes a new node and shuts it down again. Others need a moment to find a node, and by then it is "
-        "gone, so nothing receives its messages.",
+        "Each iteration creates a new node and shuts it down again. Discovery takes a moment, and by then the node "
+        "is gone, so nothing receives its messages.",
         "Call rclpy.init() once, create one node, and let its timers publish while rclpy.spin(node) runs.",
         about_time=True,
     )
@@ -68,9 +68,9 @@ def _keeps(spin: SpinSeen, saw: str, expected: str) -> Verdict:
     if spin.kept == "round":
         return failed(
             "spin.first-round-only",
-            f"{stays}; it stands in the loop of line {spin.later}, whose next round never begins",
+            f"{stays}; so the loop of line {spin.later} never begins its next iteration",
             expected,
-            "A spin returns only when ROS is shut down. So the loop spins its first node, and no other one.",
+            "A spin returns only when ROS is shut down. So the loop spins only its first node.",
             ONE_EXECUTOR,
             about_time=True,
         )
@@ -79,8 +79,8 @@ def _keeps(spin: SpinSeen, saw: str, expected: str) -> Verdict:
             "spin.second-never-reached",
             f"{stays}; so line {spin.later} is never reached: {spin.later_code}",
             expected,
-            "A spin returns only when ROS is shut down. So a spin on a later line never begins, and nothing spins the "
-            "node that it is for.",
+            "A spin returns only when ROS is shut down. So a spin on a later line never begins, and its node is "
+            "never spun.",
             ONE_EXECUTOR,
             about_time=True,
         )
@@ -88,7 +88,7 @@ def _keeps(spin: SpinSeen, saw: str, expected: str) -> Verdict:
         "spin.before-the-rest",
         f"{stays}; so line {spin.later} is never reached: {spin.later_code}",
         expected,
-        "A spin returns only when ROS is shut down. So nothing that a later line would create ever exists.",
+        "A spin returns only when ROS is shut down. So nothing that a later line should create ever exists.",
         ONE_EXECUTOR,
         about_time=True,
     )

@@ -37,7 +37,7 @@ _STOPS = {
     ),
     "memory": Stop(
         "stopped.memory",
-        f"took more than {_MEMORY_GB:g} GB of memory, all its processes together",
+        f"used more than {_MEMORY_GB:g} GB of memory in all its processes together",
         "A list grows without end, or each of several processes keeps a copy of a lot of data.",
         "Keep only what the next message needs, and start only the processes that you need.",
     ),
@@ -56,8 +56,8 @@ _STOPS = {
     ),
     "files": Stop(
         "stopped.files",
-        f"made more than {_FILES} files",
-        "A loop makes a new file each time, without end.",
+        f"created more than {_FILES} files",
+        "A loop creates new files without end.",
         "Write to one file, or to none: the judge reads no files of an answer.",
     ),
     "disk": Stop(
@@ -93,7 +93,7 @@ def ended_by_signal(process: ProcessRecord, saw: str, expected: str) -> Verdict:
             "signal.killed",
             saw,
             expected,
-            "The program was killed: by itself (os.kill), or by the machine, which had no memory left.",
+            "The program was killed: by itself (os.kill), or by the system, because no memory was left.",
             "Look for a list that grows without end, and for calls of os.kill.",
         )
     if process.signal in _CRASHES:

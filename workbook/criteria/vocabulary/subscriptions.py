@@ -22,7 +22,7 @@ def asks_for_other_qos(recording: Recording, name: str, saw: str, expected: str)
         "listens.other-qos",
         f"{saw}; rclpy logged incompatible QoS for {name}: {policy}",
         expected,
-        f"The subscription asks for QoS that the publisher does not offer, so no message of {name} arrives.",
+        f"The subscription requests QoS that the publisher doesn't offer, so no message on {name} arrives.",
         "Give create_subscription() a plain queue depth, such as 10, instead of a QoSProfile.",
     )
 
@@ -33,7 +33,7 @@ def listens(recording: Recording, topic: Topic) -> Verdict:
     expected = f"a subscription to {topic.name} of type {topic.short_type}"
     types = sorted({subscriber.type for subscriber in seen.subscribers})
     if topic.type in types:
-        return passed(f"listens to {topic.name}")
+        return passed(f"subscribes to {topic.name}")
     if types:
         got = listing([name.rsplit("/", 1)[1] for name in types])
         return failed(
@@ -52,7 +52,7 @@ def listens(recording: Recording, topic: Topic) -> Verdict:
     if near is not None:
         return failed(
             "listens.other-name",
-            f"your node listens to {near}, and not to {topic.name}",
+            f"your node subscribes to {near}, not to {topic.name}",
             expected,
             "The two names differ. ROS compares names letter by letter.",
             f"Write the name as {topic.name!r}.",

@@ -20,7 +20,7 @@ def one_of(recording: Recording, topic: Topic, allowed: Collection[str]) -> Verd
     said = values(recording, topic)
     wrong = [value for value in said if not isinstance(value, str) or value not in allowed]
     if not wrong:
-        return passed("it says " + listing([f'"{word}"' for word in sorted(set(map(str, said)))]))
+        return passed("published: " + listing([f'"{word}"' for word in sorted(set(map(str, said)))]))
     text = str(wrong[0])[:LONGEST_QUOTE]
     saw, try_this = f'"{text}" on {topic.name}', f"Publish exactly one of {words}."
     if text == "":

@@ -34,7 +34,7 @@ def publishes(recording: Recording, topic: Topic) -> Verdict:
                 f"{topic.name} has publishers of two types: {topic.short_type} and {listing(others)}",
                 expected,
                 "Two create_publisher() calls use the same topic name with different message types.",
-                "Keep the one of the right type.",
+                f"Keep only the publisher of type {topic.short_type}.",
             )
         return passed(f"{topic.name} carries {topic.short_type}")
     if seen.publishers:
@@ -63,7 +63,7 @@ def _not_published(recording: Recording, topic: Topic, expected: str) -> Verdict
         "publishes.nothing",
         f"nothing on {topic.name}; your program publishes {listing(names) or 'nothing'}",
         expected,
-        "The publisher is not created, or has a very different name.",
+        "The publisher isn't created, or its topic has a very different name.",
         f"Call create_publisher({topic.short_type}, {topic.name!r}, 10) in __init__.",
     )
 
@@ -94,7 +94,7 @@ def misspelled(recording: Recording, wanted: str, names: Iterable[str]) -> str |
 
 def _under_other_name(recording: Recording, seen: str, wanted: str, expected: str) -> Verdict:
     def fail(cause: str, because: str) -> Verdict:
-        saw = f"your node publishes {seen}, and nothing on {wanted}"
+        saw = f"your node publishes {seen}, but nothing on {wanted}"
         return failed(cause, saw, expected, because, f"Write the name as {wanted!r}.")
 
     if seen.lower() == wanted.lower():
@@ -106,14 +106,14 @@ def _under_other_name(recording: Recording, seen: str, wanted: str, expected: st
     if any(wanted.endswith(seen.removeprefix(owner)) for owner in owners if seen.startswith(f"{owner}/")):
         return fail(
             "publishes.private-name",
-            "A name that begins with ~ is private: the node's own name is put in front.",
+            "A name that begins with ~ is private: ROS puts the node's own name in front.",
         )
     if wanted.endswith(seen):
         return fail("publishes.no-namespace", f"The namespace {wanted[: -len(seen)]} is missing.")
     if seen.endswith(wanted):
         return fail(
             "publishes.other-namespace",
-            f"The node runs in the namespace {seen[: -len(wanted)]}, which is put in front of a relative name.",
+            f"The node runs in the namespace {seen[: -len(wanted)]}, which ROS puts in front of a relative name.",
         )
     return fail("publishes.other-name", "The two names differ. ROS compares names letter by letter.")
 
@@ -134,10 +134,10 @@ def no_message(recording: Recording, topic: Topic) -> Verdict | None:
     if seen.not_kept and seen.full_at is None:
         return failed(
             "no-message.too-large",
-            f"{count(seen.not_kept, 'message')} on {topic.name} came, larger than 4 MB",
+            f"{count(seen.not_kept, 'message')} on {topic.name}, larger than 4 MB",
             f"readable {topic.short_type} messages",
             "The message contains a list that grows with every message, or far too many values.",
-            "Print the length of what you publish, and create a new list for every message.",
+            "Print the length of the data that you publish, and create a new list for every message.",
         )
     return _more_than_is_kept(recording, topic) or _silent(recording, topic)
 
@@ -192,7 +192,7 @@ def _silent_beside(recording: Recording, topic: Topic, others: list[str], saw: s
         last = max(recording.topic(name).arrivals[-1].t for name in others)
         return failed(
             "no-message.all-stopped",
-            f"{saw}; the last message on {listing(others)} came at {seconds(last)}",
+            f"{saw}; the last message on {listing(others)} arrived at {seconds(last)}",
             f"messages on {topic.name}",
             "The node published something and then stopped, before this topic had its turn. One of its callbacks "
             "never returns, or nothing spins the node any more.",
@@ -252,7 +252,7 @@ def _some_are_broken(recording: Recording, topic: Topic) -> Verdict | None:
     if seen.undecodable:
         return failed(
             "all-kept.undecodable",
-            f"beside {right} on {topic.name}, {seen.undecodable} came that could not be decoded{since}",
+            f"{right} on {topic.name}, but also {seen.undecodable} that could not be decoded{since}",
             expected,
             "The bytes on the wire are not a message of this type.",
             "Publish message objects only, not raw bytes.",
@@ -260,10 +260,10 @@ def _some_are_broken(recording: Recording, topic: Topic) -> Verdict | None:
     if seen.too_large:
         return failed(
             "all-kept.too-large",
-            f"beside {right} on {topic.name}, {seen.too_large} came that are larger than 4 MB{since}",
+            f"{right} on {topic.name}, but also {seen.too_large} larger than 4 MB{since}",
             expected,
-            "A list that grows with every message, or far too many values.",
-            "Print the length of what you publish; begin a new list for every message.",
+            "The message contains a list that grows with every message, or far too many values.",
+            "Print the length of the data that you publish, and create a new list for every message.",
         )
     return None
 
@@ -278,11 +278,12 @@ def _more_than_is_kept(recording: Recording, topic: Topic) -> Verdict | None:
     room = kept if seen.room is None else f"{seen.room / 1e6:g} MB"
     return failed(
         "all-kept.too-much",
-        f"what came on {topic.name} was more than the judge keeps of a topic ({room}) after {lasted} and {kept}; the "
-        "rest was not looked at",
+        f"the messages on {topic.name} exceeded the judge's limit for a topic ({room}) after {lasted} and {kept}; "
+        "the judge ignored the rest",
         f"at most {room} on {topic.name}",
-        "Messages are far larger, or far more, than the task asks for: a list that grows, or a loop that publishes.",
-        "Print the length of what you publish, and how often you publish it.",
+        "The messages are far larger than the task asks for, or there are far more of them: a list grows, or a "
+        "loop publishes.",
+        "Print the length of the data that you publish, and how often you publish it.",
     )
 
 

@@ -91,8 +91,8 @@ def _hidden(found: list[Finding], expected: str) -> Verdict | None:
                 "mypy-clean.silenced",
                 f"line {finding.line}: `{finding.message}` {what}",
                 expected,
-                "Such a comment fixes nothing. It only hides the mistake, and every later mistake in that line. "
-                "The judge ignores it.",
+                "This doesn't fix anything. It only hides the mistake, and every later mistake in that line. The "
+                "judge ignores it.",
                 "Remove the comment, run mypy, and fix what it reports.",
             )
         if finding.code == UNCHECKED:
@@ -132,7 +132,7 @@ def mypy_accepts(recording: Recording, one: Probe) -> Verdict:
             saw,
             expected,
             "Your hints forbid what the exercise allows: they are too narrow, or wrong.",
-            "Compare the hint with the table of the exercise: what may the caller pass?",
+            "Compare the hint with the exercise's table: what may the caller pass?",
         )
     reason = reason_for(first)
     return failed(reason.cause, saw, expected, reason.because, reason.try_this)
