@@ -49,6 +49,8 @@ show_film(
 # The boxes around the cup, the plate, and the brick fit. The ball's box lags behind, because the ball kept rolling while
 # the network was running. Our network is small and needs only a few milliseconds. To imitate a large one, the node waits
 # until 0.2 s have passed.
+#
+# [the same without helpers: init, start, fresh, run]
 
 # %% [markdown] prediction="box-at-depth-10"
 # ## Predict
