@@ -384,7 +384,7 @@ words.publish("hello")
 # `publish` accepts only messages, but `"hello"` is a `str`. The error names the expected type first, and then the
 # actual type. Wrap the string in a message: `words.publish(String(data="hello"))`.
 #
-# [the same without helpers: spin_for]
+# [the same without helpers: init, spin_for]
 #
 # ### A missing depth
 

@@ -4,7 +4,7 @@
 # A planner, a safety monitor, and a drawing on your screen all need the joint angles. How often should a robot publish
 # them?
 #
-# - **Minutes:** 45
+# - **Minutes:** 50
 # - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb)
 # - **You will be able to:**
 #   - publish an array of joint angles
@@ -36,6 +36,8 @@ await watch_robot(seconds=6, ease=0.1)
 # | 3 | left elbow | 7 | left knee | 11 | right ankle |
 #
 # The angles are in radians, so π is half a turn. The robot faces you, so its left arm is on your right.
+#
+# [the same without helpers: start, record, init, fresh, run]
 
 # %%
 from workbook.ros.tools import topic_info
@@ -135,15 +137,15 @@ from workbook.pictures.palette import AMBER, BLUE
 fig, axes = figure(7.2, 2.8)
 axes.plot(moments, truth, color=BLUE)
 axes.step(moments, last_known(slow), where="post", color=AMBER)
-axes.set(xlabel="robot time (s)", ylabel="left elbow (rad)", xlim=(2, 18))
-axes.text(14.2, 0.8, "the real elbow", color=BLUE, weight="bold")
-axes.text(14.2, 0.15, "the last message", color=AMBER, weight="bold")
-axes.set_title(
-    "at 0.5 Hz the last message can be wrong by the whole swing", fontsize=11
-)
+axes.set(xlabel="robot time (s)", ylabel="left elbow (rad)", xlim=(2, 14))
+right = axes.get_yaxis_transform()  # x in widths of the axes, y in rad
+axes.text(1.01, 0.85, "the real elbow", color=BLUE, weight="bold", transform=right)
+axes.text(1.01, 0.13, "the last message", color=AMBER, weight="bold", transform=right)
+axes.set_title(f"At 0.5 Hz, the last message is wrong by up to {worst:.1f} rad")
 show(
     fig,
-    "the elbow swings quickly while the last known angle changes every two seconds",
+    "the elbow swings back and forth in 1.25 s; the angle in the last message stays "
+    "the same for two seconds and is often at the other end of the swing",
 )
 
 # %% [markdown]
@@ -169,6 +171,16 @@ print("left elbow kept:", message.data[ELBOW])
 # %% [markdown]
 # The two numbers differ in the eighth digit, because a Python `float` has 64 bits but the field has only 32. For an
 # angle, that difference doesn't matter. But never compare such values with `==`.
+#
+# **Your turn.** A number such as 4 in your code doesn't say which joint it stands for. Get the right shoulder's angle from
+# `message` by the joint's name.
+
+# %% id="your-joint"
+from workbook.lesson import yours
+
+right_shoulder = ...  # TODO: a value of message.data; JOINTS.index(...) gives its index
+
+yours(right_shoulder, waving(0.25)[4], 'message.data[JOINTS.index("right_shoulder")]')
 
 # %% [markdown] prediction="ten-hertz"
 # ## Change it
@@ -200,6 +212,14 @@ reveal("ten-hertz", share_of_the_error=float(worst_of_fast / worst))
 # faster topic. A battery level is published once every few seconds, and joint angles for a planner at 10 to 100 Hz.
 # Motor control inside the joint runs at 1000 Hz or more, and not over a Python topic. The exercise asks for only 0.5
 # Hz, because its angles are simulated and no program uses them to control anything.
+#
+# **Your turn.** A knee turns at up to 3 rad/s. A safety monitor uses the last message, whose angle may be at most 0.05 rad
+# off. What's the lowest rate that's high enough?
+
+# %% id="your-rate"
+lowest_hz = ...  # TODO: messages per second, from 3 rad/s and 0.05 rad
+
+yours(lowest_hz, 60.0, "In one period, the knee may turn by at most 0.05 rad.")
 
 # %% [markdown] prediction="the-hand-tracker"
 # ### Experiment 2: a subscriber that uses the angles
@@ -249,14 +269,14 @@ print(f"steps: {mean(steps_cm):.0f} cm on average, {max(steps_cm):.0f} cm at mos
 reveal("the-hand-tracker", largest_step_cm=max(steps_cm))
 
 # %% [markdown]
-# So a tracker knows the hand's position to within 2 cm. Here is such a node. It spins in this notebook, while the
-# waving robot runs in a separate process.
+# So between two messages, the height changes by at most 2 cm. Here is the tracker's node. It spins in this notebook, while
+# the waving robot runs in a separate process.
 
 # %%
 from rclpy.node import Node
 from std_msgs.msg import Float32
 
-from workbook.lesson import fresh, init, run
+from workbook.lesson import about, fresh, init, run
 
 init()  # rclpy.init(), made so that a cell can be run again
 
@@ -283,19 +303,21 @@ tracker = fresh(HandTracker)
 await run(tracker, seconds=60, until=lambda: len(tracker.heights) >= 100)
 stop()
 
-print("a hundred heights:", len(tracker.heights) >= 100)
-print("always above the shoulder:", min(tracker.heights) > 0)
+live_cm = [100 * height for height in tracker.heights]
+print(len(live_cm), "heights published")
+print("lowest: ", about(min(live_cm), "cm", between=(32.5, 33.5)))
+print("highest:", about(max(live_cm), "cm", between=(45, 46)))
 
 # %%
 fig, axes = figure(7.2, 2.4)
-axes.plot(range(1, len(tracker.heights) + 1), tracker.heights, ".-", color=BLUE)
-axes.set(xlabel="number of the message", ylabel="hand above shoulder (m)")
-axes.set_title("each message becomes one height", fontsize=11)
-show(fig, "the height of the waving hand, computed from the angles, goes up and down")
+axes.plot(range(1, len(live_cm) + 1), live_cm, ".-", color=BLUE)
+axes.set(xlabel="number of the message", ylabel="hand above shoulder (cm)")
+axes.set_title("Each message becomes one height: 25 of them per wave")
+show(fig, "a hundred dots, one for each message: the waving hand goes up and down")
 
 # %% [markdown]
-# The node publishes one height per message. Most of a robot's nodes work like this: they subscribe to one topic,
-# compute something more useful, and publish that.
+# The node publishes one height per message. Many nodes of a robot work like this: they subscribe to one topic, compute
+# something more useful, and publish that.
 
 # %% [markdown] prediction="a-hundred-hertz"
 # ### Experiment 3: 100 Hz instead of 0.5 Hz
@@ -327,33 +349,31 @@ print("one message is", size, "bytes on the wire, headers of DDS not counted")
 for hz in (0.5, 10, 100):
     print(f"{hz:>5} Hz: {hz * size:>6.0f} bytes per second")
 
-# %% tags=["nbval-ignore-output"]
+# %%
 from workbook.lesson import processor_seconds
 
 SECONDS = {0.5: 10.0, 10.0: 4.0, 100.0: 4.0}  # how long we measure at each rate
+USUAL = {0.5: (0.05, 20), 10.0: (0.2, 40), 100.0: (1, 100)}
 used = {}
 for hz, seconds in SECONDS.items():
     busy = processor_seconds(
         joint_position_publisher, seconds=seconds, with_start=False, period_s=1 / hz
     )
     used[hz] = busy / seconds  # share of one core
-    print(f"{hz:>5} Hz: {100 * used[hz]:5.1f} % of one core")
-each_ms = 1000 * (used[100.0] - used[0.5]) / 99.5
-print(f"difference between 100 Hz and 0.5 Hz, per message: {each_ms:.1f} ms")
+    print(f"{hz:>5} Hz:", about(100 * used[hz], "%", between=USUAL[hz]), "of one core")
+times = used[100.0] / used[0.5]
+print("200 times the messages:", about(times, "times the CPU time", between=(1, 200)))
 
 # %%
-reveal("a-hundred-hertz", times_as_much=used[100.0] / used[0.5])
+reveal("a-hundred-hertz", times_as_much=times)
 
 # %%
-print("100 Hz costs more than 0.5 Hz:", used[100.0] > used[0.5])
-print("but less than 200 times as much:", used[100.0] < 200 * used[0.5])
-
 fig, axes = figure(5.2, 2.4)
 percent = {f"{hz:g} Hz": 100 * busy for hz, busy in used.items()}
 bars = axes.bar(list(percent), list(percent.values()), color=BLUE)
-axes.bar_label(bars, fmt="%.1f %%")
-axes.set_title("200 times the messages cost less than 200 times the work", fontsize=11)
-axes.set(ylabel="one core, busy (%)")
+axes.bar_label(bars, fmt="%.1f%%")
+axes.set_title(f"200× the messages, {times:.0f}× the CPU time")
+axes.set(ylabel="CPU time (% of one core)")
 axes.margins(y=0.2)
 axes.grid(False)
 show(
@@ -364,8 +384,8 @@ show(
 
 # %% [markdown]
 # These numbers exclude the program's startup. At 0.5 Hz, much of the CPU time is background work: DDS keeps in touch
-# with other programs. The rest grows with the rate, but more slowly. In this run, a message cost half as much CPU time
-# at 100 Hz as at 10 Hz.
+# with other programs. The rest grows with the rate, but more slowly. On our idle machine, a message cost about half as
+# much CPU time at 100 Hz as at 10 Hz.
 #
 # So 100 Hz is affordable for *one* publisher. But every subscriber pays for the messages, too, and a robot has many
 # topics. Also, while a Python node is busy with one topic, messages on its other topics have to wait (lesson 10).
@@ -419,6 +439,21 @@ for bad in ([0.0] * 11, [math.nan] * 12):
 # %% [markdown]
 # So check the angles where you compute them: twelve values, `math.isfinite`, within ±π. And check received angles where
 # mistakes are dangerous, because a motor that gets NaN may do anything.
+#
+# **Your turn.** Write that check.
+
+# %% id="your-check"
+def is_pose(angles) -> bool:
+    """Return whether these are twelve finite angles within ±π."""
+    return ...  # TODO: a condition on the length, and one on all angles
+
+
+tries = (waving(0.0), [0.0] * 11, [math.nan] * 12, [90.0] * 12)
+yours(
+    [is_pose(angles) for angles in tries],
+    [True, False, False, False],
+    "len(angles) == 12 and all(math.isfinite(a) and abs(a) <= math.pi for a in angles)",
+)
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -458,7 +493,6 @@ print("head angles published:", looking.looks)
 # with your code. Until you do, the cell prints a reminder.
 
 # %%
-FINGERS = 5
 FINGER_PERIOD_S = ...  # TODO: seconds between two messages at 2 Hz
 
 
@@ -469,22 +503,24 @@ class WithFingers(WithHeadAngle):
         super().__init__()
         # TODO: a publisher of Float32MultiArray on /robot/finger_positions
         self.finger_pub = ...
-        self.grips = 0
         if FINGER_PERIOD_S is not ...:
             self.finger_timer = self.create_timer(FINGER_PERIOD_S, self.publish_fingers)
 
     def publish_fingers(self) -> None:
-        self.grips += 1
-        angles = ...  # TODO: a list of five angles that change with self.grips
+        angles = ...  # TODO: a list of five angles (rad)
         self.finger_pub.publish(Float32MultiArray(data=angles))
 
 
-if FINGER_PERIOD_S is ...:
-    print("Fill in the period, the publisher and the angles, then run this cell again.")
-else:
-    gripping = fresh(WithFingers)
-    await run(gripping, seconds=3)
-    print("finger messages published:", gripping.grips)
+gripping = fresh(WithFingers)
+sizes = []
+gripping.create_subscription(
+    Float32MultiArray,
+    "/robot/finger_positions",
+    lambda message: sizes.append(len(message.data)),
+    10,
+)
+await run(gripping, seconds=2.5)
+yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.5 s.")
 
 # %% [markdown]
 # **Your own.** In the [exercise](../exercises/09_joint_positions.ipynb), you write the complete node. It publishes

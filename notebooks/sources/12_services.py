@@ -556,17 +556,14 @@ received = []
 
 
 def on_answer(future) -> None:
-    ...  # TODO: append the response's message to received
+    received.append(...)  # TODO: the response's message
 
 
 answered = asker.self_test.call_async(Trigger.Request())
-called = []
 answered.add_done_callback(on_answer)
-answered.add_done_callback(called.append)  # is called after yours
-await run(asker, until=lambda: called, seconds=10)
+await run(asker, until=lambda: received, seconds=10)
 stop()
-wanted = [answered.result().message]
-yours(received or ..., wanted, "received.append(future.result().message)")
+yours(received, [answered.result().message], "future.result().message")
 
 # %% [markdown]
 # **A handler that doesn't return the response.** rclpy passes the request and an empty response to the handler. The
