@@ -13,5 +13,6 @@ class CallChecker(PrefilterChecker):
 
     def check(self, line_info: Any) -> Any:
         """The handler of plain Python for such a line; None for any other."""
+        manager: Any = self.prefilter_manager
         is_call = not line_info.esc and line_info.the_rest.startswith("(")
-        return self.prefilter_manager.get_handler_by_name("normal") if is_call else None
+        return manager.get_handler_by_name("normal") if is_call else None
