@@ -18,7 +18,7 @@ from workbook.feedback.wording import SIGNS, WORDS, earned, worst_first
 from workbook.recording.recording import Recording
 
 from .axe import violations
-from .lab_page import CELL_MS, LabPage
+from .lab_page import CELL_MS, ROBOT, LabPage
 from .student_lab import ROOT, StudentLab, running
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow]
@@ -154,7 +154,9 @@ def test_a_wrong_answer_then_the_right_one(
     expect(page.pop_ups()).to_have_count(0)
 
 
-def test_start_shows_the_own_node_and_stop_ends_it(page: LabPage, exercise: Exercise) -> None:
+def test_start_shows_the_own_node_in_the_panel_too_and_stop_ends_it(
+    page: LabPage, exercise: Exercise, artifacts: Path
+) -> None:
     page.open(NOTEBOOK)
     answer, start, stop = page.cell("%%answer"), page.cell("%start"), page.cell("%stop")
     page.write(answer, f"%%answer {STEM}\n{exercise.source.solution_code}")
@@ -162,7 +164,16 @@ def test_start_shows_the_own_node_and_stop_ends_it(page: LabPage, exercise: Exer
     page.run(start)
     expect(start.locator(".jp-OutputArea")).to_contain_text("Running: node")
     assert any(f"{STEM}.py" in line for line in running(page.lab.processes()).values())
+    page.panel.get_by_role("button", name="Robot", exact=True).click()
+    panel = page.page.locator(".workbook-panel:not(.lm-mod-hidden)")
+    robot = panel.get_by_role("img", name=f"{ROBOT}, posed by the last message on /robot/joint_positions")
+    expect(robot).to_have_attribute("data-face", "operational")
+    expect(panel.locator(".workbook-words")).to_contain_text("status: operational")
+    page.page.screenshot(path=artifacts / "exercise_panel.png")
     page.run(stop)
+    expect(panel.get_by_role("img", name=f"{ROBOT}, asleep")).to_be_visible()
+    page.panel.get_by_role("button", name="Robot", exact=True).click()
+    expect(panel).to_have_count(0)
     expect(stop.locator(".jp-OutputArea")).to_contain_text(f"Stopped {STEM}.")
     assert not any(f"answers/{STEM}.py" in line for line in running(page.lab.processes()).values())
 

@@ -366,7 +366,7 @@ def test_rate_accepts_its_whole_tolerance() -> None:
     ("times", "words"),
     [
         (every(0.5, 27), ("2 Hz", "0.5 s", "27 messages", "Period and frequency are swapped")),
-        (every(0.1, 140), ("10 Hz", "too fast by a factor of 20")),
+        (every(0.2, 70), ("5 Hz", "too fast by a factor of 10")),
         (every(4.0, 3), ("0.25 Hz", "3 messages", "Too slow")),
         ([1.0, 5.0, 9.0], ("0.25 Hz", "3 messages", "Too slow")),
         (every(2.9, 4), ("0.34 Hz", "Too slow", "create_timer(2.0, ...)")),
@@ -395,6 +395,15 @@ def test_rate_accepts_its_whole_tolerance() -> None:
 )
 def test_rate_refuses_with_the_numbers_of_the_student(times: list[float], words: tuple[str, ...]) -> None:
     refuses(see.rate(battery(times), BATTERY), *words, about_time=True)
+
+
+@pytest.mark.parametrize("word", [see.rate, see.counts])
+def test_rates_faster_than_the_steps_of_simulated_time_are_not_told_as_a_number(word: Any) -> None:
+    measured = replace(battery(every(0.2, 70)), step_s=0.1)
+    refuses(word(measured, BATTERY), "5 Hz", "too fast by a factor of 10", about_time=True)
+    verdict = word(replace(battery(every(0.1, 140)), step_s=0.1), BATTERY)
+    refuses(verdict, "faster than 5 Hz", "far too fast: the period", about_time=True)
+    assert "10 Hz" not in said(verdict) and "factor" not in said(verdict)
 
 
 def test_rate_needs_more_than_three_messages() -> None:

@@ -13,8 +13,13 @@ def test_the_report_is_short_where_all_is_well_and_full_where_it_is_not(
 ) -> None:
     report = (
         "✓ ok   Python          3.12.3 on Linux\n"
+        "                       with a second line\n"
         "✗ fix  Two processes   nothing was heard in 15 s\n"
         "                       → Ask the firewall.\n"
+        "✓ ok   Folders         12\n"
+        "                       GB free\n"
+        "\n"
+        "1 to fix.\n"
     )
     script = f"import sys; sys.stdout.reconfigure(encoding='utf-8'); print({report!r}, end=''); sys.exit(1)"
     monkeypatch.setattr("workbook.lesson.doctor_report._DOCTOR", ("-c", script))
@@ -23,6 +28,9 @@ def test_the_report_is_short_where_all_is_well_and_full_where_it_is_not(
         "✓ ok   Python",
         "✗ fix  Two processes   nothing was heard in 15 s",
         "                       → Ask the firewall.",
+        "✓ ok   Folders",
+        "",
+        "1 to fix.",
     ]
 
 

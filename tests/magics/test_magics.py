@@ -47,6 +47,14 @@ def test_without_an_exercise_the_magics_ask_which(fresh_kernel: Kernel) -> None:
     assert "There is no answers/09_joint_positions.py yet" in fresh_kernel.good("%start joint_positions").text
 
 
+def test_a_call_is_never_a_magic(fresh_kernel: Kernel) -> None:
+    """After a restart, the kernel doesn't know the functions of a lesson yet."""
+    for cell in ("stop()", "start(program)", "check ()"):
+        error = fresh_kernel.run(cell).error
+        assert error is not None and "NameError" in error
+    assert fresh_kernel.good("stop").text == "Nothing was running.\n"
+
+
 def test_a_review_judges_what_is_not_judged_yet_and_judges_nothing_twice(kernel: Kernel) -> None:
     answer(kernel, "speed = = 3\n")
     card, prompt = kernel.good(f"%review {STEM}").displays

@@ -1,4 +1,5 @@
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -163,6 +164,14 @@ def test_the_description_of_a_wrong_rate_says_both_rates() -> None:
     assert "at 99 Hz (0.5 Hz due), without a gap" in timeline.describe(fast, {JOINTS: 2.0})
     once = recording({JOINTS: [3.0]})
     assert "once (0.5 Hz due), with gaps" in timeline.describe(once, {JOINTS: 2.0})
+
+
+def test_a_rate_at_the_steps_of_simulated_time_may_be_higher() -> None:
+    fast = replace(recording({JOINTS: [0.1 * n for n in range(140)]}), step_s=0.1)
+    assert "at ≥ 10 Hz (0.5 Hz due)" in timeline.describe(fast, {JOINTS: 2.0})
+    without = replace(fast, step_s=None)
+    assert "at 10 Hz (0.5 Hz due)" in timeline.describe(without, {JOINTS: 2.0})
+    assert timeline.timeline(fast) != timeline.timeline(without)
 
 
 def test_the_description_of_a_rate_that_is_as_due_is_the_same_in_every_run() -> None:

@@ -23,6 +23,8 @@ child = subprocess.Popen({command}, stdin=subprocess.PIPE)
 print(child.pid, flush=True)
 input()
 """
+ANGLE = 0.125
+"""A number that is the same as a Float32."""
 COUNTS = "print(pub.get_subscription_count(), *node_list(), *talker.get_node_names())"
 
 
@@ -130,14 +132,14 @@ def test_the_robot_sleeps_when_its_publisher_is_gone(kernel: Any, watcher: Watch
     kernel.good("pub = node.create_publisher(Float32MultiArray, '/robot/joint_positions', 10)")
     watcher.order(domain=domain_id)
     watcher.wait("graph", lambda one: one["nodes"] == ["/arm"] and one["topics"])
-    kernel.good("pub.publish(Float32MultiArray(data=[0.1] * 12))")
-    watcher.wait("robot", lambda one: "posed by" in one["text"])
+    kernel.good("pub.publish(Float32MultiArray(data=[0.125] * 12))")
+    watcher.wait("robot", lambda one: "posed by" in one.get("text", "") and one["pose"] == [ANGLE] * 12)
     kernel.good("node.destroy_node()")
-    watcher.wait("robot", lambda one: one["text"].endswith("asleep"))
+    watcher.wait("robot", lambda one: one.get("text", "").endswith("asleep") and one["pose"] is None)
     late = FakePublisher("/robot/joint_positions", Float32MultiArray)
     tap.Tap(domain_id).published(late, Float32MultiArray(data=[0.2] * 12))
-    watcher.wait("robot", lambda one: "posed by" in one["text"])
-    watcher.wait("robot", lambda one: one["text"].endswith("asleep"))
+    watcher.wait("robot", lambda one: "posed by" in one.get("text", ""))
+    watcher.wait("robot", lambda one: one.get("text", "").endswith("asleep"))
 
 
 def test_a_flood_is_counted_and_reported_in_part() -> None:

@@ -8,6 +8,7 @@ from typing import Any
 
 from workbook.authoring import document
 from workbook.authoring.exercise import read_exercise, solved_notebook, starter_document
+from workbook.authoring.figure import FILE, write_figure
 from workbook.authoring.lesson import read_lesson
 from workbook.authoring.lesson_links import write_links
 from workbook.authoring.lesson_lists import note_run_times
@@ -55,6 +56,8 @@ def build(
     for good, words in map(attempt(build_exercise), exercises):
         failed += not good
         say(words)
+    if write_figure(tree):
+        say(f"built      {FILE}")
     try:
         for path in write_pages(tree):
             say(f"built      {tree.name(path)}")

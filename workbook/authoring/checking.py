@@ -10,6 +10,7 @@ from workbook.authoring.exercise_rules import (
     points_violations,
     story_violations,
 )
+from workbook.authoring.figure import check_figure
 from workbook.authoring.lesson import read_lesson
 from workbook.authoring.lesson_links import link_violations
 from workbook.authoring.letters import letter_violations
@@ -36,6 +37,7 @@ def check(tree: Tree) -> list[Violation]:
         found += check_exercise(tree, stem)
     found += stale_exceptions(tree)
     found += check_pages(tree)
+    found += check_figure(tree)
     found += foreign_sealed(tree)
     found += letter_violations(tree)
     found += lost_mutants(tree)

@@ -28,6 +28,12 @@ def doctor() -> bool:
         env=environ,
     ) as child:
         assert child.stdout is not None
+        in_short = False
         for line in child.stdout:
-            print(line[:_NAME_ENDS].rstrip() if line.startswith(_OK) else line.rstrip(), flush=True)
+            goes_on = line.startswith(" ")
+            in_short = line.startswith(_OK) or (in_short and goes_on)
+            if not in_short:
+                print(line.rstrip(), flush=True)
+            elif not goes_on:
+                print(line[:_NAME_ENDS].rstrip(), flush=True)
     return child.returncode == 0

@@ -10,10 +10,12 @@ def load_ipython_extension(shell: Any) -> None:
     """Register the magics and make ROS safe in this kernel."""
     from workbook.lesson.activity import note_cell
     from workbook.magics import tracebacks
+    from workbook.magics.calls import CallChecker
     from workbook.magics.extension import ExerciseMagics
     from workbook.ros.kernel import install
 
     install()
     tracebacks.install(shell)
+    CallChecker(shell=shell, prefilter_manager=shell.prefilter_manager, parent=shell.prefilter_manager)
     shell.register_magics(ExerciseMagics)
     shell.events.register("post_run_cell", note_cell)

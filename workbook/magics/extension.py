@@ -205,6 +205,7 @@ class ExerciseMagics(Magics):
 
     def _start(self, line: str) -> None:
         from workbook.criteria.vocabulary.known_errors import find_error
+        from workbook.criteria.vocabulary.phrasing import nodes_are
         from workbook.lesson.startup import (
             node_names,
             wait_for_nodes,
@@ -231,7 +232,7 @@ class ExerciseMagics(Magics):
             wait_until_it_serves(process, nodes[0])
         if process.is_running():
             if nodes:
-                print(f"Running: node {', '.join(nodes)} is on the graph. %stop ends it.")
+                print(f"Running: {nodes_are(nodes)} on the graph. %stop ends the program.")
                 print(*map(_CLOCK_MISSING.format, waiting_for_clock(nodes)), sep="", end="")
             else:
                 print("Running, but no node of it has appeared on the graph so far. %stop ends it.")

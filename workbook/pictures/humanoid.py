@@ -1,19 +1,19 @@
 """The humanoid on screen: a robot with twelve joints, drawn from twelve angles."""
 
 import math
-from collections.abc import Iterable, Sequence
-from typing import Literal
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
+from typing import Literal, NamedTuple
 
 from matplotlib.path import Path
 from matplotlib.transforms import Affine2D
 
 from workbook.pictures.canvas import Canvas, Font, Paint, shorten
+from workbook.pictures.joint_table import TABLE_WIDTH, joint_table
 from workbook.pictures.joints import (
-    COMFORTABLE,
     FOOT_INNER,
     FOOT_OUTER,
     HAND,
-    JOINT_NAMES,
     NECK,
     NEUTRAL,
     SOLE,
@@ -24,16 +24,22 @@ from workbook.pictures.joints import (
     foot,
     skeleton,
 )
-from workbook.pictures.palette import AMBER, BLUE, GREEN, GREY, RED
+from workbook.pictures.palette import BLUE, GREEN, GREY, RED
 
 Lamp = Literal["operational", "error"]
 
-WIDTH, HEIGHT, PANEL = 420, 420, 284
+WIDTH, HEIGHT, PANEL = 420, 420, TABLE_WIDTH
 SCALE = 1.5
 """Dots per pixel: sharp enough, and fast enough for twenty pictures a second."""
 DESCRIPTION = "humanoid, 12 joints"
 
-_GROUND = 388.0
+GROUND = 388.0
+"""Where the ground is, from the upper edge (px)."""
+GLANCE, GLANCE_REACH = (4.0, 2.0), 60.0
+"""How far the eyes go at most, aside and up, and how high above its shoulder a hand is when they are nearly there."""
+STEM_FROM, STEM_TO = 82.0, 22.0
+NECK_BENDS = "neck bends"
+"""Between chest and head, the neck takes a part of the head's angle."""
 _SHELL, _SHADE, _DARK, _VISOR = "#eef2f7", "#cdd7e3", "#4c5a69", "#1b2733"
 _EYES, _ANGRY, _DIM = "#7fd0ff", "#ffb3a1", "#9aa7b5"
 _LINE = 2.2
@@ -64,7 +70,7 @@ def draw(
     if caption:
         canvas.text((WIDTH / 2, HEIGHT - 8), shorten(caption, WIDTH - 20, 13), Font(size=13), align="center")
     if panel:
-        _panel(canvas, pose)
+        joint_table(canvas, pose, WIDTH)
     return canvas.png()
 
 
@@ -74,16 +80,22 @@ def placeholder(text: str = "no message yet", *, panel: bool = False, scale: flo
     figure = skeleton(NEUTRAL)
     _ground(canvas, figure)
     _robot(canvas, figure, None, asleep=True)
-    for at, size in (((282, 92), 15.0), ((299, 72), 19.0), ((320, 48), 24.0)):
-        canvas.text(at, "z", Font(size=size, bold=True))
+    snores(canvas)
     canvas.text((WIDTH / 2, HEIGHT - 8), shorten(text, WIDTH - 20, 13), Font(size=13), align="center")
     if panel:
-        _panel(canvas, None)
+        joint_table(canvas, None, WIDTH)
     return canvas.png()
 
 
-def _at(point: Point) -> Point:
-    return (WIDTH / 2 + point[0], _GROUND - point[1])
+def snores(canvas: Canvas) -> None:
+    """The three letters above a robot that sleeps."""
+    for at, size in (((282, 92), 15.0), ((299, 72), 19.0), ((320, 48), 24.0)):
+        canvas.text(at, "z", Font(size=size, bold=True))
+
+
+def on_picture(point: Point) -> Point:
+    """Where a point of the skeleton is on the picture."""
+    return (WIDTH / 2 + point[0], GROUND - point[1])
 
 
 def _ground(canvas: Canvas, figure: Skeleton) -> None:
@@ -92,24 +104,56 @@ def _ground(canvas: Canvas, figure: Skeleton) -> None:
     reach = (max(xs) - min(xs)) / 2 + 44
     fade = max(0.35, 1 - max(0.0, height) / 200)
     middle = WIDTH / 2 + (max(xs) + min(xs)) / 2
-    canvas.disc((middle, _GROUND + 3), reach * fade, Paint(fill=GREY, alpha=0.28 * fade), flat=0.1)
-    canvas.line([(26, _GROUND), (WIDTH - 26, _GROUND)], Paint(width=2))
+    canvas.disc((middle, GROUND + 3), reach * fade, Paint(fill=GREY, alpha=0.28 * fade), flat=0.1)
+    canvas.line([(26, GROUND), (WIDTH - 26, GROUND)], Paint(width=2))
 
 
 def _robot(canvas: Canvas, figure: Skeleton, lamp: Lamp | None, *, asleep: bool = False) -> None:
+    for part in parts(figure, lamp, asleep=asleep):
+        part.draw(canvas)
+
+
+class Part(NamedTuple):
+    """A rigid part of the figure: how it is drawn, and the joints that turn it, from the body outward.
+
+    `glance` is how far (x, y) it goes along with the eyes, from 0 to 1.
+    """
+
+    name: str
+    joints: tuple[str, ...]
+    draw: Callable[[Canvas], None]
+    glance: Point = (0.0, 0.0)
+
+
+def parts(figure: Skeleton, lamp: Lamp | None, *, asleep: bool = False) -> Iterator[Part]:
+    """The parts in the order in which they are drawn, each over the ones before."""
+    chest, head = ("waist",), ("waist", "neck")
     for leg in figure.legs:
-        _leg(canvas, leg)
-    _hips(canvas, figure)
-    _neck(canvas, figure)
-    _torso(canvas, figure, lamp)
-    _head(canvas, figure, lamp, asleep=asleep)
+        hip, knee, ankle = (f"{leg.word}_{joint}" for joint in ("hip", "knee", "ankle"))
+        yield Part("shin", (hip, knee), partial(_shin, leg=leg))
+        yield Part("foot", (hip, knee, ankle), partial(_foot, leg=leg))
+        yield Part("thigh", (hip,), partial(_thigh, leg=leg))
+    yield Part("waist", chest, partial(_waist, figure=figure))
+    yield Part("hips", (), partial(_hips, figure=figure))
+    yield Part("neck", ("waist", NECK_BENDS), partial(_neck, figure=figure))
+    yield Part("chest", chest, partial(_chest, figure=figure))
+    yield Part("lamp", chest, partial(_chest_lamp, figure=figure, lamp=lamp))
+    yield Part("antenna", head, partial(_antenna, figure=figure, lamp=lamp))
+    yield Part("head", head, partial(_head, figure=figure))
+    eyes, mouth = (_closed_eyes, _closed_mouth) if asleep else (_eyes, _mouth)
+    yield Part("eyes", head, partial(eyes, figure=figure, lamp=lamp), (0.0, 0.0) if asleep else (1.0, 1.0))
+    smiles = not asleep and lamp != "error"
+    yield Part("mouth", head, partial(mouth, figure=figure, lamp=lamp), (0.5 if smiles else 0.0, 0.0))
     for arm in figure.arms:
-        _arm(canvas, arm)
+        shoulder, elbow = f"{arm.word}_shoulder", f"{arm.word}_elbow"
+        yield Part("upper arm", ("waist", shoulder), partial(_upper_arm, arm=arm))
+        yield Part("forearm", ("waist", shoulder, elbow), partial(_forearm, arm=arm))
+        yield Part("shoulder", chest, partial(_shoulder, arm=arm))
 
 
 def _segment(canvas: Canvas, start: Point, end: Point, thick: float, thin: float) -> None:
     """A part of a limb: shell, a shaded edge on its outer side, outline."""
-    a, b = _at(start), _at(end)
+    a, b = on_picture(start), on_picture(end)
     canvas.capsule(a, b, thick, thin, Paint(fill=_SHADE))
     length = math.hypot(b[0] - a[0], b[1] - a[1]) or 1.0
     across = (-(b[1] - a[1]) / length, (b[0] - a[0]) / length)
@@ -126,24 +170,32 @@ def _segment(canvas: Canvas, start: Point, end: Point, thick: float, thin: float
 
 
 def _pivot(canvas: Canvas, at: Point, radius: float) -> None:
-    canvas.disc(_at(at), radius, _DARK_PART)
-    canvas.disc(_at(at), radius * 0.4, Paint(fill=_DIM))
+    canvas.disc(on_picture(at), radius, _DARK_PART)
+    canvas.disc(on_picture(at), radius * 0.4, Paint(fill=_DIM))
 
 
-def _leg(canvas: Canvas, leg: Limb) -> None:
+def _shin(canvas: Canvas, leg: Limb) -> None:
+    _segment(canvas, leg.bend, leg.end, 13.5, 11.0)
+
+
+def _foot(canvas: Canvas, leg: Limb) -> None:
     inner, outer = FOOT_INNER, FOOT_OUTER
     shoe = [(-inner, -SOLE + 3), (-inner + 3, -3), (-10, 8), (10, 8), (outer - 6, -3), (outer, -SOLE + 3)]
-    corners = [_at(foot(leg, x, y)) for x, y in shoe]
-    _segment(canvas, leg.bend, leg.end, 13.5, 11.0)
-    _soft(canvas, corners, _SHELL_PART)
-    a, b = _at(foot(leg, -inner + 3, -SOLE + 4)), _at(foot(leg, outer - 3, -SOLE + 4))
+    _soft(canvas, [on_picture(foot(leg, x, y)) for x, y in shoe], _SHELL_PART)
+    a, b = on_picture(foot(leg, -inner + 3, -SOLE + 4)), on_picture(foot(leg, outer - 3, -SOLE + 4))
     canvas.capsule(a, b, 4.2, 4.2, _DARK_PART)
+
+
+def _thigh(canvas: Canvas, leg: Limb) -> None:
     _segment(canvas, leg.root, leg.bend, 16.5, 13.5)
     _pivot(canvas, leg.bend, 9.5)
 
 
-def _arm(canvas: Canvas, arm: Limb) -> None:
+def _upper_arm(canvas: Canvas, arm: Limb) -> None:
     _segment(canvas, arm.root, arm.bend, 13.0, 11.0)
+
+
+def _forearm(canvas: Canvas, arm: Limb) -> None:
     _hand(canvas, arm)
     _segment(canvas, arm.bend, arm.end, 11.0, 12.5)
     for part in (0.62, 0.78):  # two blue rings around the wrist
@@ -151,13 +203,16 @@ def _arm(canvas: Canvas, arm: Limb) -> None:
         half = 10.6 + 1.4 * part
         across = (math.cos(arm.lower) * half, math.sin(arm.lower) * half)
         ends = [(middle[0] + sign * arm.side * across[0], middle[1] + sign * across[1]) for sign in (-1, 1)]
-        canvas.line([_at(end) for end in ends], Paint(stroke=BLUE, width=3.4))
+        canvas.line([on_picture(end) for end in ends], Paint(stroke=BLUE, width=3.4))
     _pivot(canvas, arm.bend, 8.5)
-    canvas.disc(_at(arm.root), 17.5, _SHELL_PART)
-    canvas.disc(_at(arm.root), 9.0, Paint(fill=_DARK))
-    letter = "L" if arm.side > 0 else "R"
-    x, y = _at(arm.root)
-    canvas.text((x, y + 4.2), letter, Font(size=11.5, color="#ffffff", bold=True), align="center")
+
+
+def _shoulder(canvas: Canvas, arm: Limb) -> None:
+    x, y = on_picture(arm.root)
+    canvas.disc((x, y), 17.5, _SHELL_PART)
+    canvas.disc((x, y), 9.0, Paint(fill=_DARK))
+    letter = Font(size=11.5, color="#ffffff", bold=True)
+    canvas.text((x, y + 4.2), arm.word[0].upper(), letter, align="center")
 
 
 def _hand(canvas: Canvas, arm: Limb) -> None:
@@ -168,13 +223,17 @@ def _hand(canvas: Canvas, arm: Limb) -> None:
         return (palm[0] + arm.side * length * math.sin(angle), palm[1] - length * math.cos(angle))
 
     for spread, length in ((-1.25, 13.5), (-0.42, 18.0), (0.05, 19.0), (0.5, 17.5)):
-        canvas.capsule(_at(palm), _at(reach(spread, length)), 5.2, 4.2, _DARK_PART)
-    canvas.disc(_at(palm), HAND * 0.68, Paint(fill=_DARK))
+        canvas.capsule(on_picture(palm), on_picture(reach(spread, length)), 5.2, 4.2, _DARK_PART)
+    canvas.disc(on_picture(palm), HAND * 0.68, Paint(fill=_DARK))
+
+
+def _waist(canvas: Canvas, figure: Skeleton) -> None:
+    x, y = on_picture(figure.pelvis)
+    canvas.capsule((x, y - 12), on_picture(figure.on_torso(0, 12)), 17, 20, _DARK_PART)
 
 
 def _hips(canvas: Canvas, figure: Skeleton) -> None:
-    x, y = _at(figure.pelvis)
-    canvas.capsule((x, y - 12), _at(figure.on_torso(0, 12)), 17, 20, _DARK_PART)
+    x, y = on_picture(figure.pelvis)
     canvas.box((x - 37, y - 12), (74, 27), Paint(fill=_SHADE), radius=13)
     canvas.box((x - 34, y - 10), (68, 19), Paint(fill=_SHELL), radius=10)
     canvas.box((x - 37, y - 12), (74, 27), _OUTLINE, radius=13)
@@ -183,18 +242,16 @@ def _hips(canvas: Canvas, figure: Skeleton) -> None:
 
 def _neck(canvas: Canvas, figure: Skeleton) -> None:
     canvas.capsule(
-        _at(figure.on_torso(0, 82)),
-        _at(figure.on_head(0, 22)),
-        12,
-        12,
-        _DARK_PART,
+        on_picture(figure.on_torso(0, STEM_FROM)), on_picture(figure.on_head(0, STEM_TO)), 12, 12, _DARK_PART
     )
 
 
-def _torso(canvas: Canvas, figure: Skeleton, lamp: Lamp | None) -> None:
-    def place(points: Iterable[Point]) -> list[Point]:
-        return [_at(figure.on_torso(x, y)) for x, y in points]
+def _on_chest(figure: Skeleton, points: Iterable[Point]) -> list[Point]:
+    return [on_picture(figure.on_torso(x, y)) for x, y in points]
 
+
+def _chest(canvas: Canvas, figure: Skeleton) -> None:
+    place = partial(_on_chest, figure)
     shell = [(-27, 14), (27, 14), (51, 60), (49, 92), (-49, 92), (-51, 60)]
     inner = [(-26, 19), (23, 19), (44, 60), (43, 88), (-46, 88), (-48, 60)]
     _soft(canvas, place(shell), Paint(fill=_SHADE), round_off=0.32)
@@ -202,7 +259,11 @@ def _torso(canvas: Canvas, figure: Skeleton, lamp: Lamp | None) -> None:
     _soft(canvas, place(shell), _OUTLINE, round_off=0.32)
     for y, half in ((33, 15), (27, 12)):
         canvas.line(place([(-half, y), (half, y)]), Paint(stroke=_DIM, width=2.4))
-    center = _at(figure.on_torso(0, 61))
+
+
+def _chest_lamp(canvas: Canvas, figure: Skeleton, lamp: Lamp | None) -> None:
+    place = partial(_on_chest, figure)
+    center = on_picture(figure.on_torso(0, 61))
     color = {"operational": GREEN, "error": RED, None: _DIM}[lamp]
     if lamp:
         canvas.disc(center, 24, Paint(fill=color, alpha=0.22))
@@ -212,17 +273,20 @@ def _torso(canvas: Canvas, figure: Skeleton, lamp: Lamp | None) -> None:
         canvas.line(place([(-6, 61), (-1.8, 56.5), (6.5, 66)]), Paint(stroke="#ffffff", width=3.6))
     elif lamp == "error":
         canvas.line(place([(0, 68.5), (0, 60)]), Paint(stroke="#ffffff", width=3.6))
-        canvas.disc(_at(figure.on_torso(0, 54)), 2.3, Paint(fill="#ffffff"))
+        canvas.disc(on_picture(figure.on_torso(0, 54)), 2.3, Paint(fill="#ffffff"))
 
 
-def _head(canvas: Canvas, figure: Skeleton, lamp: Lamp | None, *, asleep: bool) -> None:
-    turn = _frame(figure.neck, figure.lean + figure.tilt)
+def _antenna(canvas: Canvas, figure: Skeleton, lamp: Lamp | None) -> None:
     color = {"operational": GREEN, "error": RED, None: BLUE}[lamp]
-    tip, root = _at(figure.on_head(0, NECK + 98)), _at(figure.on_head(0, NECK + 74))
+    tip, root = on_picture(figure.on_head(0, NECK + 98)), on_picture(figure.on_head(0, NECK + 74))
     canvas.line([root, tip], Paint(stroke=GREY, width=3.4))
     if lamp:
         canvas.disc(tip, 10, Paint(fill=color, alpha=0.22))
     canvas.disc(tip, 6.2, Paint(fill=color, stroke=GREY, width=1.6))
+
+
+def _head(canvas: Canvas, figure: Skeleton) -> None:
+    turn = _frame(figure.neck, figure.lean + figure.tilt)
     for side in (-1, 1):
         canvas.box(
             (side * 54 - 8, -NECK - 54),
@@ -235,26 +299,28 @@ def _head(canvas: Canvas, figure: Skeleton, lamp: Lamp | None, *, asleep: bool) 
     canvas.box((-49, -NECK - 76), (95, 70), Paint(fill=_SHELL), radius=26, at=turn)
     canvas.box((-52, -NECK - 78), (104, 78), _OUTLINE, radius=28, at=turn)
     canvas.box((-41, -NECK - 63), (82, 50), Paint(fill=_VISOR, stroke=_DARK, width=1.6), radius=20, at=turn)
-    _face(canvas, figure, lamp, asleep=asleep)
 
 
-def _face(canvas: Canvas, figure: Skeleton, lamp: Lamp | None, *, asleep: bool) -> None:
-    def place(points: Iterable[Point]) -> list[Point]:
-        return [_at(figure.on_head(x, y + NECK)) for x, y in points]
+def _on_face(figure: Skeleton, points: Iterable[Point]) -> list[Point]:
+    return [on_picture(figure.on_head(x, y + NECK)) for x, y in points]
 
-    glow = _ANGRY if lamp == "error" else _EYES
-    # The robot looks at the hand that it holds higher.
+
+def _glance(figure: Skeleton) -> Point:
+    """How far the eyes look aside and up: the robot looks at the hand that it holds higher."""
     left, right = (arm.end[1] - arm.root[1] for arm in figure.arms)
-    glance = 0.0 if asleep else 4.0 * math.tanh((left - right) / 60)
-    lift = 0.0 if asleep else 2.0 * max(0.0, math.tanh(max(left, right) / 60))
+    aside = GLANCE[0] * math.tanh((left - right) / GLANCE_REACH)
+    return aside, GLANCE[1] * max(0.0, math.tanh(max(left, right) / GLANCE_REACH))
+
+
+def _glow(lamp: Lamp | None) -> str:
+    return _ANGRY if lamp == "error" else _EYES
+
+
+def _eyes(canvas: Canvas, figure: Skeleton, lamp: Lamp | None) -> None:
+    place, glow = partial(_on_face, figure), _glow(lamp)
+    aside, up = _glance(figure)
     for side in (-1, 1):
-        x, y = side * 18 + glance, 42 + lift
-        if asleep:
-            canvas.line(
-                place([(x - 8, y), (x - 4, y - 3), (x, y - 4), (x + 4, y - 3), (x + 8, y)]),
-                Paint(stroke=_DIM, width=3),
-            )
-            continue
+        x, y = side * 18 + aside, 42 + up
         canvas.disc(place([(x, y)])[0], 10.5, Paint(fill=glow, alpha=0.22))
         canvas.disc(place([(x, y)])[0], 7.4, Paint(fill=glow))
         canvas.disc(place([(x + 2.4, y + 2.6)])[0], 2.3, Paint(fill="#ffffff"))
@@ -262,47 +328,21 @@ def _face(canvas: Canvas, figure: Skeleton, lamp: Lamp | None, *, asleep: bool) 
             canvas.line(
                 place([(x - side * 9, y + 11.5), (x + side * 7, y + 6)][::-1]), Paint(stroke=glow, width=3)
             )
-    if asleep:
-        canvas.line(place([(-5, 25), (5, 25)]), Paint(stroke=_DIM, width=3))
-    elif lamp == "error":
-        canvas.line(place(_bow(0, 22.5, 9, 4)), Paint(stroke=glow, width=3))
-    else:
-        canvas.line(place(_bow(glance * 0.5, 27, 10, -5)), Paint(stroke=glow, width=3))
 
 
-def _panel(canvas: Canvas, pose: Sequence[float] | None) -> None:
-    """The twelve values: index, name, a gauge from -π to π with the comfortable range, the number."""
-    left, gauge, number = WIDTH + 4.0, WIDTH + 138.0, WIDTH + PANEL - 8.0
-    half = 34.0
-    canvas.text((left, 26), "joint", Font(size=11.5, bold=True))
-    canvas.text((gauge + half, 26), "−π … π", Font(size=11.5, bold=True), align="center")
-    canvas.text((number, 26), "rad", Font(size=11.5, bold=True), align="right")
-    for index, name in enumerate(JOINT_NAMES):
-        y = 52.0 + index * 29
-        low, high = COMFORTABLE[name]
-        canvas.text((left + 14, y), str(index), Font(size=11.5), align="right")
-        canvas.text((left + 22, y), name.replace("_", " "), Font(size=12.5))
-        canvas.line([(gauge, y - 4), (gauge + 2 * half, y - 4)], Paint(width=1.6, alpha=0.7))
-        start, end = (gauge + half * (1 + bound / math.pi) for bound in (low, high))
-        canvas.line([(start, y - 4), (end, y - 4)], Paint(width=5, alpha=0.4))
-        canvas.line([(gauge + half, y - 9), (gauge + half, y + 1)], Paint(width=1.2, alpha=0.7))
-        if pose is None:
-            canvas.text((number, y), "–", Font(size=12.5), align="right")
-            continue
-        angle = pose[index]
-        sign, color = (
-            ("✗", RED) if abs(angle) > math.pi else ("!", AMBER) if not low <= angle <= high else ("", BLUE)
-        )
-        needle = gauge + half * (1 + max(-1.0, min(1.0, angle / math.pi)))
-        canvas.disc((needle, y - 4), 5, Paint(fill=color))
-        value = f"{angle:+.2f}" if abs(angle) < 100 else f"{angle:+.0e}"
-        canvas.text(
-            (number, y),
-            value.replace("-", "−"),
-            Font(size=12.5, color=color if sign else GREY),
-            align="right",
-        )
-        canvas.text((gauge + 2 * half + 6, y), sign, Font(size=12.5, bold=True, color=color))
+def _mouth(canvas: Canvas, figure: Skeleton, lamp: Lamp | None) -> None:
+    bow = _bow(0, 22.5, 9, 4) if lamp == "error" else _bow(_glance(figure)[0] * 0.5, 27, 10, -5)
+    canvas.line(_on_face(figure, bow), Paint(stroke=_glow(lamp), width=3))
+
+
+def _closed_eyes(canvas: Canvas, figure: Skeleton, lamp: Lamp | None) -> None:
+    for x, y in ((-18.0, 42.0), (18.0, 42.0)):
+        lid = [(x - 8, y), (x - 4, y - 3), (x, y - 4), (x + 4, y - 3), (x + 8, y)]
+        canvas.line(_on_face(figure, lid), Paint(stroke=_DIM, width=3))
+
+
+def _closed_mouth(canvas: Canvas, figure: Skeleton, lamp: Lamp | None) -> None:
+    canvas.line(_on_face(figure, [(-5, 25), (5, 25)]), Paint(stroke=_DIM, width=3))
 
 
 def _along(start: Point, end: Point, part: float) -> Point:
@@ -315,7 +355,7 @@ def _bow(x: float, y: float, half: float, height: float) -> list[Point]:
 
 
 def _frame(origin: Point, lean: float) -> Affine2D:
-    return Affine2D().rotate(lean).translate(*_at(origin))
+    return Affine2D().rotate(lean).translate(*on_picture(origin))
 
 
 def _soft(

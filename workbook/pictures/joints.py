@@ -7,7 +7,7 @@ shin back inward. Neck and waist lean to the robot's left for positive angles.
 """
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
@@ -53,6 +53,8 @@ THIGH, SHIN, SOLE = 56.0, 54.0, 15.0
 PELVIS_RADIUS, CHEST, NECK, HEAD = 26.0, 92.0, 16.0, 84.0
 SHOULDER_OUT, SHOULDER_UP, HIP_OUT, WAIST_UP = 57.0, 74.0, 25.0, 12.0
 FOOT_INNER, FOOT_OUTER = 20.0, 27.0
+SWAY = -0.5 * (CHEST + NECK)
+"""How far the hips go aside where the body leans, for the sine of its angle."""
 
 
 def pose(**angles: float) -> Angles:
@@ -79,6 +81,10 @@ STEP = pose(
 CHEER = pose(
     left_shoulder=2.45, left_elbow=0.25, right_shoulder=2.45, right_elbow=0.25,
     left_hip=0.2, left_knee=0.2, right_hip=0.2, right_knee=0.2,
+)  # fmt: skip
+FLINCH = pose(
+    neck=-0.25, waist=-0.12, left_shoulder=1.0, left_elbow=1.5, right_shoulder=1.0, right_elbow=1.5,
+    left_hip=0.25, left_knee=0.35, right_hip=0.25, right_knee=0.35,
 )  # fmt: skip
 
 
@@ -149,6 +155,11 @@ class Limb:
     lower: float
     tip: float
 
+    @property
+    def word(self) -> str:
+        """Which side of the robot it is on."""
+        return "left" if self.side > 0 else "right"
+
 
 @dataclass(frozen=True)
 class Skeleton:
@@ -176,7 +187,7 @@ def skeleton(angles: Sequence[float]) -> Skeleton:
     joint = dict(zip(JOINT_NAMES, angles, strict=True))
     lean, tilt = joint["waist"], joint["neck"]
     # A body that leans puts its hips the other way, so that it keeps its balance (and stays in the picture).
-    pelvis = (-0.5 * (CHEST + NECK) * math.sin(lean), 0.0)
+    pelvis = (SWAY * math.sin(lean), 0.0)
     waist = (pelvis[0], WAIST_UP)
     neck = _turned(waist, lean, 0.0, CHEST)
     arms, legs = [], []
@@ -200,6 +211,26 @@ def foot(leg: Limb, x: float, y: float) -> Point:
     """A point of a foot: from the ankle, x outward along the sole, y away from the sole."""
     cos, sin = math.cos(leg.tip), math.sin(leg.tip)
     return (leg.end[0] + leg.side * (x * cos - y * sin), leg.end[1] + x * sin + y * cos)
+
+
+def touching(figure: Skeleton) -> Iterator[tuple[tuple[str, ...], Point, float]]:
+    """What may be the lowest: the joints that turn it, from the body outward, a point, and how far it reaches below."""
+    for leg in figure.legs:
+        hip, knee, ankle = (f"{leg.word}_{joint}" for joint in ("hip", "knee", "ankle"))
+        for x in (-FOOT_INNER, FOOT_OUTER):
+            yield (hip, knee, ankle), foot(leg, x, -SOLE), 0.0
+        yield (hip,), leg.bend, 14.0
+        yield (hip, knee), leg.end, 14.0
+    for arm in figure.arms:
+        shoulder, elbow = f"{arm.word}_shoulder", f"{arm.word}_elbow"
+        yield ("waist", shoulder, elbow), arm.end, HAND + 8
+        yield ("waist", shoulder), arm.bend, 13.0
+    for x in (-48, 48):
+        for y in (NECK, NECK + HEAD):
+            yield ("waist", "neck"), figure.on_head(x, y), 0.0
+    for x in (-50, 50):
+        yield ("waist",), figure.on_torso(x, CHEST), 0.0
+    yield (), figure.pelvis, PELVIS_RADIUS
 
 
 def blend(start: Sequence[float], end: Sequence[float], part: float) -> Angles:
@@ -244,12 +275,7 @@ def _outward(start: Point, side: int, angle: float, length: float) -> Point:
 
 
 def _lowest(figure: Skeleton) -> float:
-    feet = [foot(leg, x, -SOLE)[1] for leg in figure.legs for x in (-FOOT_INNER, FOOT_OUTER)]
-    knees = [point[1] - 14 for leg in figure.legs for point in (leg.bend, leg.end)]
-    hands = [arm.end[1] - HAND - 8 for arm in figure.arms] + [arm.bend[1] - 13 for arm in figure.arms]
-    head = [figure.on_head(x, y)[1] for x in (-48, 48) for y in (NECK, NECK + HEAD)]
-    chest = [figure.on_torso(x, CHEST)[1] for x in (-50, 50)]
-    return min(*feet, *knees, *hands, *head, *chest, figure.pelvis[1] - PELVIS_RADIUS)
+    return min(point[1] - radius for _, point, radius in touching(figure))
 
 
 def _lifted(figure: Skeleton, up: float) -> Skeleton:

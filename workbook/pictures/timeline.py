@@ -60,7 +60,8 @@ def timeline(
         topic = recording.topic(name)
         window = topic.window or (0.0, recording.simulated_s)
         times = [arrival.t for arrival in topic.arrivals]
-        rows.append(Row(name, times, asked.get(name), window[0], window[1]))
+        note = _rate_words(times, step_s=recording.step_s)
+        rows.append(Row(name, times, asked.get(name), window[0], window[1], note))
     return draw(rows, end=recording.simulated_s, program_end=process_end(recording), width=width)
 
 
@@ -197,7 +198,7 @@ def describe(recording: Recording, periods: Mapping[str, float] | None = None) -
         elif name in asked:
             window = topic.window or (0.0, recording.simulated_s)
             found = gaps(times, asked[name], *window)
-            pace = _pace_words(times, asked[name])
+            pace = _pace_words(times, asked[name], recording.step_s)
             parts.append(f"{name} {pace}, {'with gaps' if found else 'without a gap'}")
         else:
             parts.append(name)
@@ -205,7 +206,12 @@ def describe(recording: Recording, periods: Mapping[str, float] | None = None) -
     return f"timeline of messages: {'; '.join(parts) or 'nothing was published'}{ended}"
 
 
-def _pace_words(times: Sequence[float], period: float) -> str:
+def _at_least(hz: float, step_s: float | None) -> str:
+    """A mark for a rate so near to that of the steps of simulated time (s) that the true one may be higher."""
+    return "≥ " if step_s is not None and hz * step_s > 0.5 + 1e-6 else ""
+
+
+def _pace_words(times: Sequence[float], period: float, step_s: float | None) -> str:
     due = f"{1 / period:.3g} Hz"
     span = max(times) - min(times)
     if span <= 0:
@@ -213,7 +219,7 @@ def _pace_words(times: Sequence[float], period: float) -> str:
     seen = (len(times) - 1) / span
     if abs(seen * period - 1) <= AS_DUE:
         return f"at {due} as due"
-    return f"at {seen:.2g} Hz ({due} due)"
+    return f"at {_at_least(seen, step_s)}{seen:.2g} Hz ({due} due)"
 
 
 def process_end(recording: Recording) -> float | None:
@@ -347,11 +353,12 @@ def _number(value: float) -> str:
     return f"{value:.6g}".replace("-", "−")
 
 
-def _rate_words(times: Sequence[float], noun: str = "messages") -> str:
+def _rate_words(times: Sequence[float], noun: str = "messages", step_s: float | None = None) -> str:
     if len(times) < 2:
         return f"1 {noun.removesuffix('s')}" if times else "✗ none"
     span = max(times) - min(times)
-    rate = f" · {(len(times) - 1) / span:.3g} Hz" if span > 0 else ""
+    hz = (len(times) - 1) / span if span > 0 else 0.0
+    rate = f" · {_at_least(hz, step_s)}{hz:.3g} Hz" if hz else ""
     return f"{len(times)} {noun}{rate}"
 
 

@@ -32,6 +32,11 @@ def listing(names: Sequence[str]) -> str:
     return ", ".join(names[:-1]) + " and " + names[-1]
 
 
+def nodes_are(names: Sequence[str]) -> str:
+    """The beginning of a sentence on nodes: "node /a is" or "nodes /a and /b are"."""
+    return f"node {names[0]} is" if len(names) == 1 else f"nodes {listing(names)} are"
+
+
 def count(n: int, noun: str) -> str:
     """A number with its noun in the right form."""
     return f"{n} {noun}" if n == 1 else f"{n} {noun}s"

@@ -4,7 +4,7 @@ from workbook.criteria.criterion import criterion
 from workbook.criteria.verdict import Verdict, failed, passed
 from workbook.criteria.vocabulary.driver import forged_report
 from workbook.criteria.vocabulary.known_errors import failed_by_error, failed_while_spinning, find_error
-from workbook.criteria.vocabulary.phrasing import listing, seconds
+from workbook.criteria.vocabulary.phrasing import listing, nodes_are, seconds
 from workbook.criteria.vocabulary.spins import held_by_a_spin, initialized_again
 from workbook.criteria.vocabulary.stops import ended_by_signal, stopped_for
 from workbook.recording.recording import Recording
@@ -30,7 +30,7 @@ def program_runs(recording: Recording) -> Verdict:
         return forged
     if _got_going(recording):
         nodes = sorted({node.name for node in recording.nodes})
-        return passed(f"node {listing(nodes)} is on the graph" if nodes else "publishers are on the graph")
+        return passed(f"{nodes_are(nodes) if nodes else 'publishers are'} on the graph")
     process = recording.process
     at_home = recording.domain_id in process.domains_used
     strangers = [domain for domain in process.domains_used if domain != recording.domain_id]

@@ -16,16 +16,13 @@ import time
 from typing import Any
 
 from workbook.inside.libc import die_with_parent
-from workbook.lab.panel.traffic import PublishedMessage, Traffic, Wire, text_of
-from workbook.pictures.moving_robot import MovingRobot
-from workbook.pictures.png import data_uri
+from workbook.lab.panel.robot import PanelRobot
+from workbook.lab.panel.traffic import PublishedMessage, Traffic, Wire, one_line, text_of
 
-JOINTS, STATUS = "/robot/joint_positions", "/robot/status"
-POSE = "a humanoid robot with twelve joints"
 GRAPH_EVERY_S = 1.0
 NEWS_EVERY_S = 0.25
-FRAME_EVERY_S = 0.1
-EASE_S = 0.2
+ROBOT_EVERY_S = 0.05
+"""The panel's robot glides between the news, at the rate of the screen."""
 GIVES_WAY = 10
 """Nice value: what a lesson measures must not suffer."""
 
@@ -89,30 +86,25 @@ class DomainWatch:
         self._graph: dict[str, Any] = {}
         self._traffic: dict[str, Traffic] = {}
         self._told: object = None
-        self._robot = MovingRobot(EASE_S, captions=False)
-        self._due = dict.fromkeys(("graph", "news", "frame"), 0.0)
-        self.fresh = False
-        self.moving = True
+        self._robot = PanelRobot()
+        self._due = dict.fromkeys(("graph", "news", "robot"), 0.0)
+        self.fresh = self._robot_is_fresh = False
 
     def take_in(self) -> None:
         """Take in what the programs report."""
         for report in self.wire.reports():
             message = _message(report)
-            self._traffic.setdefault(report.topic, Traffic()).add(report, text_of(report, message))
-            self.fresh = True
-            if report.topic == JOINTS and hasattr(message, "data"):
-                self._robot.pose(message.data)
-                self.moving = True
-            elif report.topic == STATUS and hasattr(message, "data"):
-                self._robot.status(str(message.data))
-                self.moving = True
+            text = text_of(report, message)
+            self._traffic.setdefault(report.topic, Traffic()).add(report, text)
+            self._robot.take(report.topic, report.type_name, message, one_line(text), time.monotonic())
+            self.fresh = self._robot_is_fresh = True
 
     def work(self, now: float) -> float:
         """Tell the panel what is due. Returns how long (s) there is nothing to do unless a report comes."""
         tasks = (
             ("graph", GRAPH_EVERY_S, self._look),
             ("news", NEWS_EVERY_S if self.fresh or self._is_heard() else GRAPH_EVERY_S, self._tell_news),
-            ("frame", FRAME_EVERY_S if self.moving else GRAPH_EVERY_S, self._tell_frame),
+            ("robot", ROBOT_EVERY_S if self._robot_is_fresh else GRAPH_EVERY_S, self._tell_robot),
         )
         for name, period, task in tasks:
             if now >= self._due[name]:
@@ -131,10 +123,9 @@ class DomainWatch:
             self._graph = graph
             say("graph", **graph)
         # Each time: a last report may come after its publisher has left the graph.
-        topics = {topic["name"]: topic["publishers"] for topic in graph["topics"]}
-        if self._robot.received and not topics.get(JOINTS):
-            self._robot, self.moving = MovingRobot(EASE_S, captions=False), True
-        for topic in set(self._traffic) - set(topics):
+        published = {topic["name"] for topic in graph["topics"] if topic["publishers"]}
+        self._robot.look(bool(graph["nodes"]), published, now)
+        for topic in set(self._traffic) - {topic["name"] for topic in graph["topics"]}:
             del self._traffic[topic]
 
     def _tell_news(self, now: float) -> None:
@@ -148,13 +139,11 @@ class DomainWatch:
             self._told = topics, self.echo, messages
             say("news", topics=topics, echo=self.echo, messages=messages)
 
-    def _tell_frame(self, now: float) -> None:
-        picture = self._robot.frame()
-        self.moving = picture is not None
-        if picture is not None:
-            words = self._robot.words
-            text = f"{POSE}, asleep" if words else f"{POSE}, posed by the last message on {JOINTS}"
-            say("robot", src=data_uri(picture), text=text, words=words)
+    def _tell_robot(self, now: float) -> None:
+        self._robot_is_fresh = False
+        news = self._robot.news(now)
+        if news:
+            say("robot", **news)
 
     def close(self) -> None:
         """Leave the domain."""

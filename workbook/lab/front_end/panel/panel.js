@@ -10,6 +10,7 @@
   const ICON =
     '<svg xmlns="http://www.w3.org/2000/svg" width="16" height="16" viewBox="0 0 16 16"><g class="jp-icon3" fill="#616161">' +
     '<path d="M7.5 1h1v2h4A1.5 1.5 0 0 1 14 4.500v6a1.500 1.500 0 0 1-1.500 1.500h-9A1.500 1.500 0 0 1 2 10.500v-6A1.500 1.500 0 0 1 3.500 3h4zM5.500 6a1.300 1.300 0 1 0 .01 0zm5 0a1.300 1.300 0 1 0 .01 0zM5 13h6v2H5z"/></g></svg>';
+  const here = document.currentScript && document.currentScript.src; // the sheets and the robot lie next to this file
   let shared = {};
 
   // A module of JupyterLab itself, of which there is one version.
@@ -99,7 +100,7 @@
     return picture;
   };
 
-  const definePanel = (Widget, connect) =>
+  const definePanel = (Widget, connect, makeRobot) =>
     class RobotPanel extends Widget {
       constructor() {
         super({node: make('div', {role: 'region', 'aria-label': TITLE, tabindex: '0'})});
@@ -154,7 +155,8 @@
       _build() {
         this._name = make('h2');
         this._status = make('p', {role: 'status'});
-        this._robot = make('img', {alt: '', hidden: ''});
+        this._robot = null;
+        this._figure = make('div', {class: 'workbook-robot', hidden: ''});
         this._words = make('p', {class: 'workbook-words'});
         this._picture = make('div', {class: 'workbook-graph'});
         this._head = make('thead', {}, make('tr', {}, ...['Topic, last value', 'Rate'].map(word => make('th', {scope: 'col'}, word))));
@@ -163,7 +165,7 @@
         this._echoTitle = make('h3');
         this._echoPart = make('section', {hidden: '', class: 'workbook-echo'}, this._echoTitle, this._messages);
         this._parts = make('div', {}, make('h3', {}, 'Graph'), this._picture, make('h3', {}, 'Topics'), this._table, this._echoPart);
-        this.node.append(this._name, this._status, this._robot, this._words, this._parts);
+        this.node.append(this._name, this._status, this._figure, this._words, this._parts);
       }
 
       // Without a kernel there is nothing to watch, and no observer runs.
@@ -181,7 +183,12 @@
           const socket = connect();
           this._socket = socket;
           this._say('Starting …');
-          socket.onopen = () => this._send({kernel: this._kernel});
+          socket.onopen = () => {
+            if (this._robot) {
+              this._robot.reset();
+            }
+            this._send({kernel: this._kernel});
+          };
           socket.onmessage = event => this._take(JSON.parse(event.data));
           socket.onclose = () => {
             if (this._socket === socket) {
@@ -215,8 +222,11 @@
       _forget() {
         this._graph = {nodes: [], topics: []};
         this._choose(null);
-        this._robot.hidden = true;
+        this._figure.hidden = true;
         this._words.textContent = '';
+        if (this._robot) {
+          this._robot.reset();
+        }
         this._parts.hidden = true;
         const none = this._notebook ? 'Its kernel is not running.' : 'Open a notebook to see its robot.';
         this._say(this._kernel ? 'Looking for the domain of this notebook …' : none);
@@ -233,10 +243,7 @@
             this._send({echo: this._echo});
           }
         } else if (news.kind === 'robot') {
-          this._robot.src = news.src;
-          this._robot.alt = news.text;
-          this._words.textContent = news.words;
-          this._robot.hidden = false;
+          this._showRobot(news);
         } else if (news.kind === 'graph') {
           this._graph = news;
           this._parts.hidden = false;
@@ -245,6 +252,20 @@
           this._showTopics();
         } else if (news.kind === 'news') {
           this._showNews(news);
+        }
+      }
+
+      async _showRobot(news) {
+        const domain = this._domain;
+        const robot = await makeRobot();
+        if (!this._robot) {
+          this._robot = robot;
+          this._figure.append(robot.node);
+        }
+        if (domain === this._domain) {
+          this._robot.take(news);
+          this._words.textContent = news.words === undefined ? this._words.textContent : news.words;
+          this._figure.hidden = false;
         }
       }
 
@@ -389,6 +410,24 @@
     });
   };
 
+  // The robot of this panel; its shapes are read when it is first shown.
+  const robotMaker = () => {
+    let robot = null;
+    const read = async () => {
+      const [{Robot}, answer] = await Promise.all([import(new URL('rig.js', here)), fetch(new URL('figure.json', here))]);
+      return new Robot(await answer.json());
+    };
+    return () => {
+      if (!robot) {
+        robot = read();
+        robot.catch(() => {
+          robot = null; // the next message tries again
+        });
+      }
+      return robot;
+    };
+  };
+
   const makePlugin = async () => {
     const names = ['application', 'apputils', 'coreutils', 'notebook', 'services', 'ui-components'];
     const loaded = await Promise.all([...names.map(name => moduleOf(`@jupyterlab/${name}`)), moduleOf('@lumino/widgets')]);
@@ -404,12 +443,10 @@
       autoStart: true,
       requires: [INotebookTracker, ILabShell],
       optional: [apputils.ICommandPalette, ILayoutRestorer],
-      activate: activateWith(components, definePanel(Widget, connect))
+      activate: activateWith(components, definePanel(Widget, connect, robotMaker()))
     };
   };
 
-  // The sheets lie beside this file.
-  const here = document.currentScript && document.currentScript.src;
   const addStyle = () => {
     for (const sheet of ['panel.css', 'contrast.css']) {
       document.head.append(make('link', {rel: 'stylesheet', href: new URL(sheet, here).href}));
