@@ -16,7 +16,7 @@ BOOTSTRAP = "$(PYTHON)" -I workbook/lab/bootstrap.py $(CHOSEN)
 HAVE_PYTHON = command -v "$(PYTHON)" >/dev/null || { \
 	echo "make: $(PYTHON) was not found. Python 3.11 to 3.14 is needed; see 'A suitable Python' in environment.md." >&2; exit 1; }
 
-.PHONY: help env lab progress test test-all bench model mutants notebooks notebooks-check lint lock clean
+.PHONY: help env lab progress test test-all bench model mutants notebooks notebooks-check lint lock dist clean
 
 help:  ## list the commands
 	@sed -n 's/^\([a-z-]*\):.*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | while IFS="$$(printf '\t')" read -r name what; do \
@@ -75,6 +75,11 @@ mutants:  ## say which small faults the judges let through (ARGS='--only 05' for
 lock:  ## resolve the dependencies anew and write requirements.lock (needs uv)
 	@$(HAVE_PYTHON)
 	@"$(PYTHON)" -I workbook/lab/lock.py $(ARGS)
+
+dist:  ## build the wheel for students in dist/ (the same files give the same bytes)
+	@$(HAVE_PYTHON)
+	@$(BOOTSTRAP) --extras dev
+	@$(VENV)/python -m workbook.authoring dist $(ARGS)
 
 clean:  ## remove the environment and all caches (your work/ stays)
 	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis build dist artifacts

@@ -80,6 +80,19 @@ def test_a_report_holds_no_home_no_user_and_no_host(course: Path, typed: Type) -
     assert "~/course/.venv/lib/x.py" in text and "USER@HOST" in text
 
 
+def test_the_doctors_report_for_an_issue_holds_no_home_no_user_and_no_host(typed: Type) -> None:
+    said = typed("doctor", "--report")
+    assert said.code == 0, said.err
+    for word in (HOME, USER, HOST, "turing-7", "/home/", str(Path.home())):
+        assert word not in said.out, word
+    first, *findings = said.out.splitlines()
+    assert first.startswith("rclpy-workbook ") and "(clone)" in first
+    assert findings == [
+        "ok    Folders: ~/course/work can be written by USER on HOST",
+        "fix   ROS: something is missing Run make env in ~",
+    ]
+
+
 def test_a_home_with_spaces_is_found_in_a_narrow_terminal(
     course: Path, typed: Type, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -143,3 +143,53 @@ def test_a_folder_that_jupyter_cannot_write_is_said_in_one_line(
     assert f"JupyterLab keeps files in {file}" in said
     assert "Set HOME to a folder of yours" in said
     assert len(said.strip().splitlines()) == 1
+
+
+@pytest.fixture
+def from_wheel(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
+    """A folder of a student whose package came in a wheel."""
+    monkeypatch.setattr(launch, "is_from_wheel", lambda: True)
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    folder = tmp_path / "robots"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    return folder
+
+
+def test_the_copy_of_a_wheel_is_the_empty_folder_in_which_one_stands(from_wheel: Path) -> None:
+    (from_wheel / ".venv").mkdir()
+    assert launch.student_folder() == from_wheel
+
+
+def test_the_copy_of_a_wheel_is_found_from_below(from_wheel: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (from_wheel / launch.STATE).parent.mkdir()
+    (from_wheel / launch.STATE).write_text("{}")
+    (from_wheel / "answers").mkdir()
+    monkeypatch.chdir(from_wheel / "answers")
+    assert launch.student_folder() == from_wheel
+
+
+@pytest.mark.parametrize("folder", ["robots", "home"])
+def test_the_copy_of_a_wheel_never_mixes_with_other_files(
+    folder: str, from_wheel: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A home folder counts as full even if it's new."""
+    place = from_wheel.parent / folder
+    place.mkdir(exist_ok=True)
+    if folder == "robots":
+        (place / "thesis.txt").touch()
+    monkeypatch.chdir(place)
+    assert launch.student_folder() == place / "rclpy-workbook"
+
+
+def test_an_environment_that_cannot_be_written_is_said_before_anything_is_copied(
+    from_wheel: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = from_wheel.parent / "file"
+    file.touch()
+    monkeypatch.setattr(sys, "prefix", str(file))
+    assert main(["lab", "--only-copy"]) == 1
+    assert "Install rclpy-workbook into an environment of your own" in " ".join(
+        capsys.readouterr().err.split()
+    )
+    assert not list(from_wheel.iterdir())

@@ -1,8 +1,9 @@
-"""`python -m workbook.authoring build|check|compare|mutants|robot|typings`: what `make notebooks` and its kin run."""
+"""`python -m workbook.authoring build|check|compare|dist|mutants|robot|typings`: what the Makefile runs for authors."""
 
 import argparse
 import sys
 from collections.abc import Sequence
+from hashlib import sha256
 from pathlib import Path
 
 from workbook.authoring.building import build, select
@@ -38,6 +39,8 @@ def parser() -> argparse.ArgumentParser:
         action="store_true",
         help="also list what is still the text of a template, and reports that are out of date; that is no failure",
     )
+    packing = commands.add_parser("dist", help="build the wheel for students")
+    packing.add_argument("--out", type=Path, default=None, help="folder for it (default: dist/)")
     commands.add_parser("typings", help="make the stubs of the message packages anew (workbook/typings)")
     commands.add_parser(
         "robot", help="record the robot and draw the picture of the README anew (docs/robot.png)"
@@ -75,6 +78,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except AuthoringError as error:
         print(error, file=sys.stderr)
         return 1
+    if options.command == "dist":
+        from workbook.authoring.wheel import build_wheel
+
+        wheel = build_wheel(tree.root, options.out or tree.root / "dist")
+        print(f"built      {wheel} ({wheel.stat().st_size / 1e6:.1f} MB)")
+        print(f"SHA-256    {sha256(wheel.read_bytes()).hexdigest()}")
+        return 0
     if options.command == "typings":
         from workbook.authoring.typings import write
 

@@ -24,6 +24,12 @@ def register(subparsers: Any) -> None:
         description="Check Python, packages, ROS, folders and Jupyter, and let two processes exchange messages. "
         "Exit code 0: ready, 1: something must be fixed.",
     )
+    parser.add_argument(
+        "--report",
+        action="store_true",
+        help="print a report for an issue: versions and findings, without home folders and the names of the user and "
+        "the machine",
+    )
     parser.set_defaults(run=run)
 
 
@@ -48,10 +54,27 @@ def _in_column(text: str) -> str:
     return terminal.wrapped(text, " " * _COLUMN, max(terminal.width(), 2 * _COLUMN))
 
 
-def run(_options: argparse.Namespace) -> int:
+def report() -> str:
+    """The findings as plain text that anyone may read."""
+    from workbook.cli.report import doctor_lines
+    from workbook.exercise.course import is_from_wheel
+    from workbook.grading.new_results import versions
+    from workbook.lesson.help_report import without_names
+
+    made = versions("")
+    source = "wheel" if is_from_wheel() else "clone"
+    first = f"rclpy-workbook {made.workbook} ({source}), rclpy {made.rclpy}, Python {made.python}"
+    return "\n".join([first, *(without_names(one) for one in doctor_lines())])
+
+
+def run(options: argparse.Namespace) -> int:
     """Print each finding as it is made, and a summary."""
+    from workbook.exercise.course import is_from_wheel
     from workbook.lab.health import examine
 
+    if options.report:
+        print(report())
+        return 0
     to_fix = 0
     for finding in examine():
         to_fix += finding.status == "fix"
@@ -59,5 +82,5 @@ def run(_options: argparse.Namespace) -> int:
     if to_fix:
         print(f"\n{to_fix} to fix. Begin with the first.")
         return 1
-    print("\nReady. `make lab` opens the lessons.")
+    print(f"\nReady. `{'rclpy-workbook lab' if is_from_wheel() else 'make lab'}` opens the lessons.")
     return 0

@@ -12,17 +12,15 @@ def register(subparsers: Any) -> None:
         "lab",
         allow_abbrev=False,
         help="open the lessons in JupyterLab (what `make lab` runs)",
-        description="Bring your copy in work/ up to date and open it in JupyterLab. "
+        description="Bring your copy of the lessons up to date (in a clone, it is work/) and open it in JupyterLab. "
         "Further arguments go to JupyterLab, for example --no-browser --port=8899.",
     )
-    lab.add_argument(
-        "--only-copy", action="store_true", help="bring your copy in work/ up to date, and open nothing"
-    )
+    lab.add_argument("--only-copy", action="store_true", help="bring your copy up to date, and open nothing")
     lab.set_defaults(run=run_lab, takes_rest=True)
     again = subparsers.add_parser(
         "reset",
-        help="reset an exercise in work/, keeping a backup of yours",
-        description="Reset an exercise in work/. What you had is kept in work/.state/backups/.",
+        help="reset an exercise, keeping a backup of yours",
+        description="Reset an exercise in your copy. What you had is kept in .state/backups/ there.",
     )
     again.add_argument("exercise", metavar="EXERCISE", help="such as 09 or joint_positions")
     again.set_defaults(run=run_reset)
@@ -38,15 +36,15 @@ def run_lab(options: argparse.Namespace) -> int:
 def _only_copy() -> int:
     """Bring the student's copy up to date, for those who open it in another editor."""
     from workbook.exercise.course import NoCourse, course_folder
-    from workbook.lab.launch import student_folder
-    from workbook.lab.work_folder import update_work_folder
+    from workbook.lab.launch import CannotLaunch, prepare_copy, student_folder
 
     try:
-        said = update_work_folder(course_folder(), student_folder()).lines()
-    except (NoCourse, OSError) as problem:
+        work = student_folder()
+        said = prepare_copy(course_folder(), work).lines()
+    except (CannotLaunch, NoCourse) as problem:
         terminal.complain("lab", problem)
         return 1
-    for line in said or ["Your copy in work/ is up to date."]:
+    for line in said or [f"Your copy in {work.name}/ is up to date."]:
         terminal.say(line)
     return 0
 
@@ -63,8 +61,8 @@ def run_reset(options: argparse.Namespace) -> int:
     except (NoCourse, NoSuchExercise) as problem:
         terminal.complain("reset", problem)
         return 2
-    print(f"work/exercises/{stem}.ipynb has been reset.")
+    print(f"{work.name}/exercises/{stem}.ipynb has been reset.")
     for path in kept:
-        print(f"What you had is in {path.relative_to(course)}.")
+        print(f"What you had is in {path.relative_to(work.parent)}.")
     print("If it is open in JupyterLab, choose File > Reload Notebook from Disk.")
     return 0

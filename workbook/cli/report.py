@@ -41,7 +41,7 @@ def run(options: argparse.Namespace) -> int:
         last = last_recording(stem, folder)
         sha256 = _sha256(file, stem)
         path = options.to or Path(f"{stem}.report.json")
-        write_whole(path, help_report(stem, text, sha256, last, _doctor()))
+        write_whole(path, help_report(stem, text, sha256, last, doctor_lines()))
     except (Ungradable, UnknownExercise, NoCourse, OSError) as error:
         terminal.complain("report", error)
         return 2
@@ -66,7 +66,7 @@ def _sha256(file: Path, stem: str) -> str:
         return ""
 
 
-def _doctor() -> tuple[str, ...]:
+def doctor_lines() -> tuple[str, ...]:
     """The doctor's findings, one a line: a broken line could hide a part of a path from what takes paths out."""
     from workbook.lab.health import examine
 

@@ -5,6 +5,8 @@ import os
 from pathlib import Path
 
 _PACKAGE = Path(__file__).resolve().parents[1]
+IN_A_WHEEL = "course"
+"""Folder of the package that holds the course in a wheel. In a clone, the course surrounds the package."""
 _JUDGED_WITH = (".py", ".pyi", ".xml", ".ini")
 """Code, stubs that mypy reads, the DDS profile and mypy's settings. Pictures and pages change no verdict."""
 
@@ -13,13 +15,20 @@ class NoCourse(RuntimeError):
     """The folder of the course was not found."""
 
 
+def is_from_wheel() -> bool:
+    """Whether the package was installed from a wheel, which carries the course, rather than from a clone."""
+    return (_PACKAGE / IN_A_WHEEL).is_dir()
+
+
 def course_folder() -> Path:
     """The folder that holds `exercises/` and `solutions/`.
 
-    WORKBOOK_COURSE names it; otherwise it is the checkout that the package was installed from. Raises NoCourse.
+    WORKBOOK_COURSE names it. Otherwise, it is the wheel's own copy, or the clone that the package was installed from.
+    Raises NoCourse.
     """
     named = os.environ.get("WORKBOOK_COURSE")
-    folder = Path(named) if named else Path(__file__).resolve().parents[2]
+    own = _PACKAGE / IN_A_WHEEL if is_from_wheel() else _PACKAGE.parent
+    folder = Path(named) if named else own
     if not (folder / "exercises" / "criteria").is_dir():
         raise NoCourse(
             f"{folder} holds no exercises/criteria. Run this in the environment that `make env` made in the "

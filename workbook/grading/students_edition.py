@@ -21,7 +21,14 @@ KEPT = (
     "LICENSE", "LICENSE-TEXT", "pyproject.toml", "requirements.lock", "conftest.py", ".gitignore", ".gitattributes",
 )  # fmt: skip
 FOLDERS = ("workbook", "lesson_nodes", "exercises/criteria", "exercises/drivers")
-FILES = ("notebooks/*.ipynb", "notebooks/*.md", "exercises/*.ipynb", "docs/*.png", ".vscode/*.json")
+FILES = (
+    "notebooks/*.ipynb",
+    "notebooks/*.md",
+    "exercises/*.ipynb",
+    "docs/*.png",
+    "docs/wheel.md",
+    ".vscode/*.json",
+)
 TARGETS = ("help", "env", "lab", "progress", "test", "clean")
 """Targets of the Makefile that a student needs."""
 ITS_OWN = {"tests/test_course.py": "course_tests.txt", "solutions/README.md": "solutions.md"}
@@ -80,12 +87,13 @@ def _files(course: Path) -> Iterator[tuple[str, bytes]]:
         for path in sorted(course.glob(pattern)):
             yield path.relative_to(course).as_posix(), path.read_bytes()
     for stem in stems(course / "solutions"):
-        yield f"solutions/{stem}.py", _source(course, stem).encode()
+        yield f"solutions/{stem}.py", source_for_students(course, stem).encode()
     for name, own in ITS_OWN.items():
         yield name, (GRADESCOPE_FILES / "students" / own).read_bytes()
 
 
-def _source(course: Path, stem: str) -> str:
+def source_for_students(course: Path, stem: str) -> str:
+    """The source of an exercise with its starter and hints, and without its solution. Raises CannotPackage."""
     exercise = load_exercise(stem, course)
     # Criteria of the instructor's own folder are never copied; one in the course's folder would be.
     if any(one.hidden for one in exercise.criteria if one.title in _criteria_text(course, stem)):

@@ -13,7 +13,6 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
-from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -41,12 +40,18 @@ class HealthFinding:
 
 def check_python() -> HealthFinding:
     """Interpreter and system."""
+    from workbook.exercise.course import is_from_wheel
     from workbook.lab.bootstrap import EnvironmentProblem, check_machine
 
     saw = f"{platform.python_version()} on {platform.system()} {platform.machine()}, {' '.join(platform.libc_ver())}"
     if sys.prefix == sys.base_prefix:
         return HealthFinding(
-            "note", "Python", f"{saw}, outside any environment", "The wheels route uses .venv/bin/workbook."
+            "note",
+            "Python",
+            f"{saw}, outside any environment",
+            "Install the course into an environment of its own."
+            if is_from_wheel()
+            else "The wheels route uses .venv/bin/workbook.",
         )
     from workbook.ros.environment import uses_wheels
 
@@ -56,37 +61,6 @@ def check_python() -> HealthFinding:
         except EnvironmentProblem as problem:
             return HealthFinding("fix", "Python", saw, f"{str(problem)[0].upper()}{str(problem)[1:]}")
     return HealthFinding("ok", "Python", saw)
-
-
-def check_packages() -> HealthFinding:
-    """Versions of what the lessons stand on, and whether the environment fits the lock file."""
-    from workbook.ros.environment import uses_wheels
-
-    names = ["jupyterlab", "ipykernel", "matplotlib", "numpy"]
-    if uses_wheels():
-        names.insert(0, "ros-jazzy-rclpy")
-    missing = []
-    found = []
-    for name in names:
-        try:
-            found.append(f"{name} {metadata.version(name)}")
-        except metadata.PackageNotFoundError:
-            missing.append(name)
-    saw = ", ".join(found)
-    if missing:
-        return HealthFinding(
-            "fix", "Packages", f"missing: {', '.join(missing)}; there: {saw or 'none'}", "Run `make env`."
-        )
-    if not uses_wheels():
-        return HealthFinding(
-            "note", "Packages", f"{saw}; rclpy comes from another ROS installation, not from the wheels"
-        )
-    from workbook.lab import bootstrap
-
-    stamp = bootstrap.read_stamp()
-    if Path(sys.prefix).resolve() == bootstrap.VENV.resolve() and stamp.get("digest") != bootstrap.digest():
-        return HealthFinding("fix", "Packages", f"{saw}; not what requirements.lock says", "Run `make env`.")
-    return HealthFinding("ok", "Packages", saw)
 
 
 def leftovers(environ: Mapping[str, str]) -> list[str]:
@@ -211,11 +185,13 @@ def check_two_processes() -> HealthFinding:
     said = record.log.strip().splitlines()
     last = f" It said: {said[-1]}" if said else ""
     if record.ended_by == "itself":
+        from workbook.lab.packages import install_again
+
         return HealthFinding(
             "fix",
             "Two processes",
             f"the other process ended by itself (exit {record.exit}).{last}",
-            "Run `make env`.",
+            install_again(),
         )
     return HealthFinding(
         "fix",
@@ -290,8 +266,11 @@ def check_kernel() -> HealthFinding:
         told.get("data", {}).get("text/plain") or told.get("evalue") or reply.get("evalue") or ""
     ).strip("'\"")
     if "domain None" in said or "magics True" not in said or "domain" not in said:
+        from workbook.exercise.course import is_from_wheel
+
+        todo = "Run `rclpy-workbook lab --only-copy`." if is_from_wheel() else "Run `make env`."
         return HealthFinding(
-            "fix", "Jupyter kernel", f"started, but is not set up: {said or 'no answer'}", "Run `make env`."
+            "fix", "Jupyter kernel", f"started, but is not set up: {said or 'no answer'}", todo
         )
     domain = said.split("domain ")[1].split()[0]
     return HealthFinding(
@@ -362,6 +341,8 @@ def check_sandbox() -> HealthFinding:
 def examine(environ: Mapping[str, str] | None = None) -> Iterator[HealthFinding]:
     """Every finding, as it is made. Sets up this process for ROS before the first check that needs it."""
     found = leftovers(os.environ if environ is None else environ)
+    from workbook.lab.packages import check_packages
+
     yield from _made("Python", check_python)
     yield from _made("Packages", check_packages)
     yield from _made("Shell", lambda: check_leftovers(found))
@@ -387,12 +368,14 @@ def _made(title: str, check: Callable[[], HealthFinding]) -> Iterable[HealthFind
     try:
         return [check()]
     except Exception as error:
+        from workbook.lab.packages import install_again
+
         text = str(error).strip() or "no further text"
         return [
             HealthFinding(
                 "fix",
                 title,
                 f"{type(error).__name__}: {text.splitlines()[0]}",
-                "Run `make env`. If the problem remains, see 'When something fails' in environment.md.",
+                f"{install_again()} If the problem remains, see 'When something fails' in environment.md.",
             )
         ]

@@ -1,6 +1,7 @@
 """Puts Jupyter's settings into the environment, where JupyterLab, VS Code and nbval all find them.
 
-Run inside the environment by the bootstrap: `python -m workbook.lab.jupyter_files`.
+In a clone, the bootstrap runs it inside the environment: `python -m workbook.lab.jupyter_files`. An environment with
+the wheel gets the settings from the first `rclpy-workbook lab`.
 """
 
 import json
@@ -9,12 +10,13 @@ from pathlib import Path
 
 # Runs in every kernel of this environment, whichever program starts it: lessons need no set-up cell.
 KERNEL_CONFIG = """\
-# Written by `make env`. Sets up ROS and the magics in each kernel of this environment.
+# Written by the rclpy workbook. Sets up ROS and the magics in each kernel of this environment.
 c = get_config()  # noqa: F821
 try:
     from workbook.lab.kernel import configure
 except ImportError as error:
-    message = f"The workbook is not set up in this kernel: {error}. Run `make env` in its folder."
+    message = f"The workbook is not set up in this kernel: {error}. "
+    message += "Run `make env` in its folder, or install rclpy-workbook again."
     c.InteractiveShellApp.exec_lines.append(f"import sys; print({message!r}, file=sys.stderr)")
 else:
     configure(c)
@@ -66,9 +68,10 @@ def kernel_spec(python: str) -> dict[str, object]:
 
 
 def install(prefix: Path, python: str) -> list[Path]:
-    """Write the settings below an environment's folder and return the files written.
+    """Write the settings below an environment's folder and return their files.
 
-    Each becomes a new file: uv links what it installs to its cache, so one that is written into would change in every
+    A file that is up to date stays, so a student can use an environment that only an administrator can write. Each
+    other becomes a new file: uv links what it installs to its cache, so one that is written into would change in every
     other environment as well.
     """
     kernels = prefix / "share" / "jupyter" / "kernels" / "python3"
@@ -91,9 +94,12 @@ def install(prefix: Path, python: str) -> list[Path]:
             target = place if file.name == "package.json" else place / "static"
             files[target / file.name] = file.read_text(encoding="utf-8")
     for path, text in files.items():
+        text = text if text.endswith("\n") else text + "\n"
+        if path.is_file() and path.read_text(encoding="utf-8") == text:
+            continue
         path.parent.mkdir(parents=True, exist_ok=True)
         partial = path.with_name(f"{path.name}.part")
-        partial.write_text(text if text.endswith("\n") else text + "\n", encoding="utf-8")
+        partial.write_text(text, encoding="utf-8")
         partial.replace(path)
     return list(files)
 

@@ -8,14 +8,52 @@ import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from workbook.exercise.course import NoCourse, course_folder
-from workbook.lab.work_folder import STATE, first_lesson, update_work_folder
+from workbook.exercise.course import NoCourse, course_folder, is_from_wheel
+from workbook.lab import jupyter_files
+from workbook.lab.work_folder import STATE, WorkFolderUpdate, first_lesson, update_work_folder
 from workbook.ros.environment import is_leftover, uses_wheels
+
+NEW_COPY = "rclpy-workbook"
+"""Folder that a wheel makes for the student's copy where other files are already."""
 
 
 def student_folder() -> Path:
-    """The student's own copy, `work/` in the course's folder. Raises NoCourse."""
-    return course_folder() / "work"
+    """The student's own copy: `work/` in a clone's folder. Raises NoCourse.
+
+    A wheel's copy is where the student stands: in a copy or below it, in an empty folder, or else in a folder
+    `rclpy-workbook` next to the files that are there.
+    """
+    course = course_folder()
+    if not is_from_wheel():
+        return course / "work"
+    here = Path.cwd()
+    for folder in (here, *here.parents):
+        if (folder / STATE).is_file():
+            return folder
+    is_empty = all(one.name.startswith(".") for one in here.iterdir())
+    return here if is_empty and here != Path.home() else here / NEW_COPY
+
+
+def prepare_copy(course: Path, work: Path) -> WorkFolderUpdate:
+    """Bring the student's copy up to date and, if the package came in a wheel, Jupyter's settings as well.
+
+    In a clone, `make env` writes the settings. Raises CannotLaunch.
+    """
+    if is_from_wheel():
+        try:
+            jupyter_files.install(Path(sys.prefix), sys.executable)
+        except OSError as error:
+            raise CannotLaunch(
+                f"Jupyter's settings cannot be written to {sys.prefix} ({error.strerror}). "
+                "Install rclpy-workbook into an environment of your own (python3 -m venv)."
+            ) from error
+    try:
+        return update_work_folder(course, work)
+    except OSError as error:
+        raise CannotLaunch(
+            f"cannot write the student's copy in {work}: {error.strerror}. "
+            "Is the folder yours, and is the disk full? `workbook doctor` says more."
+        ) from error
 
 
 class CannotLaunch(RuntimeError):
@@ -100,19 +138,11 @@ def launch(arguments: Sequence[str]) -> int:
         check_port(arguments)
         check_folders()
         course, work = course_folder(), student_folder()
+        first_start = not (work / STATE).is_file()
+        for said in prepare_copy(course, work).lines():
+            print(said)
     except (CannotLaunch, NoCourse) as problem:
         print(f"workbook lab: {problem}", file=sys.stderr)
-        return 1
-    first_start = not (work / STATE).is_file()
-    try:
-        for said in update_work_folder(course, work).lines():
-            print(said)
-    except OSError as error:
-        print(
-            f"workbook lab: cannot write the student's copy in {work}: {error.strerror}. "
-            "Is the folder yours, and is the disk full? `workbook doctor` says more.",
-            file=sys.stderr,
-        )
         return 1
     # On later starts, JupyterLab without a notebook in its address opens at home.
     lesson = first_lesson(course) if first_start else None

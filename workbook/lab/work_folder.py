@@ -1,4 +1,4 @@
-"""The student's own copy of the lessons in `work/`: new ones are added, changed ones are never overwritten.
+"""The student's own copy of the lessons, `work/` in a clone: new ones are added, changed ones are never overwritten.
 
 It comes without outputs, which would tell what the student is to predict. The committed notebooks keep theirs.
 """
@@ -23,8 +23,9 @@ ANSWERS = "answers"
 
 @dataclass
 class WorkFolderUpdate:
-    """What one update changed, as paths below `work/`."""
+    """What one update changed, as paths below `folder`, the student's copy."""
 
+    folder: str = "work"
     added: list[str] = field(default_factory=list)
     upgraded: list[str] = field(default_factory=list)
     beside: list[tuple[str, str]] = field(default_factory=list)  # (the student's file, the new version)
@@ -33,12 +34,13 @@ class WorkFolderUpdate:
         """What to tell the student, one line per matter; nothing when nothing happened."""
         said = []
         if self.added:
-            said.append(f"Added {_count(len(self.added), 'notebook')} to work/.")
+            said.append(f"Added {_count(len(self.added), 'notebook')} to {self.folder}/.")
         if self.upgraded:
             said.append(f"Updated {_count(len(self.upgraded), 'notebook')} that you had not changed.")
         for own, new in self.beside:
             said.append(
-                f"There is a new version of work/{own}. Yours stays as it is; the new one is work/{new}."
+                f"There is a new version of {self.folder}/{own}. Yours stays as it is; "
+                f"the new one is {self.folder}/{new}."
             )
         return said
 
@@ -79,7 +81,7 @@ def read_state(work: Path) -> dict[str, list[str]]:
 def update_work_folder(root: Path, work: Path) -> WorkFolderUpdate:
     """Bring `work/` up to date with the lessons and exercises below `root`."""
     state = read_state(work)
-    report = WorkFolderUpdate()
+    report = WorkFolderUpdate(work.name)
     for source in lessons(root):
         name = source.relative_to(root).as_posix()
         own = work / name

@@ -59,11 +59,11 @@ def help_report(
         versions(""),
     )
     data = encode(report)
-    data["doctor"] = _everywhere(data["doctor"], _without_names)
+    data["doctor"] = _everywhere(data["doctor"], without_names)
     if data["recording"] is not None:
         for part in _PROGRAMS_WORDS:
             if part in data["recording"]:
-                data["recording"][part] = _everywhere(data["recording"][part], _without_names)
+                data["recording"][part] = _everywhere(data["recording"][part], without_names)
     return json.dumps(_everywhere(data, _without_paths), allow_nan=False, ensure_ascii=False, indent=1) + "\n"
 
 
@@ -82,7 +82,8 @@ def _without_paths(text: str) -> str:
     return _HOMES.sub("~", text)
 
 
-def _without_names(text: str) -> str:
+def without_names(text: str) -> str:
+    """Take home folders and the names of the user and the machine out of a text."""
     text = _without_paths(text)
     host = platform.node()
     names = [(host, "HOST"), (host.split(".")[0], "HOST"), (_user(), "USER")]
