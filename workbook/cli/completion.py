@@ -37,7 +37,7 @@ def run(options: argparse.Namespace) -> int:
     """Print the script."""
     from argcomplete.shell_integration import shellcode
 
-    print(shellcode(["workbook"], shell=options.shell))
+    print(shellcode(["workbook", "rclpy-workbook"], shell=options.shell))
     return 0
 
 
