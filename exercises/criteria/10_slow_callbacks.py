@@ -382,7 +382,7 @@ def each_late(saw: str, expected: str, typical: float) -> Verdict:
         saw,
         expected,
         f"There's no long silence, but the heartbeats are typically {typical:.3f} s apart. The period is longer "
-        "than 0.1 s, or a loop sleeps for a full period, and the time for its work is added.",
+        "than 0.1 s, or a loop sleeps for a full period in addition to its work.",
         "Use create_timer(0.1, ...): a timer compensates for the time that the work takes.",
         about_time=True,
     )

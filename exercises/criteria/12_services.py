@@ -220,8 +220,7 @@ def heartbeat_steady(recording: Recording) -> Verdict:
             "heartbeat-steady.other-period",
             "only one beat" if beats.count == 1 else f"typically a beat every {typical:.2g} s",
             FIVE_HERTZ,
-            "The timer has a different period. Or a loop sleeps for a full period, and the time for its work is "
-            "added.",
+            "The timer has a different period. Or a loop sleeps for a full period in addition to its work.",
             "5 Hz is a period of 0.2 s: create_timer(0.2, self.beat), with one publish() in it.",
             about_time=True,
         )

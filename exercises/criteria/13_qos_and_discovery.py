@@ -129,7 +129,7 @@ def line_rate(recording: Recording) -> Verdict:
         "line-rate.uneven",
         f"{seen.count} lines, {seen.hz or 0.0:.2g} Hz, typically {typical:.2g} s apart",
         TWO_HERTZ,
-        "The period is slightly wrong, or a loop sleeps for a full period, and the time for its work is added.",
+        "The period is slightly wrong, or a loop sleeps for a full period in addition to its work.",
         "2 Hz is a period of 0.5 s: create_timer(0.5, self.publish_line).",
         about_time=True,
     )

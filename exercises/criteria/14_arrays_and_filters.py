@@ -153,9 +153,10 @@ def output_topic(recording: Recording) -> Verdict:
     if not verdict.ok and recording.topic(RAW.name).publishers:
         return see.failed(
             "output-topic.publishes-where-it-listens",
-            f"your node publishes {RAW.name}, and nothing on {FILTERED.name}",
+            f"your node publishes {RAW.name}, but nothing on {FILTERED.name}",
             verdict.expected,
-            "It publishes where it listens. So it hears itself, answers itself, and so on without end.",
+            "It publishes to the topic that it subscribes to. So every message that it publishes triggers another "
+            "one, endlessly.",
             f"Write the name as {FILTERED.name!r}.",
         )
     return verdict
@@ -165,13 +166,13 @@ def output_topic(recording: Recording) -> Verdict:
 def answers_come(recording: Recording) -> Verdict:
     if recording.topic(FILTERED.name).arrivals:
         return see.passed("answers come")
-    nothing = f"{len(SAMPLES)} messages were sent to {RAW.name}, and nothing came on {FILTERED.name}"
+    nothing = f"{len(SAMPLES)} messages were sent to {RAW.name}, but nothing arrived on {FILTERED.name}"
     return see.ended_or_error(recording, nothing, ONE_EACH) or see.failed(
         "answers-come.nothing",
         nothing,
         ONE_EACH,
-        "Either nobody spins the node, so the callback never runs, or the callback does not publish. Or it is spun by "
-        "rclpy.experimental.EventsExecutor, whose spin() never calls back in this build of rclpy.",
+        "Either nothing spins the node, so the callback never runs, or the callback doesn't publish. Or you spin "
+        "it with rclpy.experimental.EventsExecutor, whose spin() runs no callbacks in this build of rclpy.",
         "Spin the node with rclpy.spin(node), and publish inside the callback.",
         about_time=True,
     )
@@ -237,7 +238,7 @@ def every_one_answered(recording: Recording) -> Verdict:
             "every-one-answered.repeated",
             f"{see.count(len(twice), 'message')} answered more than once, {shown(twice[0])} {times[twice[0]]} times",
             ONE_EACH,
-            "A timer or a loop sends an answer again, or two subscriptions hear the same topic.",
+            "A timer or a loop publishes an answer again, or two subscriptions use the same topic.",
             "One subscription, and one publish for each call of the callback.",
         )
     missing = [place for place in range(len(SAMPLES)) if place not in times]
@@ -249,7 +250,8 @@ def every_one_answered(recording: Recording) -> Verdict:
             "every-one-answered.other-order",
             f"answer {at + 1} was for {shown(places[at])}",
             ONE_EACH,
-            "Messages are collected and answered in another order, or by several threads at once.",
+            "Your node collects messages and answers them in another order, or from several threads at the same "
+            "time.",
             "Publish inside the callback: it is called in the right order.",
         )
     return at_once(recording)
@@ -269,7 +271,7 @@ def why_repeated(twice: Sequence[int], times: Mapping[int, int]) -> Verdict | No
     if all(place + 1 in NAN_AT and place + 1 not in times for place in twice):
         return see.failed(
             "every-one-answered.repeated-for-nan",
-            f"{saw}. After each of them comes a message with a NaN, and that one has no answer",
+            f"{saw}. Each of them is followed by a message with a NaN, which has no answer",
             ONE_EACH,
             "For a message with a NaN, the answer before is published again, with its old stamp.",
             "Replace the NaN in the angles alone. The answer has the stamp of its own message.",
@@ -293,7 +295,7 @@ def filters(recording: Recording) -> Verdict:
             f"{LITTLE_LEFT}; angles within {LEAST_CHANGE_RAD} rad (root mean square) of those received count as "
             "passed on",
             "The filter gives new measurements too much weight: the weight is near 1, or the cutoff frequency is high.",
-            "Let it look back farther, or give new measurements a smaller weight, such as 0.3.",
+            "Let the filter use more past messages, or give new measurements a smaller weight, such as 0.3.",
         )
     return see.failed(
         "filters.passes-through",

@@ -283,7 +283,7 @@ def topics(recording: Recording) -> Verdict:
 def answers_come(recording: Recording) -> Verdict:
     if recording.topic(DIRECTION.name).arrivals:
         return see.passed("directions come")
-    nothing = f"{PICTURES} images were sent to {IMAGE.name}, and nothing came on {DIRECTION.name}"
+    nothing = f"{PICTURES} images were sent to {IMAGE.name}, but nothing arrived on {DIRECTION.name}"
     return see.ended_or_error(recording, nothing, ONE_EACH) or see.failed(
         "answers-come.nothing",
         nothing,
@@ -1293,7 +1293,7 @@ def why_not_answered(
     if last < first_other and not set(pictures.readable) & set(range(first_other)) - set(by_place):
         return see.failed(
             "keeps-up.silent-since",
-            f"{saw}. Nothing came after image {first_other + 1}, the first one in another encoding: "
+            f"{saw}. Nothing arrived after image {first_other + 1}, the first one in another encoding: "
             f"{pictures.views[first_other].encoding}",
             expected,
             "After the node received an encoding that it can't read, it stopped answering.",

@@ -149,19 +149,19 @@ def _too_little_from_step_to_step(
     if 0 < still < hardly:
         return too_little(
             "varies.two-kinds",
-            f"of {messages}, {still} are the same as the one before, {exact}, and {hardly - still} differ from it in "
-            f"{fewer}",
-            "Two things happen: some calls publish the same values again, and others change too few of them.",
+            f"of {messages}, {still} are the same as the previous one, {exact}, and {hardly - still} differ from it "
+            f"in {fewer}",
+            "Some calls publish the same values again, and others change too few of them.",
         )
     if still:
         return too_little(
             "varies.stands-still",
-            f"{still} of {messages} are the same as the one before, {exact}",
+            f"{still} of {messages} are the same as the previous one, {exact}",
             "The movement ends, or some calls of the callback compute no new values.",
         )
     return too_little(
         "varies.one-at-a-time",
-        f"{hardly} of {messages} differ from the one before in {fewer}",
+        f"{hardly} of {messages} differ from the previous one in {fewer}",
         "A call often changes too few elements, although other elements change in other calls.",
     )
 

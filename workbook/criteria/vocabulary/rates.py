@@ -336,8 +336,7 @@ def keeps_period(recording: Recording, topic: Topic) -> Verdict:
         "keeps-period.other-period",
         f"typically {typical:.3g} s from one message to the next",
         expected,
-        "The period given to create_timer is wrong. Or a loop sleeps for a full period, and the time for its work "
-        "is added.",
+        "The period given to create_timer is wrong. Or a loop sleeps for a full period in addition to its work.",
         _try_rate(topic),
         about_time=True,
     )
