@@ -50,11 +50,15 @@ def listens(recording: Recording, topic: Topic) -> Verdict:
         recording, topic.name, [name for name, other in recording.topics.items() if other.subscribers]
     )
     if near is not None:
+        owners = {subscriber.node for subscriber in recording.topic(near).subscribers}
+        private = any(near.startswith(f"{owner}/") for owner in owners)
         return failed(
-            "listens.other-name",
+            "listens.private-name" if private else "listens.other-name",
             f"your node listens to {near}, and not to {topic.name}",
             expected,
-            "The two names differ. ROS compares names letter by letter.",
+            "A name that begins with ~ is private: the node's own name is put in front."
+            if private
+            else "The two names differ. ROS compares names letter by letter.",
             f"Write the name as {topic.name!r}.",
         )
     return held_by_a_spin(recording, f"nothing subscribes to {topic.name}", expected) or failed(
