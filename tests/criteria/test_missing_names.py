@@ -81,6 +81,11 @@ CASES = {
         "error.private-name-taken",
         "another name",
     ),
+    "keyword": (
+        in_constructor("self.create_timer(timer_period=1.0, callback=self.tick)"),
+        "error.keyword-unknown",
+        "one of these names",
+    ),
     "future": (
         in_callback("rclpy.task.Future().success"),
         "error.result-not-taken",

@@ -20,6 +20,9 @@ _OF_THE_PROGRAM = ("__main__", "answer")
 _RAISES_FOR_IT = "enum"
 """Up to Python 3.11, this module raises where a program asks an enum for a name."""
 _NOT_IN_MODULE = re.compile(r"^cannot import name '(?P<name>\w+)' from '(?P<module>[\w.]+)'")
+_NO_KEYWORD = re.compile(
+    r"^(?P<kind>\w+)\.(?P<name>\w+)\(\) got an unexpected keyword argument '(?P<keyword>\w+)'"
+)
 _CLASSES = {
     "rclpy.node": ("Node",),
     "rclpy.publisher": ("Publisher",),
@@ -40,6 +43,8 @@ def note_of_name(error: BaseException) -> str:
             return _of_node(frames) if isinstance(error, (AttributeError, TypeError)) else ""
         if isinstance(error, AttributeError):
             return _of_attribute(error.obj, error.name or "", [step.tb_lineno for step in _steps(error)][-1])
+        if isinstance(error, TypeError):
+            return _of_keyword(str(error))
         return _of_import(error) if isinstance(error, ImportError) else ""
     except Exception:
         return ""
@@ -79,6 +84,20 @@ def _of_attribute(owner: Any, name: str, failed: int) -> str:
         return f"Line {line} sets '{name}' of {called}"
     others = ", ".join(_others_with(owner, name))
     return f"'{name}' belongs to: {others}" if others else _alike(called, name, dir(owner), ALIKE)
+
+
+def _of_keyword(text: str) -> str:
+    asked = _NO_KEYWORD.match(text)
+    home = next(
+        (home for home, kinds in _CLASSES.items() if asked is not None and asked["kind"] in kinds), ""
+    )
+    if asked is None or not home:
+        return ""
+    names = list(
+        inspect.signature(vars(getattr(sys.modules[home], asked["kind"]))[asked["name"]]).parameters
+    )[1:]
+    names = list(dict.fromkeys([*get_close_matches(asked["keyword"], names, MOST_NAMES), *names]))
+    return f"The keywords of {asked['name']} are: {', '.join(names)}"
 
 
 def _of_import(error: ImportError) -> str:

@@ -12,6 +12,7 @@ _HINT = re.compile(r"Did you mean: '(?P<names>\w+)'\?")
 _ALIKE = re.compile(r"^Similar names of (?P<owner>[\w.]+) are: (?P<names>.+)$", re.MULTILINE)
 _LATER = re.compile(r"^Line (?P<line>\d+) sets '(?P<name>\w+)' of (?P<owner>\w+)$", re.MULTILINE)
 _OVERWRITTEN = re.compile(r"^Line (?P<line>\d+) sets '(?P<name>\w+)', which Node needs itself$", re.MULTILINE)
+_KEYWORDS = re.compile(r"^The keywords of (?P<function>\w+) are: (?P<names>.+)$", re.MULTILINE)
 _OF_OTHERS = re.compile(r"^'(?P<name>\w+)' belongs to: (?P<others>.+)$", re.MULTILINE)
 _FUNCTIONS = frozenset({"function", "method", "builtin_function_or_method"})
 _VALUES = frozenset(
@@ -32,6 +33,13 @@ def missing_name(error: str, told: str, *, own: bool) -> tuple[str, str, str] | 
     `own`: the program itself asked for the name, and no library in its place.
     """
     later, others, overwritten = _LATER.search(told), _OF_OTHERS.search(told), _OVERWRITTEN.search(told)
+    keywords = _KEYWORDS.search(told)
+    if keywords is not None:
+        return (
+            "error.keyword-unknown",
+            f"{keywords['function']}() has no keyword of this name. Its keywords are: {keywords['names']}.",
+            "Use one of these names.",
+        )
     if overwritten is not None:
         return (
             "error.private-name-taken",
