@@ -32,37 +32,10 @@ def missing_name(error: str, told: str, *, own: bool) -> tuple[str, str, str] | 
 
     `own`: the program itself asked for the name, and no library in its place.
     """
-    later, others, overwritten = _LATER.search(told), _OF_OTHERS.search(told), _OVERWRITTEN.search(told)
-    keywords = _KEYWORDS.search(told)
-    if keywords is not None:
-        return (
-            "error.keyword-unknown",
-            f"{keywords['function']}() has no keyword of this name. Its keywords are: {keywords['names']}.",
-            "Use one of these names.",
-        )
-    if overwritten is not None:
-        return (
-            "error.private-name-taken",
-            f"Line {overwritten['line']} sets {overwritten['name']}. Node keeps something of its own in an attribute "
-            "of this name, and it is lost now.",
-            "Give your attribute another name, without an underscore in front.",
-        )
-    if later is not None:
-        return (
-            "error.attribute-set-later",
-            f"The attribute {later['name']} doesn't exist yet. Line {later['line']} sets it, and that line has not "
-            "run for this object.",
-            f"Set self.{later['name']} in __init__, above the first line that uses it.",
-        )
-    if others is not None:
-        names = others["others"].split(", ")
-        how = _HOW_OTHERS_ARE_CALLED.get(names[0], f"Call it as a method of a {names[0]}.")
-        return (
-            "error.method-of-another-class",
-            f"{others['name']} belongs to {listing(names)}. The object in front of the dot doesn't have it.",
-            how.format(name=others["name"]),
-        )
-    alike = _ALIKE.search(told) or _HINT.search(error)
+    noted = _kept_elsewhere(told) or _set_wrongly(told)
+    alike, lacks = _ALIKE.search(told) or _HINT.search(error), _LACKS.search(error)
+    if noted is not None:
+        return noted
     if alike is not None:
         near = alike["names"].split(", ")
         return (
@@ -70,10 +43,49 @@ def missing_name(error: str, told: str, *, own: bool) -> tuple[str, str, str] | 
             f"No such name exists there. The most similar {'names are' if near[1:] else 'name is'} {listing(near)}.",
             f"Check the spelling: did you mean {near[0]}?",
         )
-    lacks = _LACKS.search(error)
     if lacks is None or lacks["module"] or not own:
         return None
     return _of_value(lacks["kind"] or lacks["object"], lacks["name"])
+
+
+def _kept_elsewhere(told: str) -> tuple[str, str, str] | None:
+    """The same for a keyword or a method that is not here, but where the host's line says."""
+    keywords, others = _KEYWORDS.search(told), _OF_OTHERS.search(told)
+    if keywords is not None:
+        return (
+            "error.keyword-unknown",
+            f"{keywords['function']}() has no keyword of this name. Its keywords are: {keywords['names']}.",
+            "Use one of these names.",
+        )
+    if others is None:
+        return None
+    names = others["others"].split(", ")
+    how = _HOW_OTHERS_ARE_CALLED.get(names[0], f"Call it as a method of a {names[0]}.")
+    return (
+        "error.method-of-another-class",
+        f"{others['name']} belongs to {listing(names)}. The object in front of the dot doesn't have it.",
+        how.format(name=others["name"]),
+    )
+
+
+def _set_wrongly(told: str) -> tuple[str, str, str] | None:
+    """The same for an attribute that a line of the program sets too late, or may not set."""
+    later, overwritten = _LATER.search(told), _OVERWRITTEN.search(told)
+    if overwritten is not None:
+        return (
+            "error.private-name-taken",
+            f"Line {overwritten['line']} sets {overwritten['name']}. Node keeps something of its own in an attribute "
+            "of this name, and it is lost now.",
+            "Give your attribute another name, without an underscore in front.",
+        )
+    if later is None:
+        return None
+    return (
+        "error.attribute-set-later",
+        f"The attribute {later['name']} doesn't exist yet. Line {later['line']} sets it, and that line has not run "
+        "for this object.",
+        f"Set self.{later['name']} in __init__, above the first line that uses it.",
+    )
 
 
 def _of_value(kind: str, name: str) -> tuple[str, str, str]:
