@@ -235,9 +235,10 @@ for number in (np.float64(80), np.float32(80)):
 # %% [markdown]
 # ### Lines from other programs
 #
-# Much code on the web is for ROS 1, for C++, or for a full ROS 2 installation. Each of the following lines looks right
-# but raises an exception here. The last one does what rclpy does with an `async` callback that awaits `asyncio.sleep`:
-# it sends the coroutine `None`. A thread tries the lines one by one, because this notebook's main thread runs asyncio.
+# Much code on the web is for ROS 1, for C++, or for a full ROS 2 installation. And in a line of your own, a name may be
+# misspelled. Each of the following lines looks right but raises an exception here. The last one does what rclpy does
+# with an `async` callback that awaits `asyncio.sleep`: it sends the coroutine `None`. A thread tries the lines one by
+# one, because this notebook's main thread runs asyncio.
 
 # %% id="lines-of-others"
 import asyncio
@@ -254,6 +255,7 @@ LINES = {
     "a word for the QoS": lambda: learner.create_publisher(String, "/word", "reliable"),
     "a word for a policy": lambda: QoSProfile(depth=1, durability="volatile"),
     "a number to log": lambda: learner.get_logger().info(80.0),
+    "a misspelled name": lambda: learner.create_publsher(String, "/word", 10),
     "rclpy.Rate": lambda: rclpy.Rate(10),
     "rclpy.Node": lambda: rclpy.Node("listener"),
     "cv_bridge": lambda: import_module("cv_bridge"),

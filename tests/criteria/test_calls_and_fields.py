@@ -18,6 +18,7 @@ from geometry_msgs.msg import Twist
 from std_msgs.msg import Header, Int32
 from rclpy.duration import Duration
 from rclpy.qos import QoSProfile
+from std_srvs.srv import Trigger
 """
 SENDS = "self.create_publisher({0}, 'x', 10).publish({0}({1}))"
 CASES = {
@@ -39,6 +40,10 @@ CASES = {
     "error.parameter-declared-twice": "[self.declare_parameter('a', 1) for _ in range(2)]",
     "error.spin-on-no-node": "rclpy.spin('humanoid')",
     "error.nothing-to-spin": "rclpy.spin()",
+    "error.executor-attribute": "self.executor = 5",
+    "error.service-itself": "Trigger()",
+    "error.no-request": "self.create_client(Trigger, 'x').call_async(Trigger)",
+    "error.no-response": "self.create_service(Trigger, 'x', print).send_response(None, None)",
     "error.time-without-to-msg": "self.get_clock().now().sec",
     "error.time-minus-number": "self.get_clock().now() - 1.0",
     "error.duration-by-position": "Duration(1.0)",
@@ -74,7 +79,7 @@ def test_every_row_has_its_case() -> None:
 def test_the_cause_and_the_line_are_named(cause: str, logs: dict[str, str]) -> None:
     error = find_error(logs[cause], f"{re.sub(r'[^a-z0-9_]', '_', cause)}.py")
     assert error is not None and error.cause == cause, logs[cause]
-    assert error.line == 14, logs[cause]
+    assert error.line == 15, logs[cause]
 
 
 def test_a_value_is_named_with_its_field_and_what_it_takes(logs: dict[str, str]) -> None:

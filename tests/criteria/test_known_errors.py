@@ -248,7 +248,7 @@ Humanoid()
     Case("shell_line", "import rclpy\n!rm -rf /\n", "SyntaxError", None, "Remove that line"),
     Case("cell_magic", "%%bash\nrm -rf /\n", "SyntaxError", None, "Remove that line"),
     Case("line_magic", "def main():\n    %load_ext autoreload\n", "SyntaxError", None, "Remove that line"),
-    Case("no_such_name", "import rclpy\nrclpy.inti()\n", "AttributeError", 2, "like a ROS module"),
+    Case("no_such_name", "import rclpy\nrclpy.inti()\n", "AttributeError", 2, "did you mean init?"),
     Case(
         "shadow",
         "import os, sys\nos.makedirs('own')\nopen('own/geometry_msgs.py', 'w').close()\nsys.path.insert(0, 'own')\n"

@@ -85,9 +85,62 @@ def test_what_a_spin_keeps_from_running_is_found(text: str, kept: str) -> None:
     assert kept in {one.kept for one in spins_in(text)}
 
 
+RATE = "self.rate = self.create_rate(2)\n        self.create_timer(1.0, self.beat)"
+LOOP = "rate = node.create_rate(2)\n    while rclpy.ok():\n        rate.sleep()"
+
+
+@pytest.mark.parametrize(
+    ("text", "callback"),
+    [
+        (program(made=RATE, beat="self.rate.sleep()"), "beat"),
+        (program(made=RATE, beat="self.wait()", wait="self.rate.sleep()"), "beat"),
+        (program(beat="self.create_rate(2).sleep()"), "beat"),
+        (
+            program(made="self.create_subscription(String, 'a', self.beat, 10)", beat="rate.sleep()")
+            + "    rate = node.create_rate(2)\n    Thread(target=executor.spin).start()\n",
+            "beat",
+        ),
+        (program(made="rate = self.create_rate(2)\n        rate.sleep()"), ""),
+        (program(main=LOOP), ""),
+        (program(main=f"{LOOP}\n        rclpy.spin_once(node)"), ""),
+    ],
+)
+def test_waits_for_a_rate_that_nothing_serves_are_found(text: str, callback: str) -> None:
+    found = spins_in(text)
+    assert [(one.callback, one.waits) for one in found] == [(callback, "rate")]
+    assert not spins_in_a_callback(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        program(main=f"Thread(target=rclpy.spin, args=(node,)).start()\n    {LOOP}"),
+        program(made=RATE, beat="self.rate.sleep()") + "    MultiThreadedExecutor()\n",
+        program(made=RATE, beat="time.sleep(0.1)"),
+        program(main="rate = node.create_rate(2)\n    while rclpy.ok():\n        rclpy.spin_once(node)"),
+    ],
+)
+def test_other_rates_are_not(text: str) -> None:
+    assert not spins_in(text)
+
+
+ASYNC = program(beat="await self.future").replace("def beat", "async def beat")
+
+
+def test_what_an_async_callback_awaits_is_found() -> None:
+    assert [(one.callback, one.code, one.waits) for one in spins_in(ASYNC)] == [
+        ("beat", "await self.future", "future")
+    ]
+    assert not spins_in(ASYNC + "    ReentrantCallbackGroup()\n")
+    assert not spins_in(ASYNC.replace("self.create_timer(1.0, self.beat)", "pass"))
+
+
 def test_a_silent_topic_is_explained_by_the_spin() -> None:
     silent = recorded(on_topic(BATTERY.name))
     for text, cause in (
+        (program(made=RATE, beat="self.rate.sleep()"), "spin.rate-in-a-callback"),
+        (program(main=LOOP), "spin.rate-without-a-spin"),
+        (ASYNC, "spin.await-in-a-callback"),
         (program(beat="rclpy.spin_once(self)"), "spin.in-a-callback"),
         (program(main="rclpy.spin(heart)\n    rclpy.spin(battery)"), "spin.second-never-reached"),
         (program(main="for node in nodes:\n        rclpy.spin(node)"), "spin.first-round-only"),

@@ -14,13 +14,21 @@ TAKES_CALLBACK = frozenset({"create_timer", "create_subscription", "create_servi
 CREATES = frozenset(
     {"create_timer", "create_publisher", "create_subscription", "create_service", "create_client"}
 )
+RATE, SLEEP = "create_rate", "sleep"
+MANY_THREADS = "MultiThreadedExecutor"
+"""Its other threads serve the timer of a rate while a callback waits for it."""
+OTHER_THREADS = frozenset(
+    {MANY_THREADS, "Thread", "ThreadPoolExecutor", "run_in_executor", "to_thread", "Process"}
+)
+"""Where one of these is used, something may spin while the main program waits."""
+GROUPS = frozenset({"MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup"})
 LONGEST_CODE = 60
 Function = ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda
 _DEFINES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.ClassDef)
 
 
 def spins_in(text: str) -> tuple[SpinSeen, ...]:
-    """The calls in a program that spin in a callback, or keep later lines from running; empty where it has none."""
+    """The calls that spin in a callback, wait in vain, or keep later lines from running; in this order."""
     try:
         return _Spins(ast.parse(text)).found()
     except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -29,7 +37,7 @@ def spins_in(text: str) -> tuple[SpinSeen, ...]:
 
 def spins_in_a_callback(text: str) -> bool:
     """Whether simulated time would prove nothing: it waits for a program to rest, and a callback that spins has not."""
-    return any(one.callback for one in spins_in(text))
+    return any(one.callback and not one.waits for one in spins_in(text))
 
 
 def repeated_init(text: str) -> int:
@@ -59,12 +67,22 @@ class _Spins:
             if isinstance(part, ast.FunctionDef) and part.name == "__init__"
         }
         self._calls = [node for node in nodes if isinstance(node, ast.Call)]
+        self._named = {_name(node) for node in nodes} | {
+            node.name for node in nodes if isinstance(node, ast.alias)
+        }
+        self._rates = {
+            _name(target)
+            for node in nodes
+            if isinstance(node, (ast.Assign, ast.AnnAssign, ast.NamedExpr))
+            if isinstance(node.value, ast.Call) and _called(node.value) == RATE
+            for target in (node.targets if isinstance(node, ast.Assign) else (node.target,))
+        }
 
     def found(self) -> tuple[SpinSeen, ...]:
         functions = (*self._functions.values(), *self._makers.values())
         bodies = [self._tree.body, *(function.body for function in functions)]
         unreached = (seen for body in bodies for seen in self._unreached(body))
-        return (*self._in_callbacks(), *unreached)
+        return (*self._in_callbacks(), *self._waits_for_rates(), *self._waits_for_futures(), *unreached)
 
     def init_in_a_loop(self) -> int:
         loops = (node for node in ast.walk(self._tree) if isinstance(node, (ast.For, ast.While)))
@@ -74,12 +92,43 @@ class _Spins:
         return 0
 
     def _in_callbacks(self) -> Iterator[SpinSeen]:
+        for name, call in self._called_in_callbacks():
+            if self._spins(call):
+                yield SpinSeen(call.lineno, _code(call), callback=name)
+
+    def _waits_for_rates(self) -> Iterator[SpinSeen]:
+        """The waits for a rate in a callback, and those of a program in which nothing spins in that time."""
+        in_callbacks = {id(call): name for name, call in self._called_in_callbacks() if self._waits(call)}
+        for call in filter(self._waits, self._calls):
+            name = in_callbacks.get(id(call), "")
+            if not self._named & ({MANY_THREADS} if name else OTHER_THREADS):
+                yield SpinSeen(call.lineno, _code(call), callback=name, waits="rate")
+
+    def _waits_for_futures(self) -> Iterator[SpinSeen]:
+        """What async callbacks await, if all callbacks of a node are in its one default group."""
+        if self._named & GROUPS:
+            return
+        for name, callback in dict(self._callbacks()).items():
+            awaited = (node for node in ast.walk(callback) if isinstance(node, ast.Await))
+            first = next(awaited, None) if isinstance(callback, ast.AsyncFunctionDef) else None
+            if first is not None:
+                yield SpinSeen(first.lineno, _code(first), callback=name, waits="future")
+
+    def _waits(self, call: ast.Call) -> bool:
+        """Whether a call is the sleep of a rate."""
+        if _called(call) != SLEEP or not isinstance(call.func, ast.Attribute):
+            return False
+        rate = call.func.value
+        return _called(rate) == RATE if isinstance(rate, ast.Call) else _name(rate) in self._rates
+
+    def _called_in_callbacks(self) -> Iterator[tuple[str, ast.Call]]:
+        """The calls that callbacks make, each once, with the name of the first callback that makes it."""
         seen: set[int] = set()
         for name, callback in self._callbacks():
             for call in self._reached_from(callback):
-                if self._spins(call) and id(call) not in seen:
+                if id(call) not in seen:
                     seen.add(id(call))
-                    yield SpinSeen(call.lineno, _code(call), callback=name)
+                    yield name, call
 
     def _callbacks(self) -> Iterator[tuple[str, Function]]:
         for call in self._calls:
@@ -181,6 +230,6 @@ def _called(call: ast.Call) -> str:
     return _name(call.func)
 
 
-def _code(call: ast.Call) -> str:
-    text = ast.unparse(call)
+def _code(node: ast.AST) -> str:
+    text = ast.unparse(node)
     return text if len(text) <= LONGEST_CODE else f"{text[:LONGEST_CODE]}..."

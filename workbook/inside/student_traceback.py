@@ -8,10 +8,11 @@ import sys
 import threading
 import time
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from types import FrameType
 
 from workbook.inside.field_values import note_of
+from workbook.inside.missing_names import note_of_name
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 PATIENCE_WITH_THREADS_S = 1.0
@@ -25,9 +26,10 @@ def shown(error: BaseException, ends_with_host: Callable[[traceback.FrameSummary
 
     `ends_with_host`: whether a frame imported the answer, so that no frame up to it is the answer's.
     """
-    note = note_of(error)
-    if note:
-        error.add_note(note)
+    for raised in _chained(error):
+        note = note_of(raised) or note_of_name(raised)
+        if note and note not in getattr(raised, "__notes__", ()):
+            raised.add_note(note)
     told = traceback.TracebackException.from_exception(error)
     waiting, seen = [told], set[int]()
     while waiting:
@@ -43,6 +45,16 @@ def shown(error: BaseException, ends_with_host: Callable[[traceback.FrameSummary
         parts = getattr(one, "exceptions", None) or ()
         waiting += [more for more in (one.__cause__, one.__context__, *parts) if more is not None]
     return "".join(told.format()) if told.stack else "".join(_without_a_head(told))
+
+
+def _chained(error: BaseException) -> Iterator[BaseException]:
+    """An exception, and those that came before it."""
+    seen = set[int]()
+    one: BaseException | None = error
+    while one is not None and id(one) not in seen:
+        seen.add(id(one))
+        yield one
+        one = one.__cause__ or one.__context__
 
 
 def _without_a_head(told: traceback.TracebackException) -> list[str]:

@@ -10,7 +10,15 @@ SYSTEM_FILES = ("/etc/ld.so.cache", "/etc/localtime", "/etc/alternatives")
 PATH_OF_PROGRAMS = "/usr/bin:/bin"
 NOT_FOR_ANSWERS = ("WORKBOOK_RUN", "XDG_CACHE_HOME")
 """Variables of the judge that would tell a program that it is being judged."""
-HOST_FILES = ("run.py", "host.py", "libc.py", "tap.py", "student_traceback.py", "field_values.py")
+HOST_FILES = (
+    "run.py",
+    "host.py",
+    "libc.py",
+    "tap.py",
+    "student_traceback.py",
+    "field_values.py",
+    "missing_names.py",
+)
 """What of `workbook/inside` runs in an answer's process."""
 GIVEN = ("__init__.py", "models", "scenes")
 """What of the workbook an answer may import: a trained model that an exercise gives, and what it needs."""

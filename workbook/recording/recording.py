@@ -174,7 +174,8 @@ class SpinSeen:
 
     `callback`: the callback that it is called from; empty where there is none. `kept`: what cannot begin because this
     call does not return: another "spin", something that a later line would "create", or the next "round" of a loop.
-    `later`, `later_code`: where that stands.
+    `later`, `later_code`: where that stands. `waits`: this line does not spin, but waits in vain for a "rate"
+    or for a "future".
     """
 
     line: int
@@ -183,6 +184,7 @@ class SpinSeen:
     kept: Literal["", "spin", "create", "round"] = ""
     later: int = 0
     later_code: str = ""
+    waits: Literal["", "rate", "future"] = ""
     ignores_unknown_fields: ClassVar[bool] = True
 
 

@@ -1,6 +1,6 @@
 # A Rate sleeps in the only thread, and nobody spins to wake it.
 # loses: twelve_values, finite_in_range, joints_move, joint_rate, status_kept, battery_kept
-# cause: no-message.silent
+# cause: spin.rate-without-a-spin
 # replaces: self.joint_timer = self.create_timer(JOINT_PERIOD_S, self.publish_joint_positions)
 
 # replaces: rclpy.spin(HumanoidStatusPublisher())

@@ -131,6 +131,30 @@ ERRORS_OF_CALLS = (
         "Write rclpy.spin(node).",
     ),
     KnownError(
+        "error.executor-attribute",
+        r"object has no attribute 'add_node'",
+        "The attribute executor of a node is rclpy's own. Only an executor of rclpy can be put into it.",
+        "Give your attribute another name, such as self.pool.",
+    ),
+    KnownError(
+        "error.service-itself",
+        r"Service classes can not be instantiated",
+        "The class of a service only holds the two classes of its messages: Request and Response.",
+        "Make the message: Trigger.Request() for a call, Trigger.Response() for an answer.",
+    ),
+    KnownError(
+        "error.no-request",
+        r"rclpy/client\.py\", line \d+, in call(?:_async)?\n +raise TypeError",
+        "A call sends a request of the client's service class, and it was given something else.",
+        "Give it a request: call_async(Trigger.Request()).",
+    ),
+    KnownError(
+        "error.no-response",
+        r"rclpy/service\.py\", line \d+, in send_response\n +raise TypeError",
+        "The callback of a service returns the response that rclpy sends. This one returned something else.",
+        "End the callback with return response.",
+    ),
+    KnownError(
         "error.time-without-to-msg",
         r"'Time' object has no attribute '(?:sec|nanosec)'",
         "This is an rclpy Time, not a Time message. It has the attribute nanoseconds, but not sec.",

@@ -13,8 +13,9 @@ from workbook.criteria.vocabulary.error_table import (
 )
 from workbook.criteria.vocabulary.field_values import unknown_field, value_that_misfits
 from workbook.criteria.vocabulary.foreign_names import foreign_name
+from workbook.criteria.vocabulary.missing_names import missing_name
 from workbook.criteria.vocabulary.names_elsewhere import name_elsewhere
-from workbook.criteria.vocabulary.tracebacks import TRACEBACK, chains_in, main_one
+from workbook.criteria.vocabulary.tracebacks import TRACEBACK, chains_in, is_of, main_one
 from workbook.recording.recording import Recording
 
 
@@ -34,6 +35,7 @@ class ProgramError:
         return f"line {self.line}: " if self.line is not None else ""
 
 
+_SAYS_NOT_WHICH_NAME = (UNKNOWN_ERROR.cause, "error.module-without-name", "error.import-not-found")
 _FATAL = re.compile(r"libgomp: .*Resource temporarily unavailable")
 """PyTorch and others start their threads by OpenMP, which ends the process when the kernel refuses one."""
 _EXECUTOR_LEFT = re.compile(
@@ -64,7 +66,10 @@ def find_error(log: str, program_name: str = "") -> ProgramError | None:
     if found.name == "KeyboardInterrupt":
         return None
     overtaken = re.search(TAKE_OVERTAKEN, found.text)
-    return _explained(found.error, overtaken[0] if overtaken else found.told, found.line_in(program_name))
+    told = overtaken[0] if overtaken else found.told
+    last = next(reversed([*found.frames()]), None)
+    own = last is not None and is_of(last, program_name)
+    return _explained(found.error, told, found.line_in(program_name), own=own)
 
 
 def _error_of_library(log: str) -> ProgramError | None:
@@ -73,7 +78,7 @@ def _error_of_library(log: str) -> ProgramError | None:
     return _explained(lines[-1], "", None) if lines and _FATAL.match(lines[-1]) else None
 
 
-def _explained(error: str, told: str, line: int | None) -> ProgramError:
+def _explained(error: str, told: str, line: int | None, *, own: bool = False) -> ProgramError:
     unknown = unknown_field(told)
     if unknown is not None:
         return ProgramError(error, line, "error.unknown-field", unknown.because, unknown.try_this)
@@ -85,6 +90,9 @@ def _explained(error: str, told: str, line: int | None) -> ProgramError:
             break
     else:
         known = UNKNOWN_ERROR
+    missing = missing_name(error, told, own=own) if known.cause in _SAYS_NOT_WHICH_NAME else None
+    if missing is not None:
+        return ProgramError(error, line, *missing)
     field = value_that_misfits(told)
     if field is None:
         return ProgramError(error, line, known.cause, known.because, known.try_this)

@@ -53,7 +53,9 @@ _METHODS: dict[str, tuple[str, str]] = {
     "async_send_request": (_CPP, "Use call_async(request)."),
     "spin_some": (_CPP, "Use rclpy.spin_once(node, timeout_sec=0.0), or let rclpy.spin(node) wait."),
 }
-_METHOD = re.compile(r"(?:'\w+' object|module 'rclpy') has no attribute '(?P<name>\w+)'")
+_METHOD = re.compile(r"(?:'(?P<owner>\w+)' object|module 'rclpy') has no attribute '(?P<name>\w+)'")
+_OF_TIMES = ("seconds", "to_sec", "to_nsec")
+"""An object of another class may have an attribute of its own with this name."""
 _NAME = re.compile(
     r"module '(?P<in>[\w.]+)' has no attribute '(?P<name>\w+)'|"
     r"cannot import name '(?P<imported>\w+)' from '(?P<from>[\w.]+)'"
@@ -76,6 +78,8 @@ def name_elsewhere(error: str) -> tuple[str, str, str] | None:
         )
     method = _METHOD.search(error)
     if method is None or method["name"] not in _METHODS:
+        return None
+    if method["name"] in _OF_TIMES and method["owner"] not in ("Time", "Duration", None):
         return None
     source, instead = _METHODS[method["name"]]
     return (

@@ -1,4 +1,4 @@
-"""Explains silence by what the source says: a spin in a callback, one that never returns, rclpy.init() in a loop."""
+"""Explains silence by the source: spins and waits in callbacks, a spin that never returns, rclpy.init() in a loop."""
 
 from workbook.criteria.verdict import Verdict, failed
 from workbook.recording.recording import Recording, SpinSeen
@@ -10,15 +10,16 @@ ONE_EXECUTOR = (
 
 
 def disturbs_itself(recording: Recording, saw: str, expected: str) -> Verdict | None:
-    """A failed verdict that blames a spin in a callback, or ROS that is initialized again and again.
+    """A failed verdict that blames a spin in a callback, a rate that never wakes, or ROS initialized again and again.
 
-    None if the source has neither, or the program has ended.
+    None if the source has none of them, or the program has ended.
 
     The source alone is no verdict: this is only for a program from which something is missing. `saw` says what.
     """
     spins = () if recording.process.ended_by == "itself" else recording.spins
     return initialized_again(recording, saw, expected) or next(
-        (_in_callback(one, saw, expected) for one in spins if one.callback), None
+        (_HOW[one.waits](one, saw, expected) for one in spins if one.callback or one.waits),
+        None,
     )
 
 
@@ -61,6 +62,43 @@ def _in_callback(spin: SpinSeen, saw: str, expected: str) -> Verdict:
         f"Remove the spin from line {spin.line}, and let the callback return. The executor then calls the others.",
         about_time=True,
     )
+
+
+def _waits_for_rate(spin: SpinSeen, saw: str, expected: str) -> Verdict:
+    if spin.callback:
+        return failed(
+            "spin.rate-in-a-callback",
+            f"{saw}; line {spin.line} waits for a rate in a callback ({spin.callback}): {spin.code}",
+            expected,
+            "A rate wakes up when its timer fires. The executor would have to serve this timer, but it is still "
+            "running this callback. So both wait forever.",
+            f"Remove line {spin.line}, and let create_timer(period, callback) call the callback again.",
+            about_time=True,
+        )
+    return failed(
+        "spin.rate-without-a-spin",
+        f"{saw}; line {spin.line} waits for a rate, and nothing spins in that time: {spin.code}",
+        expected,
+        "A rate wakes up when its timer fires, and timers fire only while a thread spins the node. The only thread is "
+        "asleep in this line.",
+        "Put what the loop does into a callback: create_timer(period, callback). Then call rclpy.spin(node).",
+        about_time=True,
+    )
+
+
+def _waits_for_future(spin: SpinSeen, saw: str, expected: str) -> Verdict:
+    return failed(
+        "spin.await-in-a-callback",
+        f"{saw}; line {spin.line} waits in a callback ({spin.callback}): {spin.code}",
+        expected,
+        "An async callback occupies its callback group until it ends. All callbacks of this node are in one group, so "
+        "none is called meanwhile. If one of them has to end the wait, it never ends.",
+        "Remove the await, and let a timer call what comes later. Or give the callback a callback group of its own.",
+        about_time=True,
+    )
+
+
+_HOW = {"": _in_callback, "rate": _waits_for_rate, "future": _waits_for_future}
 
 
 def _keeps(spin: SpinSeen, saw: str, expected: str) -> Verdict:

@@ -27,6 +27,15 @@ def asks_for_other_qos(recording: Recording, name: str, saw: str, expected: str)
     )
 
 
+def _under_other_name(recording: Recording, near: str, wanted: str, expected: str) -> Verdict:
+    saw, write = f"your node subscribes to {near}, not to {wanted}", f"Write the name as {wanted!r}."
+    if any(near.startswith(f"{subscriber.node}/") for subscriber in recording.topic(near).subscribers):
+        because = "A name that begins with ~ is private: the node's own name is put in front."
+        return failed("listens.private-name", saw, expected, because, write)
+    because = "The two names differ. ROS compares names letter by letter."
+    return failed("listens.other-name", saw, expected, because, write)
+
+
 def listens(recording: Recording, topic: Topic) -> Verdict:
     """The program subscribes to `topic` with the right type."""
     seen = recording.topic(topic.name)
@@ -50,13 +59,7 @@ def listens(recording: Recording, topic: Topic) -> Verdict:
         recording, topic.name, [name for name, other in recording.topics.items() if other.subscribers]
     )
     if near is not None:
-        return failed(
-            "listens.other-name",
-            f"your node subscribes to {near}, not to {topic.name}",
-            expected,
-            "The two names differ. ROS compares names letter by letter.",
-            f"Write the name as {topic.name!r}.",
-        )
+        return _under_other_name(recording, near, topic.name, expected)
     return held_by_a_spin(recording, f"nothing subscribes to {topic.name}", expected) or failed(
         "listens.nothing",
         f"nothing subscribes to {topic.name}",
