@@ -1,7 +1,7 @@
 # A message type that does not exist.
 # loses: program_runs
 # skips: joint_topic, twelve_values, finite_in_range, joints_move, joint_rate, status_kept, battery_kept, alive_at_end
-# cause: error.import-not-found
+# cause: error.name-misspelled
 # says: Float32Array
 # replaces: from std_msgs.msg import Float32, Float32MultiArray, String
 from std_msgs.msg import Float32, Float32Array, String
