@@ -47,7 +47,7 @@ from workbook.pictures.moving import Robot, robots
 
 BEAT = "/robot/heartbeat"
 tired = record("tired_robot.py", {BEAT: 0.25}, seconds=5, clock="wall")
-print(tired.process.log.strip().splitlines()[-1])
+print("\n".join(tired.process.log.strip().splitlines()[-2:]))
 robots(
     [
         Robot(
