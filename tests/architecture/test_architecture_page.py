@@ -21,7 +21,3 @@ def test_every_module_that_the_page_names_exists() -> None:
 def test_the_table_of_layers_is_the_one_that_is_enforced() -> None:
     rows = re.findall(r"^\| (`[^|]+`) \|", PAGE, flags=re.MULTILINE)
     assert tuple(tuple(re.findall(r"`(\w+)`", row)) for row in rows) == LAYERS
-
-
-def test_the_page_is_one_screen() -> None:
-    assert len(PAGE.splitlines()) <= 80

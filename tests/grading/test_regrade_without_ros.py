@@ -12,8 +12,9 @@ from workbook.exercise.definition import OWN_CRITERIA, load_exercise
 from workbook.exercise.judgement import judge_recording
 from workbook.exercise.source import stems
 from workbook.grading.new_results import GradedBy, Submission, graded_result
-from workbook.grading.results_file import RESULTS, ResultsFile
-from workbook.recording.recording import Recording
+from workbook.grading.regrade import regrade
+from workbook.grading.results_file import RESULTS, ResultsFile, last_results
+from workbook.recording.recording import Published, Recording
 
 ROOT = Path(__file__).resolve().parents[2]
 STEM = "09_joint_positions"
@@ -125,6 +126,25 @@ def test_an_answer_without_a_recording_has_to_be_graded(tmp_path: Path) -> None:
     found = without_rclpy(REGRADE, *command)
     assert found.returncode == 1, found.stdout + found.stderr
     assert "Run `workbook grade` on the answers again" in found.stdout
+
+
+def test_full_marks_for_the_beginning_of_a_script_stay_inconclusive(tmp_path: Path) -> None:
+    exercise = load_exercise(STEM, ROOT)
+    good = Recording.load(ROOT / "tests" / "recordings" / STEM / "solution.json")
+    cut = replace(good, unpublished=(Published("/robot/imu", 9.0, 9.0, {}),))
+    with ResultsFile(tmp_path / RESULTS) as file:
+        for name, recording in (("cut", cut), ("whole", good)):
+            judgement = replace(
+                judge_recording(exercise, "a" * 64, recording), inconclusive_reason="the machine"
+            )
+            submission = Submission(name, f"{name}.py", "a" * 64)
+            file.append(graded_result(submission, [judgement], GradedBy(exercise, "sandbox", tmp_path)))
+    regrade(tmp_path, replace(exercise, criteria_sha256="b" * 64))
+    results = last_results(tmp_path / RESULTS)
+    assert "before 1 message of the script was sent" in results["cut", STEM].inconclusive_reason
+    assert results["whole", STEM].inconclusive_reason == "", (
+        "nothing is lost that the machine could have taken"
+    )
 
 
 def test_the_criteria_of_every_exercise_need_no_rclpy() -> None:

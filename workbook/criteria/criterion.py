@@ -143,13 +143,13 @@ def watching(
     `simulated_seconds`: simulated time to watch in all, instead of nine of the longest period. `wall_seconds`: real
     time to watch on the wall clock, instead of four of the longest period. `to_the_end`: the program is sent Ctrl-C
     (SIGINT) before it is judged, so that criteria see how it ends, and which of its nodes stay on the graph. `script`:
-    the messages, services and calls that the judge sends to the program meanwhile, made with `says`, `serves` and
+    the messages, services and calls that the judge sends to the program meanwhile, made with `publish`, `serves` and
     `calls`. A program could answer a fixed script from a table. So `script` may be a function: given a `random.Random`,
     it draws them again for each run. What matters to the criteria must be in each draw, and they judge by what the
-    recording says (`said`, `calls`). `bytes_per_topic`: how many bytes of messages are kept of each topic, those of the
-    judge not counted. Of a field with more than 4096 elements only the beginning, the size and the SHA-256 are kept,
-    and hardly more is counted. `steps_per_period`: into how many steps of simulated time the shortest judged period is
-    divided. Each step costs about two milliseconds: fewer of them make a long watch of a fast topic quicker.
+    recording says (`published`, `calls`). `bytes_per_topic`: how many bytes of messages are kept of each topic, those
+    of the judge not counted. Of a field with more than 4096 elements only the beginning, the size and the SHA-256 are
+    kept, and hardly more is counted. `steps_per_period`: into how many steps of simulated time the shortest judged
+    period is divided. Each step costs about two milliseconds: fewer of them make a long watch of a fast topic quicker.
     """
     return Watching(
         simulated_seconds,

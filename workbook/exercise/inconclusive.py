@@ -1,7 +1,7 @@
-"""Whether a judgement that takes points away is conclusive.
+"""Whether a judgement is conclusive.
 
-Where it is not, the points may be lost without the answer's fault, and the answer is tried again (see
-`workbook.exercise.retries`).
+Where it is not, points may be lost without the answer's fault, or given for a script that was cut short, and the answer
+is tried again (see `workbook.exercise.retries`).
 """
 
 from collections.abc import Mapping, Sequence
@@ -60,13 +60,13 @@ def find_inconclusive_reason(
     A judgement that takes no points away is conclusive, unless the watch ended before the script did. How a program
     ends casts no doubt on what it did before.
     `periods`: of the topics that have a rate, in s.
-    `on_robot_time`: the results of the same program on simulated time before, where both speeds agreed.
+    `on_simulated_time`: the results of the same program on simulated time before, where both speeds agreed.
     """
     lost = [
         result for result in judged if result.status in ("failed", "partial") and result.cause not in FLOODS
     ]
     if not lost:
-        return InconclusiveReason(_script_cut_short(recording))
+        return InconclusiveReason(script_cut_short(recording))
     disturbed = (
         _node_never_discovered(recording)
         or _publisher_never_matched(recording, plan)
@@ -83,7 +83,7 @@ def find_inconclusive_reason(
     return InconclusiveReason(spoiled, end_only=bool(spoiled))
 
 
-def _script_cut_short(recording: Recording) -> str:
+def script_cut_short(recording: Recording) -> str:
     """A program is not praised for what it never met. One that ended by itself is judged by its end."""
     if recording.unpublished and _was_alive_throughout(recording):
         left = len(recording.unpublished)

@@ -46,10 +46,11 @@ class Judge:
     ) -> Judgement:
         """Judge one answer.
 
-        `soak`: a program that was judged on simulated time is started again, and watched for eight real seconds,
-        unless `cancel_soak` cuts that short. What it does then must be as before. On the wall clock, it is kept running
-        for as long. `report` receives the judgement before that. `started`: this answer, if it runs already on the
-        observer's domain. `seed`: what the script is drawn from, to repeat a run; None: another one each time.
+        `soak`: a program that was judged on simulated time is started again, and watched for eight real seconds, unless
+        `cancel_soak` cuts that short. What it does then must be as before. On the wall clock, it is kept running for as
+        long. `report` receives each judgement that comes before the last one. `started`: this answer, if it runs
+        already on the observer's domain. `seed`: what the script is drawn from, to repeat a run; None: another one each
+        time.
         """
         exercise = exercise.drawn(secrets.randbits(SEED_BITS) if seed is None else seed)
         if started is None:

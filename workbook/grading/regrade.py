@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from workbook.exercise.definition import Exercise
-from workbook.exercise.inconclusive import EXCUSED_ENDS
+from workbook.exercise.inconclusive import EXCUSED_ENDS, script_cut_short
 from workbook.exercise.judgement import Judgement, judge_recording
 from workbook.exercise.retries import counting
 from workbook.grading.new_results import GradedBy, Submission, graded_result, versions
@@ -156,8 +156,6 @@ def _judged_again(
     judgement = judge_recording(exercise, answer_sha256, recording)
     if judgement.status != "graded":
         raise CannotRegrade(judgement.reason or "the criteria failed")
-    return (
-        judgement
-        if judgement.full_marks
-        else replace(judgement, inconclusive_reason=inconclusive_reason, end_only=end_only)
-    )
+    if judgement.full_marks:
+        return replace(judgement, inconclusive_reason=script_cut_short(recording))
+    return replace(judgement, inconclusive_reason=inconclusive_reason, end_only=end_only)

@@ -24,7 +24,7 @@ from workbook.magics.screen import Version
 
 
 def judge(stem: str, answer: Answer, report: Callable[[Judgement], None]) -> Judgement:
-    """Judge on the warm slot as a grader does: again as long as it is in doubt, three times at most."""
+    """Judge on the warm slot: again as long as the result is inconclusive, three times at most."""
 
     def once() -> Judgement:
         slot = warm_slots.take(Kind())

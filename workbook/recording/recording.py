@@ -239,9 +239,10 @@ class Recording:
     the longest for which the host of this virtual machine took a processor away; `taken_s`: how long (s) it did so in
     all, the mean of all processors; `in_line_s`: how long (s) in all the program was ready to run and got none.
 
-    `seed`: what the script was drawn from; None where it is the same in each run. `unsaid`: the messages of the script
-    that were still to come when the watch ended (`t` and `wall`: when they were due). `spins`: what the source of the
-    program says about its spins. `repeated_init`: the line (from 1) of an rclpy.init() in a loop; 0 if there is none.
+    `seed`: what the script was drawn from; None where it is the same in each run. `unpublished`: the messages of the
+    script that were still to come when the watch ended (`t` and `wall`: when they were due). `spins`: what the source
+    of the program says about its spins. `repeated_init`: the line (from 1) of an rclpy.init() in a loop; 0 if there is
+    none.
     """
 
     format: Literal[1] = field(default=FORMAT, kw_only=True, repr=False, metadata=ALWAYS_STORED)

@@ -19,7 +19,7 @@ class SimulatedClock:
     """Publishes simulated time on /clock in equal steps, from `start_ns` on or from the present time of day.
 
     From the time of day on, the timers of a program that is switched to this clock are due when they would have been.
-    `now` and `robot_time` count from the start.
+    `now` and `simulated_time` count from the start.
 
     `step_s` is the resolution of simulated time in seconds. `advance` moves it by one step when that step is due at
     the speed set (simulated seconds per real second). Simulated time never skips: if the machine is late, it waits.

@@ -48,8 +48,8 @@ _LOOK_AGAIN_S = 0.02
 class Recorder:
     """Watches the graph of one context and records every topic that somebody else publishes.
 
-    `robot_time` maps a moment of `time.monotonic` (s) to simulated time (s); an arrival is stamped with the moment at
-    which DDS received it, so it does not matter how late `take` is called. `started_at` is the zero of wall time.
+    `simulated_time` maps a moment of `time.monotonic` (s) to simulated time (s); an arrival is stamped with the moment
+    at which DDS received it, so it does not matter how late `take` is called. `started_at` is the zero of wall time.
     `look` takes in changes of the graph, `take` the messages; neither waits. What belongs to the context of `node` is
     left out, however others call themselves. Names that are none are left out, too, and cost no other topic: where one
     of them keeps the topics from being listed, the `judged` ones are still looked at. These are recorded even when a

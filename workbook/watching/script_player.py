@@ -83,8 +83,8 @@ class _Due:
 class ScriptPlayer:
     """Plays a script from one node. Lines that are due before the start are published when it is made.
 
-    `robot_time` maps a moment of `time.monotonic` (s) to simulated time (s); `started_at` is the zero of wall time, set
-    it when the program is started. `play` and `poll` never wait.
+    `simulated_time` maps a moment of `time.monotonic` (s) to simulated time (s); `started_at` is the zero of wall time,
+    set it when the program is started. `play` and `poll` never wait.
     """
 
     def __init__(self, node: Node, script: Script, simulated_time: Callable[[float], float]) -> None:
@@ -270,5 +270,5 @@ class _Called:
 
 
 def _never_called(request: object, response: object) -> object:
-    """No executor serves the speaker's node: `poll` takes the requests."""
+    """No executor serves the player's node: `poll` takes the requests."""
     return response

@@ -1,4 +1,4 @@
-"""What one watch consists of: a node of the judge, its clock and speaker, the program, and the recorder."""
+"""What one watch consists of: a node of the judge, its clock and script player, the program, and the recorder."""
 
 import secrets
 import time

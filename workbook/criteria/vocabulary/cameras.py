@@ -69,7 +69,7 @@ class _Fields(Mapping[str, Any]):
 
 
 def camera_image(view: CameraView) -> Mapping[str, Any]:
-    """The fields of a `sensor_msgs/Image` with this picture, for `says`. It is painted when it is first needed."""
+    """The fields of a `sensor_msgs/Image` with this picture, for `publish`. It is painted when it is first needed."""
     return _Fields(view)
 
 

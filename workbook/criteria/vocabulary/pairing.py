@@ -86,8 +86,9 @@ def outputs(
 def latest_before(inputs: Iterable[tuple[float, In]], published: float) -> In | None:
     """The input that came last before an output was published; None if none had come by then.
 
-    `inputs`: each with the wall time (s) at which it came, such as `wall` of what `said` returns, in any order; of two
-    with the same time the second one came last. `published`: wall time (s) of the output, `published` of an arrival.
+    `inputs`: each with the wall time (s) at which it came, such as `wall` of what `published` returns, in any order; of
+    two with the same time the second one came last. `published`: wall time (s) of the output, `published` of an
+    arrival.
     """
     latest = None
     for at, one in inputs:

@@ -291,7 +291,7 @@ def judge_with_retry(
     report: Report | None = None,
     progress: ShowProgress | None = None,
 ) -> tuple[Slot | None, Judgement]:
-    """Judge a job on `slot`, which was taken from the pool, or on a new one. A broken one is replaced, at most twice.
+    """Judge a job on `slot`, which was taken from the pool, or on a new one. A broken one is replaced once.
 
     If both slots break at this answer, and a new one judges a right answer, the answer is to blame: it is `ungradable`,
     for the reason `STOPPED_JUDGE`. Else the fault is ours: `infra_error` and no slot.
