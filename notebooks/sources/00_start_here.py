@@ -26,8 +26,8 @@ await watch_robot(seconds=6, ease=0.1)
 # %% [markdown]
 # That wasn't a recording: you watched two programs at work. One of them computed the angles of the robot's twelve
 # joints and sent them, twenty times a second. The other one, this notebook, received the angles and drew the robot. The
-# robot is simulated, but the communication is real. It's done by **ROS 2**, the Robot Operating System, which also runs
-# on real robots.
+# robot is simulated, but the communication is real. **ROS 2**, the Robot Operating System, takes care of it, just as it
+# does on real robots.
 #
 # [the same without helpers: start]
 
@@ -39,8 +39,8 @@ await watch_robot(seconds=6, ease=0.1)
 stop()
 
 # %% [markdown]
-# **Your own robot program, in 11 lines.** Now let your own program move the robot. When you run the next cell, it
-# writes its text to the file `my_wave.py`. That file is a complete program.
+# **Your own robot program, in 11 lines.** Now let your own program move the robot. Running the next cell saves its code
+# as the file `my_wave.py`. That file is a complete program.
 
 # %%
 # %%writefile my_wave.py
@@ -69,10 +69,11 @@ stop()
 
 # %% [markdown]
 # The robot raises and lowers its left arm because *your* program publishes those angles. `init` starts ROS, and
-# `create_node` creates a node. `create_publisher` gets a message type and a topic. `move` fills a message with twelve
-# angles in radians and publishes it. The timer calls `move` every 0.1 s, and `spin` keeps the node running.
+# `create_node` creates a *node*, the object through which the program talks to others. `create_publisher` takes a
+# message type and a topic. `move` fills a message with twelve angles in radians and publishes it. The timer calls
+# `move` every 0.1 s, and `spin` keeps the node running.
 #
-# **Your turn.** In the list of angles, the third is for the left shoulder and the fifth is for the right one. Write a list
+# **Your turn.** The third angle in the list is the left shoulder's, and the fifth is the right shoulder's. Write a list
 # of twelve angles in which the right shoulder is at 2.4 rad and all others are 0.0. (`[0.0] * 7` is a list of seven
 # zeros.)
 
@@ -88,8 +89,9 @@ yours(
 )
 
 # %% [markdown]
-# Now put your list into the program above: the arm should move as before, but on the other side. Then run both of its
-# cells again. (Lessons 01 to 06 explain every line of the program.)
+# Now put your list into the program above, but with `shoulder` instead of `2.4`. Then run two cells again: the one that
+# saves the program and the one that starts it. The robot should now raise and lower its right arm. (Lessons 01 to 06
+# explain every line of the program.)
 
 # %% [markdown]
 # **How do these notebooks work?** Predict, run, change. Before you run a cell, predict the outcome. Then run it and
@@ -177,7 +179,7 @@ for message in topic_echo("/robot/status", count=2).messages:
 stop()
 
 # %% [markdown]
-# **Your turn.** From which topic does `/status_monitor` get the charge of the battery? Read the name in the graph.
+# **Your turn.** Which topic tells `/status_monitor` the battery level? Find its name in the graph.
 
 # %% id="your-topic"
 battery_topic = ...  # TODO: the name of the topic, in quotes
@@ -187,21 +189,21 @@ yours(battery_topic, "/robot/battery", "A topic's name begins with a slash.")
 # %% [markdown]
 # ### rclpy, and the layers below it
 #
-# **What is rclpy?** It's the Python library of ROS 2. You write an ordinary Python class with a few methods, and rclpy
-# makes it a **node**. A node is a part of the robot that other programs can find and talk to. Those programs may run on
-# another computer or be written in another language.
+# **What is rclpy?** It's the Python library for ROS 2. You write an ordinary Python class with a few methods, and rclpy
+# turns it into a **node**. A node is a part of the robot's software that other programs can find and talk to. Those
+# programs may run on another computer or be written in another language.
 #
 # **Why does it matter?** On a humanoid, the camera drivers and motor control are mostly written in C++, because every
 # millisecond counts there. Perception, planning, and learning are mostly written in Python, because they build on
 # NumPy, OpenCV, and PyTorch. Nodes connect the two worlds:
 #
-# - In a few lines, a trained model becomes part of the robot. It receives images on one topic and publishes its
+# - A few lines of code make a trained model part of the robot. It receives images on one topic and publishes its
 #   detections on another.
 # - You can try an idea within minutes. Change a line and restart that one program while the rest of the robot keeps
 #   running.
 #
-# Python has a limit, which we'll measure. A control loop that runs a thousand times a second, with every step on time
-# to the millisecond, stays in C++. Your node talks to it.
+# But Python has its limits, and we'll measure one of them. A control loop that has to run a thousand times a second,
+# and never be a millisecond late, stays in C++. Your Python node sends it commands.
 #
 # Below rclpy are more layers:
 
@@ -212,8 +214,8 @@ from workbook.pictures.layers import DESCRIPTION, layers
 show(layers(), DESCRIPTION)
 
 # %% [markdown]
-# `rcl` is short for *ROS client library*. The C++ library `rclcpp` is built on the same core. So a Python node and a
-# C++ node agree on names, types, and rates, and neither of them depends on the other's language.
+# `rcl` is short for *ROS client library*. Both rclpy and the C++ library `rclcpp` are built on it. So names and message
+# types mean the same in both languages, and no node needs to know which language another one is written in.
 #
 # The process that runs this cell has loaded all of these layers, and Linux can list them:
 
@@ -237,7 +239,8 @@ print("rclpy:", version("ros-jazzy-rclpy"), "of ROS 2 Jazzy")
 print("middleware:", rclpy.get_rmw_implementation_identifier())
 
 # %% [markdown]
-# Every open notebook gets a free **domain**, which is a number from 1 to 101. Lesson 01 shows how domains keep programs apart.
+# To keep notebooks from receiving each other's messages, each open one gets its own **domain**, a number from 1 to 101.
+# Lesson 01 shows how domains keep programs apart.
 
 # %% [markdown] prediction="wave-faster"
 # ## Change it
@@ -317,7 +320,7 @@ await knob(
 # %% [markdown]
 # ## When it goes wrong
 #
-# **An integer for a float parameter.** We change the same parameter again, this time to `2`.
+# **An integer for a float parameter.** We set `waves_per_second` again, this time to `2`.
 
 # %%
 try:
@@ -357,12 +360,12 @@ stop()
 # | a robot is still waving, or two are | `stop()` ends all programs that this notebook has started |
 # | nothing makes sense any more | the button **⟳** restarts the kernel. Programs and variables are gone, but your text stays |
 # | not even the first cell works | `workbook doctor` in a terminal reports what's wrong with the machine |
-# | an exercise doesn't pass | its card shows the first thing to fix; `%hint` helps in three steps |
+# | an exercise doesn't pass | `%check` names the first thing to fix; `%hint` gives up to three hints |
 
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** You ran `my_wave.py`, further up. Have another look at it.
+# **Worked.** You ran `my_wave.py` above. Have another look at it.
 #
 # **Faded.** Make the robot raise its *right* arm. Replace each `...` with your code, then run both cells. Until you do,
 # the second one prints a reminder.
@@ -422,9 +425,9 @@ print("running:", start(humanoid_status_publisher))
 #     workbook topic echo /robot/battery --count 3
 #     workbook graph
 #
-# If several notebooks are open, the command asks which one you mean. The output is what `ros2` shows in a full
-# installation of ROS 2. If you have such an installation, `ros2` itself can join in. First, type the following line
-# into its terminal to set this notebook's domain.
+# If several notebooks are open, the command asks which one you mean. The `ros2` command of a full ROS 2 installation
+# prints the same output. If you have one, you can use `ros2` itself. First, set this notebook's domain in the terminal
+# where you'll use it. The next cell prints the command:
 
 # %% tags=["nbval-ignore-output"]
 from workbook.ros import join_line
@@ -500,12 +503,12 @@ if ... not in (waves, period):
 # </details>
 # <details><summary>b) rclpy calls rclcpp</summary>
 #
-# ✗ Both are built on the same core, and neither needs the other.
+# ✗ Both are built on a third library, and neither needs the other.
 #
 # </details>
 # <details><summary>c) Both are built on rcl, a C library</summary>
 #
-# ✓ So they have the same names, types, and rules, and nodes of both kinds can talk to each other.
+# ✓ So both follow the same rules for names and types, and nodes of both kinds can talk to each other.
 #
 # </details>
 #
@@ -544,21 +547,21 @@ if ... not in (waves, period):
 #
 # One program is easier to start and to debug step by step, and its parts share memory. Nodes can be started, replaced,
 # and tested separately, and if one crashes, the others keep running. They can run on several computers, each in the
-# language that suits it. But nodes have a price. Messages cost time and copies, several things happen at the same time,
-# and there are more parts to maintain. Something has to notice if a node goes silent. Python suits perception,
-# planning, learning, and user interfaces. C++ (or a microcontroller) suits motor control and everything else that must
-# be on time to the millisecond.
+# language that suits it. But nodes have a price. Messages take time and have to be copied, several things happen at the
+# same time, and there are more parts to maintain. Something has to notice if a node goes silent. Python suits
+# perception, planning, learning, and user interfaces. C++ (or a microcontroller) suits motor control and everything
+# else that must never be a millisecond late.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two mistakes. We tested both with this course's rclpy.
 #
 # - **Start `roscore` first:** That's ROS 1. ROS 2 has no central program, because its nodes find each other by
 #   themselves.
-# - **In one process, nodes share messages without copying (`use_intra_process_comms`):** C++ nodes can do that. rclpy
-#   has no such option, so each subscriber gets a separate copy.
+# - **In one process, nodes share messages without copying (`use_intra_process_comms`):** In C++, they can. rclpy has no
+#   such option, so each subscriber gets a separate copy.
 #
 # </details>
 
@@ -567,11 +570,12 @@ if ... not in (waves, period):
 #
 # - A robot's software is many programs, and each of them runs one or more nodes.
 # - To move the robot, a program needs 11 lines: imports, init, node, publisher, callback, timer, and spin.
-# - rclpy is the Python side of rcl. Below rcl, rmw and DDS carry the messages.
+# - rclpy is the Python side of rcl. The layers below it, rmw and DDS, carry the messages.
 # - Predict, run, change. ■ stops a cell, `stop()` stops the robots, and `workbook doctor` checks the machine.
 # - Nodes find each other through topics. A topic has a name and a type, and no node needs to know which others use it.
 #
-# **Next:** [01 · The context](01_the_context.ipynb): what begins before the first node and ends after the last one.
+# **Next:** [01 · The context](01_the_context.ipynb): starting ROS before the first node, and shutting it down after the
+# last one.
 #
 # **More:** [Nodes](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Nodes.html),
 # [topics](https://docs.ros.org/en/jazzy/Concepts/Basic/About-Topics.html), and [the layers of ROS

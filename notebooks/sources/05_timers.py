@@ -1,21 +1,21 @@
 # %% [markdown]
 # # 05 · Timers
 #
-# How does a robot repeat its work at a fixed rate, such as its heartbeat, its balance control, or its battery report? In
-# rclpy, a timer calls a function again and again. This lesson shows how to set its rate, and what happens when the
-# function takes too long.
+# A robot sends its heartbeat, corrects its balance, and reports its battery level, each at a fixed rate. How does a
+# program do that? In rclpy, a timer calls a function again and again. This lesson shows how to set its rate, and what
+# happens when the function takes too long.
 #
 # - **Minutes:** 50
-# - **You need:** lesson 00, and to know that `publish` sends a message on a topic
+# - **You need:** lesson 00. You should also know that `publish` sends a message to a topic
 # - **You will be able to:**
-#   - let a node repeat work at a fixed rate
-#   - turn a frequency into a period
-#   - run several rates in one node
+#   - make a node repeat its work at a fixed rate
+#   - convert a frequency to a period
+#   - use several rates in one node
 #   - predict how a slow callback affects them
-# - **Left out:** what `spin` does inside (lesson 06), doing slow work properly (lesson 10)
+# - **Left out:** how `spin` works (lesson 06), and how to do slow work properly (lesson 10)
 
 # %% [markdown]
-# Watch the robot. Both arms should move up and down in the same way. A timer that ticks every 0.05 s moves the arm marked
+# Watch the robot. Both arms are meant to make the same movement. A timer that ticks every 0.05 s moves the arm marked
 # **L**. Another timer, which ticks once a second, moves the arm marked **R**.
 
 # %%
@@ -27,8 +27,8 @@ await watch_robot(seconds=8, ease=0.0)
 stop()
 
 # %% [markdown]
-# One node has two timers with different periods. Run the next cell and move its slider. Each move restarts the node with
-# the new period. How short must the period be before both arms look the same to you?
+# Both timers belong to the same node. Run the next cell and move its slider, which sets the period of **R**. Each move
+# restarts the node. How short must the period be before both arms look the same to you?
 #
 # [the same without helpers: start, init, fresh, run, record]
 
@@ -110,8 +110,8 @@ loop_s = time.monotonic() - began
 print(len(loop_moments), "readings by the loop")
 
 # %% [markdown]
-# Now the timer, with the method `on_tick` as its callback. `run` spins the node, as `rclpy.spin` would, but it returns
-# after fifty ticks.
+# Now we use a timer, with the method `on_tick` as its callback. `run` spins the node, as `rclpy.spin` would, but it
+# returns after fifty ticks.
 
 # %%
 from rclpy.node import Node
@@ -171,14 +171,15 @@ show(
 )
 
 # %% [markdown]
-# The loop sleeps for 0.1 s *after* the work is done, so each iteration takes the sleep **plus** the work. Every iteration
-# starts a little later than it should, and these delays add up. This is called **drift**.
+# The loop always sleeps for the full 0.1 s, and the work comes on top of that. So each iteration takes 0.1 s **plus**
+# the time for the work. Every iteration starts a little later than it should, and these delays add up. This is called
+# **drift**.
 #
-# The timer follows a schedule: 0.1, 0.2, 0.3 s, and so on after its start. When the work is done, it waits only for the
-# rest of the current period. So one late tick doesn't delay the next one.
+# The timer follows a schedule: its ticks are due 0.1 s, 0.2 s, 0.3 s, and so on, after it was created. When the work is
+# done, the timer waits only for the rest of the current period. So one late tick doesn't delay the next one.
 #
-# **Your turn.** A loop can keep a schedule, too. Before reading `n`, it must sleep until `n` periods have passed since
-# the start. How long is that, if `passed_s` have already passed?
+# **Your turn.** A loop can keep a schedule, too. It must take reading number `n` exactly `n` periods after the start.
+# If `passed_s` seconds have already passed since the start, how long must the loop sleep?
 
 # %% id="your-sleep"
 from workbook.lesson import yours
@@ -195,7 +196,7 @@ yours(
 )
 
 # %% [markdown]
-# The next figure shows the delay of each reading of the loop and of the timer above.
+# The next figure shows how late each reading was, with the loop and with the timer.
 
 # %%
 from itertools import pairwise
@@ -294,8 +295,8 @@ print("ticks after the garbage collection:", forgetful.ticks)
 # %% [markdown] prediction="half-a-hertz"
 # ### Experiment 1: half a hertz
 #
-# A robot is to beep at 0.5 Hz, that is 30 times a minute. A programmer writes `create_timer(0.5, self.beep)`. How many
-# beeps will we count in one minute of robot time?
+# A robot should beep at 0.5 Hz, which is 30 times a minute. A programmer writes `create_timer(0.5, self.beep)`. How
+# many beeps will we count in one minute of robot time?
 #
 # - **a** 30, as ordered
 #   when `beeps < 45`
@@ -399,10 +400,10 @@ show(
 # time, one callback runs after the other. As long as both callbacks are short, you don't notice the delay.
 
 # %% [markdown] prediction="the-long-beep"
-# ### Experiment 3: a callback that takes its time
+# ### Experiment 3: a slow callback
 #
-# What if one callback is *not* fast? The node blinks every 0.2 s. Every 2 s it beeps, and this beep takes 1.1 s. In
-# that time five blinks are due. What becomes of them?
+# What if one callback is slow? The node blinks every 0.2 s. Every 2 s, it also beeps, and each beep takes 1.1 s. During
+# a beep, five blinks are due. What happens to them?
 #
 # - **a** They all come in a burst when the beep is over.
 #   when `blinks_per_beep >= 9 and shortest_gap_s < 0.02`
@@ -458,11 +459,11 @@ print("blinks that came, as a rule:         ", median(came))
 print("shortest time between two blinks:    ", closest)
 
 # %% [markdown]
-# A red frame (✗) marks a time without a blink that's longer than one and a half periods. The small marks are the
-# schedule, and where a mark has no blink, a tick was missed.
+# A red frame (✗) marks each gap between blinks that's longer than one and a half periods. The small marks are the
+# schedule, and a mark without a blink is a missed tick.
 #
-# This is the drawing from lesson 04, now with two timers. Unlike a subscription, a timer has no queue. At most one of its
-# ticks can wait.
+# This is the drawing from lesson 04, now with two timers. Unlike a subscription, a timer has no queue, so at most one
+# of its ticks can wait.
 
 # %% id="machine"
 from workbook.lesson import record_machine, show_machine
@@ -475,8 +476,8 @@ show_machine(
 )
 
 # %% [markdown]
-# While the only thread runs `beep`, the executor isn't waiting on its wait set, so the frame around the wait set is
-# dashed. One blink is waiting, and there is no room for the following ticks.
+# During a beep, the frame around the wait set is dashed because the executor isn't waiting on it: its only thread is
+# busy with `beep`. One blink is waiting, and there's no room for the following ticks.
 #
 # Five blinks were due during the beep, but four of them never came. After the beep, the blink timer is overdue, so its
 # callback runs once. Then the timer returns to its schedule. The missed ticks are **dropped**.
@@ -485,7 +486,7 @@ show_machine(
 #
 # Still, this node did nothing else for 1.1 s, so keep your callbacks short. Lesson 10 shows how to handle long work.
 #
-# **Your turn.** Find the longest beep, to a tenth of a second, that doesn't cost a single blink. One blink may come late.
+# **Your turn.** Find the longest beep, to a tenth of a second, at which no blink is dropped. One blink may come late.
 
 # %% id="your-beep"
 beep_takes_s = ...  # TODO: seconds, with one decimal
@@ -546,7 +547,7 @@ await run(patient, seconds=5, until=lambda: patient.blinks == 3)
 print("blinks:", patient.blinks)
 
 # %% [markdown]
-# **A node that isn't spun.** This node has a timer and every name is right, but the callback never runs.
+# **A node that isn't spun.** This node has a timer, and all names are correct, but the callback never runs.
 
 # %%
 silent = fresh(Patient)
@@ -554,8 +555,8 @@ time.sleep(1.0)
 print("blinks after a second:", silent.blinks)
 
 # %% [markdown]
-# No executor is spinning the node, so the timer is due, but its callback isn't called. In a program, `rclpy.spin(node)`
-# calls it; in these lessons, `run(node)` does. The next cell spins this node:
+# The timer is due, but no executor is spinning the node, so nothing calls the callback. In a program,
+# `rclpy.spin(node)` calls it; in these lessons, `run(node)` does. The next cell spins this node:
 
 # %%
 await run(silent, seconds=5, until=lambda: silent.blinks == 3)
@@ -620,8 +621,8 @@ if TALK_PERIOD_S is not ...:
 yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/05_timers.ipynb), a humanoid publishes its heartbeat, battery level, and tilt,
-# each at a different rate. The judge counts the messages that arrive in a minute of robot time.
+# **Your own.** In the [exercise](../exercises/05_timers.ipynb), a humanoid publishes its heartbeat, battery level, and
+# tilt, each at a different rate. `%check` counts the messages that arrive in a minute of robot time.
 
 # %% [markdown]
 # ## Check yourself
@@ -712,9 +713,9 @@ yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The distance timer is due every 50 ms. While an image is being saved, the first distance tick comes late, and up to three
-# more are dropped. So once a second, there is a gap of up to a quarter of a second: the saving time plus one period. No
-# burst follows the gap. Whether it matters depends on the robot's speed: at 1 m/s, the gap amounts to 25 cm.
+# The distance timer is due every 50 ms. While an image is being saved, the first distance tick comes late, and up to
+# three more are dropped. So once a second, there's a gap of up to a quarter of a second: the saving time plus one
+# period. No burst follows the gap. Whether it matters depends on the robot's speed: at 1 m/s, the gap amounts to 25 cm.
 #
 # There are two solutions. You can shorten the callback by passing the image to a thread or another process that saves it.
 # Or you can run the two callbacks in different threads, with another executor and callback group (lesson 10). A shorter
@@ -724,18 +725,18 @@ yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 #
 # <details><summary>What to check in the reply</summary>
 #
-# A reply may contain one of these two claims. Both are wrong; we tried them with this course's rclpy.
+# A reply may contain one of these two statements. We tested both with this course's rclpy, and both are wrong.
 #
-# - **Missed ticks come later, in a burst:** In fact, they are dropped.
-# - **Use a rate: `rate.sleep()` in the callback:** In fact, that call waits for a timer that the same thread would
-#   have to run. In a callback of `rclpy.spin` it never returns.
+# - **Missed ticks come later, in a burst:** No, they're dropped.
+# - **Use a rate: `rate.sleep()` in the callback:** This call waits for a timer, but the thread that would run that
+#   timer is itself waiting. So in a callback that `rclpy.spin` runs, `rate.sleep()` never returns.
 #
 # </details>
 
 # %% [markdown]
 # ## Take away
 #
-# - `create_timer(period, callback)`: the period is in seconds, and hertz is 1 divided by it.
+# - `create_timer(period, callback)`: the period is in seconds. The frequency, in hertz, is 1 divided by the period.
 # - A timer follows a schedule, so it has jitter but no drift. A loop that sleeps drifts.
 # - A node can have many timers. Their callbacks share one thread and run one after another.
 # - A slow callback delays the others. Missed ticks are dropped; they don't come later in a burst.
@@ -743,7 +744,7 @@ yours(sentences, 3, "In 4.25 s at 0.8 Hz, three sentences are due.")
 #
 # **Before:** [04 · Subscriptions and callbacks](04_subscriptions_and_callbacks.ipynb)
 #
-# **Next:** [06 · Spinning](06_spinning.ipynb): who calls the callback of a timer, and when.
+# **Next:** [06 · Spinning](06_spinning.ipynb): what calls a timer's callback, and when.
 #
 # **More:** [About executors](https://docs.ros.org/en/jazzy/Concepts/Intermediate/About-Executors.html), which call the
 # timers' callbacks, and [clock and time](https://design.ros2.org/articles/clock_and_time.html), which explains simulated
