@@ -8,9 +8,9 @@
 # - **You need:** lessons [05](05_timers.ipynb) and [08](08_humanoid_status_publisher.ipynb)
 # - **You will be able to:**
 #   - publish an array of joint angles
-#   - choose and justify its rate
-#   - use it in a subscriber
-#   - measure the cost of a rate
+#   - choose and justify a rate for it
+#   - use the angles in a subscriber
+#   - measure how much CPU time a rate costs
 # - **Left out:** joint names inside the message (`sensor_msgs/JointState`), the connections between links (URDF), motor
 #   control
 
@@ -58,10 +58,10 @@ await knob(joint_position_publisher, "period_s", 0.5, between=(0.05, 1.0), secon
 # %% [markdown] prediction="the-slow-drawing"
 # ## Predict
 #
-# Lesson 08 published the battery level at 0.5 Hz, one message every 2 s. Suppose we publish the *waving* robot's joint
-# angles just as slowly. A program draws the robot using the last message that arrived.
+# In lesson 08, the node published the battery level at 0.5 Hz, one message every 2 s. Suppose we publish the *waving*
+# robot's joint angles just as slowly. A program draws the robot using the last message that arrived.
 #
-# How wrong is that drawing at worst? The elbow swings by about 1 rad (57°) from one end to the other.
+# How wrong is that drawing at worst? The elbow swings back and forth through about 1 rad (57°).
 #
 # - **a** Hardly at all: the last message is nearly true.
 #   when `share_of_the_swing < 0.05`
@@ -149,14 +149,15 @@ show(
 )
 
 # %% [markdown]
-# Between two messages, a subscriber gets no new values, because DDS delivers messages but doesn't estimate what lies
-# between them. The elbow swings 0.8 times a second, so within 2 s it can move to the other end and back. The battery is
-# different: it drains by at most 0.5 % in 2 s. So the last battery message is never wrong by more than that.
+# Between two messages, a subscriber gets no new values, because DDS delivers messages but doesn't interpolate between
+# them. At 0.8 swings per second, the elbow can go all the way over and back within 2 s. The battery is different: it
+# drains by at most 0.5% in 2 s. So the last battery message is never wrong by more than that.
 #
 # **Publish often enough that a subscriber gets every change that matters to it.**
 #
 # The message type is `Float32MultiArray`: a list of 32-bit floats with an optional `layout` that describes rows and
-# columns. It has no joint names, so publisher and subscriber must agree on the order, as in the table above.
+# columns. It has no joint names, so publisher and subscriber must agree on an order, such as the one in the table
+# above.
 
 # %%
 from std_msgs.msg import Float32MultiArray
@@ -172,8 +173,8 @@ print("left elbow kept:", message.data[ELBOW])
 # The two numbers differ in the eighth digit, because a Python `float` has 64 bits but the field has only 32. For an
 # angle, that difference doesn't matter. But never compare such values with `==`.
 #
-# **Your turn.** A number such as 4 in your code doesn't say which joint it stands for. Get the right shoulder's angle from
-# `message` by the joint's name.
+# **Your turn.** An index such as 4 doesn't say which joint it stands for. Get the right shoulder's angle from `message`
+# by the joint's name.
 
 # %% id="your-joint"
 from workbook.lesson import yours
@@ -185,9 +186,9 @@ yours(right_shoulder, waving(0.25)[4], 'message.data[JOINTS.index("right_shoulde
 # %% [markdown] prediction="ten-hertz"
 # ## Change it
 #
-# ### Experiment 1: joints faster than the battery?
+# ### Experiment 1: 10 Hz instead of 0.5 Hz
 #
-# Now the joint publisher sends at 10 Hz. The worst error of the last known elbow angle will be:
+# Now the joint publisher sends at 10 Hz. Compared with 0.5 Hz, the largest error in the last known elbow angle will be:
 #
 # - **a** less than a third
 #   when `share_of_the_error < 1 / 3`
@@ -208,10 +209,11 @@ worst_of_fast = np.abs(last_known(fast) - truth).max()
 reveal("ten-hertz", share_of_the_error=float(worst_of_fast / worst))
 
 # %% [markdown]
-# Joints change by radians per second, but the battery changes by only a fraction of a percent. So the joints need the
-# faster topic. A battery level is published once every few seconds, and joint angles for a planner at 10 to 100 Hz.
-# Motor control inside the joint runs at 1000 Hz or more, and not over a Python topic. The exercise asks for only 0.5
-# Hz, because its angles are simulated and no program uses them to control anything.
+# A joint can turn by a few radians per second, while the battery loses only a fraction of a percent. So the joint
+# angles must be published more often. Typically, a battery level is published every few seconds, and the joint angles
+# for a planner at 10 to 100 Hz. Motor control inside a joint runs at 1000 Hz or more, but not in Python and not over a
+# topic. The exercise asks for only 0.5 Hz, because its angles are simulated and no program uses them to control
+# anything.
 #
 # **Your turn.** A knee turns at up to 3 rad/s. A safety monitor uses the last message, whose angle may be at most 0.05 rad
 # off. What's the lowest rate that's high enough?
@@ -224,11 +226,11 @@ yours(lowest_hz, 60.0, "In one period, the knee may turn by at most 0.05 rad.")
 # %% [markdown] prediction="the-hand-tracker"
 # ### Experiment 2: a subscriber that uses the angles
 #
-# A node subscribes to the angles. It computes the left hand's height above the shoulder and publishes the result. The
-# node has no timer, so its callback runs once per message (lesson 04).
+# A node, the *hand tracker*, subscribes to the angles. It computes the left hand's height above the shoulder and
+# publishes the result. The tracker's only callback is the subscription's, which runs once per message (lesson 04).
 #
-# The waving robot's hand goes up and down by 13 cm, 0.8 times a second. Each second, 20 messages arrive. How large is
-# the largest step from one height to the next?
+# The robot's hand rises and falls by 13 cm, 0.8 times a second. Each second, 20 messages arrive. How large is the
+# largest step, from one height to the next?
 #
 # - **a** about 0.65 cm: 13 cm in 20 messages
 #   when `largest_step_cm < 0.8`
@@ -269,8 +271,8 @@ print(f"steps: {mean(steps_cm):.0f} cm on average, {max(steps_cm):.0f} cm at mos
 reveal("the-hand-tracker", largest_step_cm=max(steps_cm))
 
 # %% [markdown]
-# So between two messages, the height changes by at most 2 cm. Here is the tracker's node. It spins in this notebook, while
-# the waving robot runs in a separate process.
+# So between two messages, the height changes by at most 2 cm. Here's the tracker. It spins in this notebook, while the
+# waving robot runs in a separate process.
 
 # %%
 from rclpy.node import Node
@@ -316,11 +318,11 @@ axes.set_title("Each message becomes one height: 25 of them per wave")
 show(fig, "a hundred dots, one for each message: the waving hand goes up and down")
 
 # %% [markdown]
-# The node publishes one height per message. Many nodes of a robot work like this: they subscribe to one topic, compute
-# something more useful, and publish that.
+# The node publishes one height per message. Many of a robot's nodes work like this: they subscribe to one topic,
+# compute something more useful, and publish the result.
 
 # %% [markdown] prediction="a-hundred-hertz"
-# ### Experiment 3: 100 Hz instead of 0.5 Hz
+# ### Experiment 3: the cost of 100 Hz
 #
 # What does a higher rate cost? We run the publisher at three rates, each time in a separate process. The operating
 # system reports how much CPU time the process used after its startup.
@@ -384,16 +386,16 @@ show(
 
 # %% [markdown]
 # These numbers exclude the program's startup. At 0.5 Hz, much of the CPU time is background work: DDS keeps in touch
-# with other programs. The rest grows with the rate, but more slowly. On our idle machine, a message cost far less
-# CPU time at 100 Hz than at 10 Hz.
+# with other programs. The rest grows with the rate, but more slowly. On our idle machine, each message cost far less
+# CPU time at 100 Hz than at 10 Hz; we haven't measured why.
 #
-# So 100 Hz is affordable for *one* publisher. But every subscriber pays for the messages, too, and a robot has many
-# topics. Also, while a Python node is busy with one topic, messages on its other topics have to wait (lesson 10).
+# So 100 Hz is affordable for *one* publisher. But every message costs CPU time in each subscriber, too, and a robot has
+# many topics. Also, while a Python node is busy with one topic, messages on its other topics have to wait (lesson 10).
 
 # %% [markdown]
 # ## When it goes wrong
 #
-# **A list instead of a message.** This is the most common mistake with arrays: publishing the list itself.
+# **A list instead of a message.** The most common mistake with arrays is to publish the list itself.
 
 # %% tags=["raises-exception"]
 import rclpy
@@ -414,8 +416,8 @@ Float32MultiArray(data=1.57)
 # The field needs a sequence, so write a list with one element: `[1.57]`.
 #
 # **Eleven values, degrees, or NaN.** None of these raises an exception, because ROS accepts any array of floats. Only a
-# program that *uses* the angles can detect the mistake. Here is the left arm stretched out to the side, first in
-# radians. In the second figure, the angle was left in degrees.
+# program that *uses* the angles can detect the mistake. The next two figures should both show the left arm stretched
+# out to the side. In the first, its angle is in radians, but in the second, it was left in degrees.
 
 # %%
 from workbook.lesson import robot
@@ -437,8 +439,8 @@ for bad in ([0.0] * 11, [math.nan] * 12):
         print("ROS takes it, the robot does not:", complaint)
 
 # %% [markdown]
-# So check the angles where you compute them: twelve values, `math.isfinite`, within ±π. And check received angles where
-# mistakes are dangerous, because a motor that gets NaN may do anything.
+# So check the angles where you compute them: there must be twelve, and each must be finite (`math.isfinite`) and within
+# ±π. Where mistakes are dangerous, check received angles, too, because a motor that receives NaN may do anything.
 #
 # **Your turn.** Write that check.
 
@@ -458,9 +460,9 @@ yours(
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** We add one more topic to lesson 08's status publisher: how far the head is turned. That's a single angle,
-# published once a second. It takes three additions: a publisher, a timer, and a callback. The two old topics stay
-# unchanged, because `super().__init__()` still creates them.
+# **Worked.** We add one more topic to lesson 08's status publisher: the head's angle, published once a second. It takes
+# three additions: a publisher, a timer, and a callback. The two old topics stay unchanged, because `super().__init__()`
+# still creates them.
 
 # %%
 from rclpy.logging import LoggingSeverity, set_logger_level
@@ -489,8 +491,8 @@ await run(looking, seconds=3.5)
 print("head angles published:", looking.looks)
 
 # %% [markdown]
-# **Faded.** Now publish the left hand's five fingers to `/robot/finger_positions`, twice a second. Replace each `...`
-# with your code. Until you do, the cell prints a reminder.
+# **Faded.** Now publish the angles of the left hand's five fingers to `/robot/finger_positions`, twice a second.
+# Replace each `...` with your code. Until you do, the cell prints a reminder.
 
 # %%
 FINGER_PERIOD_S = ...  # TODO: seconds between two messages at 2 Hz
@@ -523,14 +525,14 @@ await run(gripping, seconds=2.5)
 yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.5 s.")
 
 # %% [markdown]
-# **Your own.** In the [exercise](../exercises/09_joint_positions.ipynb), you write the complete node. It publishes
-# twelve joints to `/robot/joint_positions` every 2 s, along with status and battery. The judge looks only at what your
-# node does on its topics.
+# **Your own.** In the [exercise](../exercises/09_joint_positions.ipynb), you write the complete node. It publishes the
+# twelve joint angles to `/robot/joint_positions` every 2 s, along with the status and the battery level. The judge
+# checks only your node's topics and messages.
 
 # %% [markdown]
 # ## Check yourself
 #
-# **1. A joint moves through its whole range in half a second, and a safety monitor must detect that. Which rate fits?**
+# **1. A joint moves through its whole range in 0.5 s, and a safety monitor must detect that. Which rate is suitable?**
 #
 # <details><summary>a) 0.5 Hz, as in the exercise</summary>
 #
@@ -585,7 +587,7 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 #
 # </details>
 #
-# **4. The angles arrived 20 times a second, but now only 5 times. How many heights does the hand tracker publish?**
+# **4. The angles used to arrive at 20 Hz, but now only at 5 Hz. How many heights does the hand tracker publish?**
 #
 # <details><summary>a) 20 a second, most of them repeated</summary>
 #
@@ -619,21 +621,21 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 # <details><summary>What a good answer contains</summary>
 #
 # It suggests one topic at the fastest rate that's really needed. Slower subscribers sample it, using a queue depth of 1
-# or a timer that reads the last message. Three topics with the same angles can contradict each other. Every subscriber
-# pays for each message, so a slow Python subscriber may want a separate topic with fewer messages. A real robot would
-# use `sensor_msgs/JointState`, which contains names, positions, velocities, and a time stamp.
+# or a timer that reads the last message. Three topics with the same angles can contradict each other. But every message
+# costs each subscriber CPU time, so for a slow Python subscriber, a second topic with fewer messages can make sense. A
+# real robot would use `sensor_msgs/JointState`, which contains names, positions, velocities, and a time stamp.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two pieces of advice. We tested both with this course's rclpy, and both are wrong.
 #
 # - **Fill in `layout.dim`, or no subscriber can read `data`:** The twelve numbers in `data` arrive without a layout,
 #   too, because a layout only describes them.
-# - **Assign the 4 × 3 NumPy array to `data`:** The field accepts only a single row of numbers, so a table raises an
-#   error. Pass the row to the constructor instead: `Float32MultiArray(data=angles.ravel())`. While field checks are on,
-#   as they are here, `message.data = angles.ravel()` raises an error, too.
+# - **Assign the 4 × 3 NumPy array to `data`:** The field is one-dimensional, so this raises an error. Flatten the
+#   array, and pass it to the constructor instead: `Float32MultiArray(data=angles.ravel())`. Assigning it with
+#   `message.data = angles.ravel()` raises an error here, too, because field checks (lesson 03) are on.
 #
 # </details>
 
@@ -642,9 +644,9 @@ yours((FINGER_PERIOD_S, sizes[:3]), (0.5, [5, 5, 5]), "At 2 Hz, the period is 0.
 #
 # - `Float32MultiArray` contains any number of floats, so publisher and subscriber must agree on their order and number.
 # - A node that publishes one result per message needs no timer, because each message triggers its callback.
-# - Check the angles where you compute them: their number, their range, and that they're finite.
+# - Check the angles where you compute them: their number must be right, and each must be finite and in range.
 # - A message is a snapshot, and a subscriber gets nothing new until the next one arrives.
-# - So choose a rate by how fast the value changes and by which subscribers need those changes.
+# - So the right rate depends on how fast the value changes, and on how much of that its subscribers need to see.
 #
 # **Before:** [08 · The humanoid status publisher](08_humanoid_status_publisher.ipynb)
 #

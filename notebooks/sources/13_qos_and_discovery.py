@@ -42,11 +42,11 @@ print("started", start(status_monitor))
 graph_picture()
 
 # %% [markdown]
-# The monitor's code contains no address, no port, and no server. Instead, each program announces itself on the
-# network when it starts. The other programs reply with lists of their own publishers and subscriptions. This process
-# is called **discovery**, and it's the job of DDS, the layer below ROS.
+# The monitor's code doesn't name an address, a port, or a server. Instead, each program announces itself on the network
+# when it starts. The other programs reply with lists of their own publishers and subscriptions. This process is called
+# **discovery**, and it's the job of DDS, the layer below ROS.
 #
-# The figure draws an arrow wherever a publisher and a subscription use the same topic name.
+# In the figure, the arrows connect each node with the names of the topics that it publishes or subscribes to.
 
 # %%
 stop()
@@ -54,7 +54,7 @@ stop()
 # %% [markdown] prediction="eight-beats"
 # ## Predict
 #
-# The robot creates the publisher for its heartbeat as shown below. A lost beat does no harm, because the next one
+# The robot creates the publisher for its heartbeat as shown below. Losing a beat does no harm, because the next one
 # follows soon.
 #
 # ```python
@@ -62,13 +62,13 @@ stop()
 # self.beat_publisher = self.create_publisher(String, "/robot/heartbeat", BEAT_QOS)
 # ```
 #
-# A monitor subscribes in the way that you know from lesson 04:
+# A monitor subscribes as you did in lesson 04:
 #
 # ```python
 # self.create_subscription(String, "/robot/heartbeat", self.on_beat, 10)
 # ```
 #
-# Topic and type are the same on both sides. The robot sends eight beats. What does the monitor get?
+# The topic and the type are the same on both sides. The robot publishes eight beats. What does the monitor receive?
 #
 # - **a** All eight: the topic and the type are right.
 #   when `heard == 8`
@@ -93,8 +93,8 @@ predict("eight-beats")
 # %% [markdown]
 # ## Run it
 #
-# This time, both nodes live in the notebook, so we can inspect them. First, only the robot runs, for eight beats. Any
-# messages that arrive wait in the monitor's queue until the monitor runs, too.
+# This time, both nodes run in the notebook, so we can inspect them. First, only the robot runs, for eight beats. If
+# messages arrive, they stay in the monitor's queue until we run the monitor as well.
 #
 # [the same without helpers: start, record, init, fresh, run]
 
@@ -135,14 +135,14 @@ reveal("eight-beats", heard=len(monitor.heard), matched=matched)
 # %% [markdown]
 # ## Look inside
 #
-# Every publisher and every subscription has a **QoS profile** (quality of service), which is a set of **policies**.
-# The publisher **offers** its profile, and the subscription **requests** one. DDS *matches* the two only if each
-# offer is at least as good as the request. The arrow in the figure doesn't show that, because the figure compares
-# only names.
+# Every publisher and every subscription has a **QoS profile** (quality of service), which is a set of **policies**. The
+# publisher **offers** its profile, and the subscription **requests** one. DDS compares the two profiles policy by
+# policy. It *matches* the two sides only if every offered policy is at least as good as the requested one. The arrows
+# in the figure above don't show that, because they depend only on topic names.
 #
-# The robot offered best effort, but the monitor requested reliable. Its `10` is short for `QoSProfile(depth=10)`, in
-# which every policy that you leave out has a default. The next cell prints two policies of that profile and of a
-# ready-made one:
+# The robot offered best effort, but the monitor requested reliable. Its `10` is short for `QoSProfile(depth=10)`, and
+# all other policies have their default values. For that profile and for a ready-made one, the next cell prints two of
+# the policies:
 
 # %%
 from rclpy.qos import QoSProfile, qos_profile_sensor_data
@@ -159,9 +159,9 @@ print("qos_profile_sensor_data:", policies(qos_profile_sensor_data))
 # %% [markdown]
 # | policy | lower | higher | meaning of the lower value / of the higher value |
 # |---|---|---|---|
-# | reliability | `BEST_EFFORT` | `RELIABLE` | each message is sent once / it is sent again until it has arrived, as long as it is one of the last `depth` |
-# | durability | `VOLATILE` | `TRANSIENT_LOCAL` | messages are only sent / messages are also kept for later subscriptions |
-# | deadline | none | short | no promise / no more than this time between two messages |
+# | reliability | `BEST_EFFORT` | `RELIABLE` | each message is sent once / it's sent again until it arrives, unless `depth` newer messages have replaced it |
+# | durability | `VOLATILE` | `TRANSIENT_LOCAL` | messages aren't kept for later subscriptions / the last `depth` messages are kept for them |
+# | deadline | none | short | no promise / consecutive messages are never farther apart than this |
 #
 # The table leaves out `depth`, the length of each side's own queue, because DDS doesn't compare depths.
 #
@@ -177,8 +177,9 @@ print(verdict.name)
 print(reason)
 
 # %% [markdown]
-# On a running robot, you don't have all the profiles in your own code, but each node announces its profiles.
-# `topic_info` collects them and asks rclpy about every pair. In a ROS installation, `ros2 topic info -v` lists them.
+# On a real robot, most profiles are in code that isn't yours. But each node announces its profiles, so `topic_info` can
+# collect them and check whether each pair is compatible. In a ROS installation, `ros2 topic info -v` lists the
+# profiles.
 
 # %% id="topic-info"
 from workbook.ros import topic_info
@@ -187,7 +188,7 @@ for problem in topic_info("/robot/heartbeat").problems:
     print(problem)
 
 # %% [markdown]
-# To fix the problem, the subscription requests less:
+# To fix the problem, let the subscription request less:
 
 # %%
 monitor = fresh(Monitor, qos_profile_sensor_data)
@@ -215,20 +216,21 @@ yours(
 # %% [markdown]
 # Two common beliefs about QoS are wrong.
 #
-# - *"QoS must be equal on both sides."* The offer only has to be at least as good as the request. So a reliable
+# - *"Both sides must have the same QoS."* The offer only has to be at least as good as the request. So a reliable
 #   publisher matches a best-effort subscription.
-# - *"DDS does not report a mismatch."* It does: `requesting incompatible QoS` and `offering incompatible QoS` appear
-#   in the log above. But each side logs just one line, when it discovers the other, and only while its node is being
-#   spun.
+# - *"DDS doesn't report a mismatch."* It does: `requesting incompatible QoS` and `offering incompatible QoS` appear in
+#   the log above. But each side logs only one line per mismatch. It does so when it has discovered the other side and
+#   its node spins.
 
 # %% [markdown] prediction="late-dashboard"
 # ## Change it
 #
 # ### Experiment 1: the late dashboard
 #
-# When a robot starts, it publishes three words, and then nothing more: `booting`, `standing`, `operational`. Its
-# publisher is transient local with `depth=1`. Two dashboards start later. The *plain* one subscribes with `10`. The
-# *latched* one requests transient local, with `depth=10`. Which of the words does each dashboard receive?
+# When a robot starts, it publishes three words, `booting`, `standing`, and `operational`, and then nothing more. Its
+# publisher is transient local with `depth=1`. Two dashboards start later. One, called *plain*, passes just `10`, as
+# usual. The other, called *latched*, requests transient local and `depth=10`. Which of the words does each dashboard
+# receive?
 #
 # - **a** The plain one knows nothing, the latched one `operational`.
 #   when `plain_knows == 0 and latched_knows == 1`
@@ -278,7 +280,7 @@ reveal("late-dashboard", plain_knows=len(plain.known), latched_knows=len(latched
 # that requests them. ROS 1 called such a topic **latched**. With Fast DDS, this works only if both sides are transient
 # local and reliable.
 #
-# How many messages does the robot store? Let's change the depth of its publisher:
+# What if the publisher stores more than one message? Let's change its depth:
 
 # %%
 for depth in (1, 2, 3):
@@ -293,8 +295,8 @@ stop()
 # A *stream*, such as camera images or a heartbeat, should stay volatile. An old heartbeat tells you nothing about the
 # robot's current state.
 #
-# **Your turn.** A map is published again only if it changes. Write one profile for both sides, so that a program that
-# starts late gets the newest map.
+# **Your turn.** A map is published again only when it changes. Write one profile for both sides that lets a program
+# that starts late receive the newest map.
 
 # %% id="your-map"
 map_qos = ...  # TODO: a QoSProfile
@@ -309,16 +311,14 @@ yours(
 # %% [markdown] prediction="the-silence"
 # ### Experiment 2: when a publisher goes silent
 #
-# The last row of the table is the **deadline**. The robot offers at most 0.5 s between two beats. A watcher requests
-# at most 1.0 s, which is less strict than the offer, so the two match. The watcher also passes a callback for missed
-# deadlines:
+# The last row of the table is the **deadline**. The robot promises at most 0.5 s between two beats. A watcher requests
+# at most 1.0 s, which is less strict, so the two match. The watcher also passes a callback for missed deadlines:
 #
 # ```python
 # SubscriptionEventCallbacks(deadline=self.on_missed)
 # ```
 #
-# The robot publishes beats for 2 s, and then it stays silent for two and a half seconds. How often is `on_missed`
-# called?
+# The robot publishes beats for 2 s, and then it's silent for 2.5 s. How often is `on_missed` called?
 #
 # - **a** Never: no message, no callback.
 #   when `missed == 0`
@@ -411,9 +411,9 @@ print("next beat:   ", about(after_s[2], "s after the last beat", between=(2.1, 
 
 # %% [markdown]
 # The event occurs when the deadline has passed, and again after every further period until the next message arrives.
-# The event has two limits:
+# The event has two limitations:
 #
-# - DDS measures the time from the last message, so there's no event before the first one.
+# - DDS measures the time from the last message, so there's no event before the first message.
 # - No event reports that messages are arriving again. Your code can detect that only in `on_beat`.
 #
 # A timer that checks the clock can detect the silence, too. It takes a little more code, but the publisher doesn't
@@ -429,8 +429,8 @@ yours(matching, [0.5, 1.0, 3.0], "The offer must be at least as strict as the re
 # %% [markdown]
 # ## When it goes wrong
 #
-# **Requesting a deadline that isn't offered.** The robot's status publisher offers no deadline, but this node
-# requests one. Then the robot publishes a status. Does it arrive?
+# **Requesting a deadline that isn't offered.** The robot's status publisher offers no deadline, but this node requests
+# one. Then the robot publishes a status. Does the node receive it?
 
 
 # %% id="deadline-not-offered"
@@ -457,9 +457,9 @@ print("heard:", impatient.heard)
 print("publishers that it has found:", impatient.subscription.get_publisher_count())
 
 # %% [markdown]
-# The status didn't arrive, because a deadline is a request like any other: if the publisher doesn't offer it, DDS
-# doesn't match the two sides. The warning ends with the name of the policy, `DEADLINE`. Either offer a deadline on
-# the publisher, or request none and check the clock with a timer.
+# The status didn't arrive, because a deadline has to be offered, like everything else that's requested. Otherwise, DDS
+# doesn't match the two sides. The warning ends with the policy's name, `DEADLINE`. Either let the publisher offer a
+# deadline, or request none and check the clock with a timer.
 
 # %% [markdown]
 # **Same topic, different types.** The robot runs in its own process and publishes text. This node subscribes to the
@@ -498,8 +498,8 @@ stop()
 
 # %% [markdown]
 # The node receives no number and raises no exception, and with Fast DDS, there's no warning either. So if no messages
-# arrive and nothing is logged, compare the *types*. Here, use `topic_info`; on a robot, use `ros2 topic info -v`. The
-# fix is to publish the number under a topic name of its own, such as `/robot/beat_count`.
+# arrive and nothing is logged, compare the *types*. Here, use `topic_info`; on a robot, use `ros2 topic info -v`. A
+# topic should have only one type, so publish numbers on another topic, such as `/robot/beat_count`.
 
 # %% [markdown]
 # ## From a worked example to your own
@@ -543,8 +543,8 @@ await run(late, seconds=10, until=lambda: signs)
 print("a late listener reads:", signs[-1])
 
 # %% [markdown]
-# **Faded.** The panel also has to raise an alarm when the heartbeat has been silent for more than 2 s. A timer checks
-# the clock. Replace the `...`, and add the missing subscription. Until you do, the cell prints a reminder.
+# **Faded.** The panel must also raise an alarm when no heartbeat has arrived for more than 2 s. A timer checks the
+# clock. Replace the `...`, and add the missing subscription. Until you do, the cell prints a reminder.
 
 # %%
 LIMIT_S = ...  # TODO: seconds of silence that are too long
@@ -611,15 +611,15 @@ stop()
 #
 # <details><summary>a) Nothing, because the profiles differ</summary>
 #
-# ✗ They may differ. Each offer has to be at least as good as the request, and here, both are better.
+# ✗ They may differ. Each offered policy has to be at least as good as the requested one, and here, both are better.
 #
 # </details>
-# <details><summary>b) Every message from the match on</summary>
+# <details><summary>b) Every message after the match</summary>
 #
 # ✓ The two match, but the subscription didn't request earlier messages.
 #
 # </details>
-# <details><summary>c) Every message from the match on, and the last one before it</summary>
+# <details><summary>c) Every message after the match, and the last one before it</summary>
 #
 # ✗ The publisher sends earlier messages only to subscriptions that request transient local.
 #
@@ -634,7 +634,7 @@ stop()
 # </details>
 # <details><summary>b) Not this map, but the next one</summary>
 #
-# ✗ It won't get the next one either. Volatile is less than transient local, so the two don't match.
+# ✗ It won't get the next one either. Volatile offers less than transient local, so the two don't match.
 #
 # </details>
 # <details><summary>c) Neither this map nor any later one</summary>
@@ -647,7 +647,7 @@ stop()
 #
 # <details><summary>a) After the first message, once 2 s pass without another one</summary>
 #
-# ✓ There's no event before the first message. For that time, use a timer that shows `unknown`.
+# ✓ There's no event before the first message. Until then, a timer can make the display show `unknown`.
 #
 # </details>
 # <details><summary>b) 2 s after the subscription was created</summary>
@@ -698,7 +698,7 @@ stop()
 # <details><summary>What a good answer contains</summary>
 #
 # **The scan:** best effort, volatile, and a small depth. A scan that's sent again is already old when it arrives, and
-# repeated scans fill the channel.
+# resending scans takes up bandwidth.
 #
 # **The map:** reliable and transient local, with depth 1 on the publisher. The tablet has to request transient local,
 # too.
@@ -709,8 +709,8 @@ stop()
 # **The lost connection:** a deadline on the scan, offered by the robot, or a timer that checks the clock. The tablet
 # should display the age of its data.
 #
-# Good answers add that a deadline counts only from the first message. They also say that you should test all of this
-# by pulling the plug.
+# Good answers add that a deadline takes effect only after the first message. They also say that you should test all of
+# this by pulling the plug.
 #
 # </details>
 #
@@ -728,14 +728,14 @@ stop()
 # %% [markdown]
 # ## Take away
 #
-# - A publisher offers a QoS profile, and a subscription requests one. They match if each offer is at least as good as
-#   the request.
+# - A publisher offers a QoS profile, and a subscription requests one. They match if every offered policy is at least as
+#   good as the requested one.
 # - After a mismatch, each side logs one line, and no messages arrive. `qos_check_compatible` and `topic_info` give
 #   the reason.
 # - With transient local on both sides, a late subscription gets the publisher's last `depth` messages right away. Use
 #   it for states.
-# - To notice silence, request a deadline, but only if the publisher offers one. A timer that checks the clock needs
-#   no offer.
+# - To notice silence, request a deadline, but only if the publisher offers one. A timer that checks the clock works
+#   without an offer.
 # - If both sides are listed, but nothing arrives and nothing is logged, compare the types.
 #
 # **Before:** [12 · Services](12_services.ipynb)
