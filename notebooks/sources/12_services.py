@@ -5,18 +5,17 @@
 # service returns a response.
 #
 # - **Minutes:** 50
-# - **You need:** lessons 02 to 06 (nodes, topics, timers, spin), and the fact from lesson 10 that a slow callback holds
-#   up the others
+# - **You need:** lessons 02 to 06 (nodes, topics, timers, spin), and lesson 10 (a slow callback holds up the others)
 # - **You will be able to:**
 #   - offer a service and call it
 #   - choose between a topic and a service
 #   - call a service from a callback
-#   - explain what happens to a client when its server ends
+#   - explain what happens to an open call when its server ends
 # - **Left out:** actions (long jobs with progress reports), custom service types, parameters
 
 # %% [markdown]
 # The first cell starts a robot in its own process. The robot stands still and offers a **service**, `/robot/wave`. You
-# send the service a *request*, true or false, and receive a *response*.
+# send the service a *request*, true to wave or false to stop, and receive a *response*.
 
 # %%
 from lesson_nodes import waves_when_asked
@@ -72,8 +71,8 @@ stop()
 
 # %% [markdown]
 # A server can refuse a request. The `SetBool` response has two fields for that: `success` and `message`. The package
-# `std_srvs` has three types: `Empty` (do it), `Trigger` (do it and report the outcome), and `SetBool` (switch something
-# on or off).
+# `std_srvs` defines three service types: `Empty` (do it), `Trigger` (do it and report the outcome), and `SetBool`
+# (switch something on or off).
 
 # %% [markdown] prediction="call-in-a-callback"
 # ## Predict
@@ -124,9 +123,9 @@ predict("call-in-a-callback")
 # %% [markdown]
 # ## Run it
 #
-# `try_out` runs the node in a separate process, records it for two seconds, and then ends it. The node also publishes a
-# message for each request, on `/robot/asked`, and for each response, on `/robot/answered`. The server belongs to
-# another node, with its own thread.
+# `try_out` runs the node in a separate process for two seconds and records its messages. For each request, the node
+# also publishes a message on `/robot/asked`, and for each response, one on `/robot/answered`. The server is in another
+# node, which has its own thread.
 
 # %% id="deadlock"
 from lesson_nodes import heart_and_question
@@ -169,8 +168,8 @@ questions_picture(
 # %% [markdown]
 # ## Look inside
 #
-# Let's follow the response through the drawing from lesson 04. Like a subscription, a client has a queue, which holds
-# its responses.
+# Here's the response's path, drawn as in lesson 04. Like a subscription, a client has a queue, which holds its
+# responses.
 
 # %% id="machine"
 from workbook.lesson import record_machine, show_machine
@@ -195,7 +194,7 @@ show_machine(
 # - **The client's callback group.** By default, all of a node's callbacks are in one *default group*. That group is
 #   *mutually exclusive*: only one of its callbacks runs at a time. A waiting callback still occupies its group.
 #
-# How a callback waits determines what it occupies:
+# Each way of waiting occupies something different:
 #
 # | in the callback | occupies its thread | occupies its group |
 # |---|---|---|
@@ -223,7 +222,7 @@ show_machine(
 # | 6 | `await` | own | 1 |
 # | 7 | `spin_until_future_complete`, for 0.4 s | default | 1 |
 #
-# The word `limps` means that heartbeats are missed while a call waits.
+# `limps` means that the node misses heartbeats while a call waits.
 
 # %% id="seven-cases"
 CASES = [
@@ -263,12 +262,12 @@ hearts_picture(
 # - **1:** Neither a thread nor the group is free. **2:** Three threads are free, but the group isn't. **3:** Both are
 #   free.
 # - **4:** This isn't a deadlock, but each call waits the full 0.4 s and returns `None`. The response is in the queue
-#   all that time.
+#   the whole time.
 # - **5:** `await` frees the thread but still occupies the group. **6:** Because the client has its own group, one
 #   thread is enough.
-# - **7:** The callback spins its own node. The group is occupied, so the wait times out, as in case 4.
+# - **7:** The callback spins its own node, but the group is occupied. So the wait times out, as in case 4.
 #
-# This is how to give a client its own group:
+# Here's how to give a client its own group:
 #
 # ```python
 # from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
@@ -419,15 +418,13 @@ show_machine(
 )
 
 # %% [markdown]
-# Only the done callback leaves the heartbeat undisturbed. With `await`, the thread is free, but the executor still
-# leaves the heartbeat timer out of its wait set.
+# Only the done callback leaves the heartbeat undisturbed. With both `call` and `await`, the waiting callback occupies
+# the default group. The heartbeat timer is in that group, too, so the executor leaves it out of its wait set. A
+# callback that only sends the request returns right away and frees the group.
 #
-# With `call` and `await`, the waiting callback occupies the default group, and the heartbeat timer is in that group, too.
-# A callback that only sends the request leaves the group right away.
-#
-# For most nodes, we recommend: **`call_async`, a done callback, return.** No extra threads, no groups, no deadlock.
-# (The done callback itself isn't in *any* group. With several threads, it may run at the same time as any other
-# callback, so protect shared data with a lock.)
+# For most nodes, we recommend this: **use `call_async`, add a done callback, and return.** That needs no extra threads
+# or groups, and can't deadlock. (The done callback itself isn't in *any* group. With several threads, it may run at the
+# same time as any other callback, so protect shared data with a lock.)
 
 # %% [markdown] prediction="server-dies"
 # ### Experiment 3: the server dies
@@ -497,7 +494,7 @@ print("asked again:", response.message)
 stop()
 
 # %% [markdown]
-# The client gets no notice that the server is gone, so the call stays open forever. `service_is_ready()` returns
+# The client gets no notice that the server is gone, so the call stays open forever. `service_is_ready()` tells you
 # whether a server exists *now*, not whether your open call can still succeed. So set your own time limit. When it
 # expires, give up on the call with `remove_pending_request(future)`, and send a new request or raise an alarm.
 
@@ -522,11 +519,11 @@ spin_for(hasty, seconds=1.0)
 print("after a second, the call is", state(future))
 
 # %% [markdown]
-# rclpy raises no error, because a server with that name might still start. (Even then, this request would stay lost.)
-# To find out, call `wait_for_service`, which returns `False` if no server was there in time. Always pass a timeout.
+# rclpy raises no error, because a server with that name might still start. (Even then, this request would be lost.) To
+# check for a server, call `wait_for_service`, which returns `False` if none appears in time. Always pass a timeout.
 # Because `wait_for_service` blocks, call it before you spin, never in a callback.
 #
-# **Your turn.** Find out whether `hasty` has a server. Wait for at most one second.
+# **Your turn.** Check whether the client in `hasty` has a server. Wait at most one second.
 
 # %% id="your-wait"
 is_there = ...  # TODO: what wait_for_service returns
@@ -545,9 +542,9 @@ future = asker.self_test.call_async(Trigger.Request())
 print("well" if future.result().success else "faulty")
 
 # %% [markdown]
-# Until a future is done, its result is `None`, so the error message mentions `NoneType` and not the future. Read the
-# result in a done callback. Outside callbacks, spin until the future is done: use
-# `rclpy.spin_until_future_complete(node, future)` in a program, or `run` in this notebook.
+# Until a future is done, its result is `None`, so the error message mentions `NoneType` rather than the future. Read
+# the result in a done callback. Outside callbacks, use `rclpy.spin_until_future_complete(node, future)` in a program,
+# or `run` in this notebook.
 #
 # **Your turn.** Complete the done callback. It receives the future, which is done by then.
 
@@ -602,8 +599,8 @@ print("the guest's call is", state(greeting))
 
 # %% [markdown]
 # rclpy needed a response to send but got `None`, so it raised a `TypeError()` without a message. In a program, the
-# traceback ends with a bare `TypeError`, and the *server* process ends. The client's call stays open, as in experiment
-# 3. One line fixes the handler:
+# traceback's last line is a bare `TypeError`, and the *server* process ends. The client's call stays open, as in
+# experiment 3. One line fixes the handler:
 
 
 # %%
@@ -625,8 +622,8 @@ response = await run(robot, guest, until=greeted, seconds=10)
 print("now it says:", response.message)
 
 # %% [markdown]
-# **Spinning inside a callback.** In case 7, give the client its own group and the executor four threads. A response
-# arrives, but only once:
+# **Spinning inside a callback.** Let's give the client in case 7 its own group, and the executor four threads. Now only
+# the first response arrives:
 
 # %% id="spin-inside"
 inside = try_out(heart_and_question, ("spin_until", "own", 4))
@@ -639,15 +636,15 @@ questions_picture(
 )
 
 # %% [markdown]
-# `rclpy.spin_until_future_complete` adds the node to the *global* executor, which removes the node from the executor
-# that was spinning it. When the future is done, the node isn't in any executor. So use this function in `main()`,
-# before `spin`, and never in a callback.
+# `rclpy.spin_until_future_complete` moves the node from the executor that was spinning it to the *global* executor, and
+# removes it from there when the future is done. Then nothing spins the node. So use this function in `main()`, before
+# `spin`, and never in a callback.
 
 # %% [markdown]
 # ## From a worked example to your own
 #
 # **Worked.** Twice a second, an arm node sends its gripper a request to close or to open. Instead of waiting, the arm
-# stores the open call in an attribute, and the done callback records the result.
+# stores the call's future in an attribute, and the done callback records the result.
 
 
 # %%
@@ -693,7 +690,7 @@ await run(gripper, arm, seconds=20, until=lambda: len(arm.done) == 4)
 print(arm.done)
 
 # %% [markdown]
-# **Faded.** This gripper has a loose cable, so every third request never gets a response. The arm has to notice that.
+# **Faded.** This gripper has a loose cable, so one request in three gets no response. The arm has to notice that.
 # Replace the `...` with your code.
 
 # %%
@@ -748,7 +745,7 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 # %% [markdown]
 # ## Check yourself
 #
-# **1. Under `rclpy.spin`, a timer callback calls `self.client.call(request)`. The server is fast. What happens?**
+# **1. During `rclpy.spin`, a timer callback calls `self.client.call(request)`. The server is fast. What happens?**
 #
 # <details><summary>a) The callback returns after a few milliseconds</summary>
 #
@@ -796,7 +793,8 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 # </details>
 # <details><summary>b) Nothing</summary>
 #
-# ✓ So your node needs its own time limit. When it has passed, give up on the call, report that, and continue.
+# ✓ So your node needs its own time limit. When the limit has passed, give up on the call, report the failure, and
+# continue.
 #
 # </details>
 # <details><summary>c) The done callback runs, with the result None</summary>
@@ -839,9 +837,9 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 #
 # <details><summary>What a good answer contains</summary>
 #
-# The callback that awaits occupies the node's default group. The client is in the same group, so the executor can't
-# take the response. The balance timer is in that group, too, so it stops. If the client gets its own group, the
-# response arrives. But until the arms are done, the balance timer still has to wait. To avoid that, the stumble
+# While the callback awaits the response, it occupies the node's default group. The client is in the same group, so the
+# executor can't take the response. The balance timer is in that group, too, so it stops. If the client gets its own
+# group, the response arrives. But until it does, the balance timer still has to wait. To avoid that, the stumble
 # callback or the timer needs another group as well. A `MultiThreadedExecutor` alone changes nothing. The simplest fix
 # is not to wait: use `call_async`, publish "caught" in a done callback, and return. A good answer adds a time limit. It
 # also asks whether a reflex should be a service at all, because a message on a topic needs no response.
@@ -850,12 +848,12 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
 # - **`await client.call_async()` is safe in any callback:** By default, the client and the callback are in the same
 #   group. The response has to wait for that group, so it never reaches the callback.
-# - **Call `rclpy.spin_until_future_complete(node, future)` in the callback:** The executor is already spinning the
-#   node. The call returns when its timeout expires, but the future isn't done.
+# - **Call `rclpy.spin_until_future_complete(node, future)` in the callback:** The callback still occupies the group, so
+#   nothing can take the response. If the call has a timeout, it returns when that expires, but the future isn't done.
 #
 # </details>
 
@@ -868,11 +866,11 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 #   group. `await` hangs only if they share a group.
 # - Use `call_async` and `add_done_callback`, and then return. That can't cause a deadlock.
 # - A response tells you that the server handled your request. A missing response isn't reported, so set your own time
-#   limit, and use `remove_pending_request`.
+#   limit, and drop an overdue request with `remove_pending_request`.
 #
 # **Before:** [11 · Polling against callbacks](11_polling_against_callbacks.ipynb)
 #
-# **Next:** [13 · QoS and discovery](13_qos_and_discovery.ipynb), on which messages reach which nodes.
+# **Next:** [13 · QoS and discovery](13_qos_and_discovery.ipynb): which messages reach which nodes.
 #
 # **More:** [Synchronous and asynchronous clients](https://docs.ros.org/en/jazzy/How-To-Guides/Sync-Vs-Async.html) and
 # [callback groups](https://docs.ros.org/en/jazzy/How-To-Guides/Using-callback-groups.html).

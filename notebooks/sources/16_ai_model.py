@@ -1,8 +1,8 @@
 # %% [markdown]
 # # 16 · An AI model in a node
 #
-# A neural network can tell objects apart that a color threshold can't. But it takes time, and the world doesn't wait for
-# it. How old are the network's results when the robot uses them?
+# A neural network can tell apart objects that a color threshold can't. But it takes time, and the world doesn't wait
+# for it. How old are the network's results when the robot uses them?
 #
 # - **Minutes:** 45
 # - **You need:** lessons [10](10_slow_callbacks.ipynb) and [15](15_camera.ipynb)
@@ -12,7 +12,7 @@
 
 # %% [markdown]
 # Everything on this desk is orange: a ball, a cup, a plate, and a brick. Color doesn't distinguish them, so lesson 15's
-# tracker would fail. A small network finds them. Watch the box around the ball.
+# tracker would fail. But a small neural network can tell them apart. Watch the box around the ball.
 
 # %%
 from lesson_nodes import toy_camera, toy_detector
@@ -46,9 +46,9 @@ show_film(
 )
 
 # %% [markdown]
-# The boxes around the cup, the plate, and the brick fit. The ball's box lags behind, because the ball kept rolling while
-# the network was running. Our network is small and needs only a few milliseconds. To imitate a large one, the node waits
-# until 0.2 s have passed.
+# The boxes around the cup, the plate, and the brick fit. The ball's box lags behind, because the ball kept rolling
+# while the network was running. Our network is small and needs only a few milliseconds. To imitate a large one, the
+# node takes 0.2 s per image and sleeps for most of that time.
 #
 # [the same without helpers: init, start, fresh, run]
 
@@ -117,8 +117,8 @@ reveal("box-at-depth-10", near=near, far=far)
 # %% [markdown]
 # ## Look inside
 #
-# A robot cares about the **age of the output**: the time from taking the image to having its result. The detector copies
-# the image's stamp into its message, so every subscriber can compute that age.
+# What matters to a robot is the **age of the output**: the time since its image was taken. The detector copies the
+# image's stamp into its message, so every subscriber can compute that age.
 #
 # Here's the node (`lesson_nodes/toy_detector.py`). It loads the network once, in `__init__`, and calls it like a function.
 
@@ -130,11 +130,12 @@ print(inspect.getsource(toy_detector.ToyDetector.answer))
 
 # %% [markdown]
 # The node publishes each detection as a *marker* with the image's header. The marker's `ns` holds the label, and its
-# position is in pixels. The option `stamps_now` builds in a fault on purpose. A later section shows its effect.
+# position is in pixels. The option `stamps_now` deliberately introduces a fault, whose effect a later section shows.
 #
-# The network's input isn't bytes from 0 to 255, but `float32` values from 0 to 1. The array's color axis comes before the
-# rows and columns, not after them. The size is always 160 by 120 pixels. ONNX Runtime rejects any other number type or
-# shape. But it checks neither the range of the values nor the order of the colors.
+# The network takes `float32` values from 0 to 1, not bytes from 0 to 255. In its input array, the color axis comes
+# before the rows and columns, not after them. The size is always 160 by 120 pixels. The library that runs the network,
+# **ONNX Runtime**, rejects any other number type or shape. But it checks neither the range of the values nor the order
+# of the colors.
 
 # %% id="input"
 from workbook.lesson import about
@@ -148,10 +149,10 @@ print("for the network:", numbers.shape, numbers.dtype, "up to", top)
 print("found:", sorted(one.label for one in detector(picture)))
 
 # %% [markdown]
-# **Where the network comes from.** PyTorch trained it on images of random desks, rendered as lesson 15's camera would see
-# them (`workbook/models/train.py`). The network was saved in the ONNX format, and **ONNX Runtime** runs it without
-# PyTorch. A second file holds the network's *provenance*: how it was made, and how accurate it is on images that it
-# wasn't trained on.
+# **Where the network comes from.** We trained it with PyTorch on images of random desks, rendered as lesson 15's camera
+# would see them (`workbook/models/train.py`). The network was saved in the ONNX format, and ONNX Runtime runs it
+# without PyTorch. A second file holds the network's *provenance*: how it was made, and how accurate it is on images
+# that it wasn't trained on.
 
 # %% id="provenance"
 import tomllib
@@ -221,8 +222,9 @@ show(
 )
 
 # %% [markdown]
-# Once the queue is full, each image has to wait. At 30 Hz, a full queue of *n* images spans *n*/30 s. With a depth of 50,
-# the queue takes about two seconds to fill, so a shorter test looks good. The robot's outputs get older while it runs.
+# Once the queue is full, each new image waits behind the others. At 30 Hz, a full queue of *n* images spans *n*/30 s.
+# With a depth of 50, the queue takes about two seconds to fill, so a shorter test doesn't reveal the problem. Until the
+# queue is full, the robot's outputs keep getting older.
 
 # %% [markdown] prediction="thread"
 # ### Experiment 2: a thread with the newest picture
@@ -248,8 +250,8 @@ print(inspect.getsource(toy_detector.ToyDetector.keep_newest))
 print(inspect.getsource(toy_detector.ToyDetector.work))
 
 # %% [markdown]
-# `waiting` is a `queue.Queue(maxsize=1)`. If the thread hasn't taken the previous image yet, the callback discards that
-# image. Then it puts in the new one, and the thread takes it when the network is free. The thread handles its own
+# `waiting` is a `queue.Queue(maxsize=1)`. If the previous image is still there, the callback discards it. Then the
+# callback puts in the new image, and the thread takes that one when the network is free. The thread handles its own
 # exceptions, because otherwise they'd go unnoticed.
 
 # %%
@@ -291,16 +293,17 @@ show(
 )
 
 # %% [markdown]
-# The thread helps because the network waits outside Python, or because it releases the **GIL**, the lock that lets only
-# one thread run Python code. ONNX Runtime and PyTorch release the GIL while they compute, but not every model does. The
+# A thread helps only if the network releases the **GIL**, the lock that lets only one thread run Python code. Our
+# node's `time.sleep` releases it. So do ONNX Runtime and PyTorch while they compute, but not every model does. The
 # [deeper notebook](16_ai_model_deeper.ipynb) measures the effect of a model that holds the GIL.
 
 # %% [markdown]
 # ### Experiment 3: choosing a score threshold
 #
 # Each detection has a **score** from 0 to 1. The node drops detections whose score is below a *threshold* of 0.5.
-# Sometimes the network is wrong, but its score is above the threshold. Here are two such images, the dark one shown
-# brighter. The blue ball gets no box, because the network learned only the orange toys.
+# Sometimes a detection is wrong even though its score is above the threshold. Here are two images in which that
+# happens. We brightened the dark one. The blue ball gets no box, because the network was trained to find only orange
+# toys.
 
 # %%
 import numpy as np
@@ -351,17 +354,17 @@ reveal(
 )
 
 # %% [markdown]
-# A score is not a probability: networks tend to be
-# [more confident than they should be](https://arxiv.org/abs/1706.04599). Choose the threshold on images that weren't used
-# for training. Then think of the robot: a hand that grasps should miss a cup rather than grab an arm.
+# A score isn't a probability: networks tend to be
+# [more confident than they should be](https://arxiv.org/abs/1706.04599). To choose the threshold, use images that
+# weren't used for training. Then think of the robot's task: it's better for a hand to miss a cup than to grab an arm.
 
 # %% [markdown]
 # ## When it goes wrong
 #
 # Most faults in a model's input raise no exception.
 #
-# **The wrong color order or scaling.** Here's the same network on the same images: first correctly, then interpreted as
-# `bgr8`, and then with values up to 255.
+# **The wrong color order or scaling.** Here's the same network on the same images: first with correct input, then
+# interpreted as `bgr8`, and then with values up to 255.
 
 # %% id="silently-wrong"
 from workbook.models.networks import OnnxNetwork
@@ -388,10 +391,11 @@ by_stamps = about(median(stamped.ages), "s old", between=(0, 0.15))
 print("by their stamps, outputs are", by_stamps)
 
 # %% [markdown]
-# No output can be that young, because the network alone takes 0.2 s. So a subscriber assumes that the ball is there *now*.
-# Copy the image's header instead.
+# No output can be that fresh, because the network alone takes 0.2 s. But a subscriber can't tell, so it assumes that
+# the ball is there *now*. Copy the image's header instead.
 #
-# **The network is loaded in each callback.** Large networks take seconds to load. We make ours take one second.
+# **The network is loaded in each callback.** Large networks take seconds to load. To imitate that, we make ours take
+# one second.
 
 # %% id="loaded-each-time"
 loading = await watch(number=4, loads_each_time=True, load_s=1.0)
@@ -405,14 +409,15 @@ print("outputs are", about(median(loading.ages), "s old", between=(1.0, 3.0)))
 # %% [markdown]
 # ## From a worked example to your own
 #
-# **Worked.** A ball rolls at 0.45 m/s. How far does it roll during the output age that we measured?
+# **Worked.** A ball rolls at 0.45 m/s. Given the ages that we measured, how far does it roll before we have the output?
 
 # %% id="worked"
 for depth, usual in ((1, (9, 18)), (50, (45, 135))):
     print(f"depth {depth:2}:", about(45 * age[depth], "cm", between=usual))
 
 # %% [markdown]
-# **Your turn.** A hand can grasp the ball if the result is at most 5 cm off. How old may it be at most?
+# **Your turn.** A hand can grasp the ball if the result is at most 5 cm off. What's the oldest result that the hand can
+# use?
 
 # %% id="your-age"
 from workbook.lesson import yours
@@ -422,8 +427,9 @@ oldest_s = ...  # TODO: from 5 cm and 45 cm/s
 yours(oldest_s, 5 / 45, "Time is distance divided by speed.")
 
 # %% [markdown]
-# **Has the robot fallen?** An `Imu` message holds the acceleration that the sensor in the torso measures. At rest, it points
-# up, with 9.81 m/s². If the robot lies on its side, the sensor lies, too, so the acceleration points along x or y.
+# **Has the robot fallen?** An `Imu` message holds the acceleration that the sensor in the torso measures. At rest, this
+# acceleration is 9.81 m/s² and points up. If the robot is lying on its side, so is the sensor. Then the acceleration
+# points along the sensor's x or y axis, not along z.
 
 # %% id="tilt"
 import math
@@ -446,10 +452,10 @@ for pose, up in (
     print(f"{pose + ':':<12} {tilt(Imu(linear_acceleration=up)):.0f}°")
 
 # %% [markdown]
-# A jolt also tilts a sample or two. So count: only several tilted samples *in a row* are a fall, and a sample that isn't
-# tilted starts the count again.
+# A jolt can make one or two samples look tilted, too. So count the tilted samples: only several *in a row* mean a fall,
+# and a sample that isn't tilted resets the count.
 #
-# **Your turn.** Complete the count. These samples have a jolt of two and then a fall.
+# **Your turn.** Complete the function. These samples contain a jolt that lasts two samples, and then a fall.
 
 # %% id="your-fall"
 def next_row(row, tilt_deg, limit_deg=60.0):
@@ -464,7 +470,7 @@ for tilt_deg in (3.0, 71.0, 75.0, 8.0, 5.0, 62.0, 80.0, 88.0, 90.0, 90.0):
 yours(rows, [0, 1, 2, 0, 0, 1, 2, 3, 4, 5], "row + 1 if tilt_deg > limit_deg else 0")
 
 # %% [markdown]
-# **Faded.** A queue of length 1 always holds the newest image. Complete the line with `...`.
+# **Faded.** A queue of length 1 always holds the newest image. Complete the line marked `TODO`.
 
 # %%
 from contextlib import suppress
@@ -492,11 +498,11 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 # %% [markdown]
 # ## Check yourself
 #
-# **1. The network takes 0.1 s, images arrive at 30 Hz, and the queue depth is 30. How old are outputs after a minute?**
+# **1. The network takes 0.1 s, images arrive at 30 Hz, and the queue depth is 30. How old is an output after a minute?**
 #
 # <details><summary>a) About 0.1 s</summary>
 #
-# ✗ That would take a queue of one image.
+# ✗ That would require a queue of one image.
 #
 # </details>
 # <details><summary>b) About 1.1 s</summary>
@@ -514,7 +520,7 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 #
 # <details><summary>a) The other callbacks run on time</summary>
 #
-# ✓ The thread takes the network's waiting time out of the executor.
+# ✓ The executor no longer has to wait for the network.
 #
 # </details>
 # <details><summary>b) It finds more objects</summary>
@@ -537,7 +543,7 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 # </details>
 # <details><summary>b) The network's weights</summary>
 #
-# ✗ They haven't changed. If they had, their hash would differ.
+# ✗ They haven't changed. If they had, their hash would differ from the one in the provenance file.
 #
 # </details>
 # <details><summary>c) The encoding of the images</summary>
@@ -562,18 +568,19 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 #
 # It loads the network once and runs it in a thread that takes the newest image. It subscribes with best effort and a
 # depth of 1. It copies the image's header into the detections. The network doesn't delay the heartbeat's timer. If
-# inference runs in a callback, that takes several threads *and* a separate callback group. An image that raises an
-# exception doesn't end the thread, because the model is called in a `try` and the error is logged. A good answer also
-# asks how the model was trained: color order, size, and scaling.
+# inference runs in a callback instead, the heartbeat needs several threads *and* a separate callback group. An
+# exception from the model doesn't end the thread, because the node catches and logs it. A good answer also asks how the
+# model was trained: color order, size, and scaling.
 #
 # </details>
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two suggestions. We tried both with this course's rclpy, and both failed.
+# Watch for these two suggestions. We tested both with this course's rclpy, and both failed.
 #
 # - **`create_subscription(Image, "/camera/image", self.on_image, 10)`:** A plain 10 requests reliable delivery, so the
-#   subscription receives nothing from a best-effort camera. Ten images also span a third of a second.
+#   subscription receives nothing from a best-effort camera. Even if images arrived, a queue of ten would span a third
+#   of a second.
 # - **`CvBridge().imgmsg_to_cv2(msg, "bgr8")`, then the network:** This network was trained on RGB images. With blue and
 #   red swapped, there's no error, but the detections are wrong.
 #
@@ -582,7 +589,7 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 # %% [markdown]
 # ## Take away
 #
-# - An output's age runs from taking the image to using its result. It's the network's time plus the time in the queue.
+# - An output's age is the time since its image was taken: the time in the queue plus the network's time.
 # - Use a queue of one image with best effort, because the newest image is the most useful one.
 # - Run a slow network in a thread that takes the newest image, so the executor keeps the heartbeat regular.
 # - Copy the image's stamp into its detections.
