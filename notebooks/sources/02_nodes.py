@@ -272,7 +272,7 @@ for camera in executor.get_nodes():
 # %% [markdown] prediction="topic-names"
 # ### Experiment 2: three ways to name a topic
 #
-# A humanoid with two arms has two of almost every part. So ROS puts names into folders, much like files. A node's
+# A humanoid with two arms has two of almost every part. So ROS organizes names in folders, much like files. A node's
 # folder is called its **namespace**. Here's a camera in the namespace `/robot/head` that uses three topic names:
 #
 # ```python
@@ -359,15 +359,15 @@ graph_picture()
 # %% [markdown] prediction="remapped-node"
 # ### Experiment 3: another name from outside
 #
-# A robot has a front camera and a rear camera, both in *one* namespace. The name is hard-coded in the driver, and you
-# aren't allowed to edit the driver. But ROS can **remap** names when a node starts. In a terminal, you type:
+# A robot has a front camera and a rear camera, both in *one* namespace. The node's name is hard-coded in the driver,
+# which you aren't allowed to edit. But ROS can **remap** names when a node starts. In a terminal, you type:
 #
 # ```text
 # python -m lesson_nodes.camera_driver --ros-args -r __ns:=/robot -r __node:=rear_camera
 # ```
 #
-# `-r` (remap) replaces the name on the left with the name on the right. `__node` and `__ns` stand for the node's own
-# name and namespace. The driver publishes to `~/frame` and to `faults`. Which topics do its messages go to now?
+# `-r` (remap) replaces the name on the left of `:=` with the one on the right. `__node` and `__ns` stand for the node's
+# own name and namespace. The driver publishes to `~/frame` and to `faults`. Which topics do its messages go to now?
 #
 # - **a** `/robot/rear_camera/frame` and `/robot/rear_camera/faults`
 #   when `'/robot/rear_camera/faults' in names`

@@ -54,14 +54,14 @@ print("in sixty calls: moved by", moved_rad)
 # %% [markdown] prediction="five-words"
 # ## Predict
 #
-# A robot subscribes to `/robot/words`. Five words were published. They have arrived, and wait in the robot's queue. Then
-# this line runs, once:
+# A robot subscribes to `/robot/words`. Five words have arrived and are waiting in the robot's queue. Then this line
+# runs, once:
 #
 # ```python
 # rclpy.spin_once(robot, timeout_sec=0.5)
 # ```
 #
-# How often has the robot's callback run?
+# How many times does the robot's callback run?
 #
 # - **a** 1.
 #   when `heard == 1`
@@ -282,8 +282,9 @@ reveal("no-timeout", came_back="after" in seen.log)
 # %% [markdown] prediction="timeout-zero"
 # ### Experiment 2: a timeout of 0
 #
-# If waiting is dangerous, why wait at all? With `timeout_sec=0` the call only polls, and returns at once. Three loops serve the same 10 Hz timer until it has ticked twenty times, with timeouts of 0, 0.01 and 0.1 s. What do you
-# expect of the first?
+# If waiting is dangerous, why wait at all? With `timeout_sec=0`, the call only polls and returns right away. Three
+# loops, with timeouts of 0, 0.01, and 0.1 s, each spin a node until its 10 Hz timer has ticked twenty times. What do
+# you expect from the first loop?
 #
 # - **a** It takes as long as the others, and keeps a processor busy all the time.
 #   when `soonest_s > 1.9 and times_as_many_calls > 5`
@@ -351,7 +352,7 @@ show(
 # %% [markdown] prediction="after-spin"
 # ### Experiment 3: what comes after `spin`
 #
-# A robot makes one round, and must park its arm at the end. When the round is over, a timer of the node calls this:
+# A robot makes one round and must then park its arm. When the round is over, one of the node's timers calls this:
 #
 # ```python
 # def finish() -> None:
@@ -366,7 +367,7 @@ show(
 # print("arm parked")
 # ```
 #
-# Is the arm parked?
+# Does the arm get parked?
 #
 # - **a** Yes, but too early: `spin` starts the node in the background, and the program goes on.
 #   when `0 <= parked_at < finished_at`
