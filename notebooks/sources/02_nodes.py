@@ -712,8 +712,7 @@ yours(
 #
 # </details>
 #
-# **4. A program creates two nodes from one class. You start it with `--ros-args -r __node:=scout`. What are the nodes
-# called?**
+# **4. A program creates two nodes from one class. You pass it `--ros-args -r __node:=scout`. What are they called?**
 #
 # <details><summary>a) Both are called <code>scout</code></summary>
 #
@@ -758,7 +757,8 @@ yours(
 # I'm programming robots with ROS 2 Jazzy in Python (rclpy). Our warehouse has twenty
 # robots of the same model, and each runs the same fifteen nodes. How should we name the
 # nodes and topics, so that we can add a robot without editing code, and so that one
-# dashboard can show all of them? From rclpy, use only functions that exist in Jazzy.
+# dashboard can show all of them? Make sure that every rclpy function you use exists in
+# Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -777,7 +777,7 @@ yours(
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
 # - **ROS 2 refuses a second node with the same name:** It doesn't. Both nodes run, and only a warning says that their
 #   log messages share one publisher.

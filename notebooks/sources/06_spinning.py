@@ -569,8 +569,7 @@ yours(
 # %% [markdown]
 # ## Check yourself
 #
-# **1. Ten messages are waiting, and two timers are due. How many calls to `spin_once` does it take to handle them
-# all?**
+# **1. Ten messages are waiting, and two timers are due. How many `spin_once` calls does it take to handle them all?**
 #
 # <details><summary>a) One</summary>
 #
@@ -651,8 +650,8 @@ yours(
 # ```text
 # I'm programming a robot with ROS 2 Jazzy in Python (rclpy). My program reads a joystick
 # in a loop (`while True: read, publish, sleep 20 ms`) and must also react to
-# `/emergency_stop`. Where should I spin the node? Compare at least three ways. Name only
-# functions that exist in rclpy for Jazzy.
+# `/emergency_stop`. Where should I spin the node? Compare at least three ways. Make sure
+# that every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -673,7 +672,7 @@ yours(
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
 # - **`rclpy.spin_some(node)`:** This function belongs to rclcpp, the C++ library. rclpy has `spin_once`.
 # - **`spin_once(node, timeout_sec=0)` handles everything that's waiting:** In fact, it runs one callback. Five waiting
