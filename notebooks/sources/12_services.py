@@ -834,7 +834,7 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 # `/arms/stretch_out` with `await client.call_async(...)` and publishes "caught" when
 # the response arrives. In tests, the callback hangs at the first stumble, and the
 # balance timer stops, too. Which changes would fix this, and which one would you choose?
-# From rclpy, use only functions that exist in Jazzy.
+# Make sure that every rclpy function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -850,7 +850,7 @@ yours(missing or ..., 2, "self.gripper.remove_pending_request(self.open_call)")
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two claims. We tried both with this course's rclpy, and both are wrong.
+# Watch for these two claims. We tested both with this course's rclpy, and both are wrong.
 #
 # - **`await client.call_async()` is safe in any callback:** By default, the client and the callback are in the same
 #   group. The response has to wait for that group, so it never reaches the callback.

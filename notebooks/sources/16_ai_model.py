@@ -554,8 +554,8 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 # ```text
 # I program a robot with ROS 2 Jazzy in Python (rclpy). Write a node that runs an ONNX
 # object detector on /camera/image (30 Hz, rgb8) and publishes the detections. Inference
-# takes 0.2 s. The node also publishes a heartbeat at 10 Hz. Name only functions that
-# exist in rclpy for Jazzy.
+# takes 0.2 s. The node also publishes a heartbeat at 10 Hz. Make sure that every rclpy
+# function you use exists in Jazzy.
 # ```
 #
 # <details><summary>What a good answer contains</summary>
@@ -570,7 +570,7 @@ yours(put_newest(shelf, "new"), "new", "waiting.get_nowait()")
 #
 # <details><summary>What to check in the reply</summary>
 #
-# Watch for these two suggestions. We tried both with this course's rclpy, and both failed.
+# Watch for these two suggestions. We tested both with this course's rclpy, and both failed.
 #
 # - **`create_subscription(Image, "/camera/image", self.on_image, 10)`:** A plain 10 requests reliable delivery, so the
 #   subscription receives nothing from a best-effort camera. Ten images also span a third of a second.
